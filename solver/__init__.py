@@ -1,0 +1,1 @@
+"""Multibody mechanics and time integration: from a scene to a trajectory."""
