@@ -1,0 +1,76 @@
+"""Build backend (PEP 517, PEP 660): setuptools, and the kernel compiled before each wheel.
+
+The kernel is compiled into the source tree, where an editable install finds it and from where a
+wheel takes it. Only a machine without a working C compiler is asked to install `ziglang`.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from setuptools import build_meta
+from setuptools.command.bdist_wheel import bdist_wheel
+
+from build_kernel.compiler import CompilerError, compile_kernel, system_compiler
+
+if TYPE_CHECKING:
+    Settings = dict[str, Any] | None
+
+ROOT = Path(__file__).resolve().parent.parent
+
+build_sdist = build_meta.build_sdist
+get_requires_for_build_sdist = build_meta.get_requires_for_build_sdist
+prepare_metadata_for_build_editable = build_meta.prepare_metadata_for_build_editable
+prepare_metadata_for_build_wheel = build_meta.prepare_metadata_for_build_wheel
+
+
+def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
+    """Packages that building a wheel needs on this machine."""
+    return [*build_meta.get_requires_for_build_wheel(config_settings), *_compiler_package()]
+
+
+def get_requires_for_build_editable(config_settings: Settings = None) -> list[str]:
+    """Packages that an editable install needs on this machine."""
+    return [*build_meta.get_requires_for_build_editable(config_settings), *_compiler_package()]
+
+
+def build_wheel(
+    wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None
+) -> str:
+    """Compile the kernel and build a wheel with it inside."""
+    _compile()
+    return build_meta.build_wheel(wheel_directory, config_settings, metadata_directory)
+
+
+def build_editable(
+    wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None
+) -> str:
+    """Compile the kernel into the source tree and build a wheel that points there."""
+    _compile()
+    return build_meta.build_editable(wheel_directory, config_settings, metadata_directory)
+
+
+class KernelWheel(bdist_wheel):
+    """A wheel for one platform and every Python 3: the kernel knows no Python interface."""
+
+    def finalize_options(self) -> None:
+        """Declare the content to depend on the platform."""
+        self.distribution.has_ext_modules = lambda: True
+        super().finalize_options()
+
+    def get_tag(self) -> tuple[str, str, str]:
+        """Tag such as py3-none-linux_x86_64."""
+        return "py3", "none", super().get_tag()[2]
+
+
+def _compiler_package() -> list[str]:
+    return [] if system_compiler() else ["ziglang"]
+
+
+def _compile() -> None:
+    try:
+        compile_kernel(ROOT)
+    except CompilerError as error:
+        sys.exit(f"holonom: {error}")  # a message, where a traceback would bury it

@@ -1,0 +1,130 @@
+"""Compile `solver/kernel/*.c` into the one shared library that `solver.runtime` loads.
+
+The compiler is `$CC`, or else the first of cc, gcc, clang that can build a shared library, or else
+the clang inside the `ziglang` wheel, told to link against a glibc that every current Linux has.
+
+Flags that matter: `-ffp-contract=off` and the absence of `-ffast-math` and `-march` keep the
+arithmetic of a step the same on every machine of one architecture.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SOURCES = Path("solver/kernel")
+LIBRARIES = Path("solver/runtime/_kernel")
+FLAGS = (
+    *("-std=c99", "-O3", "-ffp-contract=off", "-fPIC", "-shared", "-fvisibility=hidden"),
+    *("-Wall", "-Wextra", "-Wpedantic", "-Werror"),
+)
+SYSTEM_COMPILERS = ("cc", "gcc", "clang")
+PROBE = "#include <math.h>\ndouble probe(double x);\ndouble probe(double x) { return sin(x); }\n"
+
+
+class CompilerError(Exception):
+    """The kernel cannot be compiled; the text has the compiler's message and the remedy."""
+
+
+def compile_kernel(root: Path) -> Path:
+    """Compile the kernel below `root`, the folder of pyproject.toml; the library's path."""
+    sources = sorted(path.name for path in (root / SOURCES).glob("*.c"))
+    if not sources:
+        text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
+        raise CompilerError(text)
+    compiler = system_compiler() or zig_compiler()
+    if compiler is None:
+        text = (
+            "the kernel needs a C compiler, and neither $CC nor cc, gcc, clang works here\n"
+            "remedy: install one, or its replacement from PyPI: pip install ziglang"
+        )
+        raise CompilerError(text)
+    library = root / LIBRARIES / library_name(platform.system())
+    library.parent.mkdir(exist_ok=True)
+    # The new file takes the old one's place at once: a running process may have that one mapped.
+    with tempfile.TemporaryDirectory(dir=library.parent, prefix="compile-") as folder:
+        target = Path(folder, library.name)
+        command = [*compiler, *flags(), "-o", str(target), *sources, "-lm"]
+        print("compiling the kernel:", shlex.join(command))
+        run = _run(command, root / SOURCES, folder)
+        if run.returncode != 0:
+            raise CompilerError(_failure(command, run.stdout))
+        target.replace(library)
+    return library
+
+
+def system_compiler() -> list[str] | None:
+    """Command of this machine's C compiler: `$CC`, or one that works; None if there is none."""
+    chosen = shlex.split(os.environ.get("CC", ""))
+    if chosen and shutil.which(chosen[0]):
+        return chosen
+    for name in SYSTEM_COMPILERS:
+        path = shutil.which(name)
+        if path is not None and _works(path):
+            return [path]
+    return None
+
+
+def zig_compiler() -> list[str] | None:
+    """Command of the C compiler in the `ziglang` wheel, None if that is not installed."""
+    if importlib.util.find_spec("ziglang") is None:
+        return None
+    target = zig_target(platform.system(), platform.machine(), platform.libc_ver()[0])
+    return [sys.executable, "-m", "ziglang", "cc", "-target", target]
+
+
+def zig_target(system: str, machine: str, libc: str) -> str:
+    """Zig's name of a platform, from what Python's `platform` calls it."""
+    architecture = {"amd64": "x86_64", "arm64": "aarch64"}.get(machine.lower(), machine.lower())
+    if system == "Windows":
+        return f"{architecture}-windows-gnu"
+    if system == "Darwin":
+        return f"{architecture}-macos"
+    return f"{architecture}-linux-" + ("gnu.2.17" if libc == "glibc" else "musl")
+
+
+def library_name(system: str) -> str:
+    """File name of the kernel on an operating system."""
+    return "libholonom" + {"Windows": ".dll", "Darwin": ".dylib"}.get(system, ".so")
+
+
+def flags() -> list[str]:
+    """Flags of every compiler; those of `$CFLAGS` come last and so win."""
+    return [*FLAGS, *shlex.split(os.environ.get("CFLAGS", ""))]
+
+
+def _works(compiler: str) -> bool:
+    # A compiler without the headers of libc, or the stub that macOS has for one, counts as none.
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "probe.c").write_text(PROBE)
+        command = [compiler, "-fPIC", "-shared", "-o", "probe.out", "probe.c", "-lm"]
+        return _run(command, Path(folder), folder).returncode == 0
+
+
+def _run(command: list[str], where: Path, scratch: str) -> subprocess.CompletedProcess[str]:
+    # Zig caches what it compiles of libc, by default below $HOME, which a build may not have.
+    caches = {"ZIG_GLOBAL_CACHE_DIR": scratch, "ZIG_LOCAL_CACHE_DIR": scratch}
+    return subprocess.run(
+        command,
+        cwd=where,
+        env=caches | dict(os.environ),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
+
+
+def _failure(command: list[str], output: str) -> str:
+    return (
+        f"the kernel does not compile\n{shlex.join(command)}\n{output.rstrip()}\n"
+        "remedy: CFLAGS=-Wno-error builds in spite of warnings; CC=... chooses another compiler,\n"
+        "for instance, after pip install ziglang, CC='python -m ziglang cc'"
+    )
