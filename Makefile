@@ -1,0 +1,66 @@
+# make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
+# make test        everything CI runs: format, lint, types, import contracts, tests
+# make benchmark   time and accuracy, on this machine
+# make kernel      compile the C kernel and nothing else
+# make clean       back to a fresh clone
+#
+# Each makes or reuses .venv and needs only Python (PYTHON=... chooses which), pip and make.
+
+PYTHON ?= python3
+JOBS ?= 2
+
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check
+BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h)
+
+.PHONY: demo test lint benchmark kernel clean
+
+demo: $(VENV)/installed
+	@$(BIN)/python -m build_fmu.demo
+
+test: lint
+	$(BIN)/python -m pytest -n $(JOBS)
+
+lint: $(VENV)/installed-tools
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/pyright --pythonpath $(BIN)/python
+	$(BIN)/lint-imports
+
+benchmark: $(VENV)/installed-benchmarks
+	$(BIN)/python -m benchmarks
+
+kernel:
+	$(PYTHON) -m build_kernel
+
+clean:
+	rm -rf $(VENV) build dist *.egg-info solver/runtime/_kernel
+	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# The environment. A newer C source or pyproject.toml installs again, which compiles the kernel.
+
+$(VENV)/created:
+	@$(PYTHON) -c 'import sys; sys.version_info >= (3, 10) or sys.exit("holonom needs Python 3.10 or newer, and $(PYTHON) is %d.%d; remedy: make PYTHON=python3.12" % sys.version_info[:2])'
+	@echo "creating $(VENV)"
+	@# Debian's Python comes without ensurepip: its pip then installs another one into the environment.
+	@$(PYTHON) -m venv $(VENV) >/dev/null 2>&1 || { \
+	    rm -rf $(VENV); \
+	    $(PYTHON) -m venv --without-pip $(VENV) && $(PYTHON) -m pip --python $(BIN)/python install --quiet pip; }
+	@touch $@
+
+$(VENV)/installed: $(VENV)/created $(BUILD)
+	@echo "installing holonom and what it needs"
+	@$(PIP) install --quiet --editable .
+	@touch $@
+
+$(VENV)/installed-tools: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and the tools that check it"
+	@$(PIP) install --quiet --editable '.[test,lint]'
+	@touch $@ $(VENV)/installed
+
+$(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and its peers of comparison"
+	@$(PIP) install --quiet --editable '.[benchmarks]'
+	@touch $@ $(VENV)/installed
