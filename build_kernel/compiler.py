@@ -47,7 +47,7 @@ def compile_kernel(root: Path) -> Path:
         )
         raise CompilerError(text)
     library = root / LIBRARIES / library_name(platform.system())
-    library.parent.mkdir(exist_ok=True)
+    library.parent.mkdir(parents=True, exist_ok=True)
     # The new file takes the old one's place at once: a running process may have that one mapped.
     with tempfile.TemporaryDirectory(dir=library.parent, prefix="compile-") as folder:
         target = Path(folder, library.name)
