@@ -1,0 +1,52 @@
+"""Turns a scene into an FMI 2.0 co-simulation unit, and runs, checks and describes such units.
+
+    from build_fmu import build
+    build("scenes/four_bar.toml", "four_bar.fmu", overrides={"points.B0.velocity": [2, 0]})
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from solver.scene import Scene
+
+__all__ = ["build"]
+
+
+def build(
+    scene: str | PathLike[str] | Scene,
+    path: str | PathLike[str] | None = None,
+    *,
+    overrides: Mapping[str, object] | None = None,
+) -> Path:
+    """Write the FMU of a scene; the same scene gives the same bytes.
+
+    Parameters
+    ----------
+    scene
+        A scene file (.toml or .json) or a loaded scene.
+    path
+        Where to write; None: `<name of the scene>.fmu` in the current folder.
+    overrides
+        Numbers and options that replace those of the scene file, by dotted name: a declared
+        parameter ("length") or any field ("points.A.mass").
+
+    Returns
+    -------
+    Path
+        The file that was written.
+
+    Raises
+    ------
+    solver.scene.SceneError
+        With every mistake of the scene.
+    build_fmu.failure.EnvironmentLack
+        If the compiled kernel or pythonfmu's libraries are missing.
+    """
+    from build_fmu.export import build_archive
+
+    return build_archive(scene, path, overrides or {})

@@ -1,0 +1,122 @@
+"""The command line: arguments, streams and exit codes; what a command does is in `commands/`.
+
+Results go to stdout, progress and messages to stderr. A command's module is imported when it runs,
+so that `--help` need not wait for NumPy.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import sys
+from collections.abc import Sequence
+
+from build_fmu.failure import LACK, USAGE, CommandFailure, UsageFault
+
+INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
+EXIT_CODES = """exit codes:
+  0  done
+  1  a check failed
+  2  usage or scene error
+  3  the simulation did not finish
+  4  the environment lacks something
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; the exit code."""
+    chosen = _parser().parse_args(arguments)
+    try:
+        return importlib.import_module(f"build_fmu.commands.{chosen.command}").run(chosen)
+    except CommandFailure as failure:
+        return _say(str(failure), failure.code)
+    except ModuleNotFoundError as error:
+        return _say(f"the package {error.name} is missing; install it: pip install holonom", LACK)
+    except OSError as error:
+        return _say(f"{error.filename or 'file'}: {error.strerror or error}", USAGE)
+    except KeyboardInterrupt:
+        return _say("interrupted", INTERRUPTED)
+
+
+def _say(text: str, code: int) -> int:
+    prefix = "" if ": error: " in text else "build-fmu: "
+    sys.stderr.write(f"{prefix}{text}\n")
+    return code
+
+
+def setting(text: str) -> tuple[str, object]:
+    """Name and value of `name=value`; a number, true/false, a list, else text as it stands."""
+    name, equals, value = text.partition("=")
+    if not equals or not name.strip():
+        message = f"{text!r} is not of the form name=value"
+        raise argparse.ArgumentTypeError(message)
+    return name.strip(), _value(value.strip())
+
+
+def _value(text: str) -> object:
+    if text in ("true", "false"):
+        return text == "true"
+    for read in (int, float):
+        try:
+            return read(text)
+        except ValueError:
+            continue
+    if text.startswith(("[", "{")):
+        import json
+
+        try:
+            return json.loads(text)
+        except ValueError as error:
+            message = f"{text}: {error}"
+            raise UsageFault(message) from None
+    return text
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="build-fmu",
+        description="Turn mechanisms into FMI 2.0 co-simulation units; run, check and describe them.",
+        epilog=EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    build = commands.add_parser("build", help="write the FMU of a scene")
+    build.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
+    build.add_argument("-o", "--output", metavar="FILE", help="default: <name of the scene>.fmu")
+    _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
+    simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
+    _add_run(simulate)
+    simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
+    check = commands.add_parser("check", help="run it and test that energy and constraints hold")
+    _add_run(check)
+    for name in ("energy", "constraint"):
+        text = f"largest relative {name} error that passes (default: %(default)s)"
+        check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
+    info = commands.add_parser("info", help="bodies, rows, degrees of freedom, variables")
+    info.add_argument("target", metavar="SCENE|FMU")
+    _add_settings(info, "replace a parameter or any number of the scene")
+    validate = commands.add_parser("validate", help="check an FMU against the standard with fmpy")
+    validate.add_argument("target", metavar="FMU")
+    for command in (build, simulate, check, info, validate):
+        command.add_argument("--json", action="store_true", help="print JSON instead of a table")
+    return parser
+
+
+def _add_settings(command: argparse.ArgumentParser, text: str) -> None:
+    command.add_argument(
+        *("--set", "-s"),
+        dest="settings",
+        type=setting,
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help=text,
+    )
+
+
+def _add_run(command: argparse.ArgumentParser) -> None:
+    command.add_argument("target", metavar="SCENE|FMU")
+    text = "(default: that of the scene)"
+    command.add_argument("--stop", type=float, metavar="TIME", help=f"stop time in s {text}")
+    command.add_argument("--step", type=float, metavar="SIZE", help=f"step in s {text}")
+    _add_settings(command, "set a parameter or input (of a scene: any number of it)")

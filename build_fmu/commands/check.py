@@ -1,0 +1,45 @@
+"""`build-fmu check SCENE|FMU`: run it and test that energy and constraints hold."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from build_fmu.commands.simulate import simulate
+from build_fmu.failure import CHECK_FAILED, UNFINISHED, UsageFault
+from build_fmu.report import print_json, print_table
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Check; exit code 1 if a limit is exceeded, 3 if the run ends early."""
+    result = simulate(arguments)
+    limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
+    missing = [name for name in limits if name not in (result.values.dtype.names or ())]
+    if missing:
+        text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of build-fmu"
+        raise UsageFault(text)
+    checks = [
+        {"name": name, "largest": largest, "limit": limit, "holds": largest <= limit}
+        for name, limit in limits.items()
+        for largest in (result.largest(name),)
+    ]
+    holds = all(check["holds"] for check in checks) and not result.reason
+    if arguments.json:
+        reason = {"reason": result.reason, "end_time": result.end_time}
+        print_json({"holds": holds, "checks": checks, **reason})
+    else:
+        rows = [
+            (str(c["name"]), f"{c['largest']:.2e}", f"{c['limit']:.2e}", _verdict(c["holds"]))
+            for c in checks
+        ]
+        title = f"{arguments.target}: {len(result.values) - 1} steps to t = {result.end_time:g} s"
+        print_table(title, ("output", "largest", "limit", "holds"), rows)
+    if result.reason:
+        text = f"the run ended at t = {result.end_time!r} s, before {result.stop_time!r} s"
+        sys.stderr.write(f"build-fmu: {text}: {result.reason}\n")
+        return UNFINISHED
+    return 0 if holds else CHECK_FAILED
+
+
+def _verdict(holds: object) -> str:
+    return "yes" if holds else "NO"

@@ -1,0 +1,87 @@
+"""`build-fmu simulate SCENE|FMU`: run it in fmpy and show where it ended, or write a CSV file."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from build_fmu.failure import UNFINISHED
+from build_fmu.report import number, print_json, print_table, progress_bar
+from build_fmu.run import Run, run_fmu
+from build_fmu.target import runnable
+
+if TYPE_CHECKING:
+    from numpy import ndarray
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Simulate; exit code 3 if the run ends before its stop time."""
+    result = simulate(arguments)
+    if arguments.csv == "-":
+        write_csv(result.values, sys.stdout)
+    elif arguments.csv:
+        with Path(arguments.csv).open("w", newline="", encoding="utf-8") as file:
+            write_csv(result.values, file)
+    if arguments.json:
+        print_json(summary(result))
+    elif not arguments.csv:
+        _print_end(arguments.target, result)
+    for message in dict.fromkeys(result.messages):
+        sys.stderr.write(f"{message}\n")
+    if result.reason:
+        text = f"the run ended at t = {result.end_time!r} s, before {result.stop_time!r} s"
+        sys.stderr.write(f"build-fmu: {text}: {result.reason}\n")
+        return UNFINISHED
+    return 0
+
+
+def simulate(arguments: argparse.Namespace) -> Run:
+    """Run what the arguments say, with a progress bar on a terminal."""
+    settings = dict(arguments.settings)
+    with (
+        runnable(arguments.target, settings) as (path, left),
+        progress_bar(f"simulating {Path(path).stem}", arguments.stop) as progress,
+    ):
+        return run_fmu(
+            path,
+            stop_time=arguments.stop,
+            step_size=arguments.step,
+            settings=left,
+            progress=progress,
+        )
+
+
+def write_csv(values: ndarray, file: TextIO) -> None:
+    """Trajectory in fmpy's layout, with digits that read back as the same numbers."""
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(values.dtype.names or ())
+    writer.writerows([repr(float(value)) for value in row] for row in values)
+
+
+def summary(result: Run) -> dict[str, object]:
+    """What `--json` prints."""
+    names = result.values.dtype.names or ()
+    errors = [name for name in ("energy.error", "constraint.position") if name in names]
+    return {
+        "finished": not result.reason,
+        "reason": result.reason,
+        "end_time": result.end_time,
+        "stop_time": result.stop_time,
+        "steps": len(result.values) - 1,
+        "wall_time": result.wall_time,
+        "largest": {name: result.largest(name) for name in errors},
+        "final": {name: float(result.values[name][-1]) for name in names},
+    }
+
+
+def _print_end(target: str, result: Run) -> None:
+    rows = [
+        (name, number(float(column[0])), number(float(column[-1])), number(result.largest(name)))
+        for name in result.values.dtype.names or ()
+        for column in (result.values[name],)
+    ]
+    title = f"{target}: {len(result.values) - 1} steps in {result.wall_time:.3f} s"
+    print_table(title, ("output", "start", "end", "largest magnitude"), rows)

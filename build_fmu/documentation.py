@@ -1,0 +1,112 @@
+"""`documentation/` of an archive: a page about the model, licences, what the target needs."""
+
+from __future__ import annotations
+
+import importlib.metadata
+from collections.abc import Iterable
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from build_fmu.payload import package_folder
+
+if TYPE_CHECKING:
+    from solver.runtime import Model, Variable
+
+_PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>{name}</title>
+<style>
+body {{ font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 64rem; padding: 0 1rem }}
+table {{ border-collapse: collapse; width: 100% }}
+th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: left }}
+td.number {{ font-variant-numeric: tabular-nums }}
+</style>
+</head>
+<body>
+<h1>{name}</h1>
+<p>{description}</p>
+<p>An FMI 2.0 co-simulation unit. It advances the mechanism with a conserving augmented-Lagrangian
+method; its outputs <code>energy.error</code> and <code>constraint.position</code> say how well
+energy and constraints are kept, and <code>solver.status</code> is 0 as long as every communication
+step succeeded. Where it is not 0 the last step was discarded and the log has the reason.</p>
+<p>Default experiment: {experiment}. {needs}</p>
+{tables}
+</body>
+</html>
+"""
+_NEEDS = "Needs Python 3.10 or newer on the machine that runs it, and no package."
+_SECTIONS = {
+    "parameter": "Parameters",
+    "calculatedParameter": "Calculated parameters",
+    "input": "Inputs",
+    "output": "Outputs",
+    "local": "Local variables",
+}
+
+
+def documentation(model: Model) -> dict[str, bytes]:
+    """Files below `documentation/` by path in the archive."""
+    pythonfmu = _licence("pythonfmu", package_folder("pythonfmu"))
+    ours = _licence("holonom", Path(__file__).parents[1])
+    return {
+        "documentation/index.html": page(model).encode(),
+        "documentation/externalDependencies.txt": f"{_NEEDS}\n".encode(),
+        "documentation/licenses/license.txt": ours.encode(),
+        "documentation/licenses/pythonfmu.txt": pythonfmu.encode(),
+    }
+
+
+def page(model: Model) -> str:
+    """HTML page with a table of variables per causality."""
+    tables = [
+        _table(title, [v for v in model.variables if v.causality == causality])
+        for causality, title in _SECTIONS.items()
+    ]
+    experiment = model.experiment
+    return _PAGE.format(
+        name=escape(model.name),
+        description=escape(model.description),
+        experiment=(
+            f"{experiment.start_time!r} s to {experiment.stop_time!r} s "
+            f"with steps of {experiment.step_size!r} s"
+        ),
+        needs=_NEEDS,
+        tables="\n".join(filter(None, tables)),
+    )
+
+
+def _table(title: str, variables: Iterable[Variable]) -> str:
+    rows = "\n".join(_row(variable) for variable in variables)
+    if not rows:
+        return ""
+    head = "<tr><th>Name</th><th>Unit</th><th>Value</th><th>Range</th><th>Meaning</th></tr>"
+    return f"<h2>{title}</h2>\n<table>\n{head}\n{rows}\n</table>"
+
+
+def _row(variable: Variable) -> str:
+    start = "" if variable.start is None else str(variable.start)
+    limits = (variable.minimum, variable.maximum)
+    texts = ["" if limit is None else repr(limit) for limit in limits]
+    span = " to ".join(texts) if any(texts) else ""
+    cells = (variable.name, variable.unit, start, span, variable.description)
+    name, unit, value, limits_text, meaning = (escape(cell or "") for cell in cells)
+    return (
+        f"<tr><td><code>{name}</code></td><td>{unit}</td><td class=\"number\">{value}</td>"
+        f"<td>{limits_text}</td><td>{meaning}</td></tr>"
+    )
+
+
+def _licence(distribution: str, source_tree: Path) -> str:
+    """Licence text of an installed distribution, else of the source tree it runs from."""
+    try:
+        files = importlib.metadata.files(distribution) or []
+    except importlib.metadata.PackageNotFoundError:
+        files = []
+    for file in files:
+        if file.name == "LICENSE":
+            return file.read_text(encoding="utf-8")
+    local = source_tree / "LICENSE"
+    return local.read_text(encoding="utf-8") if local.is_file() else f"{distribution}: MIT\n"

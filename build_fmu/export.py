@@ -1,0 +1,90 @@
+"""Scene to FMU: compile, collect the parts of the archive, write it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import time
+import uuid
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from build_fmu.archive import write_archive
+from build_fmu.documentation import documentation
+from build_fmu.model_description import model_description
+from build_fmu.payload import payload, wrapper_libraries
+
+if TYPE_CHECKING:
+    from solver.runtime import Model
+    from solver.scene import Scene
+
+VERSION = "0.1.0"
+TOOL = f"holonom {VERSION}"
+EARLIEST = 315532800  # 1980-01-01, the date of what has none: two builds must be equal
+_NAMESPACE = uuid.UUID("c5a1d8f0-6a0b-5d63-9d3e-6f1f0c0b7e21")
+
+
+def build_archive(
+    scene: str | PathLike[str] | Scene,
+    path: str | PathLike[str] | None,
+    overrides: Mapping[str, object],
+) -> Path:
+    """Write the FMU of a scene; see `build_fmu.build`."""
+    model = compile_scene(scene, overrides)
+    target = Path(path) if path is not None else Path(f"{identifier(model.name)}.fmu")
+    write_archive(target, archive_entries(model))
+    return target
+
+
+def compile_scene(
+    scene: str | PathLike[str] | Scene, overrides: Mapping[str, object] | None = None
+) -> Model:
+    """Compiled model of a scene file or a loaded scene."""
+    import solver
+
+    if isinstance(scene, str | PathLike):
+        scene = solver.load(scene, overrides or {})
+    elif overrides:
+        text = "overrides belong to a scene file; give them to solver.load for a loaded scene"
+        raise ValueError(text)
+    return solver.assemble(scene)
+
+
+def archive_entries(model: Model) -> dict[str, bytes]:
+    """Content of the archive by path."""
+    code = payload()
+    name = identifier(model.name)
+    entries = {f"resources/{file}": data for file, data in code.files.items()}
+    entries["resources/model.bin"] = model.to_bytes()
+    entries["resources/slavemodule.txt"] = f"{code.slave_module}\n".encode()
+    for library, data in wrapper_libraries().items():
+        platform, suffix = library.split("/")
+        entries[f"binaries/{platform}/{name}{suffix}"] = data
+    entries |= documentation(model)
+    entries["modelDescription.xml"] = model_description(
+        model, identifier=name, guid=guid(entries), date=generation_date(), tool=TOOL
+    )
+    return entries
+
+
+def identifier(name: str) -> str:
+    """C identifier made of a scene's name."""
+    text = re.sub(r"\W", "_", name, flags=re.ASCII)
+    return f"_{text}" if text[:1].isdigit() else text or "mechanism"
+
+
+def guid(entries: Mapping[str, bytes]) -> str:
+    """Name-based UUID of the archive's content: equal content, equal GUID."""
+    digest = hashlib.sha256()
+    for path, data in sorted(entries.items()):
+        digest.update(f"{path} {len(data)}\n".encode() + data)
+    return f"{{{uuid.uuid5(_NAMESPACE, digest.hexdigest())}}}"
+
+
+def generation_date() -> str:
+    """SOURCE_DATE_EPOCH as FMI writes it, 1980-01-01 without it."""
+    seconds = int(os.environ.get("SOURCE_DATE_EPOCH", EARLIEST))
+    return time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))

@@ -1,0 +1,36 @@
+"""What ends a command, each with its exit code.
+
+0 done; 1 a check failed; 2 usage or scene error; 3 the simulation did not finish; 4 the environment
+lacks something.
+"""
+
+from __future__ import annotations
+
+CHECK_FAILED = 1
+USAGE = 2
+UNFINISHED = 3
+LACK = 4
+
+
+class CommandFailure(Exception):
+    """Base: the text is for the user, complete and without a traceback."""
+
+    code = CHECK_FAILED
+
+
+class UsageFault(CommandFailure):
+    """The command line, the scene or a file is wrong."""
+
+    code = USAGE
+
+
+class RunUnfinished(CommandFailure):
+    """A simulation ended before its stop time; the text says when and why."""
+
+    code = UNFINISHED
+
+
+class EnvironmentLack(CommandFailure):
+    """This machine lacks something; the text says what and how to get it."""
+
+    code = LACK

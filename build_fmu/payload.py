@@ -1,0 +1,138 @@
+"""The code that travels in an archive, as files of one private Python package.
+
+    holonom_<12 hex digits>_slave.py    names the class for pythonfmu's library
+    holonom_<12 hex digits>/            slave.py, status.py, ... of fmu_src
+        runtime/                        solver.runtime
+        runtime/_kernel/                the kernel, one library per platform
+        pythonfmu/                      the six modules of pythonfmu that its Fmi2Slave needs
+
+All FMUs of a process share Python's table of modules, and pythonfmu imports an FMU's code by plain
+name. The digits are a hash of the code, so two FMUs of different versions never run each other's
+code, and many FMUs of one version share it. Imports among the parts become relative for that.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import importlib.util
+import re
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from build_fmu.failure import EnvironmentLack
+
+PYTHONFMU_MODULES = (
+    "_version.py",
+    "default_experiment.py",
+    "enums.py",
+    "fmi2slave.py",
+    "logmsg.py",
+    "variables.py",
+)
+KERNEL_SUFFIXES = (".so", ".dll", ".dylib")
+_IMPORT = re.compile(
+    r"^(?P<indent>[ \t]*)from (?P<package>solver\.runtime|pythonfmu)(?P<rest>[.\w]*) import ",
+    re.MULTILINE,
+)
+_DESTINATION = {"solver.runtime": "runtime", "pythonfmu": "pythonfmu"}
+
+
+@dataclass(frozen=True)
+class Payload:
+    """Files below `resources/`, by path, and the module that pythonfmu's library imports."""
+
+    slave_module: str
+    files: dict[str, bytes]
+
+
+@functools.cache
+def payload() -> Payload:
+    """Code of this installation, ready to travel."""
+    sources = _fmu_src() | _runtime() | _pythonfmu()
+    digest = hashlib.sha256()
+    for path, data in sorted(sources.items()):
+        digest.update(f"{path} {len(data)}\n".encode() + data)
+    package = f"holonom_{digest.hexdigest()[:12]}"
+    slave = f'"""What pythonfmu\'s library imports."""\n\nfrom {package}.slave import Slave as Slave\n'
+    files = {f"{package}/{path}": data for path, data in sources.items()}
+    files[f"{package}_slave.py"] = slave.encode()
+    return Payload(f"{package}_slave", files)
+
+
+def wrapper_libraries() -> dict[str, bytes]:
+    """pythonfmu's libraries, which carry the FMI functions, by platform and suffix.
+
+    Keys are such as "linux64/.so".
+    """
+    folder = package_folder("pythonfmu") / "resources" / "binaries"
+    found = sorted(path for path in folder.rglob("*") if path.suffix in KERNEL_SUFFIXES)
+    if not found:
+        text = f"pythonfmu has no libraries in {folder}; install it anew: pip install pythonfmu"
+        raise EnvironmentLack(text)
+    return {f"{path.parent.name}/{path.suffix}": path.read_bytes() for path in found}
+
+
+def package_folder(name: str) -> Path:
+    """Folder of an installed package, found without importing it.
+
+    Raises
+    ------
+    EnvironmentLack
+        If it is not installed.
+    """
+    spec = importlib.util.find_spec(name)
+    if spec is None or not spec.submodule_search_locations:
+        text = f"the package {name} is missing; install it: pip install {name}"
+        raise EnvironmentLack(text)
+    return Path(next(iter(spec.submodule_search_locations)))
+
+
+def _fmu_src() -> dict[str, bytes]:
+    return _modules(package_folder("fmu_src"), "")
+
+
+def _runtime() -> dict[str, bytes]:
+    folder = package_folder("solver") / "runtime"
+    kernels = [path for path in folder.glob("_kernel/*") if path.suffix in KERNEL_SUFFIXES]
+    if not kernels:
+        text = (
+            f"the compiled kernel is missing in {folder / '_kernel'}; compile it: "
+            "python -m build_kernel"
+        )
+        raise EnvironmentLack(text)
+    libraries = {f"runtime/_kernel/{path.name}": path.read_bytes() for path in kernels}
+    return _modules(folder, "runtime/") | libraries
+
+
+def _pythonfmu() -> dict[str, bytes]:
+    folder = package_folder("pythonfmu")
+    files = {f"pythonfmu/{name}": (folder / name).read_bytes() for name in PYTHONFMU_MODULES}
+    # pythonfmu's own __init__ imports its builder, 25 ms of modules that a slave never uses.
+    files["pythonfmu/__init__.py"] = b'"""Part of PythonFMU, MIT licence: what a slave needs."""\n'
+    return files
+
+
+def _modules(folder: Path, prefix: str) -> dict[str, bytes]:
+    """Python files of a package with relative imports, by path below the private package."""
+    files = {}
+    for path in sorted(folder.rglob("*.py")):
+        name = prefix + path.relative_to(folder).as_posix()
+        text = path.read_text(encoding="utf-8")
+        files[name] = relative_imports(text, PurePosixPath(name)).encode()
+    return files
+
+
+def relative_imports(source: str, path: PurePosixPath) -> str:
+    """Source text whose imports of travelling packages are relative to its place `path`.
+
+    >>> relative_imports("from solver.runtime import Model", PurePosixPath("slave.py"))
+    'from .runtime import Model'
+    """
+    dots = "." * len(path.parts)
+
+    def replace(match: re.Match[str]) -> str:
+        target = _DESTINATION[match["package"]] + match["rest"]
+        return f"{match['indent']}from {dots}{target} import "
+
+    return _IMPORT.sub(replace, source)

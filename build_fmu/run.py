@@ -1,0 +1,167 @@
+"""One run of an FMU in fmpy, from the archive: trajectory, log, and whether it came to its end.
+
+`fmpy.simulate_fmu` ends quietly at a discarded step, with success. Here an early end is a fact of
+the result, with the sentence of the FMU's log that says why.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from os import PathLike, fspath
+from typing import TYPE_CHECKING
+
+from build_fmu.failure import EnvironmentLack, UsageFault
+
+if TYPE_CHECKING:
+    from fmpy.model_description import ModelDescription
+    from numpy import ndarray
+
+DISCARD, ERROR = 2, 3  # fmi2Status
+
+
+@dataclass(frozen=True)
+class Run:
+    """Result of `run_fmu`."""
+
+    values: ndarray
+    """Structured array: "time" and every output, one row per communication point."""
+    stop_time: float
+    wall_time: float
+    """Seconds for unpacking, instantiation and all steps."""
+    messages: tuple[str, ...]
+    """Lines of the FMU's log with status Warning and above."""
+    reason: str
+    """Why the run ended early; empty if it did not."""
+
+    @property
+    def end_time(self) -> float:
+        """Time of the last row."""
+        return float(self.values["time"][-1])
+
+    def largest(self, name: str) -> float:
+        """Largest magnitude of an output over the run."""
+        return float(abs(self.values[name]).max())
+
+
+def run_fmu(
+    path: str | PathLike[str],
+    *,
+    stop_time: float | None = None,
+    step_size: float | None = None,
+    settings: Mapping[str, object] | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Run:
+    """Simulate an FMU from its archive.
+
+    Parameters
+    ----------
+    path
+        The .fmu file.
+    stop_time, step_size
+        Stop time and communication step in s; None: of the FMU's default experiment.
+    settings
+        Values of parameters and inputs by name.
+    progress
+        Called with the time after every communication step.
+
+    Raises
+    ------
+    UsageFault
+        If the FMU has no variable of a name in `settings`, or a time makes no sense.
+    EnvironmentLack
+        If the FMU has no library for this platform.
+    """
+    import fmpy
+
+    description = fmpy.read_model_description(fspath(path), validate=False)
+    _check(fspath(path), description, settings or {}, step_size)
+    stop_time, step_size = _times(description, stop_time, step_size)
+    log: list[tuple[int, str]] = []
+    begin = time.perf_counter()
+    values, failure = _simulate(
+        fspath(path),
+        model_description=description,
+        stop_time=stop_time,
+        output_interval=step_size,
+        start_values=dict(settings or {}),
+        debug_logging=True,
+        logger=lambda *entry: log.append((entry[2], entry[4].decode("utf-8", "replace"))),
+        step_finished=_reporter(progress),
+    )
+    wall_time = time.perf_counter() - begin
+    messages = tuple(text for level, text in log if level > 0)
+    finished = values is not None and values["time"][-1] >= stop_time - 1e-6 * step_size
+    reason = "" if finished else _reason(log, failure)
+    if values is None:
+        raise UsageFault(reason)
+    return Run(values, stop_time, wall_time, messages, reason)
+
+
+def _reporter(progress: Callable[[float], object] | None) -> Callable | None:
+    if progress is None:
+        return None
+
+    def step_finished(now: float, _recorder: object) -> bool:
+        progress(now)
+        return True
+
+    return step_finished
+
+
+def _simulate(path: str, **options) -> tuple[ndarray | None, str]:
+    """Result of fmpy, None with a text if an FMI function returned an error."""
+    import fmpy
+    from fmpy.fmi1 import FMICallException
+
+    try:
+        return fmpy.simulate_fmu(path, **options), ""
+    except FMICallException as error:
+        return None, str(error)
+
+
+def _reason(log: list[tuple[int, str]], failure: str) -> str:
+    """Last sentence that the FMU logged about a refusal."""
+    severe = [text for level, text in log if level >= DISCARD]
+    return severe[-1] if severe else failure or "the FMU ended the simulation without a message"
+
+
+def _check(
+    path: str,
+    description: ModelDescription,
+    settings: Mapping[str, object],
+    step_size: float | None,
+) -> None:
+    from fmpy import platform, supported_platforms
+
+    if platform not in supported_platforms(path):
+        text = f"{path} has no library for this platform, {platform}"
+        raise EnvironmentLack(text)
+    if step_size is not None and not (math.isfinite(step_size) and step_size > 0.0):
+        text = f"the communication step must be > 0 s, got {step_size!r}"
+        raise UsageFault(text)
+    names = [v.name for v in description.modelVariables if v.causality in ("parameter", "input")]
+    for name in settings:
+        if name not in names:
+            near = difflib.get_close_matches(name, names, 1)
+            hint = f"; did you mean {near[0]!r}?" if near else ""
+            text = f"{path} has no parameter or input {name!r}{hint}"
+            raise UsageFault(text)
+
+
+def _times(
+    description: ModelDescription, stop_time: float | None, step_size: float | None
+) -> tuple[float, float]:
+    experiment = description.defaultExperiment
+    start = float(getattr(experiment, "startTime", None) or 0.0)
+    if stop_time is None:
+        stop_time = float(getattr(experiment, "stopTime", None) or start + 1.0)
+    if step_size is None:
+        step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
+    if not stop_time > start:
+        text = f"the stop time must be after the start time {start!r} s, got {stop_time!r}"
+        raise UsageFault(text)
+    return stop_time, step_size

@@ -1,0 +1,86 @@
+"""What a command works on: a scene file or an FMU."""
+
+from __future__ import annotations
+
+import contextlib
+import tempfile
+import zipfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from build_fmu.failure import UsageFault
+
+if TYPE_CHECKING:
+    from solver.runtime import Model
+
+
+def is_fmu(target: str) -> bool:
+    """Whether the file is an archive (rather than a scene).
+
+    Raises
+    ------
+    UsageFault
+        If there is no such file.
+    """
+    path = Path(target)
+    if not path.is_file():
+        text = f"{target}: no such file"
+        raise UsageFault(text)
+    return path.suffix == ".fmu" or zipfile.is_zipfile(path)
+
+
+def require_fmu(target: str) -> None:
+    """Raise UsageFault unless the file is an archive with a model description."""
+    if is_fmu(target) and zipfile.is_zipfile(target):
+        with zipfile.ZipFile(target) as archive:
+            if "modelDescription.xml" in archive.namelist():
+                return
+    text = f"{target}: not an FMU (a zip file with modelDescription.xml)"
+    raise UsageFault(text)
+
+
+def scene_model(target: str, settings: Mapping[str, object]) -> Model:
+    """Compiled model of a scene file; its mistakes become a UsageFault."""
+    from build_fmu.export import compile_scene
+    from solver.scene import SceneError
+
+    try:
+        return compile_scene(target, settings)
+    except SceneError as error:
+        raise UsageFault(str(error)) from None
+
+
+def fmu_model(target: str) -> Model:
+    """Compiled model inside an FMU of ours."""
+    from solver.runtime import Model, OptionError
+
+    require_fmu(target)
+    try:
+        with zipfile.ZipFile(target) as archive:
+            return Model.from_bytes(archive.read("resources/model.bin"))
+    except (KeyError, ValueError, OptionError) as error:
+        text = f"{target}: not made by this version of build-fmu ({error})"
+        raise UsageFault(text) from None
+
+
+@contextlib.contextmanager
+def runnable(
+    target: str, settings: Mapping[str, object]
+) -> Iterator[tuple[str, Mapping[str, object]]]:
+    """FMU to run, and the settings that are left for the run itself.
+
+    A scene is built into a temporary folder with the settings as overrides of its numbers.
+    """
+    if is_fmu(target):
+        require_fmu(target)
+        yield target, settings
+        return
+    from build_fmu.archive import write_archive
+    from build_fmu.export import archive_entries, identifier
+
+    model = scene_model(target, settings)
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        path = Path(folder, f"{identifier(model.name)}.fmu")
+        write_archive(path, archive_entries(model))
+        yield str(path), {}

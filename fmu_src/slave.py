@@ -1,0 +1,301 @@
+"""The slave: the calls of FMI 2.0 co-simulation, as pythonfmu hands them on, on one `Integrator`.
+
+pythonfmu turns an exception into fmi2Fatal and frees the instance, and it knows no other way to
+refuse a call than a discarded step. So no exception leaves this class. What cannot be done is
+written to the log and remembered, the old values stay, and every doStep is then discarded until
+the value is set again, a saved state is restored or the instance is reset. The reason stands in
+the log and, as a code (`status.py`), in the output `solver.status`.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from pythonfmu.enums import Fmi2Status
+from pythonfmu.fmi2slave import Fmi2Slave
+from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
+
+from . import snapshot, status
+
+MODEL_FILE = "model.bin"
+INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = range(4)
+ZERO = {"Real": 0.0, "Integer": 0, "Boolean": False, "String": ""}
+STOP_SLACK = 1e-9  # of the stop time: communication points are sums with round-off
+
+
+class Slave(Fmi2Slave):
+    """One instance of the FMU. fmi2Reset is a new object of this class."""
+
+    log_categories = status.LOG_CATEGORIES
+
+    def __init__(self, **kwargs) -> None:
+        super().__init__(**kwargs)
+        self._model = Model.from_bytes(Path(self.resources or ".", MODEL_FILE).read_bytes())
+        self._integrator = Integrator(self._model, log=self._warn)
+        self._phase = INSTANTIATED
+        self._start_time: float | None = None
+        self._latest = sys.float_info.max  # no communication step ends after this
+        self._assembled = False  # with the present parameters
+        self._status = 0
+        self._refusals: dict[int | str, str] = {}
+        self._sort_variables()
+        if self.resources in sys.path:  # pythonfmu puts it there for every instance and leaves it
+            sys.path.remove(self.resources)
+
+    def _sort_variables(self) -> None:
+        variables = list(enumerate(self._model.variables))
+        self._of_type = {kind: {i for i, v in variables if v.type == kind} for kind in ZERO}
+        self._settable = {i for i, v in variables if v.causality in ("parameter", "input")}
+        self._fixed = {i for i in self._settable if variables[i][1].variability == "fixed"}
+        self._status_index = next((i for i, v in variables if v.name == "solver.status"), -1)
+
+    # ------------------------------------------------------------------------ initialisation
+
+    def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
+        """Take start and stop time; the tolerance has no meaning for a method of fixed step."""
+        if self._phase != INSTANTIATED:
+            self._error("setupExperiment was ignored: it belongs before the initialization mode")
+            return
+        self._start_time, self._assembled = start_time, False
+        if stop_time is not None:
+            self._latest = stop_time + STOP_SLACK * max(abs(stop_time), abs(start_time))
+        if tolerance is not None:
+            self._log(
+                f"tolerance {tolerance!r} has no effect: the accuracy of a run is set by the "
+                "parameter solver.step_size",
+                Fmi2Status.ok,
+            )
+
+    def enter_initialization_mode(self) -> None:
+        """Begin initialisation; outputs may be read from now on."""
+        if self._phase != INSTANTIATED:
+            self._error("enterInitializationMode was ignored: reset the instance first")
+            return
+        self._phase = INITIALIZING
+
+    def exit_initialization_mode(self) -> None:
+        """Assemble the mechanism with the parameters that have arrived."""
+        if self._phase != INITIALIZING:
+            self._error("exitInitializationMode was ignored: enterInitializationMode comes first")
+            return
+        self._phase = STEPPING
+        try:
+            self._assemble()
+        except Exception as error:
+            self._refuse(["assembly"], status.ASSEMBLY_FAILED, _sentence(error))
+
+    def _assemble(self) -> None:
+        self._integrator.initialise(self._start_time)
+        self._assembled = True
+        self._status = 0
+
+    # ---------------------------------------------------------------------------------- steps
+
+    def do_step(self, current_time: float, step_size: float) -> bool:
+        """Advance to `current_time + step_size`; False (fmi2Discard) leaves all as it was."""
+        try:
+            if (
+                self._phase != STEPPING
+                or self._refusals
+                or not step_size > 0.0
+                or not current_time + step_size <= self._latest
+            ):
+                return self._discard(*self._objection(current_time, step_size))
+            self._integrator.advance(current_time, step_size)
+        except StepError as error:
+            code = 0 if self._integrator.status else status.STEP_REFUSED
+            return self._discard(code, str(error))
+        except KeyboardInterrupt:
+            return self._discard(status.INTERRUPTED, f"interrupted at t = {current_time!r} s")
+        except Exception as error:
+            return self._discard(status.INTERNAL_FAULT, _sentence(error))
+        self._status = 0
+        return True
+
+    def _objection(self, current_time: float, step_size: float) -> tuple[int, str]:
+        """Code and sentence that say why this step is not even tried."""
+        if self._refusals:
+            reasons = "; ".join(dict.fromkeys(self._refusals.values()))
+            return self._status or status.VALUE_REFUSED, f"no step is taken: {reasons}"
+        if self._phase != STEPPING:
+            when = "after terminate" if self._phase == TERMINATED else "before the initialization"
+            return status.STEP_REFUSED, f"doStep was called {when}; it belongs between them"
+        step = f"step from t = {current_time!r} s with size {step_size!r} s"
+        if not step_size > 0.0:
+            return status.STEP_REFUSED, f"{step}: the size must be > 0 s"
+        return status.STEP_REFUSED, (
+            f"{step}: it ends after the stop time given to setupExperiment; take a shorter step "
+            "or define no stop time"
+        )
+
+    def _discard(self, code: int, text: str) -> bool:
+        self._status = code
+        self._log(text, Fmi2Status.discard)
+        return False
+
+    def terminate(self) -> None:
+        """End the run; values can still be read."""
+        self._phase = TERMINATED
+
+    # --------------------------------------------------------------------------------- values
+
+    def get_real(self, vrs: list[int]) -> list[float]:
+        """Values of Real variables; never NaN."""
+        return self._get("Real", vrs)
+
+    def get_integer(self, vrs: list[int]) -> list[int]:
+        """Values of Integer variables: there are none, so zeros and a line in the log."""
+        return self._get("Integer", vrs)
+
+    def get_boolean(self, vrs: list[int]) -> list[bool]:
+        """Values of Boolean variables."""
+        return self._get("Boolean", vrs)
+
+    def get_string(self, vrs: list[int]) -> list[str]:
+        """Values of String variables."""
+        return self._get("String", vrs)
+
+    def set_real(self, vrs: list[int], values: list[float]) -> None:
+        """Take values of Real variables: all of them, or none and a line in the log."""
+        self._set("Real", vrs, values)
+
+    def set_integer(self, vrs: list[int], values: list[int]) -> None:
+        """Refuse: there are no Integer variables."""
+        self._set("Integer", vrs, values)
+
+    def set_boolean(self, vrs: list[int], values: list[bool]) -> None:
+        """Take values of Boolean variables: all of them, or none and a line in the log."""
+        self._set("Boolean", vrs, values)
+
+    def set_string(self, vrs: list[int], values: list[str]) -> None:
+        """Take values of String variables: all of them, or none and a line in the log."""
+        self._set("String", vrs, values)
+
+    def _get(self, kind: str, vrs: list[int]) -> list:
+        try:
+            self._check_type(kind, vrs)
+            if not self._assembled and not self._settable.issuperset(vrs):
+                if "assembly" in self._refusals:
+                    return self._substitutes(kind, vrs)
+                self._assemble()
+            values = self._integrator.get(vrs)
+        except AssemblyError as error:
+            self._status = status.ASSEMBLY_FAILED
+            self._error(str(error))
+            return self._substitutes(kind, vrs)
+        except Exception as error:
+            self._error(_sentence(error))
+            return self._substitutes(kind, vrs)
+        if self._status and self._status_index in vrs:
+            values = [
+                float(self._status) if vr == self._status_index else value
+                for vr, value in zip(vrs, values, strict=True)
+            ]
+        return values
+
+    def _substitutes(self, kind: str, vrs: list[int]) -> list:
+        """What is handed out where nothing can be computed: parameters, inputs, and else zeros."""
+        return [self._substitute(kind, vr) for vr in vrs]
+
+    def _substitute(self, kind: str, vr: int) -> object:
+        if vr == self._status_index and kind == "Real":
+            return float(self._status)
+        if vr in self._settable and vr in self._of_type[kind]:
+            with contextlib.suppress(Exception):
+                return self._integrator.get([vr])[0]
+        return ZERO[kind]
+
+    def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
+        try:
+            self._check_type(kind, vrs)
+            self._check_phase(vrs)
+            self._integrator.set(vrs, values)
+        except Exception as error:
+            self._refuse(vrs, status.VALUE_REFUSED, _sentence(error))
+            return
+        if self._phase < STEPPING:
+            self._assembled = False
+        for vr in vrs if self._refusals else ():
+            self._refusals.pop(vr, None)
+
+    def _check_type(self, kind: str, vrs: list[int]) -> None:
+        if not self._of_type[kind].issuperset(vrs):
+            strangers = sorted(set(vrs) - self._of_type[kind])
+            text = f"value references {strangers} are not those of {kind} variables"
+            raise OptionError(text)
+
+    def _check_phase(self, vrs: list[int]) -> None:
+        if self._phase == TERMINATED:
+            text = "no value can be set after terminate; reset the instance first"
+            raise OptionError(text)
+        if self._phase == STEPPING and not self._fixed.isdisjoint(vrs):
+            names = ", ".join(self._model.variables[vr].name for vr in vrs if vr in self._fixed)
+            text = f"{names}: a fixed parameter cannot be set after the initialization; reset first"
+            raise OptionError(text)
+
+    # ---------------------------------------------------------------------------------- state
+
+    def _get_fmu_state(self) -> bytes:
+        try:
+            state = self._integrator.save()
+        except Exception as error:
+            self._error(f"the state cannot be saved: {_sentence(error)}")
+            state = b""
+        header = {
+            "phase": self._phase,
+            "start_time": self._start_time,
+            "assembled": self._assembled,
+            "status": self._status,
+            "refusals": list(self._refusals.items()),
+        }
+        return snapshot.pack(header, state)
+
+    def _set_fmu_state(self, state: bytes) -> None:
+        try:
+            header, data = snapshot.unpack(state)
+            self._integrator.restore(data)
+        except Exception as error:
+            self._refuse(["state"], status.STATE_REFUSED, _sentence(error))
+            return
+        self._phase = header["phase"]
+        self._start_time = header["start_time"]
+        self._assembled = header["assembled"]
+        self._status = header["status"]
+        self._refusals = dict(header["refusals"])
+
+    @staticmethod
+    def _fmu_state_to_bytes(state: bytes) -> bytes:
+        return state
+
+    @staticmethod
+    def _fmu_state_from_bytes(state: bytes) -> bytes:
+        return state
+
+    # ------------------------------------------------------------------------------------ log
+
+    def _refuse(self, what: Sequence[int | str], code: int, text: str) -> None:
+        """Remember a refusal: no step is taken while it stands."""
+        self._status = code
+        self._refusals.update(dict.fromkeys(what, text))
+        self._error(text)
+
+    def _error(self, text: str) -> None:
+        self._log(text, Fmi2Status.error)
+
+    def _warn(self, text: str) -> None:
+        self._log(text, Fmi2Status.warning)
+
+    def _log(self, text: str, level: Fmi2Status) -> None:
+        # pythonfmu hands the text to a C function as its printf format, encoded strictly.
+        safe = text.encode("utf-8", "replace").decode().replace("%", "%%")
+        self.log(safe, level)
+
+
+def _sentence(error: BaseException) -> str:
+    """Text of an expected error; of an unexpected one also its type, for the report."""
+    if isinstance(error, AssemblyError | OptionError | StepError | snapshot.SnapshotError):
+        return str(error)
+    return f"fault of this program, please report it: {type(error).__name__}: {error}"

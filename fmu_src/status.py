@@ -1,0 +1,32 @@
+"""Codes of the output `solver.status` that belong to the slave, and the log's categories.
+
+Codes below 100 are the kernel's: they say why a step failed. Those here say that the slave did not
+even try one. Zero says that the last communication step succeeded.
+"""
+
+from __future__ import annotations
+
+ASSEMBLY_FAILED = 101
+"""The mechanism cannot be assembled with its present parameters."""
+
+VALUE_REFUSED = 102
+"""A value was refused (not finite, out of range, unknown option, not settable now)."""
+
+STEP_REFUSED = 103
+"""A communication step was refused: size, start or end of it, or the call came too early or late."""
+
+STATE_REFUSED = 104
+"""A saved state was refused: of another model or version, or damaged."""
+
+INTERRUPTED = 105
+"""The user interrupted the step."""
+
+INTERNAL_FAULT = 106
+"""A fault of this program; the log has its text."""
+
+LOG_CATEGORIES = {
+    "logStatusWarning": "What works, but not as one might expect.",
+    "logStatusDiscard": "Why a communication step was discarded, and what to change.",
+    "logStatusError": "Values, states and calls that were refused.",
+    "logAll": "Everything.",
+}
