@@ -1,5 +1,107 @@
-"""What a user writes: scene files, read and checked, with errors like a compiler's."""
+"""What a user writes: scene files, read and checked, with errors like a compiler's.
 
-from solver.scene.expression import Expr, ExpressionError, Number
+scene = load("double_pendulum.toml", {"length": 2.0, "points.A.mass": 3.0})
+"""
 
-__all__ = ["Expr", "ExpressionError", "Number"]
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from solver.scene.expression import Expr, ExpressionError, Number, evaluate, parse, symbols
+from solver.scene.report import Problem, SceneError, Source
+from solver.scene.vocabulary import (
+    Bar,
+    Body,
+    Damper,
+    Distance,
+    Experiment,
+    Force,
+    ForceElement,
+    Input,
+    Joint,
+    Output,
+    Parameter,
+    Point,
+    PointReference,
+    Scene,
+    SolverSettings,
+    Spring,
+    Torque,
+    Vector,
+)
+
+__all__ = [
+    "Bar",
+    "Body",
+    "Damper",
+    "Distance",
+    "Experiment",
+    "Expr",
+    "ExpressionError",
+    "Force",
+    "ForceElement",
+    "Input",
+    "Joint",
+    "Number",
+    "Output",
+    "Parameter",
+    "Point",
+    "PointReference",
+    "Problem",
+    "Scene",
+    "SceneError",
+    "SolverSettings",
+    "Source",
+    "Spring",
+    "Torque",
+    "Vector",
+    "evaluate",
+    "json_schema",
+    "load",
+    "loads",
+    "parse",
+    "symbols",
+]
+
+
+def load(path: str | os.PathLike[str], overrides: Mapping[str, object] | None = None) -> Scene:
+    """Read a scene file.
+
+    Parameters
+    ----------
+    path : path-like
+        A ``.toml`` or ``.json`` file.
+    overrides : mapping, optional
+        New values by name: a parameter or input, ``"length"``, or any field of the scene,
+        ``"points.A.mass"``. A value is a number or a text as it would stand in the file.
+
+    Raises
+    ------
+    SceneError
+        With every mistake in the file and the overrides.
+    """
+    from solver.scene.reader import read_file  # pydantic takes a third of a second to import
+
+    return read_file(os.fspath(path), overrides or {})
+
+
+def loads(
+    text: str,
+    *,
+    name: str = "scene.toml",
+    format: Literal["toml", "json"] = "toml",
+    overrides: Mapping[str, object] | None = None,
+) -> Scene:
+    """Read a scene from text; `name` stands for the file in reports. See ``load``."""
+    from solver.scene.reader import read_text
+
+    return read_text(text, name, format, overrides or {})
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON Schema of a scene file, for completion and checks in an editor."""
+    from solver.scene.schema import json_schema
+
+    return json_schema()

@@ -1,0 +1,161 @@
+"""A scene while it is being read: its data, its source, and the mistakes found so far.
+
+Every part is checked against its schema; a field with a mistake is reported once and then counts
+as ``BROKEN``, so that the rest of the part can still be checked in the same run.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal, get_args
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from solver.scene.report import Path, Problem, Source, did_you_mean
+from solver.scene.schema import BROKEN, PARTS, TYPES, Heading, Part, shown
+
+_EXPECTED = {
+    "string_type": "must be a text",
+    "bool_type": "must be true or false",
+    "int_type": "must be a whole number",
+    "list_type": "must be a list",
+    "model_type": "must be a table",
+    "dict_type": "must be a table",
+    "too_short": "must have two entries",
+    "too_long": "must have two entries",
+}
+_SINGULAR = {"bodies": "body"}
+
+
+def singular(table: str) -> str:
+    """Word for one part of a table: ``body`` of ``bodies``."""
+    return _SINGULAR.get(table, table.removesuffix("s"))
+
+
+class Draft:
+    """Data of a scene file and the mistakes in it."""
+
+    def __init__(self, data: dict[str, Any], source: Source, problems: list[Problem]) -> None:
+        self.data = data
+        self.source = source
+        self.problems = problems
+
+    def error(
+        self, path: Path, message: str, help: str | None = None, mark: tuple[str, int] = ("", 1)
+    ) -> None:
+        """Note a mistake at a place of the file."""
+        self.problems.append(self.source.problem(path, message, help, mark))
+
+    def table(self, name: str) -> dict[str, Any]:
+        """Return a table of the file, empty where it is missing or no table."""
+        table = self.data.get(name, {})
+        if isinstance(table, dict):
+            return table
+        self.error((name,), f"must be a table, got {shown(table)}", f"write [{name}]")
+        return {}
+
+    def parts(self, table: str) -> dict[str, Any]:
+        """Check all parts of a table against their schema; parts without a usable type drop out."""
+        checked = {}
+        for name, data in self.table(table).items():
+            path = (table, name)
+            if table == "parameters" and not isinstance(data, dict):
+                checked[name] = self.part(path, PARTS[table], {"value": data}, short=True)
+            elif not isinstance(data, dict):
+                help = "write it as a table: { ... }"
+                self.error(path, f"must be a table of fields, got {shown(data)}", help)
+            elif (model := self._model(table, path, data)) is not None:
+                checked[name] = self.part(path, model, data)
+        return checked
+
+    def _model(self, table: str, path: Path, data: dict[str, Any]) -> type[Part] | None:
+        if table in PARTS:
+            return PARTS[table]
+        known, wanted = TYPES[table], data.get("type")
+        if isinstance(wanted, str) and wanted in known:
+            return known[wanted]
+        if wanted is None:
+            help = f"write type = {' or '.join(f'{chr(34)}{word}{chr(34)}' for word in known)}"
+            self.error(path, "'type' is missing", help)
+        else:
+            help = did_you_mean(str(wanted), known, f"known types of {table}")
+            self.error((*path, "type"), f"unknown type {shown(wanted)}", help)
+        return None
+
+    def part(self, path: Path, model: type[Part], data: dict[str, Any], short: bool = False) -> Any:
+        """Check the fields of one part; a field with a mistake becomes ``BROKEN``.
+
+        `short` says that the file gives the value alone instead of a table of fields.
+        """
+        try:
+            return model.model_validate(data)
+        except ValidationError as error:
+            usable = dict(data)
+            for detail in error.errors(include_url=False):
+                location = tuple(detail["loc"])
+                self._report(path, model, data, detail, location[1:] if short else location)
+                if detail["type"] == "extra_forbidden":
+                    usable.pop(str(location[0]), None)
+                else:
+                    usable[str(location[0])] = BROKEN
+            return model.model_validate(usable)
+
+    def _report(
+        self, path: Path, model: type[Part], data: Any, detail: ErrorDetails, location: Path
+    ) -> None:
+        kind, value = detail["type"], detail["input"]
+        about = detail.get("ctx", {})
+        if kind == "missing":
+            example = model.model_fields[str(location[-1])].examples or ["..."]
+            self.error(path, f"'{location[-1]}' is missing", f"write {location[-1]} = {example[0]}")
+            return
+        if kind == "extra_forbidden":
+            title = "known tables and fields" if model is Heading else "known fields"
+            help = did_you_mean(str(location[-1]), model.model_fields, title)
+            self.error((*path, *location), "unknown field", help)
+            return
+        place = (*path, *_existing(location, data))
+        if kind == "literal_error":
+            words = _choices(model, str(location[0]))
+            self.error(place, *_unknown_choice(str(location[0]), value, words))
+        elif "message" in about:
+            self.error(place, about["message"], about.get("help"), about.get("mark", ("", 1)))
+        else:
+            rule = _EXPECTED.get(kind, detail["msg"])
+            examples = model.model_fields[str(detail["loc"][0])].examples
+            help = f"write {detail['loc'][0]} = {examples[0]}" if examples else None
+            self.error(place, f"{rule}, got {shown(value)}", help if len(location) == 1 else None)
+
+
+def _existing(location: Path, data: Any) -> Path:
+    """Leave out the steps of a location that are names of alternatives rather than places."""
+    steps: list[str | int] = []
+    for step in location:
+        if isinstance(data, dict) and step in data:
+            data = data[str(step)]
+        elif isinstance(data, list) and isinstance(step, int):
+            data = data[step]
+        else:
+            continue
+        steps.append(step)
+    return tuple(steps)
+
+
+def _choices(model: type[Part], name: str) -> list[Any]:
+    annotation = model.model_fields[name].annotation
+    options = [annotation, *get_args(annotation)]
+    literal = next(kind for kind in options if getattr(kind, "__origin__", None) is Literal)
+    return list(get_args(literal))
+
+
+def _unknown_choice(name: str, value: object, choices: list[Any]) -> tuple[str, str | None]:
+    """Words for a value outside a fixed list."""
+    if name == "order":
+        return (
+            f"order {shown(value)} is not available: the methods are of order 2",
+            "write order = 2",
+        )
+    if not isinstance(choices[0], str):
+        return f"must be {' or '.join(map(str, choices))}, got {shown(value)}", None
+    text = value if isinstance(value, str) else shown(value)
+    return f"unknown {name} {shown(value)}", did_you_mean(text, choices)

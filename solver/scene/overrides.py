@@ -1,0 +1,116 @@
+"""Overrides: numbers of a scene replaced from outside, ``points.A.mass=2``.
+
+A name alone means the parameter or input of that name. The new value goes through the same checks
+as the file, and mistakes in it are reported with the override instead of a line.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from typing import Any
+
+from solver.scene.report import Path, Problem, did_you_mean, location_of, path_of
+from solver.scene.schema import File, shown
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+def apply_overrides(
+    data: dict[str, Any], overrides: Mapping[str, object], problems: list[Problem]
+) -> dict[Path, str]:
+    """Replace values in the data of a scene, in place.
+
+    Returns
+    -------
+    dict
+        Text of each override, ``name=value``, by the path of what it replaced.
+    """
+    replaced: dict[Path, str] = {}
+    for name, given in overrides.items():
+        value = _value(given)
+        text = f"{name}={given if isinstance(given, str) else shown(value)}"
+        path = _target(data, path_of(name))
+        if path is None or not _replace(data, path, value):
+            help = did_you_mean(name, _known(data))
+            message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
+            problems.append(Problem(name, message, help, override=text))
+        else:
+            replaced[path] = text
+    return replaced
+
+
+def _value(given: object) -> object:
+    """Read a text as a value of the file where it is one; ``2*length`` stays an expression."""
+    if isinstance(given, (tuple, list)):
+        return [_value(item) for item in given]
+    if not isinstance(given, str):
+        return given
+    try:
+        read = tomllib.loads(f"value = {given}")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return given
+    return read["value"] if len(read) == 1 else given
+
+
+def _target(data: dict[str, Any], path: Path) -> Path | None:
+    """Place of the value that a name or location means."""
+    if not path:
+        return None
+    if len(path) == 1:
+        for table, field in (("parameters", "value"), ("inputs", "start")):
+            parts = data.get(table)
+            if isinstance(parts, dict) and path[0] in parts:
+                whole = not isinstance(parts[path[0]], dict)
+                return (table, path[0]) if whole else (table, path[0], field)
+        known = path[0] in File.model_fields and not isinstance(data.get(str(path[0])), dict)
+        return (
+            path if known and path[0] in ("name", "description", "dimension", "gravity") else None
+        )
+    if len(path) == 2 and path[0] in ("parameters", "inputs"):
+        return _target({path[0]: data.get(str(path[0]))}, path[1:])
+    if path[0] in ("solver", "experiment"):
+        data.setdefault(str(path[0]), {})
+    return path
+
+
+def _replace(data: Any, path: Path, value: object) -> bool:
+    """Set a value within tables and arrays that exist; a field of a table may be new."""
+    for step in path[:-1]:
+        data = _inside(data, step)
+    last = path[-1]
+    if isinstance(data, dict) and isinstance(last, str):
+        data[last] = value
+        return True
+    if isinstance(data, list) and isinstance(last, int) and last < len(data):
+        data[last] = value
+        return True
+    return False
+
+
+def _inside(data: Any, step: str | int) -> Any:
+    if isinstance(data, dict):
+        return data.get(step)
+    if isinstance(data, list) and isinstance(step, int) and step < len(data):
+        return data[step]
+    return None
+
+
+def _known(data: dict[str, Any]) -> list[str]:
+    """Every name an override may have in this scene."""
+    names = []
+    for table in ("parameters", "inputs"):
+        parts = data.get(table)
+        names += list(parts) if isinstance(parts, dict) else []
+    for table, parts in data.items():
+        if not isinstance(parts, dict) or table in ("parameters", "inputs"):
+            continue
+        for name, part in parts.items():
+            if isinstance(part, dict):
+                names += [location_of((table, name, field)) for field in part]
+            else:
+                names.append(location_of((table, name)))
+    return names

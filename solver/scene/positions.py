@@ -1,0 +1,146 @@
+"""Lines of a scene file: where each key and each array element stands.
+
+TOML and JSON readers hand out values without their places. This scanner walks a text that the
+reader has already accepted and notes a line for every path, so it need not judge the syntax.
+Both notations share one rule, ``key separator value`` within brackets; TOML adds headers.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+
+from solver.scene.report import Path
+
+_BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
+_COMMENT_LINES = re.compile(r"(?:[ \t\r\n,]|#[^\n]*)*")
+_STRING = re.compile(
+    r'"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\'', re.S
+)
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
+_SCALAR = re.compile(r"[^,\]}#\n]*")
+
+
+def lines_of_toml(text: str) -> Mapping[Path, int]:
+    """Line of each path of a TOML text that a reader has accepted."""
+    return _Scanner(text).document()
+
+
+def lines_of_json(text: str) -> tuple[Mapping[Path, int], list[tuple[Path, int]]]:
+    """Line of each path of a JSON text that a reader has accepted, and of keys given twice."""
+    scanner = _Scanner(text)
+    scanner.skip(_BLANK)
+    scanner.value(())
+    return scanner.lines, scanner.repeated
+
+
+class _Scanner:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.at = 0
+        self.line = 1
+        self.counted = 0
+        """Characters whose line breaks `line` has counted."""
+        self.lines: dict[Path, int] = {}
+        self.repeated: list[tuple[Path, int]] = []
+        """Keys given twice in one bracket, and the line of the second."""
+        self.counts: dict[Path, int] = {}
+        """Elements seen of each array of tables."""
+
+    def skip(self, pattern: re.Pattern[str]) -> str:
+        match = pattern.match(self.text, self.at)
+        assert match is not None
+        self.at = match.end()
+        return match.group()
+
+    def peek(self, text: str) -> bool:
+        return self.text.startswith(text, self.at)
+
+    def note(self, path: Path) -> None:
+        self.line += self.text.count("\n", self.counted, self.at)
+        self.counted = self.at
+        self.lines.setdefault(path, self.line)
+
+    def document(self) -> Mapping[Path, int]:
+        table: Path = ()
+        while True:
+            self.skip(_BLANK)
+            if self.at >= len(self.text):
+                return self.lines
+            if self.peek("["):
+                table = self.header()
+            else:
+                self.entry(table)
+
+    def header(self) -> Path:
+        """Read ``[a.b]`` or ``[[a.b]]``; an array of tables grows by one."""
+        brackets = 2 if self.peek("[[") else 1
+        self.at += brackets
+        path: Path = ()
+        for part in self.key():
+            path = (*path, part)
+            self.note(path)
+            if path in self.counts:
+                path = (*path, self.counts[path] - 1)
+        self.at += brackets
+        if brackets == 2:
+            array = path[:-1] if isinstance(path[-1], int) else path
+            self.counts[array] = self.counts.get(array, 0) + 1
+            path = (*array, self.counts[array] - 1)
+            self.note(path)
+        return path
+
+    def entry(self, table: Path) -> None:
+        """Read ``key = value``, or ``"key": value``."""
+        known = False
+        for part in self.key():
+            table = (*table, part)
+            known = table in self.lines
+            self.note(table)
+        if known:
+            self.repeated.append((table, self.line))
+        self.at += 1  # the separator
+        self.skip(_BLANK)
+        self.value(table)
+
+    def key(self) -> list[str]:
+        """Read a dotted key."""
+        parts = []
+        while True:
+            self.skip(_BLANK)
+            parts.append(
+                _unquoted(self.skip(_STRING if self.text[self.at] in "\"'" else _BARE_KEY))
+            )
+            self.skip(_BLANK)
+            if not self.peek("."):
+                return parts
+            self.at += 1
+
+    def value(self, path: Path) -> None:
+        if path:
+            self.note(path)
+        if self.peek("["):
+            self.at += 1
+            index = 0
+            while self.skip(_COMMENT_LINES) is not None and not self.peek("]"):
+                self.value((*path, index))
+                index += 1
+            self.at += 1
+        elif self.peek("{"):
+            self.at += 1
+            while self.skip(_COMMENT_LINES) is not None and not self.peek("}"):
+                self.entry(path)
+            self.at += 1
+        else:
+            self.skip(_STRING if self.text[self.at] in "\"'" else _SCALAR)
+
+
+def _unquoted(key: str) -> str:
+    """Meaning of a key; escapes of TOML's basic strings that JSON lacks stay as written."""
+    if not key.startswith('"'):
+        return key.strip("'")
+    try:
+        return json.loads(key)
+    except ValueError:
+        return key[1:-1]

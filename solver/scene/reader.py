@@ -1,0 +1,97 @@
+"""Scene files: from text (TOML or JSON) and overrides to a checked ``Scene``."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Mapping
+from pathlib import Path as FilePath
+from typing import Any
+
+from solver.scene.build import build
+from solver.scene.draft import Draft
+from solver.scene.overrides import apply_overrides
+from solver.scene.positions import lines_of_json, lines_of_toml
+from solver.scene.report import Path, Problem, SceneError, Source
+from solver.scene.schema import shown
+from solver.scene.vocabulary import Scene
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+def read_file(path: str, overrides: Mapping[str, object]) -> Scene:
+    """Read a scene file; see ``solver.scene.load``."""
+    notation = FilePath(path).suffix.lower().removeprefix(".")
+    if notation not in ("toml", "json"):
+        message = f"unknown kind of file '{FilePath(path).suffix}'"
+        _give_up(Source(path), Problem("", message, "known: .toml, .json"))
+    try:
+        data = FilePath(path).read_bytes()
+    except FileNotFoundError:
+        _give_up(Source(path), Problem("", "file not found"))
+    except OSError as error:
+        _give_up(Source(path), Problem("", f"cannot be read: {error.strerror}"))
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        message = f"not a UTF-8 text: byte 0x{data[error.start]:02x}"
+        source = Source(path, data.decode("utf-8", errors="replace"))
+        _give_up(source, Problem("", message, "save the file as UTF-8", line))
+    return read_text(text, path, notation, overrides)
+
+
+def read_text(text: str, name: str, notation: str, overrides: Mapping[str, object]) -> Scene:
+    """Read the text of a scene; see ``solver.scene.loads``."""
+    problems: list[Problem] = []
+    text = text.replace("\r\n", "\n")
+    data, lines = _json(text, name, problems) if notation == "json" else _toml(text, name)
+    replaced = apply_overrides(data, overrides, problems)
+    source = Source(name, text, lines, replaced)
+    draft = Draft(data, source, problems)
+    scene = build(draft)
+    if problems:
+        raise SceneError(problems, source)
+    return scene
+
+
+def _give_up(source: Source, problem: Problem) -> Any:
+    raise SceneError([problem], source)
+
+
+def _toml(text: str, name: str) -> tuple[dict[str, Any], Mapping[Path, int]]:
+    try:
+        data = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        words = str(error) if str(error) else "nested too deeply"
+        place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
+        message = words[: place.start()] if place else words
+        line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
+        column = int(place[2]) if place and place[2] else None
+        _give_up(Source(name, text), Problem("", f"TOML: {message}", None, line, column))
+        raise AssertionError from None
+    return data, lines_of_toml(text)
+
+
+def _json(
+    text: str, name: str, problems: list[Problem]
+) -> tuple[dict[str, Any], Mapping[Path, int]]:
+    try:
+        data = json.loads(text)
+    except RecursionError:
+        _give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
+        raise AssertionError from None
+    except json.JSONDecodeError as error:
+        problem = Problem("", f"JSON: {error.msg}", None, error.lineno, error.colno)
+        _give_up(Source(name, text), problem)
+        raise AssertionError from None
+    if not isinstance(data, dict):
+        _give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
+    lines, repeated = lines_of_json(text)
+    source = Source(name, text, {path: line for path, line in repeated})
+    problems += [source.problem(path, "given twice") for path, _ in repeated]
+    return data, lines

@@ -1,0 +1,154 @@
+"""Mistakes in a scene, reported like a compiler's: file, line, the line itself, what to write.
+
+scene.toml:13: error: points.B.mas: unknown field
+13 | mas = 2.0
+= help: did you mean 'mass'?
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import TypeAlias
+
+Path: TypeAlias = tuple[str | int, ...]
+"""Place in a scene: keys of tables and indices of arrays, ``("points", "A", "position", 0)``."""
+
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+_STEP = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
+_WIDEST = 120
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One mistake."""
+
+    location: str
+    """Place in the scene, ``points.B.position[0]``; empty for the file as a whole."""
+    message: str
+    help: str | None = None
+    line: int | None = None
+    """Line of the file, from 1; None when the mistake is in no line of it."""
+    column: int | None = None
+    """Column in that line, from 1, where it is known."""
+    override: str | None = None
+    """The override that brought the mistake in, ``points.B.mass=-1``; None for the file."""
+
+
+def location_of(path: Path) -> str:
+    """Write a path the way a user reads it, ``points.B.position[0]``."""
+    text = ""
+    for step in path:
+        if isinstance(step, int):
+            text += f"[{step}]"
+        else:
+            text += f".{step}" if _BARE.fullmatch(step) else f'."{step}"'
+    return text.removeprefix(".")
+
+
+def path_of(location: str) -> Path:
+    """Read a location back into a path."""
+    found = _STEP.findall(location)
+    return tuple(int(index) if index else quoted or bare for quoted, index, bare in found)
+
+
+def did_you_mean(wrong: str, known: Iterable[str], title: str = "known") -> str | None:
+    """Suggest the nearest of the known words, or list them all."""
+    words = list(known)
+    folded = {word.lower(): word for word in words}
+    close = get_close_matches(wrong.lower(), folded, 1, 0.6)
+    if close:
+        return f"did you mean '{folded[close[0]]}'?"
+    return f"{title}: {', '.join(words)}" if words else None
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """The text a scene was read from, and where in it everything stands."""
+
+    name: str = "scene"
+    text: str = ""
+    lines: Mapping[Path, int] = field(default_factory=dict)
+    """Line of each key and array element, from 1."""
+    overrides: Mapping[Path, str] = field(default_factory=dict)
+    """Text of the override that replaced a value, by the path of the value."""
+
+    def problem(
+        self,
+        place: str | Path,
+        message: str,
+        help: str | None = None,
+        mark: tuple[str, int] = ("", 1),
+    ) -> Problem:
+        """Describe a mistake.
+
+        Parameters
+        ----------
+        place : str or tuple
+            Location or path of the mistake; the nearest enclosing thing with a line is shown.
+        message : str
+            What is wrong: value, unit and rule.
+        help : str, optional
+            What to write instead.
+        mark : tuple of str and int
+            A text in the line and a column in that text, to be pointed at.
+        """
+        path = path_of(place) if isinstance(place, str) else place
+        location = place if isinstance(place, str) else location_of(place)
+        for end in range(len(path), -1, -1):
+            if path[:end] in self.overrides:
+                return Problem(location, message, help, override=self.overrides[path[:end]])
+            if path[:end] in self.lines:
+                line = self.lines[path[:end]]
+                return Problem(location, message, help, line, self._column(line, *mark))
+        return Problem(location, message, help)
+
+    def line(self, number: int) -> str:
+        """Text of a line, from 1."""
+        lines = self.text.split("\n")
+        return lines[number - 1].rstrip() if number <= len(lines) else ""
+
+    def _column(self, number: int, text: str, column: int) -> int | None:
+        line = self.line(number)
+        return line.index(text) + column if text and line.count(text) == 1 else None
+
+
+class SceneError(Exception):
+    """A scene with mistakes: all of them.
+
+    Attributes
+    ----------
+    problems : tuple of Problem
+        The mistakes, in the order of the file.
+    source : Source
+        The text they are in.
+    """
+
+    def __init__(self, problems: Iterable[Problem], source: Source) -> None:
+        unique = dict.fromkeys(problems)
+        self.problems = tuple(sorted(unique, key=lambda p: (p.line is None, p.line or 0)))
+        self.source = source
+        super().__init__(self.problems, source)
+
+    def __str__(self) -> str:
+        return "\n".join(_described(problem, self.source) for problem in self.problems)
+
+
+def _described(problem: Problem, source: Source) -> str:
+    where = f"{source.name}:{problem.line}" if problem.line else source.name
+    if problem.override is not None:
+        where = f"--set {problem.override}"
+    subject = f"{problem.location}: " if problem.location else ""
+    lines = [f"{where}: error: {subject}{problem.message}"]
+    gutter = " " * (4 + len(str(problem.line or "")))
+    if problem.line:
+        text = source.line(problem.line).replace("\t", " ").rstrip()
+        shown = text if len(text) <= _WIDEST else text[: _WIDEST - 4] + " ..."
+        lines.append(f"    {problem.line} | {shown}")
+        if problem.column is not None and problem.column <= len(shown):
+            lines.append(f"{gutter} | {' ' * (problem.column - 1)}^")
+    if problem.help:
+        lines.append(f"{gutter} = help: {problem.help}")
+    return "\n".join(lines)

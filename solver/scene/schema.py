@@ -1,0 +1,277 @@
+"""Schema of the scene file: which tables, which fields, which types (pydantic, version 2).
+
+It judges one part at a time and knows no names of other parts; references, symbols and values are
+judged in ``build``. The JSON Schema for editors is generated from here. pydantic takes a third of a
+second to import, so only ``load`` imports this module.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Discriminator,
+    Field,
+    PlainValidator,
+    Tag,
+    ValidatorFunctionWrapHandler,
+    WithJsonSchema,
+    field_validator,
+)
+from pydantic_core import PydanticCustomError
+
+from solver.scene.expression import ExpressionError, read
+from solver.scene.grammar import Reading
+
+BROKEN: Any = object()
+"""Value of a field whose mistake has been reported; everything accepts it."""
+
+
+def shown(value: object) -> str:
+    """Write a value the way it stands in the file."""
+    if value is None or isinstance(value, bool):
+        return "null" if value is None else str(value).lower()
+    if isinstance(value, list):
+        return f"[{', '.join(shown(item) for item in value)}]"
+    if isinstance(value, dict):
+        return "a table"
+    return repr(value) if isinstance(value, (str, int, float)) else str(value)
+
+
+def _number(value: object) -> Reading:
+    """Read a number or the text of an expression."""
+    if isinstance(value, str):
+        try:
+            return read(value)
+        except ExpressionError as error:
+            about = {
+                "message": f"{error.message}, column {error.column} of '{value}'",
+                "help": error.help,
+                "mark": (value, error.column),
+            }
+            raise PydanticCustomError("expression", "expression", about) from None
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        about = {"message": f"must be a number or an expression, got {shown(value)}"}
+        raise PydanticCustomError("number", "number", about)
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        about = {"message": f"must be a finite number, got {str(value)[:20]}"}
+        raise PydanticCustomError("number", "number", about)
+    return Reading(str(value), number)
+
+
+Expression = Annotated[
+    Reading,
+    PlainValidator(_number),
+    WithJsonSchema(
+        {"type": ["number", "string"], "description": "a number, or an expression as text"}
+    ),
+]
+Vector = Annotated[list[Expression], WithJsonSchema(
+    {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 3}
+)]  # fmt: skip
+
+
+def _shape(value: object) -> str:
+    if not isinstance(value, list):
+        return "number"
+    return "vectors" if any(isinstance(item, list) for item in value) else "vector"
+
+
+NumberOrVector = Annotated[
+    Annotated[Expression, Tag("number")]
+    | Annotated[Vector, Tag("vector")]
+    | Annotated[Vector, Tag("vectors")],
+    Discriminator(_shape),
+]
+VectorOrVectors = Annotated[
+    Annotated[Vector, Tag("number")]
+    | Annotated[Vector, Tag("vector")]
+    | Annotated[list[Vector], Tag("vectors")],
+    Discriminator(_shape),
+]
+Two = Annotated[list[str], Field(min_length=2, max_length=2, examples=['["A", "B"]'])]
+
+
+class Part(BaseModel):
+    """A table with fixed fields."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
+
+    @field_validator("*", mode="wrap")
+    @classmethod
+    def _accept_broken(cls, value: object, handler: ValidatorFunctionWrapHandler) -> object:
+        return value if value is BROKEN else handler(value)
+
+
+class Parameter(Part):
+    """A number with a name, settable in the FMU."""
+
+    value: Expression = Field(examples=["1.0"])
+    unit: str = ""
+    description: str = ""
+    min: Expression | None = None
+    max: Expression | None = None
+    variability: Literal["fixed", "tunable"] | None = None
+
+
+class Input(Part):
+    """A number that arrives from outside at every communication step."""
+
+    start: Expression = Reading("0", 0.0)
+    unit: str = ""
+    description: str = ""
+    min: Expression | None = None
+    max: Expression | None = None
+
+
+class Point(Part):
+    """A point, free or fixed to the ground."""
+
+    position: Vector = Field(examples=["[0, 0]"], description="m, as drawn")
+    velocity: Vector | None = Field(None, examples=["[0, 0]"], description="m/s at the start")
+    mass: Expression | None = Field(None, description="kg")
+    fixed: bool = False
+
+
+class Bar(Part):
+    """A uniform slender rigid bar between two points."""
+
+    type: Literal["bar"]
+    points: Two
+    mass: Expression = Field(examples=["1.0"], description="kg")
+
+
+class Distance(Part):
+    """A massless rod between two points."""
+
+    type: Literal["distance"]
+    points: Two
+    at: VectorOrVectors | None = Field(None, description="place of 'ground'")
+    length: Expression | None = Field(None, description="m; as drawn unless given")
+
+
+class Spring(Part):
+    """A linear spring between two points."""
+
+    type: Literal["spring"]
+    points: Two
+    at: VectorOrVectors | None = Field(None, description="place of 'ground'")
+    stiffness: Expression = Field(examples=["100.0"], description="N/m")
+    free_length: Expression | None = Field(None, description="m; as drawn unless given")
+
+
+class Damper(Part):
+    """A linear damper between two points."""
+
+    type: Literal["damper"]
+    points: Two
+    at: VectorOrVectors | None = Field(None, description="place of 'ground'")
+    damping: Expression = Field(examples=["1.0"], description="N.s/m")
+
+
+class Force(Part):
+    """A force on a point, in global axes."""
+
+    type: Literal["force"]
+    point: str = Field(examples=['"A"'])
+    value: Vector = Field(examples=["[0, 1]"], description="N")
+
+
+class Torque(Part):
+    """A torque on a bar."""
+
+    type: Literal["torque"]
+    body: str = Field(examples=['"crank"'])
+    value: NumberOrVector = Field(
+        examples=["1.0"], description="N.m: a number in 2-D, a vector in 3-D"
+    )
+
+
+class Output(Part):
+    """An expression over the mechanism."""
+
+    value: Expression = Field(examples=['"A.x"'])
+    unit: str = ""
+    description: str = ""
+
+
+class Solver(Part):
+    """The method and its settings."""
+
+    formulation: Literal[
+        "conserving-al", "midpoint-al", "conserving-penalty", "midpoint-penalty", "penalty-velocity"
+    ] = "conserving-al"
+    algorithm: Literal["nested", "simultaneous"] = "nested"
+    multiplier_update: Literal["end", "paper"] = "end"
+    order: Literal[2] = 2
+    paired: bool = True
+    step_size: Expression | None = Field(None, description="s, at most the communication step")
+    tolerance: Expression | None = None
+    penalty: Expression | None = None
+    xi: Expression | None = None
+    omega: Expression | None = Field(None, description="rad/s")
+    max_newton: int = 20
+    max_uzawa: int = 20
+
+
+class Experiment(Part):
+    """Default run of the FMU."""
+
+    start_time: Expression | None = Field(None, description="s")
+    stop_time: Expression | None = Field(None, description="s")
+    step_size: Expression | None = Field(None, description="s, the communication step")
+    tolerance: Expression | None = None
+
+
+class Heading(Part):
+    """What a scene says about itself as a whole."""
+
+    name: str = Field(
+        examples=['"double_pendulum"'], json_schema_extra={"pattern": "^[A-Za-z][A-Za-z0-9_]*$"}
+    )
+    description: str = ""
+    dimension: Literal[2, 3] = 3
+    gravity: Vector | None = Field(None, examples=["[0, -9.81]"], description="m/s2")
+
+
+class File(Heading):
+    """A mechanism: format version 1."""
+
+    parameters: dict[str, Expression | Parameter] = {}
+    inputs: dict[str, Input] = {}
+    points: dict[str, Point] = {}
+    bodies: dict[str, Bar] = {}
+    joints: dict[str, Distance] = {}
+    forces: dict[str, Spring | Damper | Force | Torque] = {}
+    outputs: dict[str, Output] = {}
+    solver: Solver = Solver()
+    experiment: Experiment = Experiment()
+
+
+TYPES: dict[str, dict[str, type[Part]]] = {
+    "bodies": {"bar": Bar},
+    "joints": {"distance": Distance},
+    "forces": {"spring": Spring, "damper": Damper, "force": Force, "torque": Torque},
+}
+"""Tables whose parts have a type, and the types of this version."""
+
+PARTS: dict[str, type[Part]] = {
+    "parameters": Parameter,
+    "inputs": Input,
+    "points": Point,
+    "outputs": Output,
+}
+"""Tables of parts of one kind."""
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON Schema of a scene file, for completion and checks in an editor."""
+    schema = File.model_json_schema()
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
