@@ -1,7 +1,8 @@
 """Turns a scene into an FMI 2.0 co-simulation unit, and runs, checks and describes such units.
 
-    from build_fmu import build
-    build("scenes/four_bar.toml", "four_bar.fmu", overrides={"points.B0.velocity": [2, 0]})
+>>> from build_fmu import build
+>>> build("scenes/four_bar.toml", overrides={"points.B0.velocity": [2, 0]})  # doctest: +SKIP
+PosixPath('four_bar.fmu')
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def build(
     ------
     solver.scene.SceneError
         With every mistake of the scene.
-    build_fmu.failure.EnvironmentLack
+    build_fmu.errors.EnvironmentLackError
         If the compiled kernel or pythonfmu's libraries are missing.
     """
     from build_fmu.export import build_archive

@@ -11,7 +11,7 @@ import importlib
 import sys
 from collections.abc import Sequence
 
-from build_fmu.failure import LACK, USAGE, CommandFailure, UsageFault
+from build_fmu.errors import LACK, USAGE, CommandError, UsageError
 
 INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
 EXIT_CODES = """exit codes:
@@ -28,7 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     chosen = _parser().parse_args(arguments)
     try:
         return importlib.import_module(f"build_fmu.commands.{chosen.command}").run(chosen)
-    except CommandFailure as failure:
+    except CommandError as failure:
         return _say(str(failure), failure.code)
     except ModuleNotFoundError as error:
         return _say(f"the package {error.name} is missing; install it: pip install holonom", LACK)
@@ -68,14 +68,14 @@ def _value(text: str) -> object:
             return json.loads(text)
         except ValueError as error:
             message = f"{text}: {error}"
-            raise UsageFault(message) from None
+            raise UsageError(message) from None
     return text
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="build-fmu",
-        description="Turn mechanisms into FMI 2.0 co-simulation units; run, check and describe them.",
+        description="Turn mechanisms into FMI 2.0 co-simulation units; run and check them.",
         epilog=EXIT_CODES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

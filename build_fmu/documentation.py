@@ -19,7 +19,7 @@ _PAGE = """<!DOCTYPE html>
 <meta charset="utf-8">
 <title>{name}</title>
 <style>
-body {{ font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 64rem; padding: 0 1rem }}
+body {{ font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 64rem }}
 table {{ border-collapse: collapse; width: 100% }}
 th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: left }}
 td.number {{ font-variant-numeric: tabular-nums }}
@@ -94,7 +94,7 @@ def _row(variable: Variable) -> str:
     cells = (variable.name, variable.unit, start, span, variable.description)
     name, unit, value, limits_text, meaning = (escape(cell or "") for cell in cells)
     return (
-        f"<tr><td><code>{name}</code></td><td>{unit}</td><td class=\"number\">{value}</td>"
+        f'<tr><td><code>{name}</code></td><td>{unit}</td><td class="number">{value}</td>'
         f"<td>{limits_text}</td><td>{meaning}</td></tr>"
     )
 

@@ -20,7 +20,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from build_fmu.failure import EnvironmentLack
+from build_fmu.errors import EnvironmentLackError
 
 PYTHONFMU_MODULES = (
     "_version.py",
@@ -54,14 +54,16 @@ def payload() -> Payload:
     for path, data in sorted(sources.items()):
         digest.update(f"{path} {len(data)}\n".encode() + data)
     package = f"holonom_{digest.hexdigest()[:12]}"
-    slave = f'"""What pythonfmu\'s library imports."""\n\nfrom {package}.slave import Slave as Slave\n'
+    slave = (
+        f'"""What pythonfmu\'s library imports."""\n\nfrom {package}.slave import Slave as Slave\n'
+    )
     files = {f"{package}/{path}": data for path, data in sources.items()}
     files[f"{package}_slave.py"] = slave.encode()
     return Payload(f"{package}_slave", files)
 
 
 def wrapper_libraries() -> dict[str, bytes]:
-    """pythonfmu's libraries, which carry the FMI functions, by platform and suffix.
+    """Libraries of pythonfmu, which carry the FMI functions, by platform and suffix.
 
     Keys are such as "linux64/.so".
     """
@@ -69,7 +71,7 @@ def wrapper_libraries() -> dict[str, bytes]:
     found = sorted(path for path in folder.rglob("*") if path.suffix in KERNEL_SUFFIXES)
     if not found:
         text = f"pythonfmu has no libraries in {folder}; install it anew: pip install pythonfmu"
-        raise EnvironmentLack(text)
+        raise EnvironmentLackError(text)
     return {f"{path.parent.name}/{path.suffix}": path.read_bytes() for path in found}
 
 
@@ -78,13 +80,13 @@ def package_folder(name: str) -> Path:
 
     Raises
     ------
-    EnvironmentLack
+    EnvironmentLackError
         If it is not installed.
     """
     spec = importlib.util.find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         text = f"the package {name} is missing; install it: pip install {name}"
-        raise EnvironmentLack(text)
+        raise EnvironmentLackError(text)
     return Path(next(iter(spec.submodule_search_locations)))
 
 
@@ -100,7 +102,7 @@ def _runtime() -> dict[str, bytes]:
             f"the compiled kernel is missing in {folder / '_kernel'}; compile it: "
             "python -m build_kernel"
         )
-        raise EnvironmentLack(text)
+        raise EnvironmentLackError(text)
     libraries = {f"runtime/_kernel/{path.name}": path.read_bytes() for path in kernels}
     return _modules(folder, "runtime/") | libraries
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from os import PathLike, fspath
 from typing import TYPE_CHECKING
 
-from build_fmu.failure import EnvironmentLack, UsageFault
+from build_fmu.errors import EnvironmentLackError, UsageError
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
@@ -41,6 +41,11 @@ class Run:
     def end_time(self) -> float:
         """Time of the last row."""
         return float(self.values["time"][-1])
+
+    @property
+    def steps(self) -> int:
+        """Number of communication steps that succeeded."""
+        return len({float(t) for t in self.values["time"]}) - 1
 
     def largest(self, name: str) -> float:
         """Largest magnitude of an output over the run."""
@@ -70,9 +75,9 @@ def run_fmu(
 
     Raises
     ------
-    UsageFault
+    UsageError
         If the FMU has no variable of a name in `settings`, or a time makes no sense.
-    EnvironmentLack
+    EnvironmentLackError
         If the FMU has no library for this platform.
     """
     import fmpy
@@ -97,7 +102,7 @@ def run_fmu(
     finished = values is not None and values["time"][-1] >= stop_time - 1e-6 * step_size
     reason = "" if finished else _reason(log, failure)
     if values is None:
-        raise UsageFault(reason)
+        raise UsageError(reason)
     return Run(values, stop_time, wall_time, messages, reason)
 
 
@@ -139,17 +144,17 @@ def _check(
 
     if platform not in supported_platforms(path):
         text = f"{path} has no library for this platform, {platform}"
-        raise EnvironmentLack(text)
+        raise EnvironmentLackError(text)
     if step_size is not None and not (math.isfinite(step_size) and step_size > 0.0):
         text = f"the communication step must be > 0 s, got {step_size!r}"
-        raise UsageFault(text)
+        raise UsageError(text)
     names = [v.name for v in description.modelVariables if v.causality in ("parameter", "input")]
     for name in settings:
         if name not in names:
             near = difflib.get_close_matches(name, names, 1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
             text = f"{path} has no parameter or input {name!r}{hint}"
-            raise UsageFault(text)
+            raise UsageError(text)
 
 
 def _times(
@@ -163,5 +168,5 @@ def _times(
         step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
     if not stop_time > start:
         text = f"the stop time must be after the start time {start!r} s, got {stop_time!r}"
-        raise UsageFault(text)
+        raise UsageError(text)
     return stop_time, step_size

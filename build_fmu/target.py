@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from build_fmu.failure import UsageFault
+from build_fmu.errors import UsageError
 
 if TYPE_CHECKING:
     from solver.runtime import Model
@@ -20,35 +20,35 @@ def is_fmu(target: str) -> bool:
 
     Raises
     ------
-    UsageFault
+    UsageError
         If there is no such file.
     """
     path = Path(target)
     if not path.is_file():
         text = f"{target}: no such file"
-        raise UsageFault(text)
+        raise UsageError(text)
     return path.suffix == ".fmu" or zipfile.is_zipfile(path)
 
 
 def require_fmu(target: str) -> None:
-    """Raise UsageFault unless the file is an archive with a model description."""
+    """Raise UsageError unless the file is an archive with a model description."""
     if is_fmu(target) and zipfile.is_zipfile(target):
         with zipfile.ZipFile(target) as archive:
             if "modelDescription.xml" in archive.namelist():
                 return
     text = f"{target}: not an FMU (a zip file with modelDescription.xml)"
-    raise UsageFault(text)
+    raise UsageError(text)
 
 
 def scene_model(target: str, settings: Mapping[str, object]) -> Model:
-    """Compiled model of a scene file; its mistakes become a UsageFault."""
+    """Compiled model of a scene file; its mistakes become a UsageError."""
     from build_fmu.export import compile_scene
     from solver.scene import SceneError
 
     try:
         return compile_scene(target, settings)
     except SceneError as error:
-        raise UsageFault(str(error)) from None
+        raise UsageError(str(error)) from None
 
 
 def fmu_model(target: str) -> Model:
@@ -61,7 +61,7 @@ def fmu_model(target: str) -> Model:
             return Model.from_bytes(archive.read("resources/model.bin"))
     except (KeyError, ValueError, OptionError) as error:
         text = f"{target}: not made by this version of build-fmu ({error})"
-        raise UsageFault(text) from None
+        raise UsageError(text) from None
 
 
 @contextlib.contextmanager

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from pythonfmu.enums import Fmi2Status
 from pythonfmu.fmi2slave import Fmi2Slave
+
 from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
 
 from . import snapshot, status

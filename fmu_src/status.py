@@ -13,7 +13,7 @@ VALUE_REFUSED = 102
 """A value was refused (not finite, out of range, unknown option, not settable now)."""
 
 STEP_REFUSED = 103
-"""A communication step was refused: size, start or end of it, or the call came too early or late."""
+"""A communication step was refused: its size, start or end, or the state of the instance."""
 
 STATE_REFUSED = 104
 """A saved state was refused: of another model or version, or damaged."""

@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from build_fmu.failure import UsageFault
+from build_fmu.errors import UsageError
 from build_fmu.report import print_json
 from build_fmu.target import is_fmu, scene_model
 
@@ -18,7 +18,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
-        raise UsageFault(text)
+        raise UsageError(text)
     model = scene_model(arguments.scene, dict(arguments.settings))
     path = Path(arguments.output or f"{identifier(model.name)}.fmu")
     write_archive(path, archive_entries(model))

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
-from build_fmu.commands.simulate import simulate
-from build_fmu.failure import CHECK_FAILED, UNFINISHED, UsageFault
+from build_fmu.commands.simulate import report_end, simulate
+from build_fmu.errors import CHECK_FAILED, UsageError
 from build_fmu.report import print_json, print_table
 
 
@@ -17,7 +16,7 @@ def run(arguments: argparse.Namespace) -> int:
     missing = [name for name in limits if name not in (result.values.dtype.names or ())]
     if missing:
         text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of build-fmu"
-        raise UsageFault(text)
+        raise UsageError(text)
     checks = [
         {"name": name, "largest": largest, "limit": limit, "holds": largest <= limit}
         for name, limit in limits.items()
@@ -32,13 +31,9 @@ def run(arguments: argparse.Namespace) -> int:
             (str(c["name"]), f"{c['largest']:.2e}", f"{c['limit']:.2e}", _verdict(c["holds"]))
             for c in checks
         ]
-        title = f"{arguments.target}: {len(result.values) - 1} steps to t = {result.end_time:g} s"
+        title = f"{arguments.target}: {result.steps} steps to t = {result.end_time:g} s"
         print_table(title, ("output", "largest", "limit", "holds"), rows)
-    if result.reason:
-        text = f"the run ended at t = {result.end_time!r} s, before {result.stop_time!r} s"
-        sys.stderr.write(f"build-fmu: {text}: {result.reason}\n")
-        return UNFINISHED
-    return 0 if holds else CHECK_FAILED
+    return report_end(result) or (0 if holds else CHECK_FAILED)
 
 
 def _verdict(holds: object) -> str:

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from build_fmu.failure import UNFINISHED
+from build_fmu.errors import UNFINISHED
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
 from build_fmu.target import runnable
@@ -29,13 +29,18 @@ def run(arguments: argparse.Namespace) -> int:
         print_json(summary(result))
     elif not arguments.csv:
         _print_end(arguments.target, result)
+    return report_end(result)
+
+
+def report_end(result: Run) -> int:
+    """Log and reason of an early end on stderr; the exit code."""
     for message in dict.fromkeys(result.messages):
-        sys.stderr.write(f"{message}\n")
+        if message != result.reason:
+            sys.stderr.write(f"{message}\n")
     if result.reason:
         text = f"the run ended at t = {result.end_time!r} s, before {result.stop_time!r} s"
         sys.stderr.write(f"build-fmu: {text}: {result.reason}\n")
-        return UNFINISHED
-    return 0
+    return UNFINISHED if result.reason else 0
 
 
 def simulate(arguments: argparse.Namespace) -> Run:
@@ -70,7 +75,7 @@ def summary(result: Run) -> dict[str, object]:
         "reason": result.reason,
         "end_time": result.end_time,
         "stop_time": result.stop_time,
-        "steps": len(result.values) - 1,
+        "steps": result.steps,
         "wall_time": result.wall_time,
         "largest": {name: result.largest(name) for name in errors},
         "final": {name: float(result.values[name][-1]) for name in names},
@@ -83,5 +88,5 @@ def _print_end(target: str, result: Run) -> None:
         for name in result.values.dtype.names or ()
         for column in (result.values[name],)
     ]
-    title = f"{target}: {len(result.values) - 1} steps in {result.wall_time:.3f} s"
+    title = f"{target}: {result.steps} steps in {result.wall_time:.3f} s"
     print_table(title, ("output", "start", "end", "largest magnitude"), rows)

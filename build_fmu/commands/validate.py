@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
-from build_fmu.failure import CHECK_FAILED
+from build_fmu.errors import CHECK_FAILED
 from build_fmu.report import print_json
 from build_fmu.target import require_fmu
 

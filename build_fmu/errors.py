@@ -12,25 +12,19 @@ UNFINISHED = 3
 LACK = 4
 
 
-class CommandFailure(Exception):
+class CommandError(Exception):
     """Base: the text is for the user, complete and without a traceback."""
 
     code = CHECK_FAILED
 
 
-class UsageFault(CommandFailure):
+class UsageError(CommandError):
     """The command line, the scene or a file is wrong."""
 
     code = USAGE
 
 
-class RunUnfinished(CommandFailure):
-    """A simulation ended before its stop time; the text says when and why."""
-
-    code = UNFINISHED
-
-
-class EnvironmentLack(CommandFailure):
-    """This machine lacks something; the text says what and how to get it."""
+class EnvironmentLackError(CommandError):
+    """Something is missing on this machine; the text says what and how to get it."""
 
     code = LACK
