@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import re
 import shlex
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,13 @@ def test_the_scene_of_the_first_screen_has_ten_lines_and_runs():
     assert len(text.splitlines()) == 10
     trajectory = solver.simulate(solver.assemble(scene.loads(text)), stop_time=2.0)
     assert abs(trajectory["energy.error"]).max() < 1e-11  # round-off of 200 steps
+
+
+def test_the_report_of_mistakes_is_what_a_scene_with_these_mistakes_gets():
+    text = fenced("toml").replace("[2, 0], mass", "[2, 0], mas").replace('"B"] }', '"Bx"] }')
+    with pytest.raises(scene.SceneError) as failure:
+        scene.loads(text, name="pendulum.toml")
+    assert textwrap.indent(str(failure.value), "    ") in README
 
 
 def test_the_python_example_runs(monkeypatch):
