@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from solver.scene.report import Path, Problem, Source, did_you_mean
-from solver.scene.schema import BROKEN, PARTS, TYPES, Heading, Part, shown
+from solver.scene.schema import BROKEN, PARTS, TYPES, Part, shown
 
 _EXPECTED = {
     "string_type": "must be a text",
@@ -24,12 +24,6 @@ _EXPECTED = {
     "too_short": "must have two entries",
     "too_long": "must have two entries",
 }
-_SINGULAR = {"bodies": "body"}
-
-
-def singular(table: str) -> str:
-    """Word for one part of a table: ``body`` of ``bodies``."""
-    return _SINGULAR.get(table, table.removesuffix("s"))
 
 
 class Draft:
@@ -110,8 +104,7 @@ class Draft:
             self.error(path, f"'{location[-1]}' is missing", f"write {location[-1]} = {example[0]}")
             return
         if kind == "extra_forbidden":
-            title = "known tables and fields" if model is Heading else "known fields"
-            help = did_you_mean(str(location[-1]), model.model_fields, title)
+            help = did_you_mean(str(location[-1]), model.model_fields, "known fields")
             self.error((*path, *location), "unknown field", help)
             return
         place = (*path, *_existing(location, data))
@@ -151,10 +144,7 @@ def _choices(model: type[Part], name: str) -> list[Any]:
 def _unknown_choice(name: str, value: object, choices: list[Any]) -> tuple[str, str | None]:
     """Words for a value outside a fixed list."""
     if name == "order":
-        return (
-            f"order {shown(value)} is not available: the methods are of order 2",
-            "write order = 2",
-        )
+        return f"order {shown(value)} is not available: all methods have order 2", "use 2"
     if not isinstance(choices[0], str):
         return f"must be {' or '.join(map(str, choices))}, got {shown(value)}", None
     text = value if isinstance(value, str) else shown(value)

@@ -28,14 +28,12 @@ from solver.scene.vocabulary import (
 class Elements:
     """Reader of the mechanical tables of one scene."""
 
-    def __init__(self, numbers: Numbers, dimension: Any, given: bool) -> None:
+    def __init__(self, numbers: Numbers, dimension: Any) -> None:
         self.numbers = numbers
         self.draft = numbers.draft
         self.known = numbers.known
         self.dimension = None if dimension is BROKEN else dimension
         """None: broken, so that vectors may have two or three numbers."""
-        self.given = given
-        """The file gives the dimension; without it, one vector too short tells it all."""
         self.fixed: set[str] = set()
         self.positions: dict[str, Vector] = {}
 
@@ -45,14 +43,27 @@ class Elements:
         """Read all mechanical tables."""
         draft = self.draft
         drawn = draft.parts("points")
-        points = {name: self.point(name, part) for name, part in drawn.items()}
+        self._forgotten_dimension(drawn)
+        points = {name: self._point(name, part) for name, part in drawn.items()}
         self.positions = {name: point.position for name, point in points.items()}
-        bodies = {name: self.bar(name, part) for name, part in draft.parts("bodies").items()}
-        joints = {name: self.distance(name, part) for name, part in draft.parts("joints").items()}
-        forces = {name: self.force(name, part) for name, part in draft.parts("forces").items()}
-        self.something_moves(points)
-        self.free_points_have_mass(drawn, bodies)
+        bodies = {name: self._bar(name, part) for name, part in draft.parts("bodies").items()}
+        joints = {name: self._distance(name, part) for name, part in draft.parts("joints").items()}
+        forces = {name: self._force(name, part) for name, part in draft.parts("forces").items()}
+        self._something_moves(points)
+        self._free_points_have_mass(drawn, bodies)
         return points, bodies, joints, forces
+
+    def _forgotten_dimension(self, drawn: dict[str, Any]) -> None:
+        """Say once, not at every vector, that a planar scene does not call itself planar."""
+        lengths = [len(part.position) for part in drawn.values() if part.position is not BROKEN]
+        if lengths and set(lengths) == {2} and "dimension" not in self.draft.data:
+            self.dimension = 2
+            message = "positions have 2 numbers, but the scene has dimension 3 (the default)"
+            self.draft.error(("points",), message, "write dimension = 2 at the top of the file")
+
+    def zero(self) -> Vector:
+        """Return the zero vector of the scene's dimension."""
+        return (0.0,) * (self.dimension or 3)
 
     def vector(self, path: Path, readings: Any, place: Place, unit: str = "") -> Vector:
         """Read a vector of the scene's dimension."""
@@ -60,23 +71,17 @@ class Elements:
         if readings is BROKEN:
             return (0.0,) * wanted
         if len(readings) != wanted and not (self.dimension is None and len(readings) == 2):
-            if not self.given and len(readings) == 2:
-                self.dimension, self.given = 2, True
-                message = "a vector of 2 numbers, but the scene has dimension 3 (the default)"
-                self.draft.error(path, message, "write dimension = 2 at the top of the file")
-            else:
-                message = f"must have {wanted} numbers in dimension {wanted}, got {len(readings)}"
-                self.draft.error(path, message)
+            message = f"must have {wanted} numbers in dimension {wanted}, got {len(readings)}"
+            self.draft.error(path, message)
         return tuple(
             self.numbers.number((*path, i), reading, place, None, unit)
             for i, reading in enumerate(readings)
         )
 
-    def point(self, name: str, part: schema.Point) -> Point:
+    def _point(self, name: str, part: schema.Point) -> Point:
         path = ("points", name)
-        still = (0.0,) * (self.dimension or 3)
         position = self.vector((*path, "position"), part.position, GEOMETRY)
-        velocity = still
+        velocity = self.zero()
         if part.velocity is not None:
             velocity = self.vector((*path, "velocity"), part.velocity, GEOMETRY)
         mass = self.numbers.optional((*path, "mass"), part.mass, GEOMETRY, NOT_NEGATIVE, "kg")
@@ -92,7 +97,7 @@ class Elements:
             fixed=part.fixed is True,
         )
 
-    def known_point(self, path: Path, name: str) -> bool:
+    def _known_point(self, path: Path, name: str) -> bool:
         """Report a name that is no point."""
         kind = self.known.parts.get(name)
         if kind == "point":
@@ -104,7 +109,7 @@ class Elements:
             self.draft.error(path, f"unknown point '{name}'", help)
         return False
 
-    def bar(self, name: str, part: schema.Bar) -> Body:
+    def _bar(self, name: str, part: schema.Bar) -> Body:
         path = ("bodies", name)
         mass = self.numbers.number((*path, "mass"), part.mass, GEOMETRY, POSITIVE, "kg")
         if part.points is BROKEN:
@@ -112,12 +117,10 @@ class Elements:
         first, second = part.points
         for i, point in enumerate(part.points):
             if point == "ground":
-                help = "make a point with fixed = true"
-                self.draft.error(
-                    (*path, "points", i), "a bar ends in points, not in 'ground'", help
-                )
+                message = "a bar ends in points, not in 'ground'"
+                self.draft.error((*path, "points", i), message, "make a point with fixed = true")
             else:
-                self.known_point((*path, "points", i), point)
+                self._known_point((*path, "points", i), point)
         if first == second:
             self.draft.error((*path, "points"), f"both ends are the point '{first}'")
         elif {first, second} <= self.fixed:
@@ -125,20 +128,20 @@ class Elements:
             self.draft.error((*path, "points"), message)
         return Bar(points=(first, second), mass=mass)
 
-    def distance(self, name: str, part: schema.Distance) -> Joint:
+    def _distance(self, name: str, part: schema.Distance) -> Joint:
         path = ("joints", name)
         length = (*path, "length")
         return Distance(
-            points=self.ends(path, part),
+            points=self._ends(path, part),
             length=self.numbers.optional(length, part.length, GEOMETRY, POSITIVE, "m"),
         )
 
-    def force(self, name: str, part: schema.Part) -> ForceElement:
+    def _force(self, name: str, part: schema.Part) -> ForceElement:
         path = ("forces", name)
         number, optional = self.numbers.number, self.numbers.optional
         if isinstance(part, schema.Spring):
             return Spring(
-                points=self.ends(path, part),
+                points=self._ends(path, part),
                 stiffness=number((*path, "stiffness"), part.stiffness, FORCE, NOT_NEGATIVE, "N/m"),
                 free_length=optional(
                     (*path, "free_length"), part.free_length, FORCE, NOT_NEGATIVE, "m"
@@ -146,19 +149,19 @@ class Elements:
             )
         if isinstance(part, schema.Damper):
             damping = number((*path, "damping"), part.damping, FORCE, NOT_NEGATIVE, "N.s/m")
-            return Damper(points=self.ends(path, part), damping=damping)
+            return Damper(points=self._ends(path, part), damping=damping)
         if isinstance(part, schema.Force):
-            return self.point_force(path, part)
+            return self._point_force(path, part)
         assert isinstance(part, schema.Torque)
-        return self.torque(path, part)
+        return self._torque(path, part)
 
-    def point_force(self, path: Path, part: schema.Force) -> Force:
-        if part.point is not BROKEN and self.known_point((*path, "point"), part.point):
-            if part.point in self.fixed:
-                self.draft.error((*path, "point"), f"a force on the fixed point '{part.point}'")
+    def _point_force(self, path: Path, part: schema.Force) -> Force:
+        known = part.point is not BROKEN and self._known_point((*path, "point"), part.point)
+        if known and part.point in self.fixed:
+            self.draft.error((*path, "point"), f"a force on the fixed point '{part.point}'")
         return Force(point=part.point, value=self.vector((*path, "value"), part.value, FORCE))
 
-    def torque(self, path: Path, part: schema.Torque) -> Torque:
+    def _torque(self, path: Path, part: schema.Torque) -> Torque:
         kind = None if part.body is BROKEN else self.known.parts.get(part.body)
         if part.body is not BROKEN and kind != "bar":
             help = did_you_mean(part.body, self.known.of("bar"), "known bodies")
@@ -177,34 +180,33 @@ class Elements:
             self.draft.error(where, "must be a vector of 3 numbers in dimension 3", help)
         return Torque(body=part.body, value=self.numbers.number(where, value, FORCE))
 
-    def ends(self, path: Path, part: Any) -> tuple[PointReference, PointReference]:
+    def _ends(self, path: Path, part: Any) -> tuple[PointReference, PointReference]:
         """Read the two ends of a joint or force."""
         if part.points is BROKEN:
             return PointReference(point=None), PointReference(point=None)
         first, second = part.points
         for i, point in enumerate(part.points):
             if point != "ground":
-                self.known_point((*path, "points", i), point)
+                self._known_point((*path, "points", i), point)
         if first == second:
             self.draft.error((*path, "points"), f"both ends are '{first}'")
         elif {first, second} <= self.fixed | {"ground"}:
             self.draft.error((*path, "points"), f"both ends are fixed: '{first}' and '{second}'")
-        places = self.places(path, part)
+        places = self._places(path, part)
         return (
             PointReference(point=None if first == "ground" else first, at=places[0]),
             PointReference(point=None if second == "ground" else second, at=places[1]),
         )
 
-    def places(self, path: Path, part: Any) -> tuple[Vector | None, Vector | None]:
+    def _places(self, path: Path, part: Any) -> tuple[Vector | None, Vector | None]:
         """Read `at`: the place of 'ground', alone or in a list with one place for each end."""
         where, points = (*path, "at"), part.points
         if part.at is BROKEN:
             return None, None
         if part.at is None:
             if "ground" in points:
-                self.draft.error(
-                    path, "'at' is missing: the place of 'ground'", "write at = [0, 0]"
-                )
+                message = "'at' is missing: the place of 'ground'"
+                self.draft.error(path, message, f"write at = {shown([0] * len(self.zero()))}")
             return None, None
         if "ground" not in points:
             self.draft.error(where, "'at' is the place of 'ground', which is no end here")
@@ -216,27 +218,27 @@ class Elements:
             self.draft.error(where, f"must have one place for each end, got {len(part.at)}")
             return None, None
         first, second = (self.vector((*where, i), at, GEOMETRY) for i, at in enumerate(part.at))
-        self.same_place((*where, 0), first, points[0])
-        self.same_place((*where, 1), second, points[1])
+        self._same_place((*where, 0), first, points[0])
+        self._same_place((*where, 1), second, points[1])
         return first if points[0] == "ground" else None, second if points[1] == "ground" else None
 
-    def same_place(self, path: Path, at: Vector, point: str) -> None:
+    def _same_place(self, path: Path, at: Vector, point: str) -> None:
         """A place given for a point must be where the point is drawn (with the defaults)."""
         drawn = self.positions.get(point)
         if drawn is None:
             return
         try:
-            pairs = [[self.value(x), self.value(y)] for x, y in zip(at, drawn, strict=False)]
+            pairs = [[self._value(x), self._value(y)] for x, y in zip(at, drawn, strict=False)]
         except (ExpressionError, KeyError):
             return
         if any(x != y for x, y in pairs):
             message = f"point '{point}' is drawn at {shown([y for _, y in pairs])}"
             self.draft.error(path, message, "give the place of 'ground' alone")
 
-    def value(self, number: Number) -> float:
+    def _value(self, number: Number) -> float:
         return evaluate(number, self.known.values)
 
-    def something_moves(self, points: dict[str, Point]) -> None:
+    def _something_moves(self, points: dict[str, Point]) -> None:
         if not isinstance(self.draft.data.get("points", {}), dict):
             return
         if not self.draft.data.get("points"):
@@ -244,7 +246,7 @@ class Elements:
         elif points and all(point.fixed for point in points.values()):
             self.draft.error(("points",), "all points are fixed: nothing can move")
 
-    def free_points_have_mass(self, drawn: dict[str, Any], bodies: dict[str, Body]) -> None:
+    def _free_points_have_mass(self, drawn: dict[str, Any], bodies: dict[str, Body]) -> None:
         """Report points that certainly have no mass: neither their own nor that of a bar."""
         if len(bodies) < len(self.known.of("bar")) or any("" in b.points for b in bodies.values()):
             return

@@ -11,14 +11,17 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from solver.scene.draft import Draft, singular
+from solver.scene.draft import Draft
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.report import Path
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-TABLES = ("parameters", "inputs", "points", "bodies", "joints", "forces", "drivers", "outputs")
-"""Tables whose keys are names; one name stands for one thing in all of them."""
+KINDS: dict[str, str] = {
+    "parameters": "parameter", "inputs": "input", "outputs": "output", "points": "point",
+    "bodies": "bar", "joints": "joint", "forces": "force", "drivers": "driver",
+}  # fmt: skip
+"""Tables whose keys are names, and what they name; one name stands for one thing in all tables."""
 
 RESERVED: dict[str, str] = {
     "ground": "the fixed body",
@@ -51,8 +54,8 @@ def check_name(draft: Draft, path: Path, name: str) -> None:
 def check_names(draft: Draft) -> None:
     """Report names that cannot be used and names used twice."""
     taken: dict[str, Path] = {}
-    for table in TABLES:
-        entries = draft.data.get(table)
+    for table in draft.data:  # in the order of the file: the second use is the mistake
+        entries = draft.data[table] if table in KINDS else None
         for name in entries if isinstance(entries, dict) else ():
             path = (table, name)
             check_name(draft, path, name)
@@ -60,7 +63,7 @@ def check_names(draft: Draft) -> None:
                 first = taken[name]
                 line = draft.source.lines.get(first)
                 where = f" in line {line}" if line else ""
-                owner = singular(str(first[0]))
+                owner = KINDS[str(first[0])]
                 article = "an" if owner[0] in "aeiou" else "a"
                 draft.error(path, f"the name '{name}' is already that of {article} {owner}{where}")
             taken.setdefault(name, path)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from solver.scene.report import Path, Problem, did_you_mean, location_of, path_of
-from solver.scene.schema import File, shown
+from solver.scene.schema import Heading, shown
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -66,10 +66,7 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
             if isinstance(parts, dict) and path[0] in parts:
                 whole = not isinstance(parts[path[0]], dict)
                 return (table, path[0]) if whole else (table, path[0], field)
-        known = path[0] in File.model_fields and not isinstance(data.get(str(path[0])), dict)
-        return (
-            path if known and path[0] in ("name", "description", "dimension", "gravity") else None
-        )
+        return path if path[0] in Heading.model_fields else None
     if len(path) == 2 and path[0] in ("parameters", "inputs"):
         return _target({path[0]: data.get(str(path[0]))}, path[1:])
     if path[0] in ("solver", "experiment"):

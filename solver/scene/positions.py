@@ -16,7 +16,9 @@ from solver.scene.report import Path
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _COMMENT_LINES = re.compile(r"(?:[ \t\r\n,]|#[^\n]*)*")
 _STRING = re.compile(
-    r'"""(?:\\.|[^\\])*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\'', re.S
+    r'"""(?:\\.|[^\\])*?"{3,5}|"(?:\\.|[^"\\\n])*"'
+    r"|'''.*?'{3,5}|'[^'\n]*'",
+    re.DOTALL,
 )
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _SCALAR = re.compile(r"[^,\]}#\n]*")
@@ -77,18 +79,17 @@ class _Scanner:
         """Read ``[a.b]`` or ``[[a.b]]``; an array of tables grows by one."""
         brackets = 2 if self.peek("[[") else 1
         self.at += brackets
+        keys = self.key()
+        self.at += brackets
         path: Path = ()
-        for part in self.key():
+        for i, part in enumerate(keys):
             path = (*path, part)
             self.note(path)
+            if brackets == 2 and i == len(keys) - 1:
+                self.counts[path] = self.counts.get(path, 0) + 1
             if path in self.counts:
                 path = (*path, self.counts[path] - 1)
-        self.at += brackets
-        if brackets == 2:
-            array = path[:-1] if isinstance(path[-1], int) else path
-            self.counts[array] = self.counts.get(array, 0) + 1
-            path = (*array, self.counts[array] - 1)
-            self.note(path)
+                self.note(path)
         return path
 
     def entry(self, table: Path) -> None:

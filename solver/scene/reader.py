@@ -7,7 +7,7 @@ import re
 import sys
 from collections.abc import Mapping
 from pathlib import Path as FilePath
-from typing import Any
+from typing import Any, NoReturn
 
 from solver.scene.build import build
 from solver.scene.draft import Draft
@@ -59,7 +59,7 @@ def read_text(text: str, name: str, notation: str, overrides: Mapping[str, objec
     return scene
 
 
-def _give_up(source: Source, problem: Problem) -> Any:
+def _give_up(source: Source, problem: Problem) -> NoReturn:
     raise SceneError([problem], source)
 
 
@@ -73,7 +73,6 @@ def _toml(text: str, name: str) -> tuple[dict[str, Any], Mapping[Path, int]]:
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
         _give_up(Source(name, text), Problem("", f"TOML: {message}", None, line, column))
-        raise AssertionError from None
     return data, lines_of_toml(text)
 
 
@@ -84,11 +83,9 @@ def _json(
         data = json.loads(text)
     except RecursionError:
         _give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
-        raise AssertionError from None
     except json.JSONDecodeError as error:
         problem = Problem("", f"JSON: {error.msg}", None, error.lineno, error.colno)
         _give_up(Source(name, text), problem)
-        raise AssertionError from None
     if not isinstance(data, dict):
         _give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
     lines, repeated = lines_of_json(text)

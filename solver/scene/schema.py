@@ -41,6 +41,10 @@ def shown(value: object) -> str:
     return repr(value) if isinstance(value, (str, int, float)) else str(value)
 
 
+def _mistake(about: dict[str, Any]) -> PydanticCustomError:
+    return PydanticCustomError("number", "not a number of the scene", about)
+
+
 def _number(value: object) -> Reading:
     """Read a number or the text of an expression."""
     if isinstance(value, str):
@@ -52,17 +56,17 @@ def _number(value: object) -> Reading:
                 "help": error.help,
                 "mark": (value, error.column),
             }
-            raise PydanticCustomError("expression", "expression", about) from None
+            raise _mistake(about) from None
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         about = {"message": f"must be a number or an expression, got {shown(value)}"}
-        raise PydanticCustomError("number", "number", about)
+        raise _mistake(about)
     try:
         number = float(value)
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
         about = {"message": f"must be a finite number, got {str(value)[:20]}"}
-        raise PydanticCustomError("number", "number", about)
+        raise _mistake(about)
     return Reading(str(value), number)
 
 
@@ -251,8 +255,8 @@ class File(Heading):
     joints: dict[str, Distance] = {}
     forces: dict[str, Spring | Damper | Force | Torque] = {}
     outputs: dict[str, Output] = {}
-    solver: Solver = Solver()
-    experiment: Experiment = Experiment()
+    solver: Solver | None = None
+    experiment: Experiment | None = None
 
 
 TYPES: dict[str, dict[str, type[Part]]] = {

@@ -1,0 +1,68 @@
+"""Settings of the solver and of the default run: choices, ranges and how the steps relate."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from solver.scene import schema
+from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule
+from solver.scene.schema import BROKEN
+from solver.scene.vocabulary import Experiment, SolverSettings
+
+_DEFAULT = SolverSettings()
+_CHOICES = (
+    "formulation", "algorithm", "multiplier_update", "order", "paired", "max_newton", "max_uzawa",
+)  # fmt: skip
+
+
+def read_settings(numbers: Numbers) -> tuple[SolverSettings, Experiment]:
+    """Read the tables [solver] and [experiment]."""
+    draft = numbers.draft
+    solver = draft.part(("solver",), schema.Solver, draft.table("solver"))
+    experiment = draft.part(("experiment",), schema.Experiment, draft.table("experiment"))
+    outer = _seconds(numbers, "experiment", experiment, "step_size", 0.0, POSITIVE)
+    usual = min(_DEFAULT.step_size, outer) if outer > 0.0 else _DEFAULT.step_size
+    inner = _seconds(numbers, "solver", solver, "step_size", usual, POSITIVE)
+    if outer > 0.0 and inner > outer:
+        message = f"must be at most the communication step {outer:g} s, got {inner:g} s"
+        draft.error(("solver", "step_size"), message)
+    return _solver(numbers, solver, inner), _experiment(numbers, experiment, outer or 10.0 * inner)
+
+
+def _seconds(
+    numbers: Numbers, table: str, part: Any, name: str, default: float, rule: Rule | None = None
+) -> float:
+    return numbers.constant((table, name), getattr(part, name), default, rule, "s")
+
+
+def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
+    for name in ("max_newton", "max_uzawa"):
+        count = getattr(solver, name)
+        if count is not BROKEN and not 1 <= count <= 1000:
+            numbers.draft.error(("solver", name), f"must be from 1 to 1000, got {count}")
+
+    def setting(name: str, rule: Rule) -> float:
+        given, default = getattr(solver, name), getattr(_DEFAULT, name)
+        return numbers.constant(("solver", name), given, default, rule)
+
+    return SolverSettings(
+        **{name: getattr(solver, name) for name in _CHOICES},
+        step_size=step_size,
+        tolerance=setting("tolerance", POSITIVE),
+        penalty=setting("penalty", POSITIVE),
+        xi=setting("xi", NOT_NEGATIVE),
+        omega=setting("omega", POSITIVE),
+    )
+
+
+def _experiment(numbers: Numbers, experiment: Any, step_size: float) -> Experiment:
+    start = _seconds(numbers, "experiment", experiment, "start_time", 0.0)
+    stop = _seconds(numbers, "experiment", experiment, "stop_time", start + 1.0)
+    if not stop > start:
+        message = f"must be > start_time = {start:g} s, got {stop:g}"
+        numbers.draft.error(("experiment", "stop_time"), message)
+    tolerance = experiment.tolerance
+    given = numbers.constant(("experiment", "tolerance"), tolerance, 0.0, POSITIVE)
+    return Experiment(
+        start_time=start, stop_time=stop, step_size=step_size, tolerance=given or None
+    )
