@@ -1,1 +1,39 @@
-"""Multibody mechanics and time integration: from a scene to a trajectory."""
+"""Multibody mechanics and time integration: from a scene to a trajectory.
+
+>>> import solver
+>>> scene = solver.load("scenes/double_pendulum.toml")
+>>> trajectory = solver.simulate(scene, stop_time=10.0)
+>>> trajectory["energy.error"].max()
+
+`load` reads a scene, `assemble` turns it into a model, `Integrator` moves it step by step,
+`simulate` runs it and returns arrays.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+_HOMES = {
+    "AssemblyError": "solver.runtime",
+    "Integrator": "solver.runtime",
+    "Model": "solver.runtime",
+    "OptionError": "solver.runtime",
+    "Scene": "solver.scene",
+    "SceneError": "solver.scene",
+    "StepError": "solver.runtime",
+    "Trajectory": "solver.trajectory",
+    "assemble": "solver.mechanics",
+    "load": "solver.scene",
+    "loads": "solver.scene",
+    "simulate": "solver.trajectory",
+}
+
+__all__ = list(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
+
+
+def __getattr__(name: str) -> object:
+    """Import what is asked for: `solver.runtime` alone must not bring NumPy or the scene reader."""
+    if name not in _HOMES:
+        message = f"module 'solver' has no attribute {name!r}"
+        raise AttributeError(message)
+    return getattr(import_module(_HOMES[name]), name)

@@ -1,0 +1,113 @@
+/* Entry points: layout of the caller's memory, and the choice between plane and space. */
+#include "holonom.h"
+#include "internal.h"
+
+#include <stddef.h>
+
+static double *take(double *block, int64_t *used, int64_t count)
+{
+    double *start = block ? block + *used : NULL;
+    *used += count;
+    return start;
+}
+
+int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
+{
+    const int64_t n = (int64_t)m->dim * m->n_free;
+    int64_t used = 0;
+    s->head = take(block, &used, S_HEAD);
+    s->q = take(block, &used, n);
+    s->q_low = take(block, &used, n);
+    s->v = take(block, &used, n);
+    s->v_low = take(block, &used, n);
+    s->w[0] = take(block, &used, n);
+    s->w[1] = take(block, &used, n);
+    s->mu[0] = take(block, &used, m->n_rows);
+    s->mu[1] = take(block, &used, m->n_rows);
+    s->turns = take(block, &used, m->n_angles);
+    s->inputs = take(block, &used, m->n_inputs);
+    s->parameters = take(block, &used, m->n_parameters);
+    return used;
+}
+
+int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
+{
+    const int64_t n = (int64_t)m->dim * m->n_free, links = (int64_t)m->dim * m->n_forms;
+    hm_state ignored;
+    const int64_t state_size = hm_map_state(m, NULL, &ignored);
+    int64_t used = 0;
+    k->u0 = take(block, &used, links);
+    k->w0 = take(block, &used, links);
+    k->phi0 = take(block, &used, m->n_rows);
+    k->phi = take(block, &used, m->n_rows);
+    k->lambda = take(block, &used, m->n_rows);
+    k->mu = take(block, &used, m->n_rows);
+    k->epsilon = take(block, &used, m->n_rows);
+    k->hv = take(block, &used, n);
+    k->w = take(block, &used, n);
+    k->d = take(block, &used, n);
+    k->momentum = take(block, &used, n);
+    k->constraint = take(block, &used, m->n_rows);
+    k->rhs = take(block, &used, n + m->n_rows);
+    k->value = take(block, &used, m->n_lu_values);
+    k->step_backup = take(block, &used, state_size);
+    k->pair_backup = take(block, &used, state_size);
+    return used;
+}
+
+int64_t holonom_model_bytes(void) { return (int64_t)sizeof(holonom_model); }
+
+int64_t holonom_state_size(const holonom_model *m)
+{
+    hm_state ignored;
+    return hm_map_state(m, NULL, &ignored);
+}
+
+int64_t holonom_work_size(const holonom_model *m)
+{
+    hm_work ignored;
+    return hm_map_work(m, NULL, &ignored);
+}
+
+int64_t holonom_measured_size(const holonom_model *m)
+{
+    const int64_t motion = 2 * ((int64_t)m->dim * m->n_free + m->n_angles + m->n_lines);
+    return motion + m->n_rows + 9 + m->dim + (m->dim == 2 ? 1 : 3) + 4;
+}
+
+void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }
+
+int32_t holonom_initialise(const holonom_model *m, double *numbers, double *state, double *work)
+{
+    return m->dim == 2 ? hm_initialise_planar(m, numbers, state, work)
+                       : hm_initialise_spatial(m, numbers, state, work);
+}
+
+/* The states below are not modified, but for what the signature says: the mapped view has no const twin. */
+void holonom_residuals(const holonom_model *m, const double *numbers, const double *state, double *work,
+                       double *phi, double *phi_dot)
+{
+    (m->dim == 2 ? hm_residuals_planar : hm_residuals_spatial)(m, numbers, (double *)state, work, phi, phi_dot);
+}
+
+int32_t holonom_advance(const holonom_model *m, double *numbers, double *state, double *work, double step)
+{
+    return (m->dim == 2 ? hm_advance_planar : hm_advance_spatial)(m, numbers, state, work, step);
+}
+
+void holonom_set_inputs(const holonom_model *m, double *numbers, double *state, double *work, const double *inputs,
+                        const double *parameters)
+{
+    (m->dim == 2 ? hm_set_inputs_planar : hm_set_inputs_spatial)(m, numbers, state, work, inputs, parameters);
+}
+
+void holonom_measure(const holonom_model *m, double *numbers, const double *state, double *work)
+{
+    (m->dim == 2 ? hm_measure_planar : hm_measure_spatial)(m, numbers, (double *)state, work);
+}
+
+int32_t holonom_probe(const holonom_model *m, double *numbers, const double *state, double *work, double h,
+                      const double *w, const double *mu, const double *x, double *r, double *tx)
+{
+    return (m->dim == 2 ? hm_probe_planar : hm_probe_spatial)(m, numbers, (double *)state, work, h, w, mu, x, r, tx);
+}

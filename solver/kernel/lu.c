@@ -1,0 +1,68 @@
+/* Sparse LU factors with a pattern and an elimination order that were fixed when the model was assembled.
+
+   The pattern is symmetric, the values are not. Pivot k owns one contiguous piece of `value`:
+   [diagonal, U_k1 .. U_km, L_1k .. L_mk]; `column` lists the m later places it is coupled to, and `target`
+   says where each of the m*m products of its update goes. No pivoting: a regularised KKT matrix whose rows
+   come after one of their nodes is factorisable in any such order (Vanderbei 1995, quasidefinite matrices).  */
+#include "holonom.h"
+#include "internal.h"
+
+#include <math.h>
+
+/* value (ptr[n], modified): matrix in, factors out, pivots inverted. Returns 0, or 1 at a pivot that is zero
+   or not finite.                                                                                            */
+int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, double *value)
+{
+    for (int32_t k = 0; k < n; k++) {
+        double *diagonal = value + ptr[k];
+        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
+        const double *upper = diagonal + 1;
+        double *lower = diagonal + 1 + m;
+        if (!(fabs(*diagonal) > 1e-300 && fabs(*diagonal) < 1e300)) return 1;
+        const double inverse = 1.0 / *diagonal;
+        *diagonal = inverse;
+        for (int32_t i = 0; i < m; i++) {
+            const double factor = lower[i] *= inverse;
+            for (int32_t j = 0; j < m; j++) value[target[j]] -= factor * upper[j];
+            target += m;
+        }
+    }
+    return 0;
+}
+
+/* Solves L U x = rhs in place; x (n) holds the right-hand side, then the solution, in elimination order. */
+void hm_lu_solve(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, double *x)
+{
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
+        const double *lower = value + ptr[k] + 1 + m;
+        const double xk = x[k];
+        for (int32_t i = 0; i < m; i++) x[column[i]] -= lower[i] * xk;
+        column += m;
+    }
+    for (int32_t k = n - 1; k >= 0; k--) {
+        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
+        const double *upper = value + ptr[k] + 1;
+        double sum = x[k];
+        column -= m;
+        for (int32_t i = 0; i < m; i++) sum -= upper[i] * x[column[i]];
+        x[k] = sum * value[ptr[k]];
+    }
+}
+
+/* Product y = A x with the unfactorised matrix, for tests; x, y (n) in elimination order, y overwritten. */
+void hm_lu_multiply(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, const double *x,
+                    double *y)
+{
+    for (int32_t k = 0; k < n; k++) y[k] = 0.0;
+    for (int32_t k = 0; k < n; k++) {
+        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
+        const double *upper = value + ptr[k] + 1, *lower = upper + m;
+        y[k] += value[ptr[k]] * x[k];
+        for (int32_t i = 0; i < m; i++) {
+            y[k] += upper[i] * x[column[i]];
+            y[column[i]] += lower[i] * x[k];
+        }
+        column += m;
+    }
+}

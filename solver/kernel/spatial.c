@@ -1,0 +1,11 @@
+/* The kernel for mechanisms in space: three coordinates a node. */
+#define DIM 3
+#define NAME(function) function##_spatial
+
+#include "forms.inc.h"
+#include "laws.inc.h"
+#include "tangent.inc.h"
+#include "step.inc.h"
+#include "energy.inc.h"
+#include "advance.inc.h"
+#include "measure.inc.h"

@@ -1,0 +1,59 @@
+/* The tape: a list of scalar operations on the vector of numbers. Expressions of a scene are compiled to it,
+   so that parameters, inputs and time take effect inside an FMU without any expression parser there.         */
+#include "holonom.h"
+#include "internal.h"
+
+#include <math.h>
+
+enum tape_code {
+    T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
+    T_SQRT, T_EXP, T_LOG, T_ABS, T_MIN, T_MAX, T_SIGN, T_LT, T_LE, T_GT, T_GE, T_EQ, T_NE, T_AND, T_OR, T_NOT,
+    T_SELECT
+};
+
+static double operate(int32_t code, double a, double b, double c)
+{
+    switch (code) {
+    case T_COPY: return a;
+    case T_ADD: return a + b;
+    case T_SUB: return a - b;
+    case T_MUL: return a * b;
+    case T_DIV: return a / b;
+    case T_POW: return pow(a, b);
+    case T_NEG: return -a;
+    case T_SIN: return sin(a);
+    case T_COS: return cos(a);
+    case T_TAN: return tan(a);
+    case T_ASIN: return asin(a);
+    case T_ACOS: return acos(a);
+    case T_ATAN: return atan(a);
+    case T_ATAN2: return atan2(a, b);
+    case T_SQRT: return sqrt(a);
+    case T_EXP: return exp(a);
+    case T_LOG: return log(a);
+    case T_ABS: return fabs(a);
+    /* min and max hand a NaN on, unlike fmin and fmax: it must be seen, not hidden. */
+    case T_MIN: return (a < b || a != a) ? a : b;
+    case T_MAX: return (a > b || a != a) ? a : b;
+    case T_SIGN: return a != a ? a : (double)((a > 0.0) - (a < 0.0));
+    case T_LT: return (double)(a < b);
+    case T_LE: return (double)(a <= b);
+    case T_GT: return (double)(a > b);
+    case T_GE: return (double)(a >= b);
+    case T_EQ: return (double)(a == b);
+    case T_NE: return (double)(a != b);
+    case T_AND: return (double)(a != 0.0 && b != 0.0);
+    case T_OR: return (double)(a != 0.0 || b != 0.0);
+    case T_NOT: return (double)(a == 0.0);
+    case T_SELECT: return a != 0.0 ? b : c;
+    default: return NAN; /* an unknown code is caught by the check for finite numbers */
+    }
+}
+
+void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment)
+{
+    const int32_t *op = model->tape;
+    for (int32_t before = 0; before < segment; before++) op += 5 * (int64_t)model->n_tape[before];
+    for (int32_t i = 0; i < model->n_tape[segment]; i++, op += 5)
+        numbers[op[1]] = operate(op[0], numbers[op[2]], numbers[op[3]], numbers[op[4]]);
+}

@@ -1,0 +1,276 @@
+"""One mechanism in motion: parameters in, steps, named values out."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from collections.abc import Callable, Sequence
+
+from .assembly_checks import broken_rules, contradicted_rows
+from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
+from .kernel import Kernel, KernelMissing
+from .model import Model, Variable
+from .options import DEFAULTS, decode, encode
+from .state import State
+
+CONFIGURED, ASSEMBLED, MOVING = range(3)
+"""Phases of a run: values may change; initial configuration taken; at least one step done."""
+
+Value = float | str | bool
+
+
+def _engine(model: Model, kernel: str, log: Callable[[str], None] | None) -> Kernel:
+    """Bind the model to the compiled kernel, or, said in the log, to the NumPy reference."""
+    if kernel not in ("auto", "c", "numpy"):
+        message = f"kernel: must be auto, c or numpy, got {kernel!r}"
+        raise OptionError(message)
+    if kernel != "numpy":
+        try:
+            return Kernel(model)
+        except KernelMissing as missing:
+            if kernel == "c":
+                raise
+            if log:
+                log(f"{missing}; the NumPy reference steps in, some hundred times slower")
+    from .reference import Reference  # NumPy is imported here and nowhere else
+
+    return Reference(model)
+
+
+class Integrator:
+    """A model with its state.
+
+    Parameters
+    ----------
+    model : Model
+        What to move.
+    kernel : {"auto", "c", "numpy"}
+        The compiled kernel, its NumPy reference, or the first if there is one.
+    log : callable, optional
+        Receives one sentence whenever something happens that a user should know.
+    """
+
+    def __init__(
+        self, model: Model, *, kernel: str = "auto", log: Callable[[str], None] | None = None
+    ) -> None:
+        self.model = model
+        self.engine = _engine(model, kernel, log)
+        self.state = State(model, self.engine.state)
+        self._base = model.offsets["measured"]
+        self.reset()
+
+    def reset(self) -> None:
+        """Return to the condition after construction."""
+        for place in range(len(self.state.block)):
+            self.state.block[place] = 0.0
+        for place, number in enumerate(self.model.numbers):
+            self.engine.numbers[place] = number
+        for variable in self.model.variables:
+            if variable.kind in ("parameter", "input"):
+                self._vector(variable)[variable.place] = variable.start  # type: ignore[assignment]
+        for name, default in DEFAULTS.items():
+            self._set_option(name, self.model.settings.get(name, default))
+        self.state.head["time"] = self.model.experiment.start_time
+        self.phase = CONFIGURED
+        self.message = SENTENCE[Status.OK]
+        self._measured = False
+
+    # ------------------------------------------------------------------------------- values
+
+    def _vector(self, variable: Variable) -> memoryview:
+        return self.state.vectors[f"{variable.kind}s"]
+
+    def _set_option(self, name: str, value: object) -> None:
+        place, number = encode(name, value)
+        self.state.head[place] = number
+
+    @property
+    def time(self) -> float:
+        """Present time [s]."""
+        return self.state.head["time"]
+
+    @property
+    def status(self) -> Status:
+        """Status of the last `advance`."""
+        return Status(int(self.state.head["status"]))
+
+    def get(self, indices: Sequence[int]) -> list[Value]:
+        """Return the values of variables, by their index in ``model.variables``.
+
+        Raises
+        ------
+        AssemblyError
+            When an output is asked for and the mechanism cannot be assembled.
+        StepError
+            When a value is not finite.
+        """
+        values, numbers, base = [], self.engine.numbers, self._base
+        for index in indices:
+            variable = self.model.variables[index]
+            kind, place = variable.kind, variable.place
+            if kind in ("parameter", "input"):
+                values.append(self._vector(variable)[place])
+                continue
+            if kind == "option":
+                values.append(decode(variable.name.removeprefix("solver."), self.state.head))
+                continue
+            if not self._measured:
+                self._measure()
+            value = numbers[base + place] if kind == "measured" else numbers[place]
+            if not math.isfinite(value):
+                message = f"{variable.name} is not finite at t = {self.time:g} s"
+                raise StepError(message)
+            values.append(value)
+        return values
+
+    def __getitem__(self, name: str) -> Value:
+        """Return the value of a variable by its name."""
+        return self.get([self.model.index(name)])[0]
+
+    def _measure(self) -> None:
+        if self.phase == CONFIGURED:
+            self.initialise()
+        self.engine.measure()
+        self._measured = True
+
+    def set(self, indices: Sequence[int], values: Sequence[Value]) -> None:
+        """Set parameters, inputs and settings; all of them or, on an error, none.
+
+        Raises
+        ------
+        OptionError
+            Naming the variable, the value and the rule that it breaks.
+        """
+        changes = list(zip((self.model.variables[index] for index in indices), values, strict=True))
+        for variable, value in changes:
+            self._check_settable(variable, value)
+        inputs, parameters = (list(self.state.vectors[name]) for name in ("inputs", "parameters"))
+        for variable, value in changes:
+            if variable.kind == "option":
+                self._set_option(variable.name.removeprefix("solver."), value)
+            else:
+                target = inputs if variable.kind == "input" else parameters
+                target[variable.place] = float(value)
+        if self.phase == MOVING:
+            self.engine.set_inputs(inputs, parameters)
+        else:
+            self.state.vectors["inputs"][:] = array("d", inputs)
+            self.state.vectors["parameters"][:] = array("d", parameters)
+            self.phase = CONFIGURED
+        self._measured = False
+
+    def __setitem__(self, name: str, value: Value) -> None:
+        """Set a variable by its name."""
+        self.set([self.model.index(name)], [value])
+
+    def _check_settable(self, variable: Variable, value: Value) -> None:
+        name, unit = variable.name, f" {variable.unit}".rstrip()
+        if variable.causality not in ("parameter", "input"):
+            message = f"{name}: is calculated and cannot be set"
+            raise OptionError(message)
+        if variable.variability == "fixed" and self.phase == MOVING:
+            message = f"{name}: is a fixed parameter; set it before the first step, or reset first"
+            raise OptionError(message)
+        if variable.kind == "option":
+            encode(name.removeprefix("solver."), value)
+            return
+        if not isinstance(value, int | float) or not math.isfinite(value):
+            message = f"{name}: must be a finite number{unit and f' in{unit}'}, got {value!r}"
+            raise OptionError(message)
+        if variable.minimum is not None and value < variable.minimum:
+            message = f"{name}: must be >= {variable.minimum:g}{unit}, got {value!r}"
+            raise OptionError(message)
+        if variable.maximum is not None and value > variable.maximum:
+            message = f"{name}: must be <= {variable.maximum:g}{unit}, got {value!r}"
+            raise OptionError(message)
+
+    # ------------------------------------------------------------------------------- motion
+
+    def initialise(self, start_time: float | None = None) -> None:
+        """Assemble the mechanism with the present parameters, at `start_time` [s].
+
+        Raises
+        ------
+        AssemblyError
+            One sentence for each rule that the parameters break.
+        """
+        if start_time is not None:
+            self.state.head["time"] = start_time
+        self._assemble()
+        problems = contradicted_rows(self.model, self.engine)
+        if problems:
+            self.phase = CONFIGURED
+            raise AssemblyError("\n".join(problems))
+
+    def _assemble(self) -> None:
+        """Evaluate all that depends on parameters, and take the initial configuration."""
+        numbers, offsets = self.engine.numbers, self.model.offsets
+        for name, section in (("input", "inputs"), ("parameter", "parameters")):
+            for place, value in enumerate(self.state.vectors[section]):
+                numbers[offsets[name] + place] = value
+        self.engine.evaluate(0)
+        problems = broken_rules(self.model, numbers)
+        if problems:
+            raise AssemblyError("\n".join(problems))
+        status = Status(self.engine.initialise())
+        if status is not Status.OK:
+            message = f"the mechanism cannot be assembled: {SENTENCE[status]}"
+            raise AssemblyError(message)
+        self.phase = ASSEMBLED
+        self._measured = False
+
+    def advance(self, t: float, step: float) -> None:
+        """Advance from time `t`, which must be the present time, by `step`; both in s.
+
+        Raises
+        ------
+        StepError
+            When the step cannot be solved; time, h, reason and remedy in one sentence. The state
+            is as before.
+        """
+        head = self.state.head
+        slack = 1e-9 * max(abs(t), abs(step)) if math.isfinite(t + step) else 0.0
+        if not abs(t - head["time"]) <= slack:
+            message = f"step from t = {t!r} s asked for, but the mechanism is at {head['time']!r} s"
+            raise StepError(message)
+        if not step > 0.0:
+            self._fail(t, step, Status.BAD_STEP)
+        if self.phase == CONFIGURED:
+            self.initialise()
+        # A last digit of t that differs from the own time must not add up over many steps.
+        status = Status(self.engine.advance((t - head["time"]) + step))
+        self._measured = False
+        if status is not Status.OK:
+            self._fail(t, step, status)
+        head["time"] = t + step
+        self.phase = MOVING
+        self.message = SENTENCE[Status.OK]
+
+    def _fail(self, t: float, step: float, status: Status) -> None:
+        self.state.head["status"] = float(status)
+        self._measured = False
+        h = min(step, self.state.head["step_size"])
+        self.message = f"step from t = {t:g} s with h = {h:g} s: {SENTENCE[status]}"
+        raise StepError(self.message)
+
+    # --------------------------------------------------------------------------- save, restore
+
+    def save(self) -> bytes:
+        """Return the whole state: time, motion, multipliers, ledger, inputs, parameters, settings."""
+        return self.state.to_bytes(self.phase)
+
+    def restore(self, data: bytes) -> None:
+        """Return to a state that `save` gave, bit for bit.
+
+        Raises
+        ------
+        OptionError
+            When it is a state of another model, or damaged.
+        """
+        phase = self.state.phase_of(data)
+        self.state.fill(data)
+        if phase != CONFIGURED:
+            self._assemble()  # numbers that depend on parameters are not part of the state
+            self.state.fill(data)
+        self.phase = phase
+        self._measured = False

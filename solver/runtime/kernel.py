@@ -1,0 +1,140 @@
+"""The compiled kernel through ctypes: one crossing a call, pointers stored once."""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from array import array
+from collections.abc import Sequence
+from pathlib import Path
+
+from .layout import OFFSETS, SIZES, TABLES, state_size
+from .model import Model
+
+
+class KernelMissing(Exception):
+    """There is no compiled kernel for this platform, or it does not load."""
+
+
+class _ModelStruct(ctypes.Structure):
+    """``holonom_model`` of the kernel's header, field by field."""
+
+    _fields_ = [
+        *((name, ctypes.c_int32) for name in SIZES),
+        *((name, ctypes.c_void_p) for name in TABLES),
+        *((f"{name}_at", ctypes.c_int32) for name in OFFSETS),
+    ]
+
+
+def library_path() -> Path:
+    """Return where the kernel of this platform lies when it was built."""
+    suffix = {"win32": "dll", "cygwin": "dll", "darwin": "dylib"}.get(sys.platform, "so")
+    return Path(__file__).parent / "_kernel" / f"libholonom.{suffix}"
+
+
+def load_library(path: Path | None = None) -> ctypes.CDLL:
+    """Load the kernel and declare its functions.
+
+    Raises
+    ------
+    KernelMissing
+        When the library is absent, is for another machine, or was built from other sources.
+    """
+    path = path or library_path()
+    try:
+        library = ctypes.CDLL(str(path))
+    except OSError as error:
+        message = f"no kernel for this platform: {error}"
+        raise KernelMissing(message) from error
+    pointer, integer, real = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double
+    for name, result, arguments in (
+        ("model_bytes", ctypes.c_int64, []),
+        ("state_size", ctypes.c_int64, [pointer]),
+        ("work_size", ctypes.c_int64, [pointer]),
+        ("measured_size", ctypes.c_int64, [pointer]),
+        ("evaluate", None, [pointer, pointer, integer]),
+        ("initialise", integer, [pointer] * 4),
+        ("residuals", None, [pointer] * 6),
+        ("advance", integer, [*[pointer] * 4, real]),
+        ("set_inputs", None, [pointer] * 6),
+        ("measure", None, [pointer] * 4),
+        ("probe", integer, [*[pointer] * 4, real, *[pointer] * 5]),
+    ):
+        function = getattr(library, f"holonom_{name}")
+        function.restype, function.argtypes = result, arguments
+    if library.holonom_model_bytes() != ctypes.sizeof(_ModelStruct):
+        message = f"{path.name} was built from other sources than this Python code; build it again"
+        raise KernelMissing(message)
+    return library
+
+
+def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
+    return (ctypes.c_double * max(len(values), 1))(*values)
+
+
+class Kernel:
+    """A model bound to the compiled kernel, with its own numbers, state and scratch.
+
+    `numbers`, `state` and `work` are ctypes arrays of doubles; nothing in `work` survives a step.
+    """
+
+    name = "c"
+
+    def __init__(self, model: Model, library: ctypes.CDLL | None = None) -> None:
+        self.model = model
+        self._library = library or load_library()
+        self.numbers = _doubles(model.numbers)
+        self.state = (ctypes.c_double * state_size(model.sizes))()
+        self._tables = {name: array("i", table) for name, table in model.tables.items()}
+        self._struct = _ModelStruct(
+            **model.sizes,
+            **{name: table.buffer_info()[0] for name, table in self._tables.items()},
+            **{f"{name}_at": offset for name, offset in model.offsets.items()},
+        )
+        structure = ctypes.addressof(self._struct)
+        assert self._library.holonom_state_size(structure) == len(self.state)
+        self.work = (ctypes.c_double * self._library.holonom_work_size(structure))()
+        self._pointers = (
+            structure,
+            ctypes.addressof(self.numbers),
+            ctypes.addressof(self.state),
+            ctypes.addressof(self.work),
+        )
+        self._advance = self._library.holonom_advance
+
+    def evaluate(self, segment: int) -> None:
+        """Run one segment of the tape on the numbers."""
+        self._library.holonom_evaluate(*self._pointers[:2], segment)
+
+    def initialise(self) -> int:
+        """Take the initial configuration into the state; return a status."""
+        return self._library.holonom_initialise(*self._pointers)
+
+    def advance(self, step: float) -> int:
+        """Advance the state by `step` [s]; return a status."""
+        return self._advance(*self._pointers, step)
+
+    def measure(self) -> None:
+        """Fill the measurements in the numbers from the state."""
+        self._library.holonom_measure(*self._pointers)
+
+    def set_inputs(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
+        """Change inputs and tunable parameters; a jump of stored energy is booked as work."""
+        self._library.holonom_set_inputs(*self._pointers, _doubles(inputs), _doubles(parameters))
+
+    def residuals(self) -> tuple[list[float], list[float]]:
+        """Return Phi [m^2] and G v [m^2/s] of each row."""
+        phi, phi_dot = (_doubles([0.0] * len(self.model.row_names)) for _ in range(2))
+        self._library.holonom_residuals(*self._pointers, phi, phi_dot)
+        count = len(self.model.row_names)
+        return list(phi)[:count], list(phi_dot)[:count]
+
+    def probe(
+        self, h: float, w: Sequence[float], mu: Sequence[float], x: Sequence[float]
+    ) -> tuple[int, list[float], list[float]]:
+        """Return status, residual and tangent times `x` of one step, for tests of the tangent."""
+        size = len(w) + len(mu)
+        r, tx = _doubles([0.0] * size), _doubles([0.0] * size)
+        arguments = (h, _doubles(w), _doubles(mu), _doubles(x), r, tx)
+        status = self._library.holonom_probe(*self._pointers, *arguments)
+        return status, list(r)[:size], list(tx)[:size]

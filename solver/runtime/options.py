@@ -1,0 +1,96 @@
+"""Settings of the solver: their names, their ranges, and how they are stored in a state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from .errors import OptionError
+
+CHOICES = {
+    "formulation": (
+        "conserving-al",
+        "midpoint-al",
+        "conserving-penalty",
+        "midpoint-penalty",
+        "penalty-velocity",
+    ),
+    "algorithm": ("nested", "simultaneous"),
+    "multiplier_update": ("end", "paper"),
+}
+"""Settings that choose one of several words; the first is the default."""
+
+STORED_AS = {
+    "formulation": "formulation",
+    "algorithm": "simultaneous",
+    "multiplier_update": "paper_update",
+}
+"""Scalar of the state's head that holds the index of the chosen word."""
+
+RANGES: dict[str, tuple[float, float, str, str]] = {
+    "step_size": (0.0, 1e6, "s", "longest internal step"),
+    "tolerance": (0.0, 1e-3, "", "relative error of a step's solution in the energy norm"),
+    "penalty": (0.0, 1e14, "", "dimensionless penalty alpha h^2 sigma/4 of each constraint row"),
+    "xi": (-1e-300, 1e6, "", "damping ratio of penalty-velocity"),
+    "omega": (0.0, 1e9, "rad/s", "natural frequency of penalty-velocity"),
+    "max_newton": (0.0, 1e6, "", "Newton iterations for one value of the multipliers"),
+    "max_uzawa": (0.0, 1e6, "", "Uzawa updates in a step"),
+}
+"""Settings that are numbers: above the first, up to the second, unit, meaning."""
+
+WHOLE = ("max_newton", "max_uzawa")
+
+DEFAULTS: dict[str, str | bool | float] = {
+    "formulation": "conserving-al",
+    "algorithm": "nested",
+    "multiplier_update": "end",
+    "paired": True,
+    "step_size": 0.01,
+    "tolerance": 1e-12,
+    "penalty": 1e8,
+    "xi": 1.0,
+    "omega": 10.0,
+    "max_newton": 20.0,
+    "max_uzawa": 20.0,
+}
+
+
+def encode(name: str, value: object) -> tuple[str, float]:
+    """Return the scalar of the state's head that holds a setting, and its value there.
+
+    Raises
+    ------
+    OptionError
+        When there is no such setting, or the value is not allowed.
+    """
+    if name in CHOICES:
+        if value not in CHOICES[name]:
+            message = f"solver.{name}: must be one of {', '.join(CHOICES[name])}, got {value!r}"
+            raise OptionError(message)
+        return STORED_AS[name], float(CHOICES[name].index(value))  # type: ignore[arg-type]
+    if name == "paired":
+        if value not in (True, False):
+            message = f"solver.paired: must be true or false, got {value!r}"
+            raise OptionError(message)
+        return name, float(bool(value))
+    if name not in RANGES:
+        message = f"solver.{name}: no such setting; known are {', '.join(DEFAULTS)}"
+        raise OptionError(message)
+    return name, _in_range(name, value)
+
+
+def _in_range(name: str, value: object) -> float:
+    low, high, unit, _ = RANGES[name]
+    number = float(value) if isinstance(value, int | float) else float("nan")
+    if not low < number <= high or (name in WHOLE and number != int(number)):
+        kind = "a whole number" if name in WHOLE else "a number"
+        rule = f"{kind} {'>= 0' if low < 0 else '> 0'} and <= {high:g}"
+        message = f"solver.{name}: must be {rule} {unit}".rstrip() + f", got {value!r}"
+        raise OptionError(message)
+    return number
+
+
+def decode(name: str, head: Mapping[str, float]) -> str | bool | float:
+    """Return a setting from the scalars of a state's head."""
+    if name in CHOICES:
+        return CHOICES[name][int(head[STORED_AS[name]])]
+    return bool(head[name]) if name == "paired" else head[name]

@@ -1,0 +1,86 @@
+"""The state: all that survives from one step to the next, in one block of doubles."""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+from collections.abc import Iterator, Mapping
+
+from .errors import OptionError
+from .layout import HEAD, PLACE, state_sections
+from .model import Model
+
+MAGIC = b"holonom1"
+"""Begins every saved state; the digit is the version of its format."""
+
+_PREFIX = struct.Struct("<8s32sqq")
+
+
+class Head(Mapping[str, float]):
+    """The scalars at the head of a state, by name."""
+
+    def __init__(self, block: ctypes.Array[ctypes.c_double]) -> None:
+        self._block = block
+
+    def __getitem__(self, name: str) -> float:
+        """Return a scalar."""
+        return self._block[PLACE[name]]
+
+    def __setitem__(self, name: str, value: float) -> None:
+        """Set a scalar."""
+        self._block[PLACE[name]] = value
+
+    def __iter__(self) -> Iterator[str]:
+        """Names in their order in memory."""
+        return iter(HEAD)
+
+    def __len__(self) -> int:
+        """Return the number of scalars."""
+        return len(HEAD)
+
+
+class State:
+    """Named views of a state's block; writing to them writes the state.
+
+    `head` maps names to scalars. `vectors` maps ``q, q_low, v, v_low, w_first, w_second, mu_first,
+    mu_second, turns, inputs, parameters`` to memory views of doubles (`numpy.asarray` shares them).
+    """
+
+    def __init__(self, model: Model, block: ctypes.Array[ctypes.c_double]) -> None:
+        self.block = block
+        self.head = Head(block)
+        view = memoryview(block).cast("B").cast("d")
+        self.vectors: dict[str, memoryview] = {
+            name: view[start : start + length]
+            for name, (start, length) in state_sections(model.sizes).items()
+        }
+        self._fingerprint = model.fingerprint.encode()
+
+    def to_bytes(self, phase: int) -> bytes:
+        """Return the whole state and the phase of the run, bit for bit."""
+        prefix = _PREFIX.pack(MAGIC, self._fingerprint, phase, len(self.block))
+        return prefix + bytes(self.block)
+
+    def phase_of(self, data: bytes) -> int:
+        """Check that `data` is a state of this model and return its phase.
+
+        Raises
+        ------
+        OptionError
+            When it is not, or was cut off.
+        """
+        if len(data) < _PREFIX.size or data[:8] != MAGIC:
+            message = "the saved state is not one of this format; save it again with this FMU"
+            raise OptionError(message)
+        _, fingerprint, phase, length = _PREFIX.unpack_from(data)
+        if fingerprint != self._fingerprint:
+            message = "the saved state belongs to another model; restore it where it was saved"
+            raise OptionError(message)
+        if len(data) != _PREFIX.size + 8 * length or length != len(self.block):
+            message = f"the saved state is {len(data)} bytes long, not what its header says"
+            raise OptionError(message)
+        return phase
+
+    def fill(self, data: bytes) -> None:
+        """Take over the block that `to_bytes` wrote."""
+        ctypes.memmove(self.block, data[_PREFIX.size :], 8 * len(self.block))

@@ -1,0 +1,100 @@
+"""Runs a mechanism from Python and collects what it did as NumPy arrays."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from solver.mechanics import assemble
+from solver.runtime import Integrator, Model
+from solver.scene import Scene, load
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Trajectory:
+    """Values at the communication points: `t` (n,) in s; ``trajectory["A.x"]`` (n,) by name."""
+
+    t: NDArray[np.float64]
+    names: tuple[str, ...]
+    values: NDArray[np.float64]
+    """ndarray, shape (n, len(names))."""
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """Return the values of one variable."""
+        return self.values[:, self.names.index(name)]
+
+
+def communication_points(start: float, stop: float, step: float) -> Iterator[tuple[float, float]]:
+    """Yield the time and length of each communication step; the last ends exactly at `stop`.
+
+    Point i is ``start + i * step``, so that rounding does not add up.
+    """
+    count = max(1, round((stop - start) / step + 0.499999))
+    for i in range(count):
+        t = start + i * step
+        yield t, (stop if i + 1 == count else start + (i + 1) * step) - t
+
+
+def simulate(
+    mechanism: Scene | Model | str | os.PathLike[str],
+    *,
+    stop_time: float | None = None,
+    step_size: float | None = None,
+    parameters: Mapping[str, float] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    outputs: Sequence[str] | None = None,
+    kernel: str = "auto",
+    **options: float | str | bool,
+) -> Trajectory:
+    """Run a mechanism and return its trajectory.
+
+    Parameters
+    ----------
+    mechanism : Scene, Model or path of a scene
+        What to move.
+    stop_time, step_size : float, optional
+        End of the run and communication step [s]; the scene's own where left out. The internal
+        step is the setting ``step_size`` of the scene's solver.
+    parameters, inputs : mapping of str to float, optional
+        Values by name, kept for the whole run.
+    outputs : sequence of str, optional
+        Variables to collect; all outputs where left out.
+    kernel : {"auto", "c", "numpy"}
+        Compiled kernel or NumPy reference.
+    **options
+        Settings of the solver, such as ``formulation="midpoint-al"``; the internal step is
+        ``internal_step``.
+
+    Raises
+    ------
+    SceneError, AssemblyError, OptionError, StepError
+        What is wrong with the scene, the parameters, a value, or a step.
+    """
+    model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
+    integrator = Integrator(model, kernel=kernel)
+    if "internal_step" in options:
+        options["step_size"] = options.pop("internal_step")
+    settings = {f"solver.{name}": value for name, value in options.items()}
+    for name, value in {**(parameters or {}), **(inputs or {}), **settings}.items():
+        integrator[name] = value
+    start = model.experiment.start_time
+    stop = model.experiment.stop_time if stop_time is None else stop_time
+    names = tuple(outputs or (v.name for v in model.variables if v.causality == "output"))
+    indices = [model.index(name) for name in names]
+    times, rows = [start], [integrator.get(indices)]
+    for t, h in communication_points(start, stop, step_size or model.experiment.step_size):
+        integrator.advance(t, h)
+        times.append(t + h)
+        rows.append(integrator.get(indices))
+    return Trajectory(np.array(times), names, np.array(rows, dtype=float))
+
+
+def _scene(mechanism: Scene | str | os.PathLike[str]) -> Scene:
+    return mechanism if isinstance(mechanism, Scene) else load(mechanism)
