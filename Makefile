@@ -51,16 +51,16 @@ $(VENV)/created:
 	@touch $@
 
 $(VENV)/installed: $(VENV)/created $(BUILD)
-	@echo "installing holonom and what it needs"
+	@echo "installing holonom and what it needs (a minute, the first time)"
 	@$(PIP) install --quiet --editable .
 	@touch $@
 
 $(VENV)/installed-tools: $(VENV)/created $(BUILD)
-	@echo "installing holonom, what it needs, and the tools that check it"
+	@echo "installing holonom, what it needs, and the tools that check it (a minute, the first time)"
 	@$(PIP) install --quiet --editable '.[test,lint]'
 	@touch $@ $(VENV)/installed
 
 $(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)
-	@echo "installing holonom, what it needs, and its peers of comparison"
+	@echo "installing holonom, what it needs, and what benchmarks need"
 	@$(PIP) install --quiet --editable '.[benchmarks]'
 	@touch $@ $(VENV)/installed
