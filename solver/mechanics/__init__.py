@@ -1,4 +1,4 @@
-"""From a scene to a model: bodies, joints and forces as forms, rows and laws; names become indices."""
+"""From a scene to a model: parts as forms, rows and laws; names become indices."""
 
 from solver.mechanics.assembly import assemble
 

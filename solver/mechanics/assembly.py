@@ -1,4 +1,4 @@
-"""Assembly: a scene becomes a model. The only place where names turn into indices is on this path."""
+"""Assembly: a scene becomes a model. Here, and nowhere else, names turn into indices."""
 
 from __future__ import annotations
 

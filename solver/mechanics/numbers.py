@@ -1,4 +1,4 @@
-"""The vector of numbers of a model: sections of known values, and the tape that fills in the rest."""
+"""The vector of numbers of a model: sections of known values, and the tape for the rest."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ class Numbers:
             self.offsets[name] = len(self.values)
             self.values.extend(0.0 if isinstance(x, Expr) else float(x) for x in content)
         places = {
-            name: meaning
-            if isinstance(meaning, float | Expr)
-            else (self.offsets[meaning[0]] + meaning[1], meaning[2])
+            name: (self.offsets[meaning[0]] + meaning[1], meaning[2])
+            if isinstance(meaning, tuple)
+            else meaning
             for name, meaning in symbols.items()
         }
         self.tape = Tape(places, calls, len(self.values))

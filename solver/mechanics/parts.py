@@ -1,8 +1,8 @@
 """Points, bars, joints and forces as nodes, forms, rows and laws - names become indices here.
 
 A distance row is Phi = |x_B - x_A|^2 - L^2, one form u . u with the link u = x_B - x_A. A uniform
-slender bar of mass m between two points has the mass matrix (m/6) [[2, 1], [1, 2]] x I, one distance
-row, and half its weight at either end. Springs, dampers and torques are laws on a link.
+slender bar of mass m between two points has the mass matrix (m/6) [[2, 1], [1, 2]] x I, one
+distance row, and half its weight at either end. Springs, dampers, torques are laws on a link.
 """
 
 from __future__ import annotations

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
-from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
-from .kernel import Kernel
 from .model import Model
 
+if TYPE_CHECKING:
+    from .kernel import Kernel
+
 DRAWN = 1e-9
-"""Largest relative error of a drawn length. A larger one would be turned into a jolt by the first step."""
+"""Largest relative error of a drawn length: the first step would turn a larger one into a jolt."""
 
 
-def broken_rules(model: Model, numbers: Sequence[float]) -> list[str]:
+def broken_rules(model: Model, numbers: ctypes.Array[ctypes.c_double]) -> list[str]:
     """Return one sentence for each rule that the numbers break."""
     return [
         rule.message.format(value=numbers[rule.number])
@@ -21,48 +24,44 @@ def broken_rules(model: Model, numbers: Sequence[float]) -> list[str]:
     ]
 
 
-def _ends(model: Model, engine: Kernel, row: int) -> tuple[list[float], list[float], float]:
-    """Positions along the link, velocities along it, and length, of the two ends of a row."""
+def _drawn(model: Model, numbers: ctypes.Array[ctypes.c_double], row: int) -> tuple[float, ...]:
+    """Return the drawn length of a row's link, and the velocities of its ends along it."""
     dim, n_free = model.sizes["dim"], model.sizes["n_free"]
-    numbers, offsets, tables = engine.numbers, model.offsets, model.tables
+    offsets, tables = model.offsets, model.tables
     form = tables["row_form"][row]
-    begin, end = tables["form_ptr"][form], tables["form_ptr"][form + 1]
-    places, speeds = [], []
-    for entry in range(begin, end):
-        node = tables["form_node"][entry]
-        if node < n_free:
-            at, rate = (
-                offsets[f"initial_{what}"] + dim * node for what in ("position", "velocity")
-            )
-            speeds.append(list(numbers[rate : rate + dim]))
-        else:
+    link, ends = [0.0] * dim, []
+    for entry in range(tables["form_ptr"][form], tables["form_ptr"][form + 1]):
+        node, sign = tables["form_node"][entry], numbers[offsets["alpha"] + entry]
+        at = offsets["initial_position"] + dim * node
+        velocity = offsets["initial_velocity"] + dim * node
+        if node >= n_free:
             at = offsets["support"] + dim * (node - n_free)
-            speeds.append([0.0] * dim)
-        places.append(list(numbers[at : at + dim]))
-    signs = numbers[offsets["alpha"] + begin : offsets["alpha"] + end]
-    link = [sum(s * x[k] for s, x in zip(signs, places, strict=True)) for k in range(dim)]
+        link = [u + sign * numbers[at + k] for k, u in enumerate(link)]
+        moving = [numbers[velocity + k] if node < n_free else 0.0 for k in range(dim)]
+        ends.append((sign, moving))
     length = math.hypot(*link)
-    along = [sum(a * b for a, b in zip(v, link, strict=True)) / (length or 1.0) for v in speeds]
-    ordered = sorted(zip(signs, along, strict=True), key=lambda pair: pair[0])
-    return link, [rate for _, rate in ordered], length
+    speeds = [
+        sum(v * u for v, u in zip(moving, link, strict=True)) / (length or 1.0)
+        for _, moving in sorted(ends)
+    ]
+    return length, *speeds
 
 
 def contradicted_rows(model: Model, engine: Kernel) -> list[str]:
-    """Return one sentence for each row that the drawn configuration or its velocities contradict."""
+    """Return one sentence for each row that the drawn configuration or velocities contradict."""
     problems = []
-    phi, phi_dot = engine.residuals()
-    for row, name in enumerate(model.row_names):
+    for row, (name, phi, rate) in enumerate(zip(model.row_names, *engine.residuals(), strict=True)):
         scale = engine.numbers[model.offsets["row_scale"] + row]
-        _, speeds, length = _ends(model, engine, row)
-        wanted = math.sqrt(scale)
-        if not abs(phi[row]) <= 2.0 * DRAWN * scale:
+        length, first, second = _drawn(model, engine.numbers, row)
+        if not abs(phi) <= 2.0 * DRAWN * scale:
             problems.append(
-                f"{name}: length is {wanted:.12g} m, but its points are drawn {length:.12g} m apart; "
-                f"move a point, correct the length, or leave it out to take it as drawn"
+                f"{name}: length is {math.sqrt(scale):.12g} m, but its points are drawn "
+                f"{length:.12g} m apart; move a point, correct the length, or leave it out "
+                f"to take it as drawn"
             )
-        elif not abs(phi_dot[row]) <= 2.0 * DRAWN * scale**0.5 * max(map(abs, speeds), default=0.0):
+        elif not abs(rate) <= 2.0 * DRAWN * math.sqrt(scale) * max(abs(first), abs(second)):
             problems.append(
                 f"{name}: the velocities of its points contradict it: along it they are "
-                f"{speeds[0]:.12g} m/s and {speeds[-1]:.12g} m/s, and must be equal"
+                f"{first:.12g} m/s and {second:.12g} m/s, and must be equal"
             )
     return problems
