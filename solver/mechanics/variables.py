@@ -1,4 +1,4 @@
-"""Names of everything that a user reads or sets, in one table; and what symbols of expressions mean."""
+"""Names of all that a user reads or sets, in one table, and what symbols of expressions mean."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from solver.mechanics.parts import Parts
 from solver.mechanics.tape import Segment
-from solver.runtime.layout import measured_sections
 from solver.runtime.model import Variable
 from solver.runtime.options import DEFAULTS, RANGES
 from solver.scene import Expr, Number, Scene
@@ -137,24 +136,15 @@ def variable_table(
 def _parameters(scene: Scene, calculated: dict[str, int]) -> Iterator[Variable]:
     place = 0
     for name, given in scene.parameters.items():
-        common = {
-            "name": name,
-            "type": "Real",
-            "unit": given.unit,
-            "description": given.description,
-        }
-        if name in calculated:
-            yield Variable(
-                **common, causality="calculatedParameter", variability=given.variability,
-                kind="number", place=calculated[name],
-            )  # fmt: skip
-            continue
+        free = not isinstance(given.value, Expr)
         yield Variable(
-            **common, causality="parameter", variability=given.variability,
-            start=float(given.value),  # type: ignore[arg-type]
-            minimum=given.minimum, maximum=given.maximum, kind="parameter", place=place,
+            name=name, type="Real", causality="parameter" if free else "calculatedParameter",
+            variability=given.variability, unit=given.unit, description=given.description,
+            start=None if isinstance(given.value, Expr) else float(given.value),
+            minimum=given.minimum, maximum=given.maximum,
+            kind="parameter" if free else "number", place=place if free else calculated[name],
         )  # fmt: skip
-        place += 1
+        place += free
 
 
 def _settings(scene: Scene) -> Iterator[Variable]:
@@ -167,9 +157,3 @@ def _settings(scene: Scene) -> Iterator[Variable]:
             unit=unit, description=text, start=float(start) if kind == "Real" else start,
             kind="option",
         )  # fmt: skip
-
-
-def check_size(scene: Scene, parts: Parts, sizes: dict[str, int]) -> None:
-    """Assert that the names of the measurements are as many as the kernel's measurements."""
-    start, length = measured_sections(sizes)["solver"]
-    assert sum(1 for _ in measured(parts)) == start + length, scene.name

@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class AssemblyError(Exception):
-    """The mechanism cannot be assembled with the present parameters: one sentence per broken rule."""
+    """The mechanism cannot be assembled with its parameters: one sentence per broken rule."""
 
 
 class StepError(Exception):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 
 from .assembly_checks import broken_rules, contradicted_rows
 from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
-from .kernel import Kernel, KernelMissing
+from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
 from .state import State
@@ -27,7 +27,7 @@ def _engine(model: Model, kernel: str, log: Callable[[str], None] | None) -> Ker
     if kernel != "numpy":
         try:
             return Kernel(model)
-        except KernelMissing as missing:
+        except KernelMissingError as missing:
             if kernel == "c":
                 raise
             if log:
@@ -77,7 +77,7 @@ class Integrator:
 
     # ------------------------------------------------------------------------------- values
 
-    def _vector(self, variable: Variable) -> memoryview:
+    def _vector(self, variable: Variable) -> memoryview[float]:
         return self.state.vectors[f"{variable.kind}s"]
 
     def _set_option(self, name: str, value: object) -> None:
@@ -256,7 +256,7 @@ class Integrator:
     # --------------------------------------------------------------------------- save, restore
 
     def save(self) -> bytes:
-        """Return the whole state: time, motion, multipliers, ledger, inputs, parameters, settings."""
+        """Return the whole state: motion, multipliers, ledger, inputs, parameters, settings."""
         return self.state.to_bytes(self.phase)
 
     def restore(self, data: bytes) -> None:

@@ -12,7 +12,7 @@ from .layout import OFFSETS, SIZES, TABLES, state_size
 from .model import Model
 
 
-class KernelMissing(Exception):
+class KernelMissingError(Exception):
     """There is no compiled kernel for this platform, or it does not load."""
 
 
@@ -37,7 +37,7 @@ def load_library(path: Path | None = None) -> ctypes.CDLL:
 
     Raises
     ------
-    KernelMissing
+    KernelMissingError
         When the library is absent, is for another machine, or was built from other sources.
     """
     path = path or library_path()
@@ -45,7 +45,7 @@ def load_library(path: Path | None = None) -> ctypes.CDLL:
         library = ctypes.CDLL(str(path))
     except OSError as error:
         message = f"no kernel for this platform: {error}"
-        raise KernelMissing(message) from error
+        raise KernelMissingError(message) from error
     pointer, integer, real = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double
     for name, result, arguments in (
         ("model_bytes", ctypes.c_int64, []),
@@ -64,7 +64,7 @@ def load_library(path: Path | None = None) -> ctypes.CDLL:
         function.restype, function.argtypes = result, arguments
     if library.holonom_model_bytes() != ctypes.sizeof(_ModelStruct):
         message = f"{path.name} was built from other sources than this Python code; build it again"
-        raise KernelMissing(message)
+        raise KernelMissingError(message)
     return library
 
 

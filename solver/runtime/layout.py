@@ -1,6 +1,6 @@
 """Where everything of a model and a state lies in memory, in one place.
 
-The names are those of ``solver/kernel/holonom.h``, in its order: `SIZES`, `TABLES` and `OFFSETS` make
+The names are those of ``solver/kernel/holonom.h``, in its order: `SIZES`, `TABLES`, `OFFSETS` make
 up its ``holonom_model``; `HEAD` lists the scalars at the beginning of a state. A state is one block
 of doubles: the head, then the vectors of `state_sections`. All that survives a step is in it.
 """

@@ -49,8 +49,8 @@ class State:
     def __init__(self, model: Model, block: ctypes.Array[ctypes.c_double]) -> None:
         self.block = block
         self.head = Head(block)
-        view = memoryview(block).cast("B").cast("d")
-        self.vectors: dict[str, memoryview] = {
+        view: memoryview[float] = memoryview(block).cast("B").cast("d")
+        self.vectors: dict[str, memoryview[float]] = {
             name: view[start : start + length]
             for name, (start, length) in state_sections(model.sizes).items()
         }
