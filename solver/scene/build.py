@@ -10,7 +10,7 @@ from typing import Any
 
 from solver.scene.draft import Draft
 from solver.scene.elements import Elements
-from solver.scene.names import KINDS, check_name, check_names, quantities
+from solver.scene.names import check_name, check_names, kinds_of_names, quantities
 from solver.scene.numbers import GEOMETRY, OUTPUT, Known, Numbers
 from solver.scene.report import did_you_mean
 from solver.scene.schema import BROKEN, TYPES, File, Heading
@@ -23,16 +23,16 @@ def build(draft: Draft) -> Scene:
     """Check a draft and turn it into a scene; the draft collects the mistakes."""
     heading = _heading(draft)
     check_names(draft)
-    known = Known({name: kind for table, kind in KINDS.items() for name in _names(draft, table)})
+    known = Known(kinds_of_names(draft))
     numbers = Numbers(draft, known)
+    elements = Elements(numbers, heading.dimension)
+    known.quantities |= _quantities(draft, elements.dimension or 3)
     parameters = read_parameters(numbers)
     inputs = read_inputs(numbers)
-    elements = Elements(numbers, heading.dimension)
     points, bodies, joints, forces = elements.read()
     gravity = elements.zero()
     if heading.gravity is not None:
         gravity = elements.vector(("gravity",), heading.gravity, GEOMETRY)
-    known.quantities |= _quantities(draft, elements.dimension or 3)
     outputs = _outputs(numbers)
     solver, experiment = read_settings(numbers)
     return Scene(

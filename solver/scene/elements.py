@@ -34,6 +34,8 @@ class Elements:
         self.known = numbers.known
         self.dimension = None if dimension is BROKEN else dimension
         """None: broken, so that vectors may have two or three numbers."""
+        self.drawn: dict[str, Any] = self.draft.parts("points")
+        self._forgotten_dimension()
         self.fixed: set[str] = set()
         self.positions: dict[str, Vector] = {}
 
@@ -42,20 +44,19 @@ class Elements:
     ) -> tuple[dict[str, Point], dict[str, Body], dict[str, Joint], dict[str, ForceElement]]:
         """Read all mechanical tables."""
         draft = self.draft
-        drawn = draft.parts("points")
-        self._forgotten_dimension(drawn)
-        points = {name: self._point(name, part) for name, part in drawn.items()}
+        points = {name: self._point(name, part) for name, part in self.drawn.items()}
         self.positions = {name: point.position for name, point in points.items()}
         bodies = {name: self._bar(name, part) for name, part in draft.parts("bodies").items()}
         joints = {name: self._distance(name, part) for name, part in draft.parts("joints").items()}
         forces = {name: self._force(name, part) for name, part in draft.parts("forces").items()}
         self._something_moves(points)
-        self._free_points_have_mass(drawn, bodies)
+        self._free_points_have_mass(bodies)
         return points, bodies, joints, forces
 
-    def _forgotten_dimension(self, drawn: dict[str, Any]) -> None:
+    def _forgotten_dimension(self) -> None:
         """Say once, not at every vector, that a planar scene does not call itself planar."""
-        lengths = [len(part.position) for part in drawn.values() if part.position is not BROKEN]
+        positions = [part.position for part in self.drawn.values()]
+        lengths = [len(position) for position in positions if position is not BROKEN]
         if lengths and set(lengths) == {2} and "dimension" not in self.draft.data:
             self.dimension = 2
             message = "positions have 2 numbers, but the scene has dimension 3 (the default)"
@@ -246,12 +247,14 @@ class Elements:
         elif points and all(point.fixed for point in points.values()):
             self.draft.error(("points",), "all points are fixed: nothing can move")
 
-    def _free_points_have_mass(self, drawn: dict[str, Any], bodies: dict[str, Body]) -> None:
+    def _free_points_have_mass(self, bodies: dict[str, Body]) -> None:
         """Report points that certainly have no mass: neither their own nor that of a bar."""
         if len(bodies) < len(self.known.of("bar")) or any("" in b.points for b in bodies.values()):
             return
         carried = {point for body in bodies.values() for point in body.points}
-        for name, part in drawn.items():
+        for name, part in self.drawn.items():
+            if not self.draft.data["points"][name].keys() <= schema.Point.model_fields.keys():
+                continue  # a misspelt mass is reported already
             nothing = part.mass is None or (part.mass is not BROKEN and part.mass.number == 0.0)
             if nothing and part.fixed is False and name not in carried:
                 message = f"free point '{name}' has no mass"

@@ -27,17 +27,17 @@ RESERVED: dict[str, str] = {
     "ground": "the fixed body",
     "t": "the time",
     "time": "the time in result files",
-    "pi": "the number",
+    "pi": "the number pi",
     "energy": "the energies of the mechanism",
     "constraint": "the constraint residuals",
     "momentum": "the momentum of the mechanism",
     "angular_momentum": "the angular momentum of the mechanism",
     "solver": "the solver's settings",
-    **dict.fromkeys([*FUNCTIONS, *MECHANISM_FUNCTIONS], "a function"),
-    **dict.fromkeys([word.lower() for word in keyword.kwlist], "a word of expressions"),
-    **dict.fromkeys(keyword.kwlist, "a word of expressions"),
+    **dict.fromkeys([*FUNCTIONS, *MECHANISM_FUNCTIONS], "the function"),
+    **dict.fromkeys([word.lower() for word in keyword.kwlist], "the language of expressions"),
+    **dict.fromkeys(keyword.kwlist, "the language of expressions"),
 }
-"""Names with a meaning of their own, and that meaning."""
+"""Names with a meaning of their own: what each is reserved for."""
 
 _ENERGIES = ("kinetic", "potential", "total", "work", "dissipated", "balance", "error")
 _COUNTS = ("newton_iterations", "uzawa_iterations", "substeps", "status")
@@ -48,7 +48,7 @@ def check_name(draft: Draft, path: Path, name: str) -> None:
     if not NAME.fullmatch(name):
         draft.error(path, f"'{name}' is not a name: a letter, then letters, digits or _")
     elif name in RESERVED:
-        draft.error(path, f"the name '{name}' is reserved: it is {RESERVED[name]}")
+        draft.error(path, f"the name '{name}' is reserved for {RESERVED[name]}")
 
 
 def check_names(draft: Draft) -> None:
@@ -67,6 +67,16 @@ def check_names(draft: Draft) -> None:
                 article = "an" if owner[0] in "aeiou" else "a"
                 draft.error(path, f"the name '{name}' is already that of {article} {owner}{where}")
             taken.setdefault(name, path)
+
+
+def kinds_of_names(draft: Draft) -> dict[str, str]:
+    """What each name stands for, "point", "bar", "parameter", ...; the first use counts."""
+    kinds: dict[str, str] = {}
+    for table, entries in draft.data.items():
+        if table in KINDS and isinstance(entries, dict):
+            for name in entries:
+                kinds.setdefault(name, KINDS[table])
+    return kinds
 
 
 def quantities(

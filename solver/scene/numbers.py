@@ -53,7 +53,8 @@ class Known:
 
     parts: Mapping[str, str]
     """Name of each part and what it is: "point", "bar", "parameter", "input", "output", ..."""
-    tunable: set[str] = field(default_factory=set)
+    tunable: dict[str, str] = field(default_factory=dict)
+    """Tunable parameters, and the one each of them is calculated from, or itself."""
     quantities: set[str] = field(default_factory=set)
     values: dict[str, float] = field(default_factory=dict)
     """Default values of the parameters that have one."""
@@ -147,7 +148,7 @@ class Numbers:
         if not place.parameters:
             return f"must be a plain number, parameter '{name}' is not possible here", None
         if name in self.known.tunable and not place.tunable:
-            help = 'give it variability = "fixed"'
+            help = f"make '{self.known.tunable[name]}' a fixed parameter"
             return f"the tunable parameter '{name}' is possible only in forces and outputs", help
         return None
 

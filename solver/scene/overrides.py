@@ -45,6 +45,7 @@ def apply_overrides(
 
 def _value(given: object) -> object:
     """Read a text as a value of the file where it is one; ``2*length`` stays an expression."""
+    given = getattr(given, "tolist", lambda: given)()  # numbers and arrays of NumPy
     if isinstance(given, (tuple, list)):
         return [_value(item) for item in given]
     if not isinstance(given, str):

@@ -23,6 +23,12 @@ else:
     import tomli as tomllib
 
 
+_TOML_HELP = {
+    "Illegal character '\\n'": "a text ends on the line it begins on: close its quotes",
+    "Cannot overwrite a value": "the same key is given twice",
+}
+
+
 def read_file(path: str, overrides: Mapping[str, object]) -> Scene:
     """Read a scene file; see ``solver.scene.load``."""
     notation = FilePath(path).suffix.lower().removeprefix(".")
@@ -72,7 +78,8 @@ def _toml(text: str, name: str) -> tuple[dict[str, Any], Mapping[Path, int]]:
         message = words[: place.start()] if place else words
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
-        _give_up(Source(name, text), Problem("", f"TOML: {message}", None, line, column))
+        help = _TOML_HELP.get(message)
+        _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
     return data, lines_of_toml(text)
 
 

@@ -56,9 +56,11 @@ def path_of(location: str) -> Path:
 
 def did_you_mean(wrong: str, known: Iterable[str], title: str = "known") -> str | None:
     """Suggest the nearest of the known words, or list them all."""
-    words = list(known)
+    words, low = list(known), wrong.lower()
     folded = {word.lower(): word for word in words}
-    close = get_close_matches(wrong.lower(), folded, 1, 0.6)
+    close = get_close_matches(low, folded, 1, 0.65)
+    close += [word for word in folded if len(word) > 2 and low.startswith(word)]
+    close += [word for word in folded if len(low) > 2 and word.startswith(low)]
     if close:
         return f"did you mean '{folded[close[0]]}'?"
     return f"{title}: {', '.join(words)}" if words else None
@@ -128,12 +130,18 @@ class SceneError(Exception):
 
     def __init__(self, problems: Iterable[Problem], source: Source) -> None:
         unique = dict.fromkeys(problems)
-        self.problems = tuple(sorted(unique, key=lambda p: (p.line is None, p.line or 0)))
+        self.problems = tuple(
+            sorted(unique, key=lambda p: (p.line is None, p.line or 0, p.column or 0))
+        )
         self.source = source
         super().__init__(self.problems, source)
 
     def __str__(self) -> str:
         return "\n".join(_described(problem, self.source) for problem in self.problems)
+
+
+def _order(problem: Problem) -> tuple[bool, int, int]:
+    return problem.line is None, problem.line or 0, problem.column or 0
 
 
 def _described(problem: Problem, source: Source) -> str:
@@ -147,7 +155,7 @@ def _described(problem: Problem, source: Source) -> str:
         text = source.line(problem.line).replace("\t", " ").rstrip()
         shown = text if len(text) <= _WIDEST else text[: _WIDEST - 4] + " ..."
         lines.append(f"    {problem.line} | {shown}")
-        if problem.column is not None and problem.column <= len(shown):
+        if problem.column is not None and problem.column <= len(shown) + 1:
             lines.append(f"{gutter} | {' ' * (problem.column - 1)}^")
     if problem.help:
         lines.append(f"{gutter} = help: {problem.help}")

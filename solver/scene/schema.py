@@ -111,6 +111,8 @@ class Part(BaseModel):
     @field_validator("*", mode="wrap")
     @classmethod
     def _accept_broken(cls, value: object, handler: ValidatorFunctionWrapHandler) -> object:
+        if value is None:  # JSON's null; an optional field is left out instead
+            raise _mistake({"message": "must have a value, got null", "help": "leave it out"})
         return value if value is BROKEN else handler(value)
 
 
@@ -277,5 +279,23 @@ PARTS: dict[str, type[Part]] = {
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema of a scene file, for completion and checks in an editor."""
-    schema = File.model_json_schema()
+    schema = _without_null(File.model_json_schema())
     return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+
+
+def _without_null(schema: Any) -> Any:
+    """A field that may be missing is optional, not null: TOML has no null."""
+    if isinstance(schema, list):
+        return [_without_null(item) for item in schema]
+    if not isinstance(schema, dict):
+        return schema
+    kept = {
+        key: _without_null(value)
+        for key, value in schema.items()
+        if not (key == "default" and value is None) and not (key == "title" and value != "File")
+    }
+    options = [option for option in kept.get("anyOf", []) if option != {"type": "null"}]
+    if len(options) == 1:
+        del kept["anyOf"]
+        return options[0] | kept
+    return kept | ({"anyOf": options} if options else {})

@@ -52,8 +52,9 @@ def _calculate(numbers: Numbers, name: str, part: Any) -> None:
     """Note the default value of a parameter, and whether it is or depends on a tunable one."""
     path, known = _value_path(numbers.draft, name), numbers.known
     uses = _uses(part)
-    if part.variability == "tunable" or uses & known.tunable:
-        known.tunable.add(name)
+    origins = [known.tunable[used] for used in uses if used in known.tunable]
+    if part.variability == "tunable" or origins:
+        known.tunable[name] = origins[0] if origins else name
     if uses and part.variability is not None and part.variability is not BROKEN:
         message = "a calculated parameter has the variability of what it is calculated from"
         numbers.draft.error(("parameters", name, "variability"), message, "leave it out")
@@ -64,9 +65,11 @@ def _calculate(numbers: Numbers, name: str, part: Any) -> None:
         known.values[name] = value
 
 
-def _uses(part: Any) -> set[str]:
-    """Names in a parameter's value."""
-    return set() if part.value is BROKEN else {mention.name for mention in part.value.mentions}
+def _uses(part: Any) -> list[str]:
+    """Names in a parameter's value, in the order of the text."""
+    if part.value is BROKEN:
+        return []
+    return list(dict.fromkeys(mention.name for mention in part.value.mentions))
 
 
 def _value_path(draft: Draft, name: str) -> Path:
@@ -77,20 +80,24 @@ def _value_path(draft: Draft, name: str) -> Path:
 
 def _order(draft: Draft, parts: dict[str, Any]) -> list[str]:
     """Parameters in the order of their calculation; circles are reported, and come last."""
-    uses = {name: _uses(part) & set(parts) for name, part in parts.items()}
+    uses = {name: [u for u in _uses(part) if u in parts] for name, part in parts.items()}
     circular: list[str] = []
     while True:
         try:
             return [*TopologicalSorter(uses).static_order(), *circular]
         except CycleError as error:
-            circle = error.args[1][:-1]  # each is used by the next
+            circle = error.args[1][:0:-1]  # each uses the next
         first = min(circle, key=list(parts).index)
         start = circle.index(first)
         names = [*circle[start:], *circle[:start], first]
         message = f"calculated from itself: {' -> '.join(names)}"
         draft.error(_value_path(draft, first), message)
         circular += circle
-        uses = {name: used - set(circle) for name, used in uses.items() if name not in circle}
+        uses = {
+            name: [used for used in names if used not in circle]
+            for name, names in uses.items()
+            if name not in circle
+        }
 
 
 def _range(
