@@ -13,17 +13,16 @@ static double spring_energy(const context *c)
     return sum;
 }
 
-/* Energy alpha Phi^2/2 that a penalty formulation stores in its rows. */
+/* Energy alpha Phi^2/2 that eqs 7, 9 and 11 store in their rows; eq 3 damps its rows and has no potential. */
 static double penalty_energy(const context *c)
 {
     const holonom_model *m = c->m;
     double sum = 0.0, u[DIM], w[DIM];
-    if (!is_penalty(c)) return 0.0;
+    if (!is_penalty(c) || c->formulation == HOLONOM_PENALTY_VELOCITY) return 0.0;
     for (int32_t i = 0; i < m->n_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         const double phi = dot(u, w) - c->number[m->row_constant_at + i];
-        double alpha = (c->formulation == HOLONOM_CONSERVING_PENALTY ? 2.0 : 1.0) / row_compliance(c, i);
-        if (c->formulation == HOLONOM_PENALTY_VELOCITY) alpha *= c->s.head[S_OMEGA] * c->s.head[S_OMEGA];
+        const double alpha = (c->formulation == HOLONOM_CONSERVING_PENALTY ? 2.0 : 1.0) / row_compliance(c, i);
         sum += 0.5 * alpha * phi * phi;
     }
     return sum;
@@ -145,10 +144,9 @@ static int32_t first_multipliers(context *c)
         hm_lu_solve(size, m->lu_ptr, m->lu_column, value, c->k.rhs);
         for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] = c->k.rhs[m->row_position[i]];
     }
-    for (int32_t a = 0; a < m->n_free; a++) /* h^2/2 a with h = 1 */
-        EACH(k) c->s.w[0][DIM * a + k] = c->s.w[1][DIM * a + k] = 0.5 * c->k.rhs[m->node_position[a] + k];
+    for (int32_t a = 0; a < m->n_free; a++)
+        EACH(k) c->s.a[0][DIM * a + k] = c->s.a[1][DIM * a + k] = c->k.rhs[m->node_position[a] + k];
     memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)m->n_rows);
     memcpy(c->s.mu[1], c->k.mu, sizeof(double) * (size_t)m->n_rows);
-    c->s.head[S_LAST_STEP] = 1.0;
     return HOLONOM_OK;
 }

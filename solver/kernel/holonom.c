@@ -20,8 +20,8 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->q_low = take(block, &used, n);
     s->v = take(block, &used, n);
     s->v_low = take(block, &used, n);
-    s->w[0] = take(block, &used, n);
-    s->w[1] = take(block, &used, n);
+    s->a[0] = take(block, &used, n);
+    s->a[1] = take(block, &used, n);
     s->mu[0] = take(block, &used, m->n_rows);
     s->mu[1] = take(block, &used, m->n_rows);
     s->turns = take(block, &used, m->n_angles);

@@ -24,7 +24,7 @@ static inline void hm_add(double *high, double *low, double x)
 typedef struct hm_state {
     double *head;
     double *q, *q_low, *v, *v_low; /* n each: coordinates and velocities, with what rounding left over       */
-    double *w[2];                  /* n each: last d - h v of the first and the second half of a pair         */
+    double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
     double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
     double *turns;                 /* n_angles: full turns so far                                             */
     double *inputs, *parameters;

@@ -49,7 +49,7 @@ def _flat(vectors: Iterable[Sequence[Number]]) -> list[Number]:
     return [number for vector in vectors for number in vector]
 
 
-def _sections(scene: Scene, parts: Parts) -> dict[str, list[Number]]:
+def _sections(scene: Scene, parts: Parts) -> dict[str, Sequence[Number]]:
     """Contents of the sections of the vector of numbers, in their order."""
     entries = [entry for link in parts.links for entry in link.entries]
     laws = list(zip(*parts.line_law, strict=True)) or [(), (), ()]

@@ -39,7 +39,7 @@ class Pattern:
         return place if i < j else place + len(self._index[first])
 
 
-def block_order(neighbours: Sequence[set[int]], n_nodes: int, dim: int) -> list[int]:
+def block_order(neighbours: list[set[int]], n_nodes: int, dim: int) -> list[int]:
     """Return the blocks in their elimination order; the first `n_nodes` are nodes, the rest rows.
 
     `neighbours` (modified) holds the blocks that each block is coupled to.

@@ -42,7 +42,7 @@ class Head(Mapping[str, float]):
 class State:
     """Named views of a state's block; writing to them writes the state.
 
-    `head` maps names to scalars. `vectors` maps ``q, q_low, v, v_low, w_first, w_second, mu_first,
+    `head` maps names to scalars. `vectors` maps ``q, q_low, v, v_low, a_first, a_second, mu_first,
     mu_second, turns, inputs, parameters`` to memory views of doubles (`numpy.asarray` shares them).
     """
 
