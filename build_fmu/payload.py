@@ -35,6 +35,14 @@ _IMPORT = re.compile(
     r"^(?P<indent>[ \t]*)from (?P<package>solver\.runtime|pythonfmu)(?P<rest>[.\w]*) import ",
     re.MULTILINE,
 )
+_SLAVE_MODULE = """import ctypes
+
+from {package}.slave import Slave as Slave
+
+# pythonfmu's library runs this file once per instance and then releases a reference to the module's
+# dictionary that it does not own; without this one the second instance reads freed memory.
+ctypes.pythonapi.Py_IncRef(ctypes.py_object(globals()))
+"""
 _DESTINATION = {"solver.runtime": "runtime", "pythonfmu": "pythonfmu"}
 
 
@@ -58,7 +66,7 @@ def payload() -> Payload:
         f'"""What pythonfmu\'s library imports."""\n\nfrom {package}.slave import Slave as Slave\n'
     )
     files = {f"{package}/{path}": data for path, data in sources.items()}
-    files[f"{package}_slave.py"] = slave.encode()
+    files[f"{package}_slave.py"] = _SLAVE_MODULE.format(package=package).encode()
     return Payload(f"{package}_slave", files)
 
 

@@ -66,7 +66,7 @@ class BaseUnit:
 
 def base_unit(unit: str) -> BaseUnit | None:
     """Powers and factor of a unit string; None where a symbol of it is not known."""
-    text = unit.replace(" ", "").replace("·", ".").replace("²", "2").replace("³", "3")
+    text = re.sub(r"\s+", ".", unit.strip()).replace("²", "2").replace("³", "3")
     operators = [".", *_OPERATORS.findall(text)]
     powers: dict[str, int] = {}
     factor = 1.0

@@ -9,7 +9,6 @@ the log and, as a code (`status.py`), in the output `solver.status`.
 
 from __future__ import annotations
 
-import contextlib
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -109,6 +108,8 @@ class Slave(Fmi2Slave):
         except StepError as error:
             code = 0 if self._integrator.status else status.STEP_REFUSED
             return self._discard(code, str(error))
+        except AssemblyError as error:
+            return self._discard(status.ASSEMBLY_FAILED, _sentence(error))
         except KeyboardInterrupt:
             return self._discard(status.INTERRUPTED, f"interrupted at t = {current_time!r} s")
         except Exception as error:
@@ -185,7 +186,7 @@ class Slave(Fmi2Slave):
             values = self._integrator.get(vrs)
         except AssemblyError as error:
             self._status = status.ASSEMBLY_FAILED
-            self._error(str(error))
+            self._error(_sentence(error))
             return self._substitutes(kind, vrs)
         except Exception as error:
             self._error(_sentence(error))
@@ -205,8 +206,10 @@ class Slave(Fmi2Slave):
         if vr == self._status_index and kind == "Real":
             return float(self._status)
         if vr in self._settable and vr in self._of_type[kind]:
-            with contextlib.suppress(Exception):
+            try:
                 return self._integrator.get([vr])[0]
+            except Exception:
+                return ZERO[kind]
         return ZERO[kind]
 
     def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
@@ -296,7 +299,7 @@ class Slave(Fmi2Slave):
 
 
 def _sentence(error: BaseException) -> str:
-    """Text of an expected error; of an unexpected one also its type, for the report."""
+    """One line for an expected error; for an unexpected one also its type, for the report."""
     if isinstance(error, AssemblyError | OptionError | StepError | snapshot.SnapshotError):
-        return str(error)
+        return "; ".join(str(error).splitlines())
     return f"fault of this program, please report it: {type(error).__name__}: {error}"

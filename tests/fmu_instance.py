@@ -1,0 +1,161 @@
+"""FMUs of scenes for the tests, and an instance of one in fmpy that speaks in names."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import fmpy
+from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import (
+    FMU2Slave,
+    calloc,
+    fmi2CallbackAllocateMemoryTYPE,
+    fmi2CallbackFreeMemoryTYPE,
+    fmi2CallbackFunctions,
+    fmi2CallbackLoggerTYPE,
+    fmi2Discard,
+    fmi2LastSuccessfulTime,
+    free,
+)
+
+import solver
+from build_fmu import build
+
+SCENES = Path(__file__).resolve().parents[1] / "scenes"
+_FOLDER = tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True)
+
+PENDULUM = """
+name = "pendulum"
+dimension = 2
+gravity = [0, -9.81]
+[parameters]
+length = {length}
+mass = {mass}
+[inputs]
+push = {{ start = 0.0, unit = "N" }}
+[points]
+O = {{ position = [0, 0], fixed = true }}
+A = {{ position = ["length", 0], mass = "mass" }}
+[joints]
+rod = {{ type = "distance", points = ["O", "A"] }}
+[forces]
+wind = {{ type = "force", point = "A", value = ["{push}", 0] }}
+[outputs]
+clock = {{ value = "t", unit = "s" }}
+reach = {{ value = "length" }}
+[experiment]
+stop_time = 1.0
+step_size = 0.1
+"""
+
+
+def scene_fmu(name: str) -> Path:
+    """FMU of a file in scenes/."""
+    return _built(name, None)
+
+
+def text_fmu(text: str) -> Path:
+    """FMU of a scene given as TOML text."""
+    return _built(f"text{abs(hash(text))}", text)
+
+
+def pendulum(length=1.0, mass=1.0, push="push") -> Path:
+    """FMU of a pendulum with a horizontal force `push` at its end."""
+    return text_fmu(PENDULUM.format(length=length, mass=mass, push=push))
+
+
+@functools.cache
+def _built(name: str, text: str | None) -> Path:
+    scene = solver.loads(text) if text else SCENES / f"{name}.toml"
+    return build(scene, Path(_FOLDER.name, f"{name}.fmu"))
+
+
+class Instance:
+    """One instance; `log` has (status, category, text) of every message."""
+
+    def __init__(self, path: Path, folder: str, *, logging: bool = True) -> None:
+        self.description = fmpy.read_model_description(str(path), validate=False)
+        self.references = {v.name: v.valueReference for v in self.description.modelVariables}
+        self.types = {v.name: v.type for v in self.description.modelVariables}
+        self.log: list[tuple[int, str, str]] = []
+        fmpy.extract(str(path), folder)
+        self.fmu = FMU2Slave(
+            guid=self.description.guid,
+            unzipDirectory=folder,
+            modelIdentifier=self.description.coSimulation.modelIdentifier,
+        )
+        self.fmu.instantiate(callbacks=self._callbacks(), loggingOn=logging)
+
+    def _callbacks(self) -> fmi2CallbackFunctions:
+        """Callbacks with a log per instance: fmpy's own logger is one for the whole process."""
+        callbacks = fmi2CallbackFunctions()
+        callbacks.logger = fmi2CallbackLoggerTYPE(self._hear)
+        callbacks.allocateMemory = fmi2CallbackAllocateMemoryTYPE(calloc)
+        callbacks.freeMemory = fmi2CallbackFreeMemoryTYPE(free)
+        return callbacks
+
+    def _hear(self, _environment, _name, status, category, message) -> None:
+        text = message.decode() % ()  # a printf format, which must not ask for arguments
+        self.log.append((status, category.decode(), text))
+
+    def initialise(self, start=0.0, stop=None, **values) -> None:
+        """Set values and go through the initialization mode."""
+        self.fmu.setupExperiment(startTime=start, stopTime=stop)
+        self.set(**values)
+        self.fmu.enterInitializationMode()
+        self.fmu.exitInitializationMode()
+
+    def set(self, **values) -> None:
+        """Set variables; a dot in a name is written as two underscores."""
+        for key, value in values.items():
+            name = key.replace("__", ".")
+            setter = getattr(self.fmu, f"set{self.types[name]}")
+            setter([self.references[name]], [value])
+
+    def get(self, name: str):
+        """Value of one variable."""
+        value = getattr(self.fmu, f"get{self.types[name]}")([self.references[name]])[0]
+        return value.decode() if isinstance(value, bytes) else value
+
+    def outputs(self) -> list[float]:
+        """Values of all outputs."""
+        outputs = [v for v in self.description.modelVariables if v.causality == "output"]
+        return self.fmu.getReal([v.valueReference for v in outputs])
+
+    def step(self, t: float, h: float) -> bool:
+        """Take a communication step; False if it was discarded."""
+        try:
+            self.fmu.doStep(t, h)
+        except FMICallException as error:
+            if error.status != fmi2Discard:
+                raise
+            return False
+        return True
+
+    def run(self, start: float, h: float, steps: int) -> list[list[float]]:
+        """Outputs after each of several steps."""
+        rows = []
+        for i in range(steps):
+            assert self.step(start + i * h, h), self.log
+            rows.append(self.outputs())
+        return rows
+
+    @property
+    def last_successful_time(self) -> float:
+        """What the importer is told after a discarded step."""
+        return self.fmu.getRealStatus(fmi2LastSuccessfulTime)
+
+
+@contextlib.contextmanager
+def instance(path: Path, *, logging: bool = True) -> Iterator[Instance]:
+    """Instance in an unpack folder of its own; both are gone afterwards."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        made = Instance(path, folder, logging=logging)
+        yield made
+        with contextlib.suppress(FMICallException):
+            made.fmu.terminate()
+        made.fmu.freeInstance()

@@ -1,0 +1,205 @@
+"""What travels: the same bytes for the same scene, code under a private name, a bare Python."""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import subprocess
+import sys
+import zipfile
+from pathlib import Path, PurePosixPath
+
+import pytest
+
+from build_fmu import build
+from build_fmu.archive import write_archive
+from build_fmu.export import identifier
+from build_fmu.payload import payload, relative_imports
+from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
+
+BARE_HOST = Path(__file__).with_name("bare_host.py")
+
+
+def repack(source: Path, target: Path, change) -> Path:
+    """Copy an archive; `change(path, data)` gives the new path and data of an entry."""
+    with zipfile.ZipFile(source) as archive:
+        entries = [change(name, archive.read(name)) for name in archive.namelist()]
+    write_archive(target, dict(entries))
+    return target
+
+
+def private_package() -> str:
+    return payload().slave_module.removesuffix("_slave")
+
+
+# ------------------------------------------------------------------------------ equal bytes
+
+
+def test_two_builds_of_a_scene_give_the_same_bytes(tmp_path):
+    first = scene_fmu("four_bar").read_bytes()
+    assert build(SCENES / "four_bar.toml", tmp_path / "a.fmu").read_bytes() == first
+    code = "import sys; from build_fmu import build; build(sys.argv[1], sys.argv[2])"
+    command = [sys.executable, "-c", code, SCENES / "four_bar.toml", tmp_path / "b.fmu"]
+    subprocess.run(command, check=True, cwd=SCENES.parent, env={"PYTHONHASHSEED": "7"})
+    assert (tmp_path / "b.fmu").read_bytes() == first
+
+
+def test_another_number_gives_other_bytes(tmp_path):
+    overridden = build(SCENES / "double_pendulum.toml", tmp_path / "a.fmu", overrides={"mass": 2.0})
+    assert overridden.read_bytes() != scene_fmu("double_pendulum").read_bytes()
+
+
+def test_entries_are_sorted_deflated_and_of_one_time():
+    with zipfile.ZipFile(scene_fmu("four_bar")) as archive:
+        entries = archive.infolist()
+        assert archive.testzip() is None
+    names = [entry.filename for entry in entries]
+    assert names == sorted(names)
+    assert {entry.date_time for entry in entries} == {(1980, 1, 1, 0, 0, 0)}
+    assert {entry.compress_type for entry in entries} == {zipfile.ZIP_DEFLATED}
+
+
+def test_the_archive_has_what_the_standard_wants():
+    with zipfile.ZipFile(scene_fmu("four_bar")) as archive:
+        names = set(archive.namelist())
+        page = archive.read("documentation/index.html").decode()
+        licence = archive.read("documentation/licenses/license.txt").decode()
+    assert {"modelDescription.xml", "documentation/externalDependencies.txt"} <= names
+    assert {"binaries/linux64/four_bar.so", "binaries/win64/four_bar.dll"} <= names
+    assert "<code>crank0.angle</code>" in page
+    assert "MIT License" in licence
+
+
+def test_a_failed_build_leaves_the_old_file(tmp_path):
+    target = tmp_path / "a.fmu"
+    target.write_text("old")
+    with pytest.raises(TypeError):
+        write_archive(target, {"entry": None})
+    assert [path.name for path in tmp_path.iterdir()] == ["a.fmu"]
+    assert target.read_text() == "old"
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [("four_bar", "four_bar"), ("4 bar-ü", "_4_bar__"), ("", "mechanism")],
+)
+def test_the_identifier_is_one_of_c(name, expected):
+    assert identifier(name) == expected
+
+
+# ------------------------------------------------------------------------------ private code
+
+
+@pytest.mark.parametrize(
+    ("path", "line", "expected"),
+    [
+        ("slave.py", "from solver.runtime import Model", "from .runtime import Model"),
+        ("slave.py", "from pythonfmu.enums import E", "from .pythonfmu.enums import E"),
+        ("runtime/a.py", "    from solver.runtime.b import c", "    from ..runtime.b import c"),
+        ("slave.py", "from solver import runtime", "from solver import runtime"),
+        ("slave.py", "import json", "import json"),
+    ],
+)
+def test_imports_become_relative(path, line, expected):
+    assert relative_imports(line, PurePosixPath(path)) == expected
+
+
+def imported(source: bytes) -> set[str]:
+    """Top-level names of absolute imports anywhere in a module."""
+    names = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            names.add((node.module or "").split(".")[0])
+    return names
+
+
+def test_what_travels_imports_the_standard_library_and_itself_alone():
+    allowed = set(sys.stdlib_module_names)
+    strangers = {
+        path: imported(data) - allowed - {private_package()}
+        for path, data in payload().files.items()
+        if path.endswith(".py") and "/runtime/reference" not in path
+    }
+    assert not {path: names for path, names in strangers.items() if names}
+
+
+def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
+    name = private_package()
+    assert name.startswith("holonom_")
+    assert len(name) == len("holonom_") + 12
+    monkeypatch.setattr("build_fmu.payload._fmu_src", lambda: {"slave.py": b"other"})
+    payload.cache_clear()
+    other = private_package()
+    payload.cache_clear()
+    assert other != name
+
+
+def test_two_versions_in_one_process_do_not_run_each_others_code(tmp_path):
+    old, new = private_package(), "holonom_0123456789ab"
+
+    def another_version(path, data):
+        path = path.replace(old, new)
+        if path.endswith(("slave.py", "slavemodule.txt")):
+            data = data.replace(old.encode(), new.encode())
+            data = data.replace(b"must be > 0 s", b"must be > 0 s, says another version")
+        return path, data
+
+    changed = repack(pendulum(), tmp_path / "changed.fmu", another_version)
+    with instance(pendulum()) as a, instance(changed) as b:
+        a.initialise()
+        b.initialise()
+        for fmu, words in ((a, "must be > 0 s"), (b, "must be > 0 s, says another version")):
+            assert not fmu.step(0.0, -1.0)
+            assert fmu.log[-1][2].endswith(words)
+            assert fmu.step(0.0, 0.1)
+
+
+def test_a_second_instance_does_not_need_the_first_ones_folder():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        path = list(sys.path)
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+    assert sys.path == path
+    assert not any("resources" in entry for entry in sys.path)
+
+
+# ------------------------------------------------------------------------------- bare Python
+
+
+def resources(fmu: Path, folder: Path) -> Path:
+    with zipfile.ZipFile(fmu) as archive:
+        archive.extractall(folder)
+    return folder / "resources"
+
+
+def bare_python(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """Run Python without site-packages, environment and user folder."""
+    command = [sys.executable, "-I", "-S", *map(str, arguments)]
+    return subprocess.run(command, check=True, capture_output=True, text=True)
+
+
+def test_importing_the_slave_takes_a_part_of_the_standard_library(tmp_path):
+    folder = resources(pendulum(), tmp_path)
+    code = f"import sys; sys.path.insert(0, {str(folder)!r}); import {payload().slave_module}"
+    report = bare_python("-X", "importtime", "-c", code).stderr
+    modules = {line.split("|")[-1].strip() for line in report.splitlines()}
+    ours = {name for name in modules if name.startswith("holonom_")}
+    assert payload().slave_module in ours
+    tops = {name.split(".")[0] for name in modules - ours if name != "imported package"}
+    assert tops <= {*sys.stdlib_module_names, "org"}  # copy looks for Jython's org.python.core
+    heavy = {"argparse", "asyncio", "email", "http", "importlib.metadata", "logging", "zipfile"}
+    assert not heavy & modules
+
+
+def test_it_runs_on_a_bare_python_to_the_same_bits(tmp_path):
+    resources(scene_fmu("four_bar"), tmp_path)
+    bare = bare_python(BARE_HOST, tmp_path, "four_bar", "20", "0.05").stdout
+    with instance(scene_fmu("four_bar")) as fmu:
+        fmu.initialise()
+        rows = fmu.run(0.0, 0.05, 20)
+    digest = hashlib.sha256(repr(rows[-1]).encode()).hexdigest()
+    assert bare.strip() == digest

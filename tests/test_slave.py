@@ -1,0 +1,291 @@
+"""The slave refuses with a message what cannot be done, and no exception ever leaves it."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from fmu_src import snapshot, status
+from fmu_src.slave import Slave
+from tests.fmu_instance import instance, pendulum, scene_fmu, text_fmu
+
+DISCARD, ERROR = 2, 3
+
+FIXED_ENDS = """
+name = "fixed_ends"
+dimension = 2
+[parameters]
+length = 2.0
+[points]
+A = { position = [0, 0], mass = 1.0 }
+O = { position = [-1, 0], fixed = true }
+P = { position = [1, 0], fixed = true }
+[joints]
+left = { type = "distance", points = ["O", "A"] }
+right = { type = "distance", points = ["A", "P"], length = "length - 1" }
+"""
+
+
+def assert_finite(fmu):
+    assert all(math.isfinite(value) for value in fmu.outputs())
+
+
+# --------------------------------------------------------------------------------- assembly
+
+
+def test_a_length_that_cannot_be_ends_with_a_message():
+    with instance(text_fmu(FIXED_ENDS)) as fmu:
+        fmu.initialise(length=5.0)
+        level, category, text = fmu.log[-1]
+        assert (level, category) == (ERROR, "logStatusError")
+        assert "right" in text
+        assert "4" in text
+        assert not fmu.step(0.0, 0.1)
+        assert fmu.log[-1][:2] == (DISCARD, "logStatusDiscard")
+        assert "right" in fmu.log[-1][2]
+        assert fmu.get("solver.status") == status.ASSEMBLY_FAILED
+        assert fmu.last_successful_time == 0.0
+        assert fmu.get("length") == 5.0
+        assert_finite(fmu)
+        fmu.fmu.reset()
+        fmu.initialise(length=2.0)
+        assert fmu.step(0.0, 0.1)
+        assert fmu.get("solver.status") == 0
+
+
+def test_outputs_that_cannot_be_had_yet_do_not_spoil_the_run():
+    with instance(text_fmu(FIXED_ENDS)) as fmu:
+        fmu.fmu.setupExperiment(startTime=0.0)
+        fmu.set(length=5.0)
+        fmu.fmu.enterInitializationMode()
+        assert_finite(fmu)
+        fmu.set(length=2.0)
+        fmu.fmu.exitInitializationMode()
+        assert fmu.step(0.0, 0.1)
+
+
+# ----------------------------------------------------------------------------------- values
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+def test_a_value_that_is_not_finite_is_refused_until_a_good_one_comes(bad):
+    with instance(pendulum()) as fmu, instance(pendulum()) as straight:
+        for each in (fmu, straight):
+            each.initialise(push=1.0)
+            each.run(0.0, 0.1, 1)
+        fmu.set(push=bad)
+        assert fmu.log[-1][0] == ERROR
+        assert "push" in fmu.log[-1][2]
+        assert fmu.get("push") == 1.0
+        assert not fmu.step(0.1, 0.1)
+        assert fmu.last_successful_time == 0.1
+        assert fmu.get("solver.status") == status.VALUE_REFUSED
+        fmu.set(push=1.0)
+        assert fmu.run(0.1, 0.1, 2) == straight.run(0.1, 0.1, 2)
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"solver__formulation": "50% more"}, ("solver.formulation", "50% more")),
+        ({"solver__step_size": 0.0}, ("solver.step_size", "> 0")),
+        ({"solver__max_newton": -3.0}, ("solver.max_newton", "-3")),
+        ({"length": math.nan}, ("length", "nan")),
+        ({"A__x": 1.0}, ("A.x",)),
+    ],
+    ids=str,
+)
+def test_a_refused_value_is_named_and_no_step_is_taken(values, words):
+    with instance(pendulum()) as fmu:
+        fmu.initialise(**values)
+        texts = [text for level, _, text in fmu.log if level == ERROR]
+        assert all(word in texts[0] for word in words)
+        assert not fmu.step(0.0, 0.1)
+        assert_finite(fmu)
+
+
+def test_a_fixed_parameter_cannot_be_set_after_the_initialization():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        fmu.set(length=2.0)
+        assert "length" in fmu.log[-1][2]
+        assert fmu.get("length") == 1.0
+        assert not fmu.step(0.0, 0.1)
+
+
+def test_a_list_with_one_bad_value_changes_nothing():
+    with instance(pendulum()) as fmu:
+        fmu.fmu.setReal([fmu.references["length"], fmu.references["mass"]], [3.0, math.nan])
+        assert (fmu.get("length"), fmu.get("mass")) == (1.0, 1.0)
+
+
+def test_value_references_that_do_not_exist_are_refused():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        assert fmu.fmu.getReal([9999]) == [0.0]
+        assert fmu.fmu.getInteger([fmu.references["A.x"]]) == [0]
+        assert fmu.fmu.getString([fmu.references["A.x"]]) == [b""]
+        assert len(fmu.log) == 3
+        assert fmu.step(0.0, 0.1)
+        fmu.fmu.setInteger([0], [1])
+        assert not fmu.step(0.1, 0.1)
+
+
+# ------------------------------------------------------------------------------------ steps
+
+
+@pytest.mark.parametrize(
+    ("start", "size", "words"),
+    [
+        (0.0, 0.0, "must be > 0 s"),
+        (0.0, -0.1, "must be > 0 s"),
+        (0.0, math.nan, "must be > 0 s"),
+        (0.0, math.inf, "stop time"),
+        (0.0, 1.1, "stop time"),
+        (0.5, 0.1, "the mechanism is at 0.0 s"),
+        (math.nan, 0.1, "t = nan"),
+    ],
+)
+def test_an_impossible_step_is_discarded_with_a_message(start, size, words):
+    with instance(pendulum()) as fmu, instance(pendulum()) as straight:
+        for each in (fmu, straight):
+            each.initialise(stop=1.0)
+        assert not fmu.step(start, size)
+        assert words in fmu.log[-1][2]
+        assert fmu.get("solver.status") == status.STEP_REFUSED
+        assert fmu.run(0.0, 0.1, 10) == straight.run(0.0, 0.1, 10)
+
+
+def test_a_step_without_end_is_discarded_where_no_stop_time_is_defined():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        assert not fmu.step(0.0, math.inf)
+        assert not fmu.step(0.0, 1e300)
+        assert fmu.step(0.0, 0.1)
+
+
+def test_communication_points_with_round_off_reach_the_stop_time():
+    with instance(pendulum()) as fmu:
+        fmu.initialise(stop=1.0)
+        t = 0.0
+        for _ in range(10):
+            assert fmu.step(t, 0.1)
+            t += 0.1
+        assert t != 1.0
+
+
+def test_the_start_time_is_where_the_first_step_begins():
+    with instance(pendulum()) as fmu:
+        fmu.initialise(start=-3.0)
+        assert not fmu.step(0.0, 0.1)
+        assert fmu.step(-3.0, 0.5)
+        assert fmu.get("clock") == -2.5
+
+
+def test_calls_at_the_wrong_time_are_refused():
+    with instance(pendulum()) as fmu:
+        assert not fmu.step(0.0, 0.1)
+        assert "before" in fmu.log[-1][2]
+        fmu.fmu.exitInitializationMode()
+        assert "ignored" in fmu.log[-1][2]
+        fmu.initialise()
+        fmu.fmu.enterInitializationMode()
+        assert "ignored" in fmu.log[-1][2]
+        assert fmu.step(0.0, 0.1)
+        fmu.fmu.terminate()
+        assert not fmu.step(0.1, 0.1)
+        assert "after terminate" in fmu.log[-1][2]
+        assert_finite(fmu)
+
+
+def test_without_logging_a_failure_still_shows_in_the_status():
+    with instance(pendulum(), logging=False) as fmu:
+        fmu.initialise(push=math.nan)
+        assert not fmu.step(0.0, 0.1)
+        assert fmu.get("solver.status") == status.VALUE_REFUSED
+        assert not fmu.log
+
+
+# ------------------------------------------------------------------------------------ state
+
+
+@pytest.mark.parametrize(
+    "data",
+    [b"", b"x", b"HOLFMU\x00\x01", b"HOLFMU\x00\x01\xff\xff\xff\x7f{}", bytes(500)],
+    ids=len,
+)
+def test_bytes_that_are_no_state_are_refused(data):
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        before = fmu.outputs()
+        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
+        assert fmu.log[-1][0] == ERROR
+        assert fmu.outputs()[:-1] == before[:-1]
+        assert not fmu.step(0.0, 0.1)
+        fmu.fmu.reset()
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+
+
+def test_the_state_of_another_model_is_refused():
+    with instance(pendulum()) as fmu, instance(scene_fmu("four_bar")) as other:
+        fmu.initialise()
+        other.initialise()
+        data = other.fmu.serializeFMUState(other.fmu.getFMUState())
+        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
+        assert "another model" in fmu.log[-1][2]
+        assert not fmu.step(0.0, 0.1)
+        assert fmu.get("solver.status") == status.STATE_REFUSED
+
+
+def test_a_good_state_ends_a_refusal():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        good = fmu.fmu.getFMUState()
+        fmu.set(push=math.nan)
+        bad = fmu.fmu.getFMUState()
+        fmu.fmu.setFMUState(good)
+        assert fmu.step(0.0, 0.1)
+        fmu.fmu.setFMUState(bad)
+        assert not fmu.step(0.0, 0.1)
+
+
+def test_a_snapshot_comes_back_as_it_was():
+    header = {"phase": 2, "refusals": [[3, "text"]], "start_time": 0.1 + 0.2}
+    state = bytes(range(256))
+    assert snapshot.unpack(snapshot.pack(header, state)) == (header, state)
+
+
+# ------------------------------------------------------------------------- a fault of our own
+
+
+class Broken:
+    """An integrator that fails in every call, as no integrator should."""
+
+    status = 0
+
+    def __getattr__(self, name):
+        message = f"{name}: 100% broken \udcff"
+        raise RuntimeError(message)
+
+
+def test_no_exception_leaves_the_slave_whatever_breaks():
+    with instance(pendulum()) as fmu:
+        resources = f"{fmu.fmu.unzipDirectory}/resources"
+        slave = Slave(instance_name="a", resources=resources)
+    slave._integrator = Broken()
+    slave.setup_experiment(0.0, None, 1e-6)
+    slave.enter_initialization_mode()
+    reals = sorted(slave._of_type["Real"])
+    assert slave.get_real(reals) == [
+        float(slave._status) if i == slave._status_index else 0.0 for i in reals
+    ]
+    slave.set_real(reals[:1], [1.0])
+    slave.exit_initialization_mode()
+    assert slave.do_step(0.0, 0.1) is False
+    assert slave.get_string(sorted(slave._of_type["String"]))
+    state = slave._get_fmu_state()
+    slave._set_fmu_state(state)
+    slave.terminate()
+    assert all("%%" in message.msg for message in slave._get_log_queue() if "100" in message.msg)
