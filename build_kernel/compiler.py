@@ -97,7 +97,10 @@ def library_name(system: str) -> str:
 
 def flags() -> list[str]:
     """Flags of every compiler; those of `$CFLAGS` come last and so win."""
-    return [*FLAGS, *shlex.split(os.environ.get("CFLAGS", ""))]
+    strip = (
+        [] if platform.system() == "Darwin" else ["-s"]
+    )  # zig's library is else four times as big
+    return [*FLAGS, *strip, *shlex.split(os.environ.get("CFLAGS", ""))]
 
 
 def _works(compiler: str) -> bool:
