@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from solver.scene import SceneError, load
+from solver.scene import SceneError, load, loads
 
 FOLDER = Path(__file__).parent / "bad_scenes"
 NAMES = sorted(path.stem for path in FOLDER.glob("*.toml"))
@@ -39,7 +39,6 @@ def test_all_mistakes_of_a_file_are_reported_in_one_run():
 def test_correcting_one_mistake_leaves_exactly_the_others():
     """No report hides another: each correction removes its own lines and adds none."""
     text = Path("several_mistakes.toml").read_text(encoding="utf-8")
-    from solver.scene import loads
 
     def reported(text: str) -> set[tuple[str, str]]:
         with pytest.raises(SceneError) as caught:

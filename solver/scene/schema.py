@@ -279,8 +279,8 @@ PARTS: dict[str, type[Part]] = {
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema of a scene file, for completion and checks in an editor."""
-    schema = _without_null(File.model_json_schema())
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | schema
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "holonom scene"}
+    return head | _without_null(File.model_json_schema())
 
 
 def _without_null(schema: Any) -> Any:
@@ -292,7 +292,7 @@ def _without_null(schema: Any) -> Any:
     kept = {
         key: _without_null(value)
         for key, value in schema.items()
-        if not (key == "default" and value is None) and not (key == "title" and value != "File")
+        if not (key == "default" and value is None) and key != "title"
     }
     options = [option for option in kept.get("anyOf", []) if option != {"type": "null"}]
     if len(options) == 1:

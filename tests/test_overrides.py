@@ -1,0 +1,103 @@
+"""Overrides: any number of a scene can be replaced, and mistakes name the override."""
+
+import math
+
+import numpy as np
+import pytest
+
+from solver.scene import SceneError, loads, parse
+
+SHORT = """
+name = "short"
+dimension = 2
+[parameters]
+length = 1.0
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = ["length", 0], mass = 2 }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+[inputs]
+push = { unit = "N" }
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "read", "expected"),
+    [
+        ("length", 2.0, lambda s: s.parameters["length"].value, 2.0),
+        ("length", "3", lambda s: s.parameters["length"].value, 3.0),
+        ("parameters.length", 2, lambda s: s.parameters["length"].value, 2.0),
+        ("points.A.mass", "2*length", lambda s: s.points["A"].mass, parse("2*length")),
+        ("points.A.velocity", (0, 1), lambda s: s.points["A"].velocity, (0.0, 1.0)),
+        ("points.A.position[1]", 5, lambda s: s.points["A"].position[1], 5.0),
+        ("points.A.mass", np.float64(3.0), lambda s: s.points["A"].mass, 3.0),
+        ("gravity", "[0, -1.62]", lambda s: s.gravity, (0.0, -1.62)),
+        ("push", 4, lambda s: s.inputs["push"].start, 4.0),
+        ("solver.step_size", "0.001", lambda s: s.solver.step_size, 0.001),
+        ("solver.formulation", "midpoint-al", lambda s: s.solver.formulation, "midpoint-al"),
+        ("solver.paired", "false", lambda s: s.solver.paired, False),
+        ("experiment.stop_time", 3, lambda s: s.experiment.stop_time, 3.0),
+        ("joints.rod.length", 1.0, lambda s: s.joints["rod"].length, 1.0),
+        ("name", "other", lambda s: s.name, "other"),
+    ],
+)
+def test_any_number_can_be_replaced(name, value, read, expected):
+    assert read(loads(SHORT, overrides={name: value})) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "report"),
+    [
+        (
+            "points.A.mas",
+            "2",
+            "--set points.A.mas=2: error: points.A.mas: unknown field\n"
+            "     = help: did you mean 'mass'?",
+        ),
+        (
+            "points.A.mass",
+            "-2",
+            "--set points.A.mass=-2: error: points.A.mass: must be >= 0 kg, got -2",
+        ),
+        (
+            "points.A.mass",
+            math.nan,
+            "--set points.A.mass=nan: error: points.A.mass: must be a finite number, got nan",
+        ),
+        (
+            "points.B.mass",
+            "2",
+            "--set points.B.mass=2: error: points.B.mass: no such thing in the scene\n"
+            "     = help: did you mean 'points.A.mass'?",
+        ),
+        (
+            "lenght",
+            2.0,
+            "--set lenght=2.0: error: lenght: unknown name\n     = help: did you mean 'length'?",
+        ),
+        (
+            "length",
+            "2*",
+            "--set length=2*: error: parameters.length: not an expression, column 3 of '2*'",
+        ),
+        (
+            "points.A.position[2]",
+            1,
+            "--set points.A.position[2]=1: error: points.A.position[2]: "
+            "no such thing in the scene\n"
+            "     = help: did you mean 'points.A.position'?",
+        ),
+    ],
+)
+def test_mistakes_in_overrides_name_the_override(name, value, report):
+    with pytest.raises(SceneError) as caught:
+        loads(SHORT, overrides={name: value})
+    assert str(caught.value) == report
+
+
+def test_an_override_can_correct_a_mistake_of_the_file():
+    wrong = SHORT.replace("mass = 2", "mass = -2")
+    with pytest.raises(SceneError):
+        loads(wrong)
+    assert loads(wrong, overrides={"points.A.mass": 2}) == loads(SHORT)
