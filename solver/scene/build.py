@@ -10,10 +10,11 @@ from typing import Any
 
 from solver.scene.draft import Draft
 from solver.scene.elements import Elements
+from solver.scene.fields import BROKEN
 from solver.scene.names import check_name, check_names, kinds_of_names, quantities
 from solver.scene.numbers import GEOMETRY, OUTPUT, Known, Numbers
 from solver.scene.report import did_you_mean
-from solver.scene.schema import BROKEN, TYPES, File, Heading
+from solver.scene.schema import TYPES, File, Heading
 from solver.scene.settings import read_settings
 from solver.scene.values import read_inputs, read_parameters
 from solver.scene.vocabulary import Output, Scene

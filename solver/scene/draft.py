@@ -11,8 +11,9 @@ from typing import Any, Literal, get_args
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from solver.scene.fields import BROKEN, shown
 from solver.scene.report import Path, Problem, Source, did_you_mean
-from solver.scene.schema import BROKEN, PARTS, TYPES, Part, shown
+from solver.scene.schema import PARTS, TYPES, Part
 
 _EXPECTED = {
     "string_type": "must be a text",

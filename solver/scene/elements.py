@@ -6,9 +6,9 @@ from typing import Any
 
 from solver.scene import schema
 from solver.scene.expression import ExpressionError, Number, evaluate
+from solver.scene.fields import BROKEN, shown
 from solver.scene.numbers import FORCE, GEOMETRY, NOT_NEGATIVE, POSITIVE, Numbers, Place
 from solver.scene.report import Path, did_you_mean
-from solver.scene.schema import BROKEN, shown
 from solver.scene.vocabulary import (
     Bar,
     Body,

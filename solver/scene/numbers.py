@@ -12,10 +12,10 @@ from typing import Any
 
 from solver.scene.draft import Draft
 from solver.scene.expression import ExpressionError, Number, evaluate
+from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, Reading
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.report import Path, did_you_mean
-from solver.scene.schema import BROKEN
 
 
 @dataclass(frozen=True, slots=True)

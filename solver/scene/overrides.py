@@ -10,8 +10,9 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
+from solver.scene.fields import shown
 from solver.scene.report import Path, Problem, did_you_mean, location_of, path_of
-from solver.scene.schema import Heading, shown
+from solver.scene.schema import Heading
 
 if sys.version_info >= (3, 11):
     import tomllib

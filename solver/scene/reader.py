@@ -11,10 +11,10 @@ from typing import Any, NoReturn
 
 from solver.scene.build import build
 from solver.scene.draft import Draft
+from solver.scene.fields import shown
 from solver.scene.overrides import apply_overrides
 from solver.scene.positions import lines_of_json, lines_of_toml
 from solver.scene.report import Path, Problem, SceneError, Source
-from solver.scene.schema import shown
 from solver.scene.vocabulary import Scene
 
 if sys.version_info >= (3, 11):

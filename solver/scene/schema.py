@@ -7,100 +7,20 @@ second to import, so only ``load`` imports this module.
 
 from __future__ import annotations
 
-import math
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Discriminator,
-    Field,
-    PlainValidator,
-    Tag,
-    ValidatorFunctionWrapHandler,
-    WithJsonSchema,
-    field_validator,
+from pydantic import BaseModel, ConfigDict, Field, ValidatorFunctionWrapHandler, field_validator
+
+from solver.scene.fields import (
+    BROKEN,
+    Expression,
+    NumberOrVector,
+    Two,
+    Vector,
+    VectorOrVectors,
+    mistake,
 )
-from pydantic_core import PydanticCustomError
-
-from solver.scene.expression import ExpressionError, read
 from solver.scene.grammar import Reading
-
-BROKEN: Any = object()
-"""Value of a field whose mistake has been reported; everything accepts it."""
-
-
-def shown(value: object) -> str:
-    """Write a value the way it stands in the file."""
-    if value is None or isinstance(value, bool):
-        return "null" if value is None else str(value).lower()
-    if isinstance(value, list):
-        return f"[{', '.join(shown(item) for item in value)}]"
-    if isinstance(value, dict):
-        return "a table"
-    return repr(value) if isinstance(value, (str, int, float)) else str(value)
-
-
-def _mistake(about: dict[str, Any]) -> PydanticCustomError:
-    return PydanticCustomError("number", "not a number of the scene", about)
-
-
-def _number(value: object) -> Reading:
-    """Read a number or the text of an expression."""
-    if isinstance(value, str):
-        try:
-            return read(value)
-        except ExpressionError as error:
-            about = {
-                "message": f"{error.message}, column {error.column} of '{value}'",
-                "help": error.help,
-                "mark": (value, error.column),
-            }
-            raise _mistake(about) from None
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        about = {"message": f"must be a number or an expression, got {shown(value)}"}
-        raise _mistake(about)
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        about = {"message": f"must be a finite number, got {str(value)[:20]}"}
-        raise _mistake(about)
-    return Reading(str(value), number)
-
-
-Expression = Annotated[
-    Reading,
-    PlainValidator(_number),
-    WithJsonSchema(
-        {"type": ["number", "string"], "description": "a number, or an expression as text"}
-    ),
-]
-Vector = Annotated[list[Expression], WithJsonSchema(
-    {"type": "array", "items": {"type": ["number", "string"]}, "minItems": 2, "maxItems": 3}
-)]  # fmt: skip
-
-
-def _shape(value: object) -> str:
-    if not isinstance(value, list):
-        return "number"
-    return "vectors" if any(isinstance(item, list) for item in value) else "vector"
-
-
-NumberOrVector = Annotated[
-    Annotated[Expression, Tag("number")]
-    | Annotated[Vector, Tag("vector")]
-    | Annotated[Vector, Tag("vectors")],
-    Discriminator(_shape),
-]
-VectorOrVectors = Annotated[
-    Annotated[Vector, Tag("number")]
-    | Annotated[Vector, Tag("vector")]
-    | Annotated[list[Vector], Tag("vectors")],
-    Discriminator(_shape),
-]
-Two = Annotated[list[str], Field(min_length=2, max_length=2, examples=['["A", "B"]'])]
 
 
 class Part(BaseModel):
@@ -112,7 +32,7 @@ class Part(BaseModel):
     @classmethod
     def _accept_broken(cls, value: object, handler: ValidatorFunctionWrapHandler) -> object:
         if value is None:  # JSON's null; an optional field is left out instead
-            raise _mistake({"message": "must have a value, got null", "help": "leave it out"})
+            raise mistake({"message": "must have a value, got null", "help": "leave it out"})
         return value if value is BROKEN else handler(value)
 
 

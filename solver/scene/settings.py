@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from solver.scene import schema
+from solver.scene.fields import BROKEN
 from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule
-from solver.scene.schema import BROKEN
 from solver.scene.vocabulary import Experiment, SolverSettings
 
 _DEFAULT = SolverSettings()

@@ -6,9 +6,9 @@ from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
 from solver.scene.draft import Draft
+from solver.scene.fields import BROKEN
 from solver.scene.numbers import PARAMETER, Numbers
 from solver.scene.report import Path
-from solver.scene.schema import BROKEN
 from solver.scene.vocabulary import Input, Parameter
 
 
