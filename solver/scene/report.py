@@ -19,6 +19,7 @@ Path: TypeAlias = tuple[str | int, ...]
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _STEP = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
 _WIDEST = 120
+_MOST = 15
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +64,8 @@ def did_you_mean(wrong: str, known: Iterable[str], title: str = "known") -> str 
     close += [word for word in folded if len(low) > 2 and word.startswith(low)]
     if close:
         return f"did you mean '{folded[close[0]]}'?"
-    return f"{title}: {', '.join(words)}" if words else None
+    shown = ", ".join(words[:_MOST]) + (", ..." if len(words) > _MOST else "")
+    return f"{title}: {shown}" if words else None
 
 
 @dataclass(frozen=True, slots=True)
