@@ -1,4 +1,4 @@
-"""What a mechanism consists of: coordinates, constraint rows, redundant rows, degrees of freedom."""
+"""What a mechanism consists of: coordinates, rows, redundant rows, degrees of freedom."""
 
 from __future__ import annotations
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import math
 from array import array
 from collections.abc import Callable, Sequence
@@ -61,10 +62,9 @@ class Integrator:
 
     def reset(self) -> None:
         """Return to the condition after construction."""
-        for place in range(len(self.state.block)):
-            self.state.block[place] = 0.0
-        for place, number in enumerate(self.model.numbers):
-            self.engine.numbers[place] = number
+        ctypes.memset(self.state.block, 0, ctypes.sizeof(self.state.block))
+        numbers = memoryview(self.model.numbers).cast("B")
+        memoryview(self.engine.numbers).cast("B")[: len(numbers)] = numbers
         for variable in self.model.variables:
             if variable.kind in ("parameter", "input"):
                 self._vector(variable)[variable.place] = variable.start  # type: ignore[assignment]
