@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import os
 import sys
 from collections.abc import Sequence
 
-from build_fmu.errors import LACK, USAGE, CommandError, UsageError
+from build_fmu.errors import LACK, USAGE, CommandError
 
 INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
 EXIT_CODES = """exit codes:
@@ -32,6 +33,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _say(str(failure), failure.code)
     except ModuleNotFoundError as error:
         return _say(f"the package {error.name} is missing; install it: pip install holonom", LACK)
+    except BrokenPipeError:
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - what is left unsaid has no reader
+        return 0
     except OSError as error:
         return _say(f"{error.filename or 'file'}: {error.strerror or error}", USAGE)
     except KeyboardInterrupt:
@@ -68,7 +72,7 @@ def _value(text: str) -> object:
             return json.loads(text)
         except ValueError as error:
             message = f"{text}: {error}"
-            raise UsageError(message) from None
+            raise argparse.ArgumentTypeError(message) from None
     return text
 
 

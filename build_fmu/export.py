@@ -43,14 +43,15 @@ def compile_scene(
     scene: str | PathLike[str] | Scene, overrides: Mapping[str, object] | None = None
 ) -> Model:
     """Compiled model of a scene file or a loaded scene."""
-    import solver
+    from solver.mechanics import assemble
+    from solver.scene import load
 
     if isinstance(scene, str | PathLike):
-        scene = solver.load(scene, overrides or {})
+        scene = load(scene, overrides or {})
     elif overrides:
         text = "overrides belong to a scene file; give them to solver.load for a loaded scene"
         raise ValueError(text)
-    return solver.assemble(scene)
+    return assemble(scene)
 
 
 def archive_entries(model: Model) -> dict[str, bytes]:

@@ -62,9 +62,6 @@ def payload() -> Payload:
     for path, data in sorted(sources.items()):
         digest.update(f"{path} {len(data)}\n".encode() + data)
     package = f"holonom_{digest.hexdigest()[:12]}"
-    slave = (
-        f'"""What pythonfmu\'s library imports."""\n\nfrom {package}.slave import Slave as Slave\n'
-    )
     files = {f"{package}/{path}": data for path, data in sources.items()}
     files[f"{package}_slave.py"] = _SLAVE_MODULE.format(package=package).encode()
     return Payload(f"{package}_slave", files)

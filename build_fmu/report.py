@@ -7,6 +7,9 @@ import json
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+FILE_WIDTH = 120
+"""Columns of a table that does not go to a terminal."""
+
 
 def print_json(values: object) -> None:
     """One JSON document on stdout."""
@@ -14,19 +17,21 @@ def print_json(values: object) -> None:
 
 
 def print_table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Table on stdout; columns after the first are aligned to the right where they are numbers."""
+    """Table on stdout below its title; columns without names have no head."""
     from rich import box
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(title=Text(title), title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
-    for column in columns:
-        table.add_column(column, overflow="fold")
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_header=any(columns), show_edge=False)
+    for i, column in enumerate(columns):
+        table.add_column(column, no_wrap=i == 0)
     for row in rows:
         table.add_row(*(Text(cell) for cell in row))
-    console = Console(file=sys.stdout)
+    sys.stdout.write(f"{title}\n\n")
+    console = Console(file=sys.stdout, width=None if sys.stdout.isatty() else FILE_WIDTH)
     console.print(table)
+    sys.stdout.write("\n")
 
 
 def number(value: float) -> str:

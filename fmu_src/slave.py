@@ -12,6 +12,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from pythonfmu.enums import Fmi2Status
 from pythonfmu.fmi2slave import Fmi2Slave
@@ -242,7 +243,7 @@ class Slave(Fmi2Slave):
 
     # ---------------------------------------------------------------------------------- state
 
-    def _get_fmu_state(self) -> bytes:
+    def _get_fmu_state(self) -> Any:
         try:
             state = self._integrator.save()
         except Exception as error:
@@ -257,7 +258,7 @@ class Slave(Fmi2Slave):
         }
         return snapshot.pack(header, state)
 
-    def _set_fmu_state(self, state: bytes) -> None:
+    def _set_fmu_state(self, state: Any) -> None:
         try:
             header, data = snapshot.unpack(state)
             self._integrator.restore(data)
@@ -271,11 +272,11 @@ class Slave(Fmi2Slave):
         self._refusals = dict(header["refusals"])
 
     @staticmethod
-    def _fmu_state_to_bytes(state: bytes) -> bytes:
+    def _fmu_state_to_bytes(state: Any) -> bytes:
         return state
 
     @staticmethod
-    def _fmu_state_from_bytes(state: bytes) -> bytes:
+    def _fmu_state_from_bytes(state: bytes) -> Any:
         return state
 
     # ------------------------------------------------------------------------------------ log

@@ -1,0 +1,274 @@
+"""The command line: results on stdout, messages on stderr, exit codes that mean something."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import solver
+from build_fmu import build, demo, payload
+from build_fmu.command_line import main, setting
+from build_fmu.export import VERSION
+from build_fmu.structure import constraint_jacobian, structure
+from solver.runtime import Integrator
+from tests.fmu_instance import SCENES, scene_fmu
+
+ROOT = SCENES.parent
+PENDULUM = str(SCENES / "double_pendulum.toml")
+
+DOUBLE_ROD = """
+name = "double_rod"
+dimension = 2
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1 }
+[joints]
+one = { type = "distance", points = ["O", "A"] }
+two = { type = "distance", points = ["O", "A"] }
+"""
+
+
+def run(capsys, *arguments):
+    """Exit code, stdout and stderr of a command."""
+    code = main([str(argument) for argument in arguments])
+    captured = capsys.readouterr()
+    return code, captured.out, captured.err
+
+
+def trajectory(path: Path) -> dict[str, list[float]]:
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: [float(row[name]) for row in rows] for name in rows[0]}
+
+
+# ------------------------------------------------------------------------------------ build
+
+
+def test_build_writes_what_the_python_function_writes(capsys, tmp_path):
+    code, out, _ = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
+    assert (code, out) == (0, f"{tmp_path / 'a.fmu'}\n")
+    assert (tmp_path / "a.fmu").read_bytes() == scene_fmu("double_pendulum").read_bytes()
+
+
+def test_build_names_the_file_after_the_scene(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code, out, _ = run(capsys, "build", PENDULUM, "--json")
+    assert code == 0
+    assert json.loads(out)["fmu"] == "double_pendulum.fmu"
+    assert Path("double_pendulum.fmu").is_file()
+
+
+def test_set_replaces_any_number_of_the_scene(capsys, tmp_path):
+    settings = {"mass": 2.0, "points.B.velocity": [0, 3], "solver.step_size": 0.02}
+    arguments = [f"--set={name}={value}" for name, value in settings.items()]
+    run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu", *arguments)
+    build(PENDULUM, tmp_path / "b.fmu", overrides=settings)
+    assert (tmp_path / "a.fmu").read_bytes() == (tmp_path / "b.fmu").read_bytes()
+    info = json.loads(run(capsys, "info", tmp_path / "a.fmu", "--json")[1])
+    assert next(v["start"] for v in info["variables"] if v["name"] == "mass") == 2.0
+
+
+def test_a_bad_scene_ends_with_2_and_its_report(capsys, tmp_path):
+    scene = tmp_path / "bad.toml"
+    scene.write_text('name = "bad"\ndimension = 2\n[points]\nA = { position = [0, 0], mas = 1 }\n')
+    code, out, err = run(capsys, "build", scene)
+    assert (code, out) == (2, "")
+    assert err.startswith(f"{scene}:4: error: points.A.mas")
+    assert "did you mean 'mass'?" in err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("build", "missing.toml"),
+        ("simulate", "missing.fmu"),
+        ("validate", PENDULUM),
+        ("check", PENDULUM, "--step", "-1"),
+        ("simulate", PENDULUM, "--stop", "-1"),
+    ],
+    ids=" ".join,
+)
+def test_a_usage_error_ends_with_2_and_one_line(capsys, arguments):
+    code, out, err = run(capsys, *arguments)
+    assert (code, out) == (2, "")
+    assert err.startswith("build-fmu: ")
+    assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize("argument", ["--nonsense", "--set=mass", "--set=gravity=[1", "--set==1"])
+def test_an_argument_that_cannot_be_read_ends_with_2(argument):
+    with pytest.raises(SystemExit, match="2"):
+        main(["build", PENDULUM, argument])
+
+
+def test_a_missing_kernel_ends_with_4_and_the_remedy(capsys, tmp_path, monkeypatch):
+    monkeypatch.setattr(payload, "KERNEL_SUFFIXES", ())
+    payload.payload.cache_clear()
+    code, out, err = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
+    payload.payload.cache_clear()
+    assert (code, out) == (4, "")
+    assert "python -m build_kernel" in err
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "value"),
+    [
+        ("a=1", "a", 1),
+        ("points.A.mass = 2.5", "points.A.mass", 2.5),
+        ("a=1e-3", "a", 1e-3),
+        ("gravity=[0, -9.81]", "gravity", [0, -9.81]),
+        ("solver.paired=false", "solver.paired", False),
+        ("solver.formulation=midpoint-al", "solver.formulation", "midpoint-al"),
+        ("length=2*width", "length", "2*width"),
+        ("a=b=c", "a", "b=c"),
+    ],
+)
+def test_a_setting_is_a_number_a_truth_value_a_list_or_text(text, name, value):
+    assert setting(text) == (name, value)
+    assert type(setting(text)[1]) is type(value)
+
+
+# --------------------------------------------------------------------------- simulate, check
+
+
+def test_the_csv_file_has_the_numbers_of_the_run(capsys, tmp_path):
+    fmu = scene_fmu("double_pendulum")
+    arguments = ("simulate", fmu, "--stop", 1, "--step", 0.05, "--csv", tmp_path / "a.csv")
+    assert run(capsys, *arguments) == (0, "", "")
+    expected = solver.simulate(PENDULUM, stop_time=1.0, step_size=0.05)
+    columns = trajectory(tmp_path / "a.csv")
+    assert columns["B.x"] == list(expected["B.x"])
+    assert columns["time"] == pytest.approx(expected.t)
+
+
+def test_a_scene_is_simulated_as_its_fmu(capsys):
+    arguments = ("--stop", "0.5", "--csv", "-", "--set", "mass=3")
+    scene = run(capsys, "simulate", PENDULUM, *arguments)
+    fmu = run(capsys, "simulate", scene_fmu("double_pendulum"), *arguments)
+    assert scene == fmu
+    assert scene[0] == 0
+
+
+def test_a_run_that_ends_early_ends_with_3_and_the_reason(capsys):
+    arguments = ("simulate", scene_fmu("four_bar"), "--set", "drive=nan", "--json")
+    code, out, err = run(capsys, *arguments)
+    assert code == 3
+    summary = json.loads(out)
+    assert (summary["finished"], summary["end_time"], summary["steps"]) == (False, 0.0, 0)
+    assert "drive" in summary["reason"]
+    assert summary["reason"] in err
+
+
+def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
+    code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drve=1")
+    assert code == 2
+    assert "did you mean 'drive'?" in err
+
+
+def test_check_passes_where_energy_and_constraints_hold(capsys):
+    code, out, err = run(capsys, "check", scene_fmu("four_bar"), "--json")
+    assert (code, err) == (0, "")
+    assert json.loads(out)["holds"]
+
+
+def test_check_fails_where_they_do_not(capsys):
+    method = "solver.formulation=midpoint-penalty"
+    code, out, _ = run(capsys, "check", SCENES / "four_bar.toml", "--stop", 1, "--set", method)
+    assert code == 1
+    assert "NO" in out
+
+
+def test_check_ends_with_3_if_the_run_does(capsys):
+    code, out, _ = run(capsys, "check", scene_fmu("four_bar"), "--set", "drive=nan", "--json")
+    assert code == 3
+    assert not json.loads(out)["holds"]
+
+
+# --------------------------------------------------------------------------- info, validate
+
+
+def test_info_says_the_same_of_a_scene_and_its_fmu(capsys):
+    scene = run(capsys, "info", SCENES / "four_bar.toml", "--json")
+    assert scene == run(capsys, "info", scene_fmu("four_bar"), "--json")
+    document = json.loads(scene[1])
+    assert document["bodies"] == ["crank0", "crank1", "crank2", "coupler0", "coupler1"]
+    assert (document["coordinates"], document["rows"]) == (6, 5)
+    assert (document["degrees_of_freedom"], document["redundant_rows"]) == (1, 0)
+
+
+def test_info_counts_redundant_rows(capsys, tmp_path):
+    scene = tmp_path / "double_rod.toml"
+    scene.write_text(DOUBLE_ROD)
+    code, out, _ = run(capsys, "info", scene)
+    assert code == 0
+    lines = [line.split() for line in out.splitlines()]
+    assert ["redundant", "rows", "1"] in [line[:3] for line in lines]
+    assert ["degrees", "of", "freedom", "1"] in lines
+
+
+def test_the_jacobian_of_info_is_that_of_the_constraints():
+    model = solver.assemble(solver.load(SCENES / "bifilar.toml"))
+    integrator = Integrator(model)
+    integrator.initialise()
+    start = model.offsets["initial_velocity"]
+    velocities = np.asarray(integrator.engine.numbers)[start:][: structure(model).coordinates]
+    _, rates = integrator.engine.residuals()
+    start = model.offsets["row_scale"]
+    lengths = np.sqrt(np.asarray(integrator.engine.numbers)[start:][: len(rates)])
+    assert constraint_jacobian(model) @ velocities * lengths == pytest.approx(rates, abs=1e-12)
+
+
+def test_validate_lists_the_findings(capsys, tmp_path):
+    assert run(capsys, "validate", scene_fmu("four_bar")) == (0, "no finding\n", "")
+    broken = tmp_path / "broken.fmu"
+    with zipfile.ZipFile(broken, "w") as archive:
+        archive.writestr("modelDescription.xml", "<fmiModelDescription/>")
+    code, out, _ = run(capsys, "validate", broken, "--json")
+    assert code == 1
+    assert json.loads(out)["findings"]
+
+
+# ------------------------------------------------------------------------------------- start
+
+
+def test_help_waits_for_nothing_heavy():
+    command = [sys.executable, "-X", "importtime", "-m", "build_fmu", "--help"]
+    process = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT)
+    assert process.stdout.startswith("usage: build-fmu")
+    modules = {line.split("|")[-1].strip() for line in process.stderr.splitlines()}
+    heavy = {"numpy", "scipy", "pydantic", "rich", "fmpy", "pythonfmu", "solver", "zipfile"}
+    assert not {name.split(".")[0] for name in modules} & heavy
+
+
+def test_the_version_is_the_distributions():
+    assert f'\nversion = "{VERSION}"\n' in (ROOT / "pyproject.toml").read_text()
+
+
+# -------------------------------------------------------------------------------------- demo
+
+
+def test_the_exact_motion_of_the_demonstration_is_that_of_the_benchmark():
+    reference = {  # the equation of one degree of freedom, integrated once more to 1e-13
+        1.0: (-0.195020302, -0.980799206),
+        2.0: (0.057815796, 0.998327268),
+        5.0: (-0.811310461, -0.584615545),
+        10.0: (0.328458112, 0.944518538),
+    }
+    angles = demo.exact_angle([*reference])
+    for angle, (x, y) in zip(angles, reference.values(), strict=True):
+        assert (math.sin(angle), math.cos(angle)) == pytest.approx((x, y), abs=2e-9)
+
+
+def test_the_demonstration_comes_to_its_end(capsys):
+    assert demo.main() == 0
+    out = capsys.readouterr().out
+    assert "largest energy error" in out
+    assert "finished" in out
