@@ -1,0 +1,251 @@
+"""Energy and momenta are constants of the discrete motion, whatever the step.
+
+García Orden & Ortega, section 3: the conserving augmented Lagrangian keeps energy and constraints
+to round-off where the midpoint rule (their eq. 5) gains energy without bound.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from solver.runtime import StepError
+from tests.problems import (
+    GRAVITY,
+    Array,
+    Content,
+    chain,
+    conical_pendulum,
+    double_pendulum,
+    four_bar,
+    free_system,
+    mechanism,
+    move,
+    observe,
+    pendulum,
+    start,
+    tree,
+    view,
+)
+
+DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
+PAIRED = pytest.mark.parametrize("paired", [False, True], ids=["plain", "pairs"])
+
+
+# ------------------------------------------------------------------- chains, and the midpoint rule
+
+
+@PAIRED
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_a_chain_from_the_horizontal_keeps_energy_and_length_for_20_s(n, paired):
+    # 1e-10 N m g L and 1e-12 are what a solve to 1e-12 of each step may leave after 2000 steps,
+    # with a factor of 100 to spare.
+    motion = move(start(chain(n), h=0.01, paired=paired), 0.01, 2000)
+    assert np.abs(motion.balance).max() < 1e-10 * n * GRAVITY
+    assert np.abs(motion.phi).max() < 1e-12
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_the_midpoint_rule_loses_the_same_chain_within_6_s(n):
+    # Eq. 5 satisfies the constraints at the midpoints; what the ends do feeds energy in. More than
+    # ten times the energy that gravity could ever give, or no solution at all: both are failures.
+    integrator = start(chain(n), h=0.01, formulation="midpoint-al")
+    try:
+        error = observe(integrator, 0.01, 600, ["energy.balance"])
+    except StepError:
+        assert integrator.time < 6.0
+    else:
+        assert np.abs(error).max() > 10 * n * GRAVITY
+
+
+@PAIRED
+@pytest.mark.slow
+def test_a_double_pendulum_keeps_its_energy_to_a_picojoule_over_200000_steps(paired):
+    # Plain steps of 1 ms, and pairs of two half steps of 0.5 ms each: 2e5 and 4e5 solved steps.
+    # With increments as unknowns and compensated sums nothing adds up but the residuals, some 1e-16
+    # J each and of either sign.
+    balance = observe(start(double_pendulum(), h=1e-3, paired=paired), 1.0, 200, ["energy.balance"])
+    assert np.abs(balance).max() <= 1e-12
+
+
+@pytest.mark.parametrize("h", [1e-3, 1e-2, 1e-1])
+@pytest.mark.parametrize(
+    "problem",
+    [
+        pendulum(1.0, 2.0),
+        double_pendulum(1.0),
+        conical_pendulum(1.0),
+        four_bar(2),
+        tree(6, dimension=3),
+    ],
+    ids=lambda content: content["name"],
+)
+def test_energy_and_constraints_hold_at_every_step_size(problem, h):
+    # Relative to the energy that is exchanged; 1e-12 is the tolerance of one step.
+    observed = observe(start(problem, h=h), h, 300, ["energy.error", "constraint.position"])
+    assert observed.max(axis=0) == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_the_energy_that_is_reported_is_that_of_the_definition():
+    content = free_system(3)
+    content["gravity"] = [0.3, -0.2, -9.81]
+    integrator = start(content, h=0.05)
+    motion = move(integrator, 0.05, 20)
+    kinetic, potential = energies(content, motion.q[-1], motion.v[-1])
+    assert integrator["energy.kinetic"] == pytest.approx(kinetic, rel=1e-13)
+    assert integrator["energy.potential"] == pytest.approx(potential, rel=1e-13)
+    first = sum(energies(content, motion.q[0], motion.v[0]))
+    assert motion.balance[-1] == pytest.approx(kinetic + potential - first, abs=1e-12 * abs(first))
+
+
+def energies(content: Content, q: Array, v: Array) -> tuple[float, float]:
+    """Kinetic and potential energy from the definitions, part by part: points, bars, springs."""
+    node = {name: place for place, name in enumerate(content["points"])}
+    down = np.array(content["gravity"])
+    kinetic = potential = 0.0
+    for name, point in content["points"].items():
+        kinetic += 0.5 * point["mass"] * v[node[name]] @ v[node[name]]
+        potential -= point["mass"] * down @ q[node[name]]
+    for bar in content["bodies"].values():
+        a, b = (node[name] for name in bar["points"])
+        kinetic += bar["mass"] / 6 * (v[a] @ v[a] + v[a] @ v[b] + v[b] @ v[b])
+        potential -= bar["mass"] * down @ (q[a] + q[b]) / 2
+    for spring in content["forces"].values():
+        a, b = (node[name] for name in spring["points"])
+        stretch = np.linalg.norm(q[b] - q[a]) - spring["free_length"]
+        potential += 0.5 * spring["stiffness"] * stretch**2
+    return kinetic, potential
+
+
+# ------------------------------------------------------------------------------------ free systems
+
+
+def momenta(dimension: int) -> list[str]:
+    return [
+        *(f"momentum.{axis}" for axis in "xyz"[:dimension]),
+        *(f"angular_momentum.{axis}" for axis in ("z" if dimension == 2 else "xyz")),
+    ]
+
+
+def assert_momenta_and_energy_hold(content: Content, h: float, n_steps: int) -> None:
+    """Watch a free system over `n_steps` steps, at a hundred times."""
+    dimension = content["dimension"]
+    integrator = start(content, h=h)
+    mass = integrator.model.numbers[integrator.model.offsets["node_mass"] :][
+        : len(content["points"])
+    ]
+    values = observe(
+        integrator,
+        h * n_steps / 100,
+        100,
+        ["energy.balance", "energy.kinetic", *momenta(dimension)],
+    )
+    energy, kinetic, moved = values[:, 0], values[:, 1], np.abs(values[:, 2:] - values[0, 2:])
+    # Scales: the energy in motion, and the momentum that it means for the whole mass, at the lever
+    # of the mechanism's farthest point from the origin.
+    speed = math.sqrt(2 * kinetic.max() / sum(mass))
+    momentum, lever = sum(mass) * speed, np.linalg.norm(view(integrator, "q"), axis=1).max()
+    assert np.abs(energy).max() < 1e-11 * kinetic.max()
+    assert moved[:, :dimension].max() < 1e-11 * momentum
+    assert moved[:, dimension:].max() < 1e-11 * momentum * lever
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("h", [0.1, 0.3, 0.5])
+@DIMENSIONS
+def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(dimension, h):
+    # Its parts turn at about 1 rad/s, so h is the angle that it turns in a step. 10^4 errors of the
+    # size of round-off that add up at random give 1e-14, all of one sign 1e-12.
+    assert_momenta_and_energy_hold(free_system(dimension), h, 10_000)
+
+
+def consistent_velocities(content: Content, velocities: Array) -> None:
+    """Project velocities onto those that rods and bars allow; write them into the content."""
+    names = list(content["points"])
+    node = {name: place for place, name in enumerate(names)}
+    q = np.array([point["position"] for point in content["points"].values()])
+    links = [part["points"] for table in ("joints", "bodies") for part in content[table].values()]
+    G = np.zeros((len(links), *q.shape))
+    for row, (first, second) in enumerate(links):
+        a, b = node[first], node[second]
+        G[row, b] = q[b] - q[a]
+        G[row, a] = -G[row, b]
+    G = G.reshape(len(links), -1)
+    allowed = velocities.ravel() - np.linalg.pinv(G) @ (G @ velocities.ravel())
+    for name, velocity in zip(names, allowed.reshape(q.shape), strict=True):
+        content["points"][name]["velocity"] = velocity.tolist()
+
+
+@st.composite
+def free_systems(draw: st.DrawFn) -> tuple[Content, float]:
+    """A free tree of rods and bars with springs across it, and a step of 0.1 to 0.5 rad."""
+    dimension, n = draw(st.sampled_from([2, 3])), draw(st.integers(2, 7))
+    random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    places = np.zeros((n, dimension))
+    links = []
+    for i in range(1, n):
+        parent = int(random.integers(i))
+        link = random.normal(size=dimension)
+        places[i] = places[parent] + link / np.linalg.norm(link) * random.uniform(0.5, 2.0)
+        links.append(["bar" if random.random() < 0.4 else "distance", [f"P{parent}", f"P{i}"]])
+    points = {
+        f"P{i}": {"position": place.tolist(), "mass": random.uniform(0.1, 3.0)}
+        for i, place in enumerate(places)
+    }
+    joints = {
+        f"rod{i}": {"type": "distance", "points": ends}
+        for i, (kind, ends) in enumerate(links) if kind == "distance"
+    }  # fmt: skip
+    bodies = {
+        f"bar{i}": {"type": "bar", "points": ends, "mass": random.uniform(0.1, 3.0)}
+        for i, (kind, ends) in enumerate(links) if kind == "bar"
+    }  # fmt: skip
+    forces = {}
+    for i in range(int(random.integers(3)) if n > 2 else 0):
+        a, b = random.choice(n, size=2, replace=False)
+        forces[f"spring{i}"] = {
+            "type": "spring", "points": [f"P{a}", f"P{b}"], "stiffness": random.uniform(0.0, 2.0),
+            "free_length": float(np.linalg.norm(places[a] - places[b])) * random.uniform(0.0, 1.2),
+        }  # fmt: skip
+    content = mechanism(
+        "random", dimension, gravity=False,
+        points=points, joints=joints, bodies=bodies, forces=forces,
+    )  # fmt: skip
+    consistent_velocities(content, random.normal(size=places.shape))
+    rate = fastest_link(content)
+    return content, draw(st.floats(0.1, 0.5)) / max(rate, 1.0)
+
+
+def fastest_link(content: Content) -> float:
+    """Largest angular velocity of a rod or bar [rad/s]."""
+    points, rates = content["points"], [0.0]
+    for part in (*content["joints"].values(), *content["bodies"].values()):
+        a, b = (points[name] for name in part["points"])
+        link = np.subtract(b["position"], a["position"])
+        rates.append(
+            np.linalg.norm(np.subtract(b["velocity"], a["velocity"])) / np.linalg.norm(link)
+        )
+    return float(max(rates))
+
+
+@pytest.mark.slow
+@settings(max_examples=50, suppress_health_check=[HealthCheck.too_slow])
+@given(free_systems())
+def test_energy_and_momenta_of_any_free_system_hold_over_ten_thousand_large_steps(system):
+    content, h = system
+    assert_momenta_and_energy_hold(content, h, 10_000)
+
+
+@DIMENSIONS
+def test_the_mass_centre_of_a_free_system_moves_straight(dimension):
+    content = free_system(dimension)
+    integrator = start(content, h=0.2)
+    weights = integrator.model.numbers[integrator.model.offsets["node_mass"] :][:5] / np.float64(1)
+    first, velocity = weights @ view(integrator, "q"), weights @ view(integrator, "v")
+    integrator.advance(0.0, 100.0)
+    expected = first + 100.0 * velocity
+    assert weights @ view(integrator, "q") == pytest.approx(expected, rel=1e-13, abs=1e-12)

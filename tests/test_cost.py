@@ -1,0 +1,105 @@
+"""Cost is linear in the number of bodies: counted, not timed.
+
+Work of a step is Newton iterations times the operations of the factors, both known without a clock.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.problems import (
+    Content,
+    assemble,
+    chain,
+    mechanism,
+    observe,
+    rods,
+    start,
+    travelling_wave,
+    tree,
+)
+
+DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
+
+
+def chain_of_bars(n: int, *, dimension: int = 2) -> Content:
+    """Uniform bars hung on each other: masses couple the points too."""
+    content = chain(n, dimension=dimension, mass=0.0)
+    bodies = {
+        name: {"type": "bar", "points": joint["points"], "mass": 1.0}
+        for name, joint in content["joints"].items()
+    }
+    return content | {"name": f"bars{n}", "joints": {}, "bodies": bodies}
+
+
+def star(n: int, *, dimension: int = 2) -> Content:
+    """N points on rods round one hub: a point that all rows share."""
+    angles = 2 * np.pi * np.arange(n) / n
+    flat = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)[:, :dimension]
+    points = {f"P{i}": {"position": place.tolist(), "mass": 1.0} for i, place in enumerate(flat)}
+    points["hub"] = {"position": [0.0] * dimension, "mass": 1.0}
+    return mechanism(
+        f"star{n}", dimension, points=points, joints=rods(("hub", f"P{i}") for i in range(n))
+    )
+
+
+def stored_and_updated(content: Content) -> tuple[int, int]:
+    """Entries of the factors, and products of one factorisation."""
+    model = assemble(content)
+    return model.sizes["n_lu_values"], len(model.tables["lu_target"])
+
+
+@DIMENSIONS
+@pytest.mark.parametrize("build", [chain, chain_of_bars, tree, star])
+def test_factors_of_chains_and_trees_grow_exactly_linearly(build, dimension):
+    # From ten bodies on every further one costs the same. The sizes are those of complete binary
+    # trees, whose last level is always half of all.
+    sizes = np.array([15, 31, 63, 127, 255, 511, 1023])
+    counts = np.array([stored_and_updated(build(n, dimension=dimension)) for n in sizes])
+    slopes = np.diff(counts, axis=0) / np.diff(sizes)[:, np.newaxis]
+    assert (slopes == slopes[0]).all()
+
+
+@DIMENSIONS
+def test_a_chain_has_no_fill_in_beyond_its_neighbours(dimension):
+    # A node with its row and its neighbour: (d^2 + (d + 1)^2 + ...) stays below the full block of
+    # two nodes and two rows.
+    stored, updated = stored_and_updated(chain(1000, dimension=dimension))
+    block = 2 * (dimension + 1)
+    assert stored < 1000 * block**2
+    assert updated < 1000 * block**3
+
+
+@pytest.mark.slow
+@DIMENSIONS
+def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
+    # A straight spatial chain with a wave of velocity, steps of 1 ms. Round-off of longer chains
+    # may cost one iteration more or less, not a factor.
+    mean = {}
+    for n in (10, 100, 1000):
+        names = [
+            "solver.newton_iterations",
+            "solver.substeps",
+            "energy.error",
+            "constraint.position",
+        ]
+        integrator = start(travelling_wave(n, dimension=dimension), h=1e-3)
+        iterations, substeps, energy, constraint = observe(integrator, 1e-3, 100, names)[1:].T
+        assert substeps.max() == 1
+        assert energy.max() < 1e-12
+        assert constraint.max() < 1e-12
+        mean[n] = iterations.mean()
+    assert max(mean.values()) < 5
+    assert mean[1000] < mean[10] + 1
+
+
+@pytest.mark.slow
+def test_a_chain_of_a_thousand_links_falls_and_keeps_its_energy():
+    # Ten steps of 10 ms from the horizontal: rods carry nothing at first, the hardest start there
+    # is.
+    names = ["energy.error", "constraint.position", "solver.substeps"]
+    error, constraint, substeps = observe(start(chain(1000), h=0.01), 0.01, 10, names)[1:].T
+    assert error.max() < 1e-12
+    assert constraint.max() < 1e-12
+    assert substeps.max() == 1
