@@ -40,7 +40,10 @@ def constraint_jacobian(integrator: Integrator) -> NDArray[np.float64]:
 
     Row i of a form s = u . w is the sum of alpha_e w + beta_e u over its entries e.
     """
-    model, numbers = integrator.model, np.frombuffer(integrator.engine.numbers)
+    model, numbers = (
+        integrator.model,
+        np.asarray(memoryview(integrator.engine.numbers).cast("B").cast("d")),
+    )
     dim, n_free = model.sizes["dim"], model.sizes["n_free"]
     tables, offsets = model.tables, model.offsets
     support = numbers[offsets["support"] :][: dim * model.sizes["n_support"]].reshape(-1, dim)

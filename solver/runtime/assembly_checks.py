@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
-from typing import TYPE_CHECKING
 
+from .engine import Doubles, Engine
 from .model import Model
-
-if TYPE_CHECKING:
-    from .kernel import Kernel
 
 DRAWN = 1e-9
 """Largest relative error of a drawn length: the first step would turn a larger one into a jolt."""
 
 
-def broken_rules(model: Model, numbers: ctypes.Array[ctypes.c_double]) -> list[str]:
+def broken_rules(model: Model, numbers: Doubles) -> list[str]:
     """Return one sentence for each rule that the numbers break."""
     return [
         rule.message.format(value=numbers[rule.number])
@@ -24,7 +20,7 @@ def broken_rules(model: Model, numbers: ctypes.Array[ctypes.c_double]) -> list[s
     ]
 
 
-def _drawn(model: Model, numbers: ctypes.Array[ctypes.c_double], row: int) -> tuple[float, ...]:
+def _drawn(model: Model, numbers: Doubles, row: int) -> tuple[float, ...]:
     """Return the drawn length of a row's link, and the velocities of its ends along it."""
     dim, n_free = model.sizes["dim"], model.sizes["n_free"]
     offsets, tables = model.offsets, model.tables
@@ -47,7 +43,7 @@ def _drawn(model: Model, numbers: ctypes.Array[ctypes.c_double], row: int) -> tu
     return length, *speeds
 
 
-def contradicted_rows(model: Model, engine: Kernel) -> list[str]:
+def contradicted_rows(model: Model, engine: Engine) -> list[str]:
     """Return one sentence for each row that the drawn configuration or velocities contradict."""
     problems = []
     for row, (name, phi, rate) in enumerate(zip(model.row_names, *engine.residuals(), strict=True)):

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 
 from .assembly_checks import broken_rules, contradicted_rows
 from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
+from .engine import Engine
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
@@ -20,7 +21,7 @@ CONFIGURED, ASSEMBLED, MOVING = range(3)
 Value = float | str | bool
 
 
-def _engine(model: Model, kernel: str, log: Callable[[str], None] | None) -> Kernel:
+def _engine(model: Model, kernel: str, log: Callable[[str], None] | None) -> Engine:
     """Bind the model to the compiled kernel, or, said in the log, to the NumPy reference."""
     if kernel not in ("auto", "c", "numpy"):
         message = f"kernel: must be auto, c or numpy, got {kernel!r}"

@@ -16,8 +16,9 @@ import hashlib
 import json
 import sys
 from array import array
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any, TypeVar
 
 from .layout import OFFSETS, SIZES, TABLES
 
@@ -75,6 +76,9 @@ class Experiment:
     tolerance: float | None = None
 
 
+Record = TypeVar("Record", Variable, Rule, Experiment)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
     """Structure and numbers of a mechanism; never modified."""
@@ -91,22 +95,27 @@ class Model:
     settings: Mapping[str, float | str | bool]
     experiment: Experiment
     fingerprint: str = field(default="", compare=False)
+    _places: dict[str, int] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         """Take the fingerprint: the hash of all that a run depends on."""
         assert tuple(self.sizes) == SIZES
         assert tuple(self.tables) == TABLES
         assert tuple(self.offsets) == OFFSETS
-        object.__setattr__(self, "fingerprint", hashlib.sha256(self._content()).hexdigest()[:32])
+        if not self.fingerprint:
+            object.__setattr__(self, "fingerprint", _hash(self.to_bytes()))
 
     def index(self, name: str) -> int:
         """Return the index of a variable; raises KeyError if there is none of that name."""
-        for index, variable in enumerate(self.variables):
-            if variable.name == name:
-                return index
-        raise KeyError(name)
+        if not self._places:
+            self._places.update((v.name, index) for index, v in enumerate(self.variables))
+        return self._places[name]
 
-    def _content(self) -> bytes:
+    def to_bytes(self) -> bytes:
+        """Return the model as bytes: a JSON header, then the raw arrays, little-endian.
+
+        The same model gives the same bytes.
+        """
         header = {
             "format": FORMAT,
             "name": self.name,
@@ -115,22 +124,15 @@ class Model:
             "offsets": dict(self.offsets),
             "tables": {name: len(table) for name, table in self.tables.items()},
             "numbers": len(self.numbers),
-            "variables": [asdict(variable) for variable in self.variables],
-            "rules": [asdict(rule) for rule in self.rules],
+            "variables": [_row(variable) for variable in self.variables],
+            "rules": [_row(rule) for rule in self.rules],
             "row_names": list(self.row_names),
             "settings": dict(self.settings),
-            "experiment": asdict(self.experiment),
+            "experiment": _row(self.experiment),
         }
         text = json.dumps(header, separators=(",", ":")).encode()
         blocks = [_little_endian(table) for table in (*self.tables.values(), self.numbers)]
         return b"".join([len(text).to_bytes(8, "little"), text, *blocks])
-
-    def to_bytes(self) -> bytes:
-        """Return the model as bytes: a JSON header, then the raw arrays, little-endian.
-
-        The same model gives the same bytes.
-        """
-        return self._content()
 
     @staticmethod
     def from_bytes(data: bytes) -> Model:
@@ -160,12 +162,25 @@ class Model:
             tables=tables,
             offsets=header["offsets"],
             numbers=numbers,
-            variables=tuple(Variable(**variable) for variable in header["variables"]),
-            rules=tuple(Rule(**rule) for rule in header["rules"]),
+            variables=tuple(_from_row(Variable, row) for row in header["variables"]),
+            rules=tuple(_from_row(Rule, row) for row in header["rules"]),
             row_names=tuple(header["row_names"]),
             settings=header["settings"],
-            experiment=Experiment(**header["experiment"]),
+            experiment=_from_row(Experiment, header["experiment"]),
+            fingerprint=_hash(data),
         )
+
+
+def _hash(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:32]
+
+
+def _row(record: Variable | Rule | Experiment) -> list[Any]:
+    return [getattr(record, part.name) for part in fields(record)]
+
+
+def _from_row(kind: type[Record], row: Sequence[Any]) -> Record:
+    return kind(**dict(zip((part.name for part in fields(kind)), row, strict=True)))
 
 
 def _little_endian(values: array) -> bytes:
