@@ -179,6 +179,7 @@ def test_json_files_are_read(tmp_path):
         ('{"name": "a", "points": null}', "must be a table, got null", 1),
         ('{"name": "a",\n"gravity": null}', "must have a value, got null", 2),
         ("[" * 100_000, "nested too deeply", None),
+        ('{"name": ' + "[" * 500 + "]" * 500 + "}", "nested too deeply", None),
     ],
 )
 def test_mistakes_in_json_are_reported_with_their_line(text, message, line):

@@ -61,7 +61,7 @@ def check_names(draft: Draft) -> None:
             check_name(draft, path, name)
             if name in taken:
                 first = taken[name]
-                line = draft.source.lines.get(first)
+                line = draft.source.problem(first, "").line
                 where = f" in line {line}" if line else ""
                 owner = KINDS[str(first[0])]
                 article = "an" if owner[0] in "aeiou" else "a"

@@ -10,8 +10,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
+from functools import lru_cache
+from typing import TypeAlias
 
-from solver.scene.report import Path
+Path: TypeAlias = tuple[str | int, ...]
+"""Place in a scene: keys of tables and indices of arrays, ``("points", "A", "position", 0)``."""
 
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _COMMENT_LINES = re.compile(r"(?:[ \t\r\n,]|#[^\n]*)*")
@@ -22,6 +25,17 @@ _STRING = re.compile(
 )
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _SCALAR = re.compile(r"[^,\]}#\n]*")
+
+
+@lru_cache(maxsize=4)
+def lines_of(text: str, notation: str) -> Mapping[Path, int]:
+    """Line of each path of a text; nothing has a line where the notation is unknown.
+
+    Only a report of mistakes asks for lines, and then for many of the same text.
+    """
+    if notation == "json":
+        return lines_of_json(text)[0]
+    return lines_of_toml(text) if notation == "toml" else {}
 
 
 def lines_of_toml(text: str) -> Mapping[Path, int]:

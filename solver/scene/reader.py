@@ -13,8 +13,8 @@ from solver.scene.build import build
 from solver.scene.draft import Draft
 from solver.scene.fields import shown
 from solver.scene.overrides import apply_overrides
-from solver.scene.positions import lines_of_json, lines_of_toml
-from solver.scene.report import Path, Problem, SceneError, Source
+from solver.scene.positions import lines_of_json
+from solver.scene.report import Problem, SceneError, Source, location_of
 from solver.scene.vocabulary import Scene
 
 if sys.version_info >= (3, 11):
@@ -55,9 +55,10 @@ def read_text(text: str, name: str, notation: str, overrides: Mapping[str, objec
     """Read the text of a scene; see ``solver.scene.loads``."""
     problems: list[Problem] = []
     text = text.replace("\r\n", "\n")
-    data, lines = _json(text, name, problems) if notation == "json" else _toml(text, name)
+    data = _json(text, name, problems) if notation == "json" else _toml(text, name)
+    _shallow(data, Source(name, text))
     replaced = apply_overrides(data, overrides, problems)
-    source = Source(name, text, lines, replaced)
+    source = Source(name, text, notation, replaced)
     draft = Draft(data, source, problems)
     scene = build(draft)
     if problems:
@@ -69,25 +70,32 @@ def _give_up(source: Source, problem: Problem) -> NoReturn:
     raise SceneError([problem], source)
 
 
-def _toml(text: str, name: str) -> tuple[dict[str, Any], Mapping[Path, int]]:
+def _toml(text: str, name: str) -> dict[str, Any]:
     try:
-        data = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        words = str(error) if str(error) else "nested too deeply"
+        return tomllib.loads(text)
+    except RecursionError:
+        _give_up(Source(name, text), Problem("", "TOML: nested too deeply"))
+    except tomllib.TOMLDecodeError as error:
+        words = str(error)
         place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
         message = words[: place.start()] if place else words
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
         help = _TOML_HELP.get(message)
         _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
-    return data, lines_of_toml(text)
 
 
-def _json(
-    text: str, name: str, problems: list[Problem]
-) -> tuple[dict[str, Any], Mapping[Path, int]]:
+def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
+    twice: list[str] = []
+
+    def table(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        keys = [key for key, _ in pairs]
+        if len(set(keys)) < len(keys):
+            twice.extend(keys)
+        return dict(pairs)
+
     try:
-        data = json.loads(text)
+        data = json.loads(text, object_pairs_hook=table)
     except RecursionError:
         _give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
     except json.JSONDecodeError as error:
@@ -95,7 +103,20 @@ def _json(
         _give_up(Source(name, text), problem)
     if not isinstance(data, dict):
         _give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
-    lines, repeated = lines_of_json(text)
-    source = Source(name, text, {path: line for path, line in repeated})
-    problems += [source.problem(path, "given twice") for path, _ in repeated]
-    return data, lines
+    if twice:
+        repeated = lines_of_json(text)[1]
+        problems += [
+            Problem(location_of(path), "given twice", line=line) for path, line in repeated
+        ]
+    return data
+
+
+def _shallow(data: Any, source: Source, deepest: int = 50) -> None:
+    """Give up on nesting that no scene has, before anything descends into it."""
+    level = [data]
+    for _ in range(deepest):
+        inside = [value.values() if isinstance(value, dict) else value for value in level]
+        level = [item for items in inside for item in items if isinstance(item, (dict, list))]
+        if not level:
+            return
+    _give_up(source, Problem("", "nested too deeply"))

@@ -11,10 +11,8 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from typing import TypeAlias
 
-Path: TypeAlias = tuple[str | int, ...]
-"""Place in a scene: keys of tables and indices of arrays, ``("points", "A", "position", 0)``."""
+from solver.scene.positions import Path, lines_of
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _STEP = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
@@ -74,8 +72,8 @@ class Source:
 
     name: str = "scene"
     text: str = ""
-    lines: Mapping[Path, int] = field(default_factory=dict)
-    """Line of each key and array element, from 1."""
+    notation: str = ""
+    """"toml" or "json"; empty where no line can be named."""
     overrides: Mapping[Path, str] = field(default_factory=dict)
     """Text of the override that replaced a value, by the path of the value."""
 
@@ -101,11 +99,12 @@ class Source:
         """
         path = path_of(place) if isinstance(place, str) else place
         location = place if isinstance(place, str) else location_of(place)
+        lines = lines_of(self.text, self.notation)
         for end in range(len(path), -1, -1):
             if path[:end] in self.overrides:
                 return Problem(location, message, help, override=self.overrides[path[:end]])
-            if path[:end] in self.lines:
-                line = self.lines[path[:end]]
+            if path[:end] in lines:
+                line = lines[path[:end]]
                 return Problem(location, message, help, line, self._column(line, *mark))
         return Problem(location, message, help)
 
