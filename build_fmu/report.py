@@ -40,8 +40,8 @@ def number(value: float) -> str:
 
 
 @contextlib.contextmanager
-def progress_bar(title: str, total: float | None) -> Iterator[Callable[[float], object] | None]:
-    """Bar on stderr if that is a terminal; yields what to call with the work done."""
+def progress_bar(title: str) -> Iterator[Callable[[float], object] | None]:
+    """Bar on stderr if that is a terminal; yields what to call with the part done."""
     if not sys.stderr.isatty():
         yield None
         return
@@ -50,5 +50,5 @@ def progress_bar(title: str, total: float | None) -> Iterator[Callable[[float], 
 
     columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
     with Progress(*columns, console=Console(file=sys.stderr), transient=True) as progress:
-        task = progress.add_task(title, total=total)
+        task = progress.add_task(title, total=1.0)
         yield lambda done: progress.update(task, completed=done)

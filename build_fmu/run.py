@@ -18,6 +18,7 @@ from build_fmu.errors import EnvironmentLackError, UsageError
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
+    from fmpy.simulation import Recorder
     from numpy import ndarray
 
 DISCARD, ERROR = 2, 3  # fmi2Status
@@ -71,7 +72,7 @@ def run_fmu(
     settings
         Values of parameters and inputs by name.
     progress
-        Called with the time after every communication step.
+        Called after every communication step with the part of the run that is done, 0 to 1.
 
     Raises
     ------
@@ -95,7 +96,7 @@ def run_fmu(
         start_values=dict(settings or {}),
         debug_logging=True,
         logger=lambda *entry: log.append((entry[2], entry[4].decode("utf-8", "replace"))),
-        step_finished=_reporter(progress),
+        step_finished=_reporter(progress, stop_time),
     )
     wall_time = time.perf_counter() - begin
     messages = tuple(text for level, text in log if level > 0)
@@ -106,12 +107,13 @@ def run_fmu(
     return Run(values, stop_time, wall_time, messages, reason)
 
 
-def _reporter(progress: Callable[[float], object] | None) -> Callable | None:
+def _reporter(progress: Callable[[float], object] | None, stop_time: float) -> Callable | None:
     if progress is None:
         return None
 
-    def step_finished(now: float, _recorder: object) -> bool:
-        progress(now)
+    def step_finished(now: float, recorder: Recorder) -> bool:
+        start = recorder.rows[0][0]
+        progress((now - start) / (stop_time - start))
         return True
 
     return step_finished

@@ -14,12 +14,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from pythonfmu.enums import Fmi2Status
-from pythonfmu.fmi2slave import Fmi2Slave
-
 from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
 
 from . import snapshot, status
+from .log import LoggedSlave, sentence
 
 MODEL_FILE = "model.bin"
 INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = range(4)
@@ -27,15 +25,13 @@ ZERO = {"Real": 0.0, "Integer": 0, "Boolean": False, "String": ""}
 STOP_SLACK = 1e-9  # of the stop time: communication points are sums with round-off
 
 
-class Slave(Fmi2Slave):
+class Slave(LoggedSlave):
     """One instance of the FMU. fmi2Reset is a new object of this class."""
-
-    log_categories = status.LOG_CATEGORIES
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
         self._model = Model.from_bytes(Path(self.resources or ".", MODEL_FILE).read_bytes())
-        self._integrator = Integrator(self._model, log=self._warn)
+        self._integrator = Integrator(self._model, log=self.warn)
         self._phase = INSTANTIATED
         self._start_time: float | None = None
         self._latest = sys.float_info.max  # no communication step ends after this
@@ -58,35 +54,34 @@ class Slave(Fmi2Slave):
     def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
         """Take start and stop time; the tolerance has no meaning for a method of fixed step."""
         if self._phase != INSTANTIATED:
-            self._error("setupExperiment was ignored: it belongs before the initialization mode")
+            self.error("setupExperiment was ignored: it belongs before the initialization mode")
             return
         self._start_time, self._assembled = start_time, False
         if stop_time is not None:
             self._latest = stop_time + STOP_SLACK * max(abs(stop_time), abs(start_time))
         if tolerance is not None:
-            self._log(
+            self.note(
                 f"tolerance {tolerance!r} has no effect: the accuracy of a run is set by the "
-                "parameter solver.step_size",
-                Fmi2Status.ok,
+                "parameter solver.step_size"
             )
 
     def enter_initialization_mode(self) -> None:
         """Begin initialisation; outputs may be read from now on."""
         if self._phase != INSTANTIATED:
-            self._error("enterInitializationMode was ignored: reset the instance first")
+            self.error("enterInitializationMode was ignored: reset the instance first")
             return
         self._phase = INITIALIZING
 
     def exit_initialization_mode(self) -> None:
         """Assemble the mechanism with the parameters that have arrived."""
         if self._phase != INITIALIZING:
-            self._error("exitInitializationMode was ignored: enterInitializationMode comes first")
+            self.error("exitInitializationMode was ignored: enterInitializationMode comes first")
             return
         self._phase = STEPPING
         try:
             self._assemble()
         except Exception as error:
-            self._refuse(["assembly"], status.ASSEMBLY_FAILED, _sentence(error))
+            self._refuse(["assembly"], status.ASSEMBLY_FAILED, sentence(error))
 
     def _assemble(self) -> None:
         self._integrator.initialise(self._start_time)
@@ -110,11 +105,11 @@ class Slave(Fmi2Slave):
             code = 0 if self._integrator.status else status.STEP_REFUSED
             return self._discard(code, str(error))
         except AssemblyError as error:
-            return self._discard(status.ASSEMBLY_FAILED, _sentence(error))
+            return self._discard(status.ASSEMBLY_FAILED, sentence(error))
         except KeyboardInterrupt:
             return self._discard(status.INTERRUPTED, f"interrupted at t = {current_time!r} s")
         except Exception as error:
-            return self._discard(status.INTERNAL_FAULT, _sentence(error))
+            return self._discard(status.INTERNAL_FAULT, sentence(error))
         self._status = 0
         return True
 
@@ -136,7 +131,7 @@ class Slave(Fmi2Slave):
 
     def _discard(self, code: int, text: str) -> bool:
         self._status = code
-        self._log(text, Fmi2Status.discard)
+        self.discard(text)
         return False
 
     def terminate(self) -> None:
@@ -187,10 +182,10 @@ class Slave(Fmi2Slave):
             values = self._integrator.get(vrs)
         except AssemblyError as error:
             self._status = status.ASSEMBLY_FAILED
-            self._error(_sentence(error))
+            self.error(sentence(error))
             return self._substitutes(kind, vrs)
         except Exception as error:
-            self._error(_sentence(error))
+            self.error(sentence(error))
             return self._substitutes(kind, vrs)
         if self._status and self._status_index in vrs:
             values = [
@@ -219,7 +214,7 @@ class Slave(Fmi2Slave):
             self._check_phase(vrs)
             self._integrator.set(vrs, values)
         except Exception as error:
-            self._refuse(vrs, status.VALUE_REFUSED, _sentence(error))
+            self._refuse(vrs, status.VALUE_REFUSED, sentence(error))
             return
         if self._phase < STEPPING:
             self._assembled = False
@@ -247,7 +242,7 @@ class Slave(Fmi2Slave):
         try:
             state = self._integrator.save()
         except Exception as error:
-            self._error(f"the state cannot be saved: {_sentence(error)}")
+            self.error(f"the state cannot be saved: {sentence(error)}")
             state = b""
         header = {
             "phase": self._phase,
@@ -263,7 +258,7 @@ class Slave(Fmi2Slave):
             header, data = snapshot.unpack(state)
             self._integrator.restore(data)
         except Exception as error:
-            self._refuse(["state"], status.STATE_REFUSED, _sentence(error))
+            self._refuse(["state"], status.STATE_REFUSED, sentence(error))
             return
         self._phase = header["phase"]
         self._start_time = header["start_time"]
@@ -279,28 +274,10 @@ class Slave(Fmi2Slave):
     def _fmu_state_from_bytes(state: bytes) -> Any:
         return state
 
-    # ------------------------------------------------------------------------------------ log
+    # ------------------------------------------------------------------------------- refusals
 
     def _refuse(self, what: Sequence[int | str], code: int, text: str) -> None:
         """Remember a refusal: no step is taken while it stands."""
         self._status = code
         self._refusals.update(dict.fromkeys(what, text))
-        self._error(text)
-
-    def _error(self, text: str) -> None:
-        self._log(text, Fmi2Status.error)
-
-    def _warn(self, text: str) -> None:
-        self._log(text, Fmi2Status.warning)
-
-    def _log(self, text: str, level: Fmi2Status) -> None:
-        # pythonfmu hands the text to a C function as its printf format, encoded strictly.
-        safe = text.encode("utf-8", "replace").decode().replace("%", "%%")
-        self.log(safe, level)
-
-
-def _sentence(error: BaseException) -> str:
-    """One line for an expected error; for an unexpected one also its type, for the report."""
-    if isinstance(error, AssemblyError | OptionError | StepError | snapshot.SnapshotError):
-        return "; ".join(str(error).splitlines())
-    return f"fault of this program, please report it: {type(error).__name__}: {error}"
+        self.error(text)

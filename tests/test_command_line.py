@@ -17,6 +17,8 @@ import solver
 from build_fmu import build, demo, payload
 from build_fmu.command_line import main, setting
 from build_fmu.export import VERSION
+from build_fmu.report import progress_bar
+from build_fmu.run import run_fmu
 from build_fmu.structure import constraint_jacobian, structure
 from solver.runtime import Integrator
 from tests.fmu_instance import SCENES, scene_fmu
@@ -93,6 +95,7 @@ def test_a_bad_scene_ends_with_2_and_its_report(capsys, tmp_path):
         ("validate", PENDULUM),
         ("check", PENDULUM, "--step", "-1"),
         ("simulate", PENDULUM, "--stop", "-1"),
+        ("simulate", PENDULUM, "--csv", "-", "--json"),
     ],
     ids=" ".join,
 )
@@ -272,3 +275,20 @@ def test_the_demonstration_comes_to_its_end(capsys):
     out = capsys.readouterr().out
     assert "largest energy error" in out
     assert "finished" in out
+
+
+def test_progress_runs_from_0_to_1():
+    parts = []
+    run_fmu(scene_fmu("four_bar"), stop_time=1.0, step_size=0.25, progress=parts.append)
+    assert parts == pytest.approx([0.25, 0.5, 0.75, 1.0])
+
+
+def test_progress_is_shown_on_a_terminal_only(capsys, monkeypatch):
+    with progress_bar("title") as progress:
+        assert progress is None
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
+    with progress_bar("title") as progress:
+        progress(0.5)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "title" in err

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from build_fmu.errors import UNFINISHED
+from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
 from build_fmu.target import runnable
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 
 def run(arguments: argparse.Namespace) -> int:
     """Simulate; exit code 3 if the run ends before its stop time."""
+    if arguments.csv == "-" and arguments.json:
+        text = "--csv - and --json both want stdout; name a file for one of them"
+        raise UsageError(text)
     result = simulate(arguments)
     if arguments.csv == "-":
         write_csv(result.values, sys.stdout)
@@ -48,7 +51,7 @@ def simulate(arguments: argparse.Namespace) -> Run:
     settings = dict(arguments.settings)
     with (
         runnable(arguments.target, settings) as (path, left),
-        progress_bar(f"simulating {Path(path).stem}", arguments.stop) as progress,
+        progress_bar(f"simulating {Path(path).stem}") as progress,
     ):
         return run_fmu(
             path,
