@@ -1,0 +1,57 @@
+"""The state's block of doubles as NumPy arrays, and sums that keep what rounding leaves over."""
+
+from __future__ import annotations
+
+import ctypes
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..model import Model
+from ..options import CHOICES
+from ..state import State
+
+Array = NDArray[np.float64]
+
+
+def add(high: Array, low: Array, x: Array | float) -> None:
+    """Add x to the sum high + low (both modified), which keeps about twice the digits (Knuth)."""
+    y = x + low
+    s = high + y
+    t = s - high
+    low[...] = (high - (s - t)) + (y - t)
+    high[...] = s
+
+
+class Motion:
+    """Views of a state: q, q_low, v, v_low (n,), a and mu of either half of a pair, turns.
+
+    Writing to them writes the state.
+    """
+
+    def __init__(self, model: Model, block: ctypes.Array[ctypes.c_double]) -> None:
+        named = State(model, block)
+        self.head = named.head
+        self.block = np.asarray(memoryview(block).cast("B").cast("d"))
+        vectors = {name: np.asarray(view) for name, view in named.vectors.items()}
+        self.vectors = vectors
+        self.q, self.q_low = vectors["q"], vectors["q_low"]
+        self.v, self.v_low = vectors["v"], vectors["v_low"]
+        self.a = (vectors["a_first"], vectors["a_second"])
+        self.mu = (vectors["mu_first"], vectors["mu_second"])
+        self.turns = vectors["turns"]
+
+    @property
+    def formulation(self) -> str:
+        """Name of the formulation."""
+        return CHOICES["formulation"][int(self.head["formulation"])]
+
+    def count(self, name: str, number: int = 1) -> None:
+        """Add to a counter of the head."""
+        self.head[name] += number
+
+    def book(self, account: str, amount: float) -> None:
+        """Add to an account of the energy ledger [J]."""
+        high, low = (np.array(self.head[name]) for name in (account, f"{account}_low"))
+        add(high, low, amount)
+        self.head[account], self.head[f"{account}_low"] = float(high), float(low)

@@ -1,0 +1,131 @@
+"""Solves one step: the nested Uzawa iteration of section 2.2 of the paper, or the simultaneous one.
+
+Nested: Newton's iteration with lam held fixed, then lam is updated, until the rows hold.
+Simultaneous: lam follows every Newton increment.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import Status
+from .equations import Equations
+from .forces import UnsolvedError
+from .mechanism import Mechanism
+from .state import Motion
+
+Array = NDArray[np.float64]
+
+EPSILON = float(np.finfo(np.float64).eps)
+
+MARGIN = 1e-5
+"""What is left when an iteration ends, over the tolerance: it adds up over steps in the energy."""
+
+
+class Step:
+    """One step of length h from the present state; `solve` leaves w, mu and `equations`."""
+
+    def __init__(self, mechanism: Mechanism, motion: Motion, h: float, half: int) -> None:
+        self.mechanism, self.motion, self.h, self.half = mechanism, motion, h, half
+        self.head = motion.head
+        self.equations = Equations(mechanism, motion, h)
+        # v and mu have a part of alternating sign: predict from the same half of the last pair.
+        self.w = 0.5 * h**2 * motion.a[half]
+        self.mu = motion.mu[half].copy()
+        self.paper_update = bool(self.head["paper_update"])
+        self.simultaneous = bool(self.head["simultaneous"])
+        self.target = self.head["tolerance"] * np.sqrt(
+            mechanism.norm(self.equations.d(self.w)) ** 2
+            + 2.0 * h**2 * self.head["energy_reference"]
+        )
+        self.floor = 32.0 * EPSILON * float(mechanism.section["extent"][1])
+
+    @property
+    def d(self) -> Array:
+        """Increment q_n1 - q_n."""
+        return self.equations.d(self.w)
+
+    def first_multipliers(self) -> Array:
+        """Multipliers lam to begin with, such that the total ones begin with the last ones."""
+        equations = self.equations
+        if not equations.augmented:
+            return np.zeros_like(self.mu)
+        if equations.conserving and not self.paper_update:
+            return self.mu - 0.5 * equations.alpha * equations.phi_n
+        return self.mu.copy()
+
+    def updated(self, lam: Array) -> Array:
+        """Uzawa update of lam.
+
+        "paper" is eq 16, lam + alpha (Phi_n + Phi_n1)/2: its fixed point is Phi_n1 = -Phi_n. "end"
+        is lam + alpha Phi_n1/2, with the fixed point Phi_n1 = 0. They agree if Phi_n = 0.
+        """
+        equations = self.equations
+        if not equations.augmented:
+            return lam
+        if not equations.conserving:
+            return lam + equations.alpha * equations.phi_mid(self.w)
+        if self.paper_update:
+            return lam + 0.5 * equations.alpha * (equations.phi_n + equations.phi_n1(self.w))
+        return lam + 0.5 * equations.alpha * equations.phi_n1(self.w)
+
+    def defect(self) -> float:
+        """Largest |Phi|/l^2 of the rows that the update drives to zero."""
+        equations = self.equations
+        if equations.conserving and not self.paper_update:
+            phi = equations.phi_n1(self.w)
+        else:
+            phi, _ = equations.C(self.w)
+        return float(np.max(np.abs(phi) / self.mechanism.row_scale, initial=0.0))
+
+    def newton_increment(self, lam: Array) -> float:
+        """Add one Newton increment to w and mu; return its size in the mass norm."""
+        residual = self.equations.residual(self.w, self.mu, lam)
+        tangent = self.equations.tangent(self.w, self.mu)
+        try:
+            increment: Array = np.linalg.solve(tangent, -residual).astype(np.float64)
+        except np.linalg.LinAlgError:
+            raise UnsolvedError(Status.SINGULAR_TANGENT) from None
+        self.w = self.w + increment[: self.mechanism.n]
+        self.mu = self.mu + increment[self.mechanism.n :]
+        self.motion.count("newton_iterations")
+        size = self.mechanism.norm(increment[: self.mechanism.n])
+        if not size < 1e150:
+            raise UnsolvedError(Status.NOT_FINITE)
+        return size
+
+    def newton(self, lam: Array) -> Array:
+        """Iterate until increments below the tolerance stop shrinking; return lam."""
+        previous, tolerance, size = np.inf, self.head["tolerance"], np.inf
+        for _ in range(int(self.head["max_newton"])):
+            size = self.newton_increment(lam)
+            stalled = size > 0.5 * previous and size <= max(self.target, self.floor)
+            done, previous = stalled or size <= MARGIN * self.target, size
+            if self.simultaneous and self.equations.augmented:
+                lam = self.updated(lam)
+                done = done and self.defect() <= (tolerance if stalled else MARGIN * tolerance)
+            if done:
+                return lam
+        # The motion may have settled and the rows still not hold: only if lam is updated along.
+        raise UnsolvedError(
+            Status.UZAWA_DIVERGED if size <= self.target else Status.NEWTON_DIVERGED
+        )
+
+    def solve(self) -> None:
+        """Solve the step; raises `UnsolvedError`."""
+        tolerance, last = self.head["tolerance"], np.inf
+        lam = self.newton(self.first_multipliers())
+        if self.simultaneous or not self.equations.augmented:
+            return
+        for _ in range(int(self.head["max_uzawa"])):
+            defect = self.defect()
+            if not defect < np.inf:
+                raise UnsolvedError(Status.NOT_FINITE)
+            if defect <= MARGIN * tolerance or 0.5 * last < defect <= tolerance:
+                return
+            last = defect
+            self.motion.count("uzawa_iterations")
+            lam = self.newton(self.updated(lam))
+        if not self.defect() <= tolerance:
+            raise UnsolvedError(Status.UZAWA_DIVERGED)
