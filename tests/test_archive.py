@@ -167,6 +167,31 @@ def test_a_second_instance_does_not_need_the_first_ones_folder():
     assert not any("resources" in entry for entry in sys.path)
 
 
+def test_without_a_kernel_for_the_platform_numpy_steps_in_and_says_so(tmp_path):
+    def move_kernel(path, data):
+        return path.replace("/_kernel/", "/elsewhere/"), data
+
+    slow = repack(pendulum(), tmp_path / "slow.fmu", move_kernel)
+    with instance(slow) as without, instance(pendulum()) as fmu:
+        for each in (without, fmu):
+            each.initialise(push=2.0)
+        assert any("NumPy" in text for _, category, text in without.log if "Warning" in category)
+        for ours, theirs in zip(without.run(0.0, 0.1, 5), fmu.run(0.0, 0.1, 5), strict=True):
+            assert ours == pytest.approx(theirs, abs=1e-9)
+
+
+def test_a_damaged_archive_is_not_instantiated_and_harms_nothing(tmp_path):
+    def cut_model(path, data):
+        return path, data[:100] if path.endswith("model.bin") else data
+
+    damaged = repack(pendulum(), tmp_path / "damaged.fmu", cut_model)
+    with pytest.raises(Exception, match="Failed to instantiate"), instance(damaged):
+        pass
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+
+
 # ------------------------------------------------------------------------------- bare Python
 
 
