@@ -203,11 +203,12 @@ def test_symbols_and_calls_are_found_even_where_they_fold_away():
     reading = read("0*foo + distance(A, B)/A.x")
     assert symbols(reading.number) == {"A.x"}
     assert {str(call) for call in calls(reading.number)} == {"distance(A, B)"}
-    assert [(m.name, m.column, m.part) for m in reading.mentions] == [
-        ("foo", 3, False),
-        ("A", 18, True),
-        ("B", 21, True),
-        ("A.x", 24, False),
+    assert [(m.name, m.column, m.role) for m in reading.mentions] == [
+        ("foo", 3, "symbol"),
+        ("distance", 9, "function"),
+        ("A", 18, "part"),
+        ("B", 21, "part"),
+        ("A.x", 24, "symbol"),
     ]
 
 

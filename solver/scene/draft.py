@@ -101,8 +101,8 @@ class Draft:
         kind, value = detail["type"], detail["input"]
         about = detail.get("ctx", {})
         if kind == "missing":
-            example = model.model_fields[str(location[-1])].examples or ["..."]
-            self.error(path, f"'{location[-1]}' is missing", f"write {location[-1]} = {example[0]}")
+            name = str(location[-1])
+            self.error(path, f"'{name}' is missing", self._example(model, name))
             return
         if kind == "extra_forbidden":
             help = did_you_mean(str(location[-1]), model.model_fields, "known fields")
@@ -116,9 +116,18 @@ class Draft:
             self.error(place, about["message"], about.get("help"), about.get("mark", ("", 1)))
         else:
             rule = _EXPECTED.get(kind, detail["msg"])
-            examples = model.model_fields[str(detail["loc"][0])].examples
-            help = f"write {detail['loc'][0]} = {examples[0]}" if examples else None
-            self.error(place, f"{rule}, got {shown(value)}", help if len(location) == 1 else None)
+            help = self._example(model, str(detail["loc"][0])) if len(location) == 1 else None
+            self.error(place, f"{rule}, got {shown(value)}", help)
+
+    def _example(self, model: type[Part], name: str) -> str | None:
+        """Say how a field is written; a vector has as many numbers as the scene has dimensions."""
+        examples = model.model_fields[name].examples
+        if not examples:
+            return None
+        text = shown(examples[0]).replace("'", '"')
+        if self.data.get("dimension") == 2:
+            text = text.replace("[0, ", "[", 1)
+        return f"write {name} = {text}"
 
 
 def _existing(location: Path, data: Any) -> Path:

@@ -66,7 +66,7 @@ class Elements:
         """Return the zero vector of the scene's dimension."""
         return (0.0,) * (self.dimension or 3)
 
-    def vector(self, path: Path, readings: Any, place: Place, unit: str = "") -> Vector:
+    def vector(self, path: Path, readings: Any, place: Place) -> Vector:
         """Read a vector of the scene's dimension."""
         wanted = self.dimension or 3
         if readings is BROKEN:
@@ -75,8 +75,7 @@ class Elements:
             message = f"must have {wanted} numbers in dimension {wanted}, got {len(readings)}"
             self.draft.error(path, message)
         return tuple(
-            self.numbers.number((*path, i), reading, place, None, unit)
-            for i, reading in enumerate(readings)
+            self.numbers.number((*path, i), reading, place) for i, reading in enumerate(readings)
         )
 
     def _point(self, name: str, part: schema.Point) -> Point:
@@ -123,7 +122,7 @@ class Elements:
             else:
                 self._known_point((*path, "points", i), point)
         if first == second:
-            self.draft.error((*path, "points"), f"both ends are the point '{first}'")
+            self.draft.error((*path, "points"), f"both ends are '{first}'")
         elif {first, second} <= self.fixed:
             message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
             self.draft.error((*path, "points"), message)

@@ -90,4 +90,4 @@ VectorOrVectors = Annotated[
     | Annotated[list[Vector], Tag("vectors")],
     Discriminator(_shape),
 ]
-Two = Annotated[list[str], Field(min_length=2, max_length=2, examples=['["A", "B"]'])]
+Two = Annotated[list[str], Field(min_length=2, max_length=2, examples=[["A", "B"]])]

@@ -11,7 +11,7 @@ import re
 import warnings
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import NoReturn
+from typing import Literal, NoReturn
 
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS, ExpressionError
 from solver.scene.tree import Expr, Number, operate, symbol
@@ -40,11 +40,11 @@ _REFUSED: dict[type[ast.AST], tuple[str, str | None]] = {
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A name as it stands in the text: a symbol, or a part named in ``distance(A, B)``."""
+    """A name as it stands in the text: a symbol, or distance, A or B of distance(A, B)."""
 
     name: str
     column: int
-    part: bool = False
+    role: Literal["symbol", "function", "part"] = "symbol"
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,5 +208,6 @@ class _Reader:
             return self.operate(node, name, *node.args)
         parts = [self.name(part) for part in node.args]
         columns = [self.column(part) for part in node.args]
-        self.mentions += [Mention(p, c, part=True) for p, c in zip(parts, columns, strict=True)]
+        self.mentions.append(Mention(name, self.column(node), "function"))
+        self.mentions += [Mention(p, c, "part") for p, c in zip(parts, columns, strict=True)]
         return Expr("call", (name, *parts))

@@ -104,7 +104,7 @@ class Numbers:
         number, values = reading.number, self.known.values
         if isinstance(number, float):
             return number
-        if any(mention.part or mention.name not in values for mention in reading.mentions):
+        if any(mention.name not in values for mention in reading.mentions):
             return None
         try:
             return evaluate(number, values)
@@ -117,15 +117,18 @@ class Numbers:
         """Report every name in an expression that is unknown or out of place."""
         fine = True
         for mention in reading.mentions:
-            verdict = self._part(mention, place) if mention.part else self._symbol(mention, place)
+            judge = self._symbol if mention.role == "symbol" else self._call
+            verdict = judge(mention, place)
             if verdict is not None:
                 fine = False
                 self.draft.error(path, *verdict, (reading.text, mention.column))
         return fine
 
-    def _part(self, mention: Mention, place: Place) -> tuple[str, str | None] | None:
-        if not place.mechanism:
-            return "a distance between points is possible only in outputs", None
+    def _call(self, mention: Mention, place: Place) -> tuple[str, str | None] | None:
+        """Judge a function of the mechanism: where it stands, and which parts it names."""
+        if mention.role == "function":
+            words = f"{mention.name}() is possible only in outputs"
+            return None if place.mechanism else (words, None)
         if self.known.parts.get(mention.name) == "point":
             return None
         help = did_you_mean(mention.name, self.known.of("point"), "known points")

@@ -153,8 +153,10 @@ class _Scanner:
 
 def _unquoted(key: str) -> str:
     """Meaning of a key; escapes of TOML's basic strings that JSON lacks stay as written."""
+    if key.startswith("'"):
+        return key[1:-1]
     if not key.startswith('"'):
-        return key.strip("'")
+        return key
     try:
         return json.loads(key)
     except ValueError:

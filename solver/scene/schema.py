@@ -39,7 +39,7 @@ class Part(BaseModel):
 class Parameter(Part):
     """A number with a name, settable in the FMU."""
 
-    value: Expression = Field(examples=["1.0"])
+    value: Expression = Field(examples=[1.0])
     unit: str = ""
     description: str = ""
     min: Expression | None = None
@@ -60,8 +60,8 @@ class Input(Part):
 class Point(Part):
     """A point, free or fixed to the ground."""
 
-    position: Vector = Field(examples=["[0, 0]"], description="m, as drawn")
-    velocity: Vector | None = Field(None, examples=["[0, 0]"], description="m/s at the start")
+    position: Vector = Field(examples=[[0, 0, 0]], description="m, as drawn")
+    velocity: Vector | None = Field(None, examples=[[0, 0, 0]], description="m/s at the start")
     mass: Expression | None = Field(None, description="kg")
     fixed: bool = False
 
@@ -71,7 +71,7 @@ class Bar(Part):
 
     type: Literal["bar"]
     points: Two
-    mass: Expression = Field(examples=["1.0"], description="kg")
+    mass: Expression = Field(examples=[1.0], description="kg")
 
 
 class Distance(Part):
@@ -89,7 +89,7 @@ class Spring(Part):
     type: Literal["spring"]
     points: Two
     at: VectorOrVectors | None = Field(None, description="place of 'ground'")
-    stiffness: Expression = Field(examples=["100.0"], description="N/m")
+    stiffness: Expression = Field(examples=[100.0], description="N/m")
     free_length: Expression | None = Field(None, description="m; as drawn unless given")
 
 
@@ -99,31 +99,31 @@ class Damper(Part):
     type: Literal["damper"]
     points: Two
     at: VectorOrVectors | None = Field(None, description="place of 'ground'")
-    damping: Expression = Field(examples=["1.0"], description="N.s/m")
+    damping: Expression = Field(examples=[1.0], description="N.s/m")
 
 
 class Force(Part):
     """A force on a point, in global axes."""
 
     type: Literal["force"]
-    point: str = Field(examples=['"A"'])
-    value: Vector = Field(examples=["[0, 1]"], description="N")
+    point: str = Field(examples=["A"])
+    value: Vector = Field(examples=[[0, 0, 1]], description="N")
 
 
 class Torque(Part):
     """A torque on a bar."""
 
     type: Literal["torque"]
-    body: str = Field(examples=['"crank"'])
+    body: str = Field(examples=["crank"])
     value: NumberOrVector = Field(
-        examples=["1.0"], description="N.m: a number in 2-D, a vector in 3-D"
+        examples=[1.0], description="N.m: a number in 2-D, a vector in 3-D"
     )
 
 
 class Output(Part):
     """An expression over the mechanism."""
 
-    value: Expression = Field(examples=['"A.x"'])
+    value: Expression = Field(examples=["A.x"])
     unit: str = ""
     description: str = ""
 
@@ -160,11 +160,11 @@ class Heading(Part):
     """What a scene says about itself as a whole."""
 
     name: str = Field(
-        examples=['"double_pendulum"'], json_schema_extra={"pattern": "^[A-Za-z][A-Za-z0-9_]*$"}
+        examples=["double_pendulum"], json_schema_extra={"pattern": "^[A-Za-z][A-Za-z0-9_]*$"}
     )
     description: str = ""
     dimension: Literal[2, 3] = 3
-    gravity: Vector | None = Field(None, examples=["[0, -9.81]"], description="m/s2")
+    gravity: Vector | None = Field(None, examples=[[0, 0, -9.81]], description="m/s2")
 
 
 class File(Heading):
