@@ -100,7 +100,7 @@ class Instance:
 
     def _hear(self, _environment, _name, status, category, message) -> None:
         text = message.decode() % ()  # a printf format, which must not ask for arguments
-        self.log.append((status, category.decode(), text))
+        self.log.append((status, (category or b"").decode(), text))
 
     def initialise(self, start=0.0, stop=None, **values) -> None:
         """Set values and go through the initialization mode."""
