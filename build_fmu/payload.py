@@ -36,6 +36,10 @@ _IMPORT = re.compile(
     re.MULTILINE,
 )
 _SLAVE_MODULE = """import ctypes
+import sys
+
+if sys.version_info < (3, 10):
+    raise RuntimeError("this FMU needs Python 3.10 or newer, and this is " + sys.version)
 
 from {package}.slave import Slave as Slave
 

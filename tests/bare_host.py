@@ -11,7 +11,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-LOGGER = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
+LOGGER = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2, ctypes.c_int, *[ctypes.c_char_p] * 2)
 ALLOCATE = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t)
 FREE = ctypes.CFUNCTYPE(None, ctypes.c_void_p)
 
@@ -32,11 +32,13 @@ def main(folder: Path, name: str, steps: int, size: float) -> str:
     """Hash of the last outputs."""
     library = ctypes.CDLL(str(next(folder.glob(f"binaries/*64/{name}.so"))))
     library.fmi2Instantiate.restype = ctypes.c_void_p
-    callbacks = Callbacks(LOGGER(lambda *_: None), ALLOCATE(lambda *_: None), FREE(lambda _: None))
+    callbacks = Callbacks(LOGGER(_say), ALLOCATE(lambda *_: None), FREE(lambda _: None))
     location = (folder / "resources").as_uri().encode()
     component = ctypes.c_void_p(
         library.fmi2Instantiate(b"bare", 1, b"", location, ctypes.byref(callbacks), 0, 0)
     )
+    if not component:
+        sys.exit("fmi2Instantiate gave no instance")
     references = output_references(folder)
     real = ctypes.c_double
     library.fmi2SetupExperiment(component, 0, real(0.0), real(0.0), 0, real(0.0))
@@ -52,6 +54,10 @@ def main(folder: Path, name: str, steps: int, size: float) -> str:
     library.fmi2FreeInstance(component)
     assert "numpy" not in sys.modules
     return hashlib.sha256(repr(list(values)).encode()).hexdigest()
+
+
+def _say(_environment, _instance, _status, _category, message) -> None:
+    sys.stderr.write(message.decode() + "\n")
 
 
 def output_references(folder: Path) -> list[int]:
