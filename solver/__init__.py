@@ -12,6 +12,13 @@
 from __future__ import annotations
 
 from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from solver.mechanics import assemble
+    from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
+    from solver.scene import Scene, SceneError, load, loads
+    from solver.trajectory import Trajectory, simulate
 
 _HOMES = {
     "AssemblyError": "solver.runtime",
@@ -28,7 +35,20 @@ _HOMES = {
     "simulate": "solver.trajectory",
 }
 
-__all__ = list(_HOMES)  # pyright: ignore[reportUnsupportedDunderAll]
+__all__ = [
+    "AssemblyError",
+    "Integrator",
+    "Model",
+    "OptionError",
+    "Scene",
+    "SceneError",
+    "StepError",
+    "Trajectory",
+    "assemble",
+    "load",
+    "loads",
+    "simulate",
+]
 
 
 def __getattr__(name: str) -> object:

@@ -1,8 +1,9 @@
-"""The variable table: the names a user writes in a scene are those that the mechanism answers to."""
+"""The variable table: a scene's names are those that the mechanism answers to."""
 
 from pathlib import Path
 
 import pytest
+
 import solver
 from solver.mechanics.parts import collect
 from solver.mechanics.variables import meanings, measured

@@ -8,8 +8,8 @@ from array import array
 from collections.abc import Callable, Sequence
 
 from .assembly_checks import broken_rules, contradicted_rows
-from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
 from .engine import Engine
+from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
