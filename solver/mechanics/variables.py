@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from solver.mechanics.parts import Parts
 from solver.mechanics.tape import Segment
 from solver.runtime.model import Variable
-from solver.runtime.options import DEFAULTS, RANGES
+from solver.runtime.options import DEFAULTS, MEANINGS, RANGES
 from solver.scene import Expr, Number, Scene
 from solver.scene.expression import sqrt, symbol
 
@@ -151,9 +151,9 @@ def _settings(scene: Scene) -> Iterator[Variable]:
     for name, default in DEFAULTS.items():
         start = getattr(scene.solver, name, default)
         kind = {str: "String", bool: "Boolean"}.get(type(start), "Real")
-        _, _, unit, text = RANGES.get(name, (0, 0, "", f"{name.replace('_', ' ')} of the solver"))
+        unit = RANGES[name][2] if name in RANGES else ""
         yield Variable(
             name=f"solver.{name}", type=kind, causality="parameter", variability="fixed",
-            unit=unit, description=text, start=float(start) if kind == "Real" else start,
+            unit=unit, description=MEANINGS[name], start=float(start) if kind == "Real" else start,
             kind="option",
         )  # fmt: skip

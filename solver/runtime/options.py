@@ -37,6 +37,15 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
 }
 """Settings that are numbers: above the first, up to the second, unit, meaning."""
 
+MEANINGS = {
+    "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),
+    "algorithm": "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
+    "multiplier_update": "with the constraint at the end of the step (end) or its mean (paper)",
+    "paired": "advance by pairs of half steps, which makes velocities smooth",
+    **{name: text for name, (_, _, _, text) in RANGES.items()},
+}
+"""What each setting means."""
+
 WHOLE = ("max_newton", "max_uzawa")
 
 DEFAULTS: dict[str, str | bool | float] = {
