@@ -10,7 +10,6 @@ import sys
 import zipfile
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import solver
@@ -19,8 +18,6 @@ from build_fmu.command_line import main, setting
 from build_fmu.export import VERSION
 from build_fmu.report import progress_bar
 from build_fmu.run import run_fmu
-from build_fmu.structure import constraint_jacobian, structure
-from solver.runtime import Integrator
 from tests.fmu_instance import SCENES, scene_fmu
 
 ROOT = SCENES.parent
@@ -215,18 +212,6 @@ def test_info_counts_redundant_rows(capsys, tmp_path):
     lines = [line.split() for line in out.splitlines()]
     assert ["redundant", "rows", "1"] in [line[:3] for line in lines]
     assert ["degrees", "of", "freedom", "1"] in lines
-
-
-def test_the_jacobian_of_info_is_that_of_the_constraints():
-    model = solver.assemble(solver.load(SCENES / "bifilar.toml"))
-    integrator = Integrator(model)
-    integrator.initialise()
-    start = model.offsets["initial_velocity"]
-    velocities = np.asarray(integrator.engine.numbers)[start:][: structure(model).coordinates]
-    _, rates = integrator.engine.residuals()
-    start = model.offsets["row_scale"]
-    lengths = np.sqrt(np.asarray(integrator.engine.numbers)[start:][: len(rates)])
-    assert constraint_jacobian(model) @ velocities * lengths == pytest.approx(rates, abs=1e-12)
 
 
 def test_validate_lists_the_findings(capsys, tmp_path):

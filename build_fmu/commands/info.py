@@ -9,15 +9,17 @@ from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json, print_table
-from build_fmu.structure import Structure, structure
 from build_fmu.target import fmu_model, is_fmu, scene_model
 
 if TYPE_CHECKING:
+    from solver.mechanics.survey import Survey
     from solver.runtime import Model, Variable
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Describe; exit code 0."""
+    from solver.mechanics.survey import survey
+
     if not is_fmu(arguments.target):
         model = scene_model(arguments.target, dict(arguments.settings))
     elif arguments.settings:
@@ -25,30 +27,41 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(text)
     else:
         model = fmu_model(arguments.target)
-    counts = structure(model)
+    counts = survey(model)
     if arguments.json:
         print_json(_document(model, counts))
     else:
-        print_table(f"{model.name}: {model.description}".rstrip(": "), ("", ""), _counts(counts))
+        print_table(
+            f"{model.name}: {model.description}".rstrip(": "), ("", ""), _rows(model, counts)
+        )
         columns = ("variable", "unit", "kind", "start", "meaning")
         print_table("variables", columns, [_row(variable) for variable in model.variables])
     return 0
 
 
-def _counts(counts: Structure) -> list[tuple[str, str]]:
-    redundant = str(counts.redundant_rows)
-    if counts.redundant_rows:
-        redundant += "  (accepted; reactions of dependent rows are not unique)"
+def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
+    redundant, freedom = counts.redundant_rows, counts.degrees_of_freedom
+    note = "  (accepted; reactions of dependent rows are not unique)" if redundant else ""
     return [
-        ("dimension", str(counts.dimension)),
-        ("bodies", _names(counts.bodies)),
-        ("joints", _names(counts.joints)),
-        ("points", f"{counts.points} free, {counts.fixed_points} fixed"),
-        ("coordinates", str(counts.coordinates)),
+        ("bodies", _names(_parts(model, "body"))),
+        ("joints", _names(_parts(model, "joint"))),
+        ("points", f"{counts.moving_points} moving, {counts.supports} fixed"),
+        ("springs and dampers", str(counts.springs_and_dampers)),
+        ("loads and torques", str(counts.loads_and_torques)),
+        ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per moving point)"),
         ("constraint rows", str(counts.rows)),
-        ("redundant rows", redundant),
-        ("degrees of freedom", str(counts.degrees_of_freedom)),
+        (
+            "redundant rows",
+            "not counted: too many rows" if redundant is None else f"{redundant}{note}",
+        ),
+        ("degrees of freedom", "not counted" if freedom is None else str(freedom)),
     ]
+
+
+def _parts(model: Model, kind: str) -> list[str]:
+    """Names of the bodies or joints that bring constraint rows."""
+    labels = (label.partition(" ") for label in dict.fromkeys(model.row_names))
+    return [name.strip("'") for word, _, name in labels if word == kind]
 
 
 def _names(names: Sequence[str], most: int = 8) -> str:
@@ -64,13 +77,14 @@ def _row(variable: Variable) -> tuple[str, ...]:
     return variable.name, variable.unit, kind, start, variable.description
 
 
-def _document(model: Model, counts: Structure) -> dict[str, object]:
+def _document(model: Model, counts: Survey) -> dict[str, object]:
     return {
         "name": model.name,
         "description": model.description,
+        "dimension": model.sizes["dim"],
+        "bodies": _parts(model, "body"),
+        "joints": _parts(model, "joint"),
         **asdict(counts),
-        "redundant_rows": counts.redundant_rows,
-        "degrees_of_freedom": counts.degrees_of_freedom,
         "experiment": asdict(model.experiment),
         "variables": [
             {
