@@ -21,7 +21,7 @@ def broken_rules(model: Model, numbers: Doubles) -> list[str]:
 
 
 def _drawn(model: Model, numbers: Doubles, row: int) -> tuple[float, ...]:
-    """Return the drawn length of a row's link, and the velocities of its ends along it."""
+    """Return a row's drawn length, the velocities of its ends along it, and the larger speed."""
     dim, n_free = model.sizes["dim"], model.sizes["n_free"]
     offsets, tables = model.offsets, model.tables
     form = tables["row_form"][row]
@@ -40,7 +40,7 @@ def _drawn(model: Model, numbers: Doubles, row: int) -> tuple[float, ...]:
         sum(v * u for v, u in zip(moving, link, strict=True)) / (length or 1.0)
         for _, moving in sorted(ends)
     ]
-    return length, *speeds
+    return length, *speeds, max(math.hypot(*moving) for _, moving in ends)
 
 
 def contradicted_rows(model: Model, engine: Engine) -> list[str]:
@@ -48,14 +48,14 @@ def contradicted_rows(model: Model, engine: Engine) -> list[str]:
     problems = []
     for row, (name, phi, rate) in enumerate(zip(model.row_names, *engine.residuals(), strict=True)):
         scale = engine.numbers[model.offsets["row_scale"] + row]
-        length, first, second = _drawn(model, engine.numbers, row)
+        length, first, second, fastest = _drawn(model, engine.numbers, row)
         if not abs(phi) <= 2.0 * DRAWN * scale:
             problems.append(
                 f"{name}: length is {math.sqrt(scale):.12g} m, but its points are drawn "
                 f"{length:.12g} m apart; move a point, correct the length, or leave it out "
                 f"to take it as drawn"
             )
-        elif not abs(rate) <= 2.0 * DRAWN * math.sqrt(scale) * max(abs(first), abs(second)):
+        elif not abs(rate) <= 2.0 * DRAWN * math.sqrt(scale) * fastest:
             problems.append(
                 f"{name}: the velocities of its points contradict it: along it they are "
                 f"{first:.12g} m/s and {second:.12g} m/s, and must be equal"
