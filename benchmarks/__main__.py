@@ -1,0 +1,82 @@
+"""`python -m benchmarks [NAME ...] [--quick] [--output FOLDER]`: measure, print, write the page."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Sequence
+from importlib import import_module
+from pathlib import Path
+
+from benchmarks.effort import FULL, QUICK, Effort
+from benchmarks.machine import describe
+from benchmarks.report import Section, as_json, as_markdown
+
+SECTIONS = {
+    "steps": "benchmarks.steps",
+    "chains": "benchmarks.chains",
+    "fmu": "benchmarks.fmu",
+    "work-precision": "benchmarks.work_precision",
+    "formulations": "benchmarks.formulations",
+    "long-run": "benchmarks.long_run",
+    "instructions": "benchmarks.instructions",
+}
+"""Module of each benchmark; its function `measure` takes an effort and returns a section."""
+
+DOCS = Path(__file__).resolve().parents[1] / "docs"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    options = _options(arguments)
+    effort = QUICK if options.quick else FULL
+    machine = describe()
+    sections = [_measure(name, effort) for name in options.names or SECTIONS]
+    page = as_markdown(machine, effort.name, sections)
+    print(page)
+    complete = not options.names and not options.quick
+    folder = options.output or (DOCS if complete else None)
+    if folder:
+        folder.mkdir(parents=True, exist_ok=True)
+        results = as_json(machine, effort.name, sections)
+        (folder / "benchmarks.json").write_text(results, encoding="utf-8")
+        (folder / "benchmarks.md").write_text(page, encoding="utf-8")
+        _draw(sections, folder)
+        print(f"written: benchmarks.md and benchmarks.json in {folder}", file=sys.stderr)
+    return 0
+
+
+def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks",
+        description="Measure time and accuracy. A complete run writes docs/benchmarks.md and .json; "
+        "a part of it or a quick one only prints, unless --output says where to write.",
+    )
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"some of: {', '.join(SECTIONS)}")
+    parser.add_argument("--quick", action="store_true", help="small sizes, to try the programs")
+    parser.add_argument("--output", type=Path, metavar="FOLDER", help="where to write")
+    options = parser.parse_args(arguments)
+    unknown = [name for name in options.names if name not in SECTIONS]
+    if unknown:
+        parser.error(f"no benchmark {unknown[0]!r}; there are {', '.join(SECTIONS)}")
+    return options
+
+
+def _measure(name: str, effort: Effort) -> Section:
+    begin = time.perf_counter()
+    print(f"{name} ...", end=" ", file=sys.stderr, flush=True)
+    section = import_module(SECTIONS[name]).measure(effort)
+    print(f"{time.perf_counter() - begin:.1f} s", file=sys.stderr)
+    return section
+
+
+def _draw(sections: Sequence[Section], folder: Path) -> None:
+    for section in sections:
+        if section.picture:
+            from benchmarks.picture import draw_work_precision
+
+            draw_work_precision(section, folder / section.picture)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,67 @@
+"""`python -m benchmarks.chain_run N COUNT REPETITIONS`: one long chain in a process of its own.
+
+Prints as JSON what it took to read and assemble the chain, to step it, and the memory it needed.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+
+from benchmarks.effort import Effort
+from benchmarks.mechanisms import scene, start_scene, waving_chain
+from benchmarks.stepping import Repeated
+from benchmarks.timing import interleave
+
+STEP = 1e-3
+WARM_UP = 5
+
+
+def run(n: int, count: int, repetitions: int) -> dict[str, float | str | None]:
+    """Measure a spatial chain of n points, `count` plain steps at a time."""
+    start_scene(scene(waving_chain(10, 3)))  # what the first scene imports is no part of it
+    before = peak_bytes()
+    begin = time.process_time()
+    drawn = scene(waving_chain(n, 3), step_size=STEP, paired=False)
+    read = time.process_time()
+    integrator = start_scene(drawn)
+    assembled = time.process_time()
+    model, engine = integrator.model, integrator.engine
+    doubles = len(engine.numbers) + len(engine.state) + len(engine.work)
+    integers = sum(len(table) for table in model.tables.values())
+    after = peak_bytes()
+    facts: dict[str, float | str | None] = {
+        "n": n,
+        "read": read - begin,
+        "assemble": assembled - read,
+        "kernel_bytes": 8 * doubles + 4 * integers,
+        "peak_bytes": after - before if after and before else None,
+    }
+    steps = Repeated(integrator, STEP, count, WARM_UP)
+    if steps.failure:
+        return facts | {"failure": steps.failure}
+    effort = Effort(
+        name="child", scale=1.0, repetitions=repetitions, budget=0.5, largest=n, steps=0
+    )
+    times = interleave({"steps": steps.entry}, effort)["steps"]
+    return facts | {
+        "step": times.minimum / count,
+        "noise": times.noise,
+        "newton": steps.newton_per_solve,
+        "failure": "some steps halved" if steps.halved else "",
+    }
+
+
+def peak_bytes() -> float | None:
+    """Largest memory that this process has held so far; None where the system does not say."""
+    try:
+        import resource
+    except ImportError:
+        return None
+    size = float(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+    return size if sys.platform == "darwin" else 1024.0 * size
+
+
+if __name__ == "__main__":
+    print(json.dumps(run(*(int(argument) for argument in sys.argv[1:4]))))

@@ -1,0 +1,102 @@
+"""Cost of a step, of assembly and of memory against the number of bodies, to 10^5."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+from benchmarks.effort import Effort
+from benchmarks.report import Goal, Section, Table, Value
+
+POINTS = (10, 100, 1000, 10_000, 100_000)
+STEPS_TIMES_POINTS = 50_000
+LINEAR = 1.1
+FIRST_OF_FIT = 100
+"""Below that, what does not depend on N is a large part of a step."""
+
+COLUMNS = {
+    "n": "N",
+    "step": "µs per step",
+    "node": "µs per step and point",
+    "newton": "Newton iterations",
+    "noise": "noise",
+    "read": "read, s",
+    "assemble": "assemble, s",
+    "kernel": "kernel, bytes per point",
+    "peak": "process, bytes per point",
+    "failure": "",
+}
+FORMATS = {
+    "n": ".0f", "step": ".4g", "node": ".3f", "newton": ".1f", "noise": ".2f",
+    "read": ".2f", "assemble": ".2f", "kernel": ".0f", "peak": ".0f",
+}  # fmt: skip
+
+
+def measure(effort: Effort) -> Section:
+    rows = [_row(_child(n, effort)) for n in POINTS if n <= effort.largest]
+    largest = max(n for n in POINTS if n <= effort.largest)
+    return Section(
+        name="chains",
+        title="Cost against the number of bodies",
+        method=(
+            "The spatial chain of the table above, plain steps of 1 ms, nested, each N in a process "
+            "of its own. *Read* is from the text of the scene to a checked scene, *assemble* from "
+            "there to the first step. *Kernel* is all memory that the compiled kernel works on; "
+            "*process* is the growth of the largest memory of the process, Python's objects included."
+        ),
+        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        goals=[
+            Goal(
+                what=f"exponent p in cost of a step ~ N^p, N = {FIRST_OF_FIT} to {largest}",
+                unit="1",
+                goal=LINEAR,
+                value=_exponent(rows),
+            ),
+        ]
+        if largest > FIRST_OF_FIT
+        else [],
+    )
+
+
+def _child(n: int, effort: Effort) -> dict[str, Value]:
+    count = effort.count(max(2, STEPS_TIMES_POINTS // n), least=2)
+    numbers = [str(number) for number in (n, count, effort.repetitions)]
+    run = subprocess.run(
+        [sys.executable, "-m", "benchmarks.chain_run", *numbers],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=Path(__file__).resolve().parents[1],
+    )
+    if run.returncode:
+        reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
+        return {"n": float(n), "failure": reason}
+    return json.loads(run.stdout)
+
+
+def _row(facts: dict[str, Value]) -> dict[str, Value]:
+    """Add what follows from the facts of one chain."""
+    n, step = facts["n"], facts.get("step")
+    row = dict(facts)
+    for key, source in (("kernel", "kernel_bytes"), ("peak", "peak_bytes")):
+        size = facts.get(source)
+        row[key] = size / n if isinstance(size, float | int) and isinstance(n, float | int) else None
+    if isinstance(step, float) and isinstance(n, float | int):
+        row["step"] = 1e6 * step
+        row["node"] = 1e6 * step / n
+    return row
+
+
+def _exponent(rows: list[dict[str, Value]]) -> float | None:
+    """Slope between the chain of 100 points and the longest; None when either was not measured."""
+    ends = [row for row in rows if row["n"] in (FIRST_OF_FIT, rows[-1]["n"])]
+    steps = [row.get("step") for row in ends]
+    sizes = [row["n"] for row in ends]
+    if len(ends) != 2 or None in steps:
+        return None
+    first, last = (math.log(float(value)) for value in steps if value is not None)
+    small, large = (math.log(float(value)) for value in sizes if value is not None)
+    return (last - first) / (large - small)

@@ -1,0 +1,89 @@
+"""Formulation against step: what each method of García Orden & Ortega does to energy and constraints.
+
+Plain steps, all settings but formulation and step as by default. A run has failed when a step cannot
+be solved, even divided into 64, or when the energy error exceeds ten times the mechanism's weight
+times its length: from then on the motion is not that of the mechanism.
+"""
+
+from __future__ import annotations
+
+import math
+
+from benchmarks.effort import Effort
+from benchmarks.mechanisms import GRAVITY, hanging_chain, start
+from benchmarks.observe import Observer
+from benchmarks.report import Section, Table, Value
+from solver.runtime import StepError
+from solver.runtime.options import CHOICES
+
+STOP = 20.0
+STEPS = (0.05, 0.02, 0.01, 0.005)
+RODS = {"double pendulum": 2, "chain of 5": 5}
+BLOW_UP = 10.0
+
+COLUMNS = {
+    "formulation": "formulation",
+    "h": "h, s",
+    "energy": "largest |ΔE|, J",
+    "relative": "over N m g L",
+    "residual": "largest |Φ|/L²",
+    "end": "outcome",
+}
+FORMATS = {"h": "g", "energy": ".1e", "relative": ".1e", "residual": ".1e"}
+
+
+def measure(effort: Effort) -> Section:
+    stop = max(0.1, STOP * effort.scale)
+    tables = [
+        Table(
+            title=f"{name.capitalize()}, {stop:g} s",
+            columns=COLUMNS,
+            rows=[
+                {"formulation": formulation, "h": h} | run(n, formulation, h, stop)
+                for formulation in CHOICES["formulation"]
+                for h in STEPS
+            ],
+            formats=FORMATS,
+        )
+        for name, n in RODS.items()
+    ]
+    return Section(
+        name="formulations",
+        title="Formulation against step",
+        method=(
+            "Unit rods and masses from rest in the horizontal, plain steps, other settings as by "
+            "default. Energy and constraints are calculated from positions and velocities after "
+            "every step. A run has failed when a step cannot be solved, even divided into 64, or "
+            f"when its energy error exceeds {BLOW_UP:g} N m g L."
+        ),
+        tables=tables,
+    )
+
+
+def run(n: int, formulation: str, h: float, stop: float) -> dict[str, Value]:
+    """Errors of a chain of n rods until `stop` or until it fails."""
+    content = hanging_chain(n)
+    integrator = start(content, step_size=h, formulation=formulation, paired=False)
+    observer = Observer(content, integrator)
+    initial, scale = observer.energy(), n * GRAVITY
+    energy = residual = 0.0
+    end = "finished"
+    for _ in range(max(1, round(stop / h))):
+        try:
+            integrator.advance(integrator.time, h)
+            error = abs(observer.energy() - initial)
+            residual = max(residual, observer.residual())
+        except StepError:
+            end = f"step failed at {integrator.time:.2f} s"
+            break
+        energy = max(energy, error)
+        if not error <= BLOW_UP * scale:
+            end = f"energy lost at {integrator.time:.2f} s"
+            break
+    finite = math.isfinite(energy)
+    return {
+        "energy": energy if finite else None,
+        "relative": energy / scale if finite else None,
+        "residual": residual,
+        "end": end,
+    }

@@ -1,0 +1,150 @@
+"""Results as data, as JSON and as a page of Markdown tables, goals beside what was measured."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+
+Value = float | str | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Goal:
+    """A number to reach; smaller is better."""
+
+    what: str
+    unit: str
+    goal: float
+    value: float | None
+    """None where the measurement came to no end."""
+    noise: float | None = None
+    """Median over minimum of the repetitions."""
+
+    @property
+    def verdict(self) -> str:
+        """Whether the goal was met, and by which factor."""
+        if self.value is None:
+            return "missed: no value"
+        ratio = self.value / self.goal
+        return f"met ({ratio:.2f} of it)" if ratio <= 1.0 else f"**missed** ({ratio:.2f} times it)"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table:
+    """Rows of values by column; `columns` maps keys to headers, `formats` keys to formats."""
+
+    title: str
+    columns: Mapping[str, str]
+    rows: Sequence[Mapping[str, Value]]
+    formats: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Section:
+    """What one benchmark found."""
+
+    name: str
+    title: str
+    method: str
+    tables: Sequence[Table] = ()
+    goals: Sequence[Goal] = ()
+    remarks: Sequence[str] = ()
+    picture: str | None = None
+
+
+def as_json(machine: Mapping[str, Value], effort: str, sections: Sequence[Section]) -> str:
+    """All that was measured, with all digits."""
+    content = {"machine": dict(machine), "effort": effort, "sections": {}}
+    for section in sections:
+        record = asdict(section)
+        for goal, written in zip(section.goals, record["goals"], strict=True):
+            written["verdict"] = goal.verdict.replace("*", "")
+        for written in record["tables"]:
+            del written["formats"]
+        content["sections"][record.pop("name")] = record
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def as_markdown(machine: Mapping[str, Value], effort: str, sections: Sequence[Section]) -> str:
+    """The page: machine, goals, sections."""
+    parts = [
+        "# Benchmarks",
+        "Written by `make benchmark` (`python -m benchmarks`); the same numbers with all digits are "
+        "in [benchmarks.json](benchmarks.json).",
+    ]
+    if effort != "full":
+        parts.append(
+            f"> **A {effort} run**: short, and not meant as a measurement. Only a full run on a "
+            "machine without other work is one."
+        )
+    parts += [_machine(machine), METHOD]
+    goals = [goal for section in sections for goal in section.goals]
+    if goals:
+        parts += ["## Goals", _goals(goals)]
+    for section in sections:
+        parts += _section(section)
+    return "\n\n".join(parts) + "\n"
+
+
+METHOD = (
+    "One thread. Times are CPU times of the process (user and system); each is the minimum of "
+    "several repetitions of the same work in one run, entries that are compared taking turns. "
+    "*Noise* is the median of the repetitions over their minimum. An *inner step* is one implicit "
+    "solve; a *pair* is two of them, of half the step each, and what the solver does by default."
+)
+
+
+def _machine(machine: Mapping[str, Value]) -> str:
+    return markdown_table(("machine", ""), [(key, str(value)) for key, value in machine.items()])
+
+
+def _goals(goals: Sequence[Goal]) -> str:
+    rows = [
+        (
+            goal.what,
+            goal.unit,
+            f"{goal.goal:g}",
+            formatted(goal.value, ".3g"),
+            formatted(goal.noise, ".2f"),
+            goal.verdict,
+        )
+        for goal in goals
+    ]
+    return markdown_table(("what", "unit", "goal", "measured", "noise", "verdict"), rows)
+
+
+def _section(section: Section) -> list[str]:
+    parts = [f"## {section.title}", section.method]
+    for table in section.tables:
+        if table.title:
+            parts.append(f"**{table.title}**")
+        rows = [
+            [formatted(row.get(key), table.formats.get(key, ".3g")) for key in table.columns]
+            for row in table.rows
+        ]
+        parts.append(markdown_table(list(table.columns.values()), rows))
+    if section.picture:
+        parts.append(f"![{section.title}]({section.picture})")
+    if section.remarks:
+        parts.append("\n".join(f"* {remark}" for remark in section.remarks))
+    return parts
+
+
+def formatted(value: Value, form: str) -> str:
+    """A value as text; what there is not is a dash."""
+    if value is None:
+        return "–"
+    return value if isinstance(value, str) else format(value, form)
+
+
+def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Markdown table whose columns line up in the source too."""
+    cells = [[cell.replace("|", "\\|") for cell in row] for row in (header, *rows)]
+    widths = [max(3, *(len(row[i]) for row in cells)) for i in range(len(header))]
+    lines = [
+        "| " + " | ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)) + " |"
+        for row in cells
+    ]
+    lines.insert(1, "|" + "|".join("-" * (w + 2) for w in widths) + "|")
+    return "\n".join(lines)

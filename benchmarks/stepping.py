@@ -1,0 +1,50 @@
+"""Repeats the same steps of a mechanism, so that they can be timed."""
+
+from __future__ import annotations
+
+from benchmarks.timing import Entry
+from solver.runtime import Integrator, StepError
+
+WARM_UP = 20
+
+
+class Repeated:
+    """`count` internal steps of length `h` [s], always the same ones, behind a few that warm up.
+
+    The integrator's setting ``step_size`` must be `h`. `solves` is the number of implicit solves
+    among the steps, `newton_per_solve` their average number of Newton iterations; `halved` says that
+    some had to be divided, `failure` why one could not be solved (None if all were).
+    """
+
+    def __init__(
+        self, integrator: Integrator, h: float, count: int, warm_up: int = WARM_UP
+    ) -> None:
+        self.integrator, self.count, self._length = integrator, count, count * h
+        self.solves = count * (2 if integrator["solver.paired"] else 1)
+        self.newton_per_solve = 0.0
+        self.halved = False
+        self.failure: str | None = None
+        try:
+            if warm_up:
+                integrator.advance(integrator.time, warm_up * h)
+            self._state = integrator.save()
+            self._run()
+            self._count()
+        except StepError as error:
+            self.failure = str(error)
+
+    @property
+    def entry(self) -> Entry:
+        """The steps, and the way back to where they begin."""
+        return Entry(self._run, self._restore)
+
+    def _run(self) -> None:
+        self.integrator.advance(self.integrator.time, self._length)
+
+    def _restore(self) -> None:
+        self.integrator.restore(self._state)
+
+    def _count(self) -> None:
+        substeps = float(self.integrator["solver.substeps"])
+        self.newton_per_solve = float(self.integrator["solver.newton_iterations"]) / substeps
+        self.halved = substeps != self.solves

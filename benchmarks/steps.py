@@ -1,0 +1,110 @@
+"""Microseconds per inner step: pendulum, four-bar and short chains, in the plane and in space."""
+
+from __future__ import annotations
+
+from benchmarks.effort import Effort
+from benchmarks.mechanisms import Content, four_bar, hanging_chain, start, waving_chain
+from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.stepping import Repeated
+from benchmarks.timing import Times, interleave
+
+STEP = 1e-3
+STEPS_TIMES_POINTS = 20_000
+CHAINS = {10: 8.0, 100: 80.0, 1000: 700.0}
+DOUBLE_PENDULUM = 2.5
+
+COLUMNS = {
+    "mechanism": "mechanism",
+    "algorithm": "algorithm",
+    "stepping": "steps",
+    "solve": "µs per inner step",
+    "step": "µs per step of 1 ms",
+    "node": "µs per inner step and point",
+    "newton": "Newton iterations per inner step",
+    "noise": "noise",
+    "remark": "",
+}
+FORMATS = {"solve": ".2f", "step": ".2f", "node": ".3f", "newton": ".2f", "noise": ".2f"}
+
+
+def measure(effort: Effort) -> Section:
+    cases = {
+        (name, algorithm, stepping): Repeated(
+            start(content, step_size=STEP, algorithm=algorithm, paired=stepping == "pairs"),
+            STEP,
+            effort.count(max(5, STEPS_TIMES_POINTS // points), least=5),
+        )
+        for name, (content, points, _) in mechanisms(effort.largest).items()
+        for algorithm in ("nested", "simultaneous")
+        for stepping in ("plain", "pairs")
+    }
+    keys = {" ".join(key): key for key in cases}
+    able = {name: cases[key].entry for name, key in keys.items() if not cases[key].failure}
+    times = interleave(able, effort)
+    rows = [_row(keys[name], cases[keys[name]], times.get(name), effort) for name in keys]
+    return Section(
+        name="steps",
+        title="Microseconds per inner step",
+        method=(
+            "Internal step of 1 ms from the initial configuration (after 20 steps), settings as by "
+            "default. A plain step is one inner step of 1 ms; a pair is two inner steps of 0.5 ms. "
+            "Double pendulum: m = L = 1, from the horizontal. Chains: N points of 0.1 kg on rods of "
+            "0.1 m, straight along x, the first rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, without "
+            "gravity. Four-bar: IFToMM benchmark A02 with two loops."
+        ),
+        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        goals=_goals(rows, effort.largest),
+    )
+
+
+def mechanisms(largest: int) -> dict[str, tuple[Content, int, float | None]]:
+    """Content, number of moving points and goal [µs] of each mechanism, by name."""
+    found: dict[str, tuple[Content, int, float | None]] = {
+        "double pendulum": (hanging_chain(2), 2, DOUBLE_PENDULUM),
+        "four-bar": (four_bar(), 3, None),
+    }
+    for dimension, word in ((2, "planar"), (3, "spatial")):
+        for n, goal in CHAINS.items():
+            if n <= largest:
+                found[f"{word} chain N = {n}"] = (waving_chain(n, dimension), n, goal)
+    return found
+
+
+def _row(
+    key: tuple[str, str, str], case: Repeated, times: Times | None, effort: Effort
+) -> dict[str, Value]:
+    name, algorithm, stepping = key
+    row: dict[str, Value] = {"mechanism": name, "algorithm": algorithm, "stepping": stepping}
+    if times is None:
+        return row | {"remark": case.failure}
+    points = mechanisms(effort.largest)[name][1]
+    solve = 1e6 * times.minimum / case.solves
+    return row | {
+        "solve": solve,
+        "step": 1e6 * times.minimum / case.count,
+        "node": solve / points,
+        "newton": case.newton_per_solve,
+        "noise": times.noise,
+        "remark": "some steps halved" if case.halved else "",
+    }
+
+
+def _goals(rows: list[dict[str, Value]], largest: int) -> list[Goal]:
+    goals = []
+    known = mechanisms(largest)
+    for row in rows:
+        name, goal = str(row["mechanism"]), known[str(row["mechanism"])][2]
+        if goal is None or row["algorithm"] != "nested":
+            continue
+        kind = "plain steps" if row["stepping"] == "plain" else "pairs"
+        value, noise = row.get("solve"), row.get("noise")
+        goals.append(
+            Goal(
+                what=f"inner step, {name}, {kind}",
+                unit="µs",
+                goal=goal,
+                value=value if isinstance(value, float) else None,
+                noise=noise if isinstance(noise, float) else None,
+            )
+        )
+    return goals
