@@ -11,7 +11,6 @@ import math
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from solver.runtime import StepError
 from tests.problems import (
@@ -23,7 +22,6 @@ from tests.problems import (
     double_pendulum,
     four_bar,
     free_system,
-    mechanism,
     move,
     observe,
     pendulum,
@@ -31,6 +29,7 @@ from tests.problems import (
     tree,
     view,
 )
+from tests.random_mechanisms import free_systems
 
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
 PAIRED = pytest.mark.parametrize("paired", [False, True], ids=["plain", "pairs"])
@@ -161,75 +160,6 @@ def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(
     # Its parts turn at about 1 rad/s, so h is the angle that it turns in a step. 10^4 errors of the
     # size of round-off that add up at random give 1e-14, all of one sign 1e-12.
     assert_momenta_and_energy_hold(free_system(dimension), h, 10_000)
-
-
-def consistent_velocities(content: Content, velocities: Array) -> None:
-    """Project velocities onto those that rods and bars allow; write them into the content."""
-    names = list(content["points"])
-    node = {name: place for place, name in enumerate(names)}
-    q = np.array([point["position"] for point in content["points"].values()])
-    links = [part["points"] for table in ("joints", "bodies") for part in content[table].values()]
-    G = np.zeros((len(links), *q.shape))
-    for row, (first, second) in enumerate(links):
-        a, b = node[first], node[second]
-        G[row, b] = q[b] - q[a]
-        G[row, a] = -G[row, b]
-    G = G.reshape(len(links), -1)
-    allowed = velocities.ravel() - np.linalg.pinv(G) @ (G @ velocities.ravel())
-    for name, velocity in zip(names, allowed.reshape(q.shape), strict=True):
-        content["points"][name]["velocity"] = velocity.tolist()
-
-
-@st.composite
-def free_systems(draw: st.DrawFn) -> tuple[Content, float]:
-    """A free tree of rods and bars with springs across it, and a step of 0.1 to 0.5 rad."""
-    dimension, n = draw(st.sampled_from([2, 3])), draw(st.integers(2, 7))
-    random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
-    places = np.zeros((n, dimension))
-    links = []
-    for i in range(1, n):
-        parent = int(random.integers(i))
-        link = random.normal(size=dimension)
-        places[i] = places[parent] + link / np.linalg.norm(link) * random.uniform(0.5, 2.0)
-        links.append(["bar" if random.random() < 0.4 else "distance", [f"P{parent}", f"P{i}"]])
-    points = {
-        f"P{i}": {"position": place.tolist(), "mass": random.uniform(0.1, 3.0)}
-        for i, place in enumerate(places)
-    }
-    joints = {
-        f"rod{i}": {"type": "distance", "points": ends}
-        for i, (kind, ends) in enumerate(links) if kind == "distance"
-    }  # fmt: skip
-    bodies = {
-        f"bar{i}": {"type": "bar", "points": ends, "mass": random.uniform(0.1, 3.0)}
-        for i, (kind, ends) in enumerate(links) if kind == "bar"
-    }  # fmt: skip
-    forces = {}
-    for i in range(int(random.integers(3)) if n > 2 else 0):
-        a, b = random.choice(n, size=2, replace=False)
-        forces[f"spring{i}"] = {
-            "type": "spring", "points": [f"P{a}", f"P{b}"], "stiffness": random.uniform(0.0, 2.0),
-            "free_length": float(np.linalg.norm(places[a] - places[b])) * random.uniform(0.0, 1.2),
-        }  # fmt: skip
-    content = mechanism(
-        "random", dimension, gravity=False,
-        points=points, joints=joints, bodies=bodies, forces=forces,
-    )  # fmt: skip
-    consistent_velocities(content, random.normal(size=places.shape))
-    rate = fastest_link(content)
-    return content, draw(st.floats(0.1, 0.5)) / max(rate, 1.0)
-
-
-def fastest_link(content: Content) -> float:
-    """Largest angular velocity of a rod or bar [rad/s]."""
-    points, rates = content["points"], [0.0]
-    for part in (*content["joints"].values(), *content["bodies"].values()):
-        a, b = (points[name] for name in part["points"])
-        link = np.subtract(b["position"], a["position"])
-        rates.append(
-            np.linalg.norm(np.subtract(b["velocity"], a["velocity"])) / np.linalg.norm(link)
-        )
-    return float(max(rates))
 
 
 @pytest.mark.slow

@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import solver
 from solver.runtime import Integrator, StepError
@@ -29,6 +31,7 @@ from tests.problems import (
     step,
     view,
 )
+from tests.random_mechanisms import driven_systems
 
 SCENES = sorted((Path(__file__).parent.parent / "scenes").glob("*.toml"))
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
@@ -266,8 +269,8 @@ def test_the_ledger_of_every_scene_closes(path):
     model = integrator.model
     inputs = [v for v in model.variables if v.causality == "input"]
     for i in range(100):
-        for given in inputs:
-            integrator[given.name] = 3.0 * math.sin(0.7 * i)
+        for variable in inputs:
+            integrator[variable.name] = 3.0 * math.sin(0.7 * i)
         integrator.advance(integrator.time, model.experiment.step_size)
         assert integrator["energy.error"] < 1e-12
         assert integrator["constraint.position"] < 1e-12
@@ -335,6 +338,16 @@ def test_everything_at_once_is_booked():
     assert (np.diff(dissipated) >= 0).all()
     assert dissipated[-1] > 1e-3
     assert np.abs(work).max() > 1.0
+
+
+@settings(max_examples=60)
+@given(driven_systems(), st.sampled_from([0.005, 0.05]), st.booleans())
+def test_the_ledger_of_any_mechanism_closes(content, h, paired):
+    names = ["energy.error", "constraint.position", "energy.dissipated"]
+    error, constraint, dissipated = observe(start(content, h=h, paired=paired), h, 200, names).T
+    assert error.max() < 1e-12
+    assert constraint.max() < 1e-12
+    assert (np.diff(dissipated) >= 0).all()
 
 
 def test_a_torque_beyond_all_bounds_ends_in_words_and_changes_nothing():

@@ -1,0 +1,178 @@
+"""The order and the pattern of the elimination, against dense algebra on random patterns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from solver.mechanics.elimination import Pattern, eliminate
+from tests.problems import Array, assemble, chain, four_bar, free_system, observe, start, tree
+
+Graph = tuple[int, int, list[list[int]], list[list[int]]]
+
+
+@st.composite
+def graphs(draw: st.DrawFn) -> Graph:
+    """Nodes, dimension, the nodes of each row (one to three) and couplings, loops and all."""
+    n, dim = draw(st.integers(1, 12)), draw(st.sampled_from([2, 3]))
+    nodes = st.lists(st.integers(0, n - 1), min_size=1, max_size=min(3, n), unique=True)
+    rows = draw(st.lists(nodes, max_size=2 * n))
+    couplings = draw(st.lists(nodes, max_size=n))
+    return n, dim, rows, couplings
+
+
+def kkt_matrix(graph: Graph, random: np.random.Generator) -> Array:
+    """Random [A, B; C, -eps] with the sparsity of a graph, in the order nodes, rows.
+
+    A is positive definite by its diagonal, B and C differ a little, as the gradients at the middle
+    and at the end of a step do; -eps is the compliance of a penalty of 1e8.
+    """
+    n, dim, rows, couplings = graph
+    size = n * dim + len(rows)
+    K = np.zeros((size, size))
+    for nodes in (*rows, *couplings):
+        for a in nodes:
+            for b in nodes:
+                block = random.uniform(-1, 1, (dim, dim))
+                K[a * dim : a * dim + dim, b * dim : b * dim + dim] += 0.02 * block
+    K[range(n * dim), range(n * dim)] += 4.0 + 2 * len(rows)
+    for row, nodes in enumerate(rows):
+        place = n * dim + row
+        for a in nodes:
+            gradient = random.normal(size=dim)
+            K[a * dim : a * dim + dim, place] = gradient
+            K[place, a * dim : a * dim + dim] = gradient + 0.01 * random.normal(size=dim)
+        K[place, place] = -1e-2
+    return K
+
+
+def places(graph: Graph, pattern: Pattern) -> list[int]:
+    """Place in the elimination of each unknown, nodes first, then rows."""
+    n, dim, rows, _ = graph
+    nodes = [pattern.node_position[a] + k for a in range(n) for k in range(dim)]
+    return [*nodes, *(pattern.row_position[row] for row in range(len(rows)))]
+
+
+def scatter(K: Array, place: Sequence[int], pattern: Pattern) -> Array:
+    """Stored values of K; every entry that is not zero must have its slot."""
+    values = np.zeros(pattern.ptr[-1])
+    for i, j in zip(*np.nonzero(K), strict=True):
+        values[pattern.slot(place[i], place[j])] += K[i, j]
+    return values
+
+
+def factor_and_solve(pattern: Pattern, values: Array, right: Array) -> Array:
+    """LU without pivoting on the tables alone, as the kernel does it."""
+    x, target, column = right.copy(), 0, 0
+    pieces = []
+    for k in range(len(pattern.ptr) - 1):
+        begin, end = pattern.ptr[k], pattern.ptr[k + 1]
+        m = (end - begin - 1) // 2
+        later = pattern.column[column : column + m]
+        upper, lower = values[begin + 1 : begin + 1 + m], values[begin + 1 + m : end]
+        lower /= values[begin]
+        for i in range(m):
+            for j in range(m):
+                values[pattern.target[target]] -= lower[i] * upper[j]
+                target += 1
+            x[later[i]] -= lower[i] * x[k]
+        pieces.append((k, values[begin], upper, later))
+        column += m
+    for k, pivot, upper, later in reversed(pieces):
+        x[k] = (x[k] - sum(u * x[p] for u, p in zip(upper, later, strict=True))) / pivot
+    return x
+
+
+@given(graphs(), st.integers(0, 2**32 - 1))
+def test_the_factors_on_the_pattern_solve_what_dense_algebra_solves(graph, seed):
+    # No pivoting: growth is bounded by the condition of these matrices, some 1e4 at the worst.
+    n, dim, rows, couplings = graph
+    random = np.random.default_rng(seed)
+    pattern = eliminate(n, dim, rows, couplings)
+    place = places(graph, pattern)
+    K, right = kkt_matrix(graph, random), random.normal(size=n * dim + len(rows))
+    ordered = np.empty_like(right)
+    ordered[place] = right
+    solved = factor_and_solve(pattern, scatter(K, place, pattern), ordered)[place]
+    expected = np.linalg.solve(K, right)
+    assert np.linalg.norm(solved - expected) <= 1e-9 * np.linalg.norm(expected)
+
+
+@given(graphs())
+def test_every_unknown_has_one_place_and_blocks_stay_together(graph):
+    n, dim, rows, couplings = graph
+    pattern = eliminate(n, dim, rows, couplings)
+    assert sorted(places(graph, pattern)) == list(range(n * dim + len(rows)))
+
+
+@given(graphs())
+def test_a_row_comes_after_one_of_its_nodes(graph):
+    # Else its pivot would be the bare compliance, which is as good as zero.
+    n, dim, rows, couplings = graph
+    pattern = eliminate(n, dim, rows, couplings)
+    for row, nodes in enumerate(rows):
+        assert pattern.row_position[row] > min(pattern.node_position[a] for a in nodes)
+
+
+@given(graphs())
+def test_the_order_depends_on_the_graph_alone(graph):
+    n, dim, rows, couplings = graph
+    first = eliminate(n, dim, rows, couplings)
+    second = eliminate(n, dim, [nodes[::-1] for nodes in rows], couplings[::-1])
+    assert first.node_position == second.node_position
+    assert first.row_position == second.row_position
+    assert first.target == second.target
+
+
+def test_dependent_rows_and_singular_places_are_passed():
+    # The same distance three times, and all bars in one line: no dense solve would do.
+    content = four_bar(2)
+    for i in range(3):
+        content["points"][f"B{i}"] = {"position": [i + 1.0, 0.0], "velocity": [0.0, 2.0]}
+    ends = {"type": "distance", "points": ["B0", "B1"]}
+    content["joints"] = {"one": ends, "two": dict(ends), "three": dict(ends)}
+    names = ["energy.error", "constraint.position", "one.force", "two.force", "three.force"]
+    values = observe(start(content, h=0.005), 0.005, 400, names)
+    assert values[:, :2].max() < 1e-12
+    # Which of equal rows carries how much is not determined; the penalty shares it out evenly.
+    for other in (3, 4):
+        assert values[:, other] == pytest.approx(values[:, 2], rel=1e-6, abs=1e-6)
+
+
+def test_the_tangent_of_the_kernel_fills_the_pattern_and_nothing_else():
+    # K times unit vectors, through the kernel: entries outside the graph are exactly zero.
+    for content in (chain(4), free_system(3), four_bar(2), tree(6, dimension=3)):
+        integrator = start(content, h=0.01)
+        model = integrator.model
+        n, rows = model.sizes["dim"] * model.sizes["n_free"], model.sizes["n_rows"]
+        columns = []
+        for k in range(n + rows):
+            unit = np.eye(n + rows)[k].tolist()
+            status, _, column = integrator.engine.probe(0.01, [0.0] * n, [1.0] * rows, unit)
+            assert status == 0
+            columns.append(column)
+        K = np.array(columns).T
+        assert (np.linalg.matrix_rank(K) == n + rows) or content["name"].startswith("four_bar")
+        assert np.count_nonzero(K) <= model.sizes["n_lu_values"]
+        coupled = (K != 0) | (K.T != 0)
+        dim = model.sizes["dim"]
+        for row, form in enumerate(model.tables["row_form"]):
+            first, last = model.tables["form_ptr"][form], model.tables["form_ptr"][form + 1]
+            nodes = {a for a in model.tables["form_node"][first:last] if a * dim < n}
+            near = {dim * a + k for a in nodes for k in range(dim)} | {n + row}
+            assert set(np.flatnonzero(coupled[n + row])) <= near
+
+
+def test_assembly_of_a_thousand_bodies_is_a_matter_of_counting():
+    model = assemble(chain(1000))
+    assert model.sizes["n_rows"] == 1000
+    assert model.sizes["n_lu_values"] == model.tables["lu_ptr"][-1]
+    squares = sum(
+        ((last - first - 1) // 2) ** 2
+        for first, last in zip(model.tables["lu_ptr"], model.tables["lu_ptr"][1:], strict=False)
+    )
+    assert len(model.tables["lu_target"]) == squares
