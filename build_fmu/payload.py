@@ -4,7 +4,7 @@
     holonom_<12 hex digits>/            slave.py, status.py, ... of fmu_src
         runtime/                        solver.runtime
         runtime/_kernel/                the kernel, one library per platform
-        pythonfmu/                      the six modules of pythonfmu that its Fmi2Slave needs
+        pythonfmu/                      what a running Fmi2Slave needs of pythonfmu
 
 All FMUs of a process share Python's table of modules, and pythonfmu imports an FMU's code by plain
 name. The digits are a hash of the code, so two FMUs of different versions never run each other's
@@ -22,14 +22,7 @@ from pathlib import Path, PurePosixPath
 
 from build_fmu.errors import EnvironmentLackError
 
-PYTHONFMU_MODULES = (
-    "_version.py",
-    "default_experiment.py",
-    "enums.py",
-    "fmi2slave.py",
-    "logmsg.py",
-    "variables.py",
-)
+PYTHONFMU_MODULES = ("enums.py", "logmsg.py")
 KERNEL_SUFFIXES = (".so", ".dll", ".dylib")
 _IMPORT = re.compile(
     r"^(?P<indent>[ \t]*)from (?P<package>solver\.runtime|pythonfmu)(?P<rest>[.\w]*) import ",
@@ -121,6 +114,9 @@ def _pythonfmu() -> dict[str, bytes]:
     files = {f"pythonfmu/{name}": (folder / name).read_bytes() for name in PYTHONFMU_MODULES}
     # pythonfmu's own __init__ imports its builder, 25 ms of modules that a slave never uses.
     files["pythonfmu/__init__.py"] = b'"""Part of PythonFMU, MIT licence: what a slave needs."""\n'
+    path = "pythonfmu/fmi2slave.py"
+    text = Path(__file__).with_name("fmi2slave.py").read_text(encoding="utf-8")
+    files[path] = relative_imports(text, PurePosixPath(path)).encode()
     return files
 
 

@@ -28,10 +28,11 @@ def print_table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]
         table.add_column(column, no_wrap=i == 0)
     for row in rows:
         table.add_row(*(Text(cell) for cell in row))
-    sys.stdout.write(f"{title}\n\n")
     console = Console(file=sys.stdout, width=None if sys.stdout.isatty() else FILE_WIDTH)
-    console.print(table)
-    sys.stdout.write("\n")
+    with console.capture() as capture:
+        console.print(table)
+    lines = (line.rstrip() for line in capture.get().splitlines())
+    sys.stdout.write("\n".join([title, "", *lines, "", ""]))
 
 
 def number(value: float) -> str:

@@ -9,9 +9,9 @@ the log and, as a code (`status.py`), in the output `solver.status`.
 
 from __future__ import annotations
 
+import os  # not pathlib, which would take a tenth of the time to import all this
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
@@ -30,7 +30,8 @@ class Slave(LoggedSlave):
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
-        self._model = Model.from_bytes(Path(self.resources or ".", MODEL_FILE).read_bytes())
+        with open(os.path.join(self.resources or ".", MODEL_FILE), "rb") as file:
+            self._model = Model.from_bytes(file.read())
         self._integrator = Integrator(self._model, log=self.warn)
         self._phase = INSTANTIATED
         self._start_time: float | None = None

@@ -10,11 +10,14 @@ import zipfile
 from pathlib import Path, PurePosixPath
 
 import pytest
+from pythonfmu import fmi2slave
 
+import build_fmu.fmi2slave
 from build_fmu import build
 from build_fmu.archive import write_archive
 from build_fmu.export import identifier
 from build_fmu.payload import payload, relative_imports
+from fmu_src.status import LOG_CATEGORIES
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
 
 BARE_HOST = Path(__file__).with_name("bare_host.py")
@@ -196,6 +199,27 @@ def test_a_damaged_archive_is_not_instantiated_and_harms_nothing(tmp_path):
         assert fmu.step(0.0, 0.1)
 
 
+def test_the_travelling_half_of_pythonfmus_slave_does_what_the_whole_does():
+    class Whole(fmi2slave.Fmi2Slave):
+        log_categories = LOG_CATEGORIES
+
+        def do_step(self, *_):
+            return True
+
+    class Half(build_fmu.fmi2slave.Fmi2Slave):
+        log_categories = LOG_CATEGORIES
+
+    half, whole = (kind(instance_name="a", resources="b", visible=1) for kind in (Half, Whole))
+    for slave in (half, whole):
+        for level in fmi2slave.Fmi2Status:
+            slave.log("text", level)
+            slave.log("text", level, "logAll")
+    assert [vars(m) for m in half._get_log_queue()] == [vars(m) for m in whole._get_log_queue()]
+    assert vars(half).keys() < vars(whole).keys()
+    for name in ("instance_name", "resources", "visible"):
+        assert getattr(half, name) == getattr(whole, name)
+
+
 # ------------------------------------------------------------------------------- bare Python
 
 
@@ -220,7 +244,7 @@ def test_importing_the_slave_takes_a_part_of_the_standard_library(tmp_path):
     assert payload().slave_module in ours
     tops = {name.split(".")[0] for name in modules - ours if name != "imported package"}
     assert tops <= {*sys.stdlib_module_names, "org"}  # copy looks for Jython's org.python.core
-    heavy = {"argparse", "asyncio", "email", "http", "importlib.metadata", "logging", "zipfile"}
+    heavy = {"argparse", "asyncio", "datetime", "email", "logging", "uuid", "xml", "zipfile"}
     assert not heavy & modules
 
 
