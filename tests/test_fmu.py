@@ -86,6 +86,31 @@ def test_an_input_may_change_between_steps():
         assert abs(pushed.get("energy.error")) < 1e-9
 
 
+def test_a_tunable_parameter_may_change_between_steps_and_the_change_is_booked_as_work():
+    with instance(scene_fmu("spring_pendulum")) as fmu:
+        fmu.initialise(damping=0.0)
+        fmu.run(0.0, 0.05, 5)
+        before = fmu.get("energy.total")
+        stretch = fmu.get("stretch")
+        fmu.set(stiffness=300.0)
+        jump = fmu.get("energy.total") - before
+        assert jump == pytest.approx(0.5 * 100.0 * stretch**2, rel=1e-9)
+        assert fmu.get("energy.work") == pytest.approx(jump, rel=1e-9)
+        assert fmu.get("frequency") == pytest.approx((300.0 / 2.0) ** 0.5)
+        fmu.run(0.25, 0.05, 5)
+        assert fmu.get("energy.error") < 1e-9
+
+
+def test_a_value_beyond_its_limits_is_refused():
+    with instance(scene_fmu("spring_pendulum")) as fmu:
+        fmu.initialise(push=101.0)
+        assert "push" in fmu.log[-1][2]
+        assert "100" in fmu.log[-1][2]
+        assert not fmu.step(0.0, 0.05)
+        fmu.set(push=100.0)
+        assert fmu.step(0.0, 0.05)
+
+
 def test_a_string_parameter_chooses_the_method():
     with instance(scene_fmu("double_pendulum")) as fmu:
         fmu.initialise(solver__formulation="midpoint-penalty", solver__paired=False)
