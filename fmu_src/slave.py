@@ -108,9 +108,9 @@ class Slave(LoggedSlave):
         except AssemblyError as error:
             return self._discard(status.ASSEMBLY_FAILED, sentence(error))
         except KeyboardInterrupt:
-            return self._discard(status.INTERRUPTED, f"interrupted at t = {current_time!r} s")
+            return self._break(status.INTERRUPTED, "interrupted from the keyboard")
         except Exception as error:
-            return self._discard(status.INTERNAL_FAULT, sentence(error))
+            return self._break(status.INTERNAL_FAULT, sentence(error))
         self._status = 0
         return True
 
@@ -133,6 +133,11 @@ class Slave(LoggedSlave):
     def _discard(self, code: int, text: str) -> bool:
         self._status = code
         self.discard(text)
+        return False
+
+    def _break(self, code: int, text: str) -> bool:
+        """Discard a step in the midst of which something broke: nobody knows where it stands."""
+        self._refuse(["step"], code, f"{text}; restore a saved state, or reset the instance")
         return False
 
     def terminate(self) -> None:

@@ -270,10 +270,14 @@ class Broken:
         raise RuntimeError(message)
 
 
+def slave_of(fmu):
+    """Slave as pythonfmu's library makes it, without that library."""
+    return Slave(instance_name="a", resources=f"{fmu.fmu.unzipDirectory}/resources")
+
+
 def test_no_exception_leaves_the_slave_whatever_breaks():
     with instance(pendulum()) as fmu:
-        resources = f"{fmu.fmu.unzipDirectory}/resources"
-        slave = Slave(instance_name="a", resources=resources)
+        slave = slave_of(fmu)
     slave._integrator = Broken()
     slave.setup_experiment(0.0, None, 1e-6)
     slave.enter_initialization_mode()
@@ -289,3 +293,26 @@ def test_no_exception_leaves_the_slave_whatever_breaks():
     slave._set_fmu_state(state)
     slave.terminate()
     assert all("%%" in message.msg for message in slave._get_log_queue() if "100" in message.msg)
+
+
+@pytest.mark.parametrize(
+    ("fault", "code"),
+    [(KeyboardInterrupt, status.INTERRUPTED), (ZeroDivisionError, status.INTERNAL_FAULT)],
+)
+def test_after_a_step_that_breaks_in_its_midst_only_a_saved_state_helps(monkeypatch, fault, code):
+    def break_off(*_):
+        raise fault
+
+    with instance(pendulum()) as fmu:
+        slave = slave_of(fmu)
+    slave.setup_experiment(0.0)
+    slave.enter_initialization_mode()
+    slave.exit_initialization_mode()
+    state = slave._get_fmu_state()
+    with monkeypatch.context() as context:
+        context.setattr(slave._integrator, "advance", break_off)
+        assert not slave.do_step(0.0, 0.1)
+    assert slave.get_real([slave._status_index]) == [code]
+    assert not slave.do_step(0.0, 0.1)
+    slave._set_fmu_state(state)
+    assert slave.do_step(0.0, 0.1)
