@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -49,7 +50,7 @@ rod = { type = "distance", points = ["O", "A"] }
 spring = { type = "spring", points = ["B", "C"], stiffness = 90.0, free_length = 0.7 }
 loose = { type = "spring", points = ["C", "ground"], at = [0, 3], stiffness = 20, free_length = 0 }
 damper = { type = "damper", points = ["A", "C"], damping = 3.0 }
-push = { type = "force", point = "C", value = ["push", "0.3*sin(3*t)"] }
+pusher = { type = "force", point = "C", value = ["push", "0.3*sin(3*t)"] }
 motor = { type = "torque", body = "bar", value = "2 + push*t" }
 """,
     3: """
@@ -78,7 +79,7 @@ free_length = 0
 type = "damper"
 points = ["A", "C"]
 damping = 3.0
-[forces.push]
+[forces.pusher]
 type = "force"
 point = "C"
 value = ["push", "0.3*sin(3*t)", -0.2]
@@ -92,13 +93,15 @@ value = ["0.4*push", 1.0, "2 + push*t"]
 """Rods, a bar, springs with and without a free length, a damper, a load and a torque."""
 
 
+@cache
+def _assembled(source: str | Path) -> Model:
+    scene = solver.load(source) if isinstance(source, Path) else solver.loads(source)
+    return solver.assemble(scene)
+
+
 def model_of(source: str | Path | Model) -> Model:
-    """Model of a scene's text or file."""
-    if isinstance(source, Model):
-        return source
-    return solver.assemble(
-        solver.load(source) if isinstance(source, Path) else solver.loads(source)
-    )
+    """Model of a scene's text or file, assembled once."""
+    return source if isinstance(source, Model) else _assembled(source)
 
 
 def start(

@@ -57,11 +57,14 @@ static int32_t internal_step(context *c, double h)
 
 static int32_t interval(context *c, double h, int halvings)
 {
-    const double t = c->t;
+    const double t = c->t, law_time = c->number[c->m->time_at];
     const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
     int32_t status = internal_step(c, h);
     if (!status) return HOLONOM_OK;
-    if (c->s.head[S_PAIRED] != 0.0) memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    if (c->s.head[S_PAIRED] != 0.0) {
+        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
+    }
     c->t = t;
     c->s.head[S_NEWTON] = newton;
     c->s.head[S_UZAWA] = uzawa;

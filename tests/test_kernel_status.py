@@ -1,0 +1,162 @@
+"""How a step can fail, that it leaves nothing behind when it does, and steps halved before."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from solver.runtime import AssemblyError, Integrator, Status, StepError
+from solver.runtime.errors import SENTENCE
+from solver.runtime.layout import PLACE
+from tests.twins import KERNELS, PENDULUM, advance, block, internal_step, model_of, start
+
+SPRUNG = """
+name = "sprung"
+dimension = 2
+[inputs]
+stiffness = { start = 1.0 }
+free_length = { start = 0.0 }
+push = { start = 0.0 }
+[points]
+A = { position = [0, 0], mass = 1.0 }
+B = { position = [1, 0], mass = 1.0, velocity = [0, 0.3] }
+[joints]
+rod = { type = "distance", points = ["A", "B"] }
+[forces.spring]
+type = "spring"
+points = ["ground", "A"]
+at = [0, 0]
+stiffness = "stiffness"
+free_length = "free_length"
+[forces.pusher]
+type = "force"
+point = "B"
+value = ["push**2", "1e200**(2*push) if t > 0.055 else 0"]
+"""
+
+FAILURES = {
+    Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
+    Status.UZAWA_DIVERGED: (PENDULUM, {"penalty": 1e-3, "max_uzawa": 3}, {}, 0.1),
+    Status.SINGULAR_TANGENT: (SPRUNG, {}, {"stiffness": 1e307}, 0.1),
+    Status.NOT_FINITE: (SPRUNG, {}, {"push": 1e200}, 0.1),
+    Status.ZERO_LENGTH: (SPRUNG.replace("[0, 0.3]", "[0, 0]"), {}, {"free_length": 0.1}, 0.1),
+    Status.BAD_STEP: (PENDULUM, {}, {}, 1e12),
+}
+"""What provokes each status: scene, settings, inputs, communication step."""
+
+
+def provoked(status, kernel):
+    """Integrator about to fail, and the step with which it does."""
+    source, settings, inputs, step = FAILURES[status]
+    run = start(source, kernel, **settings)
+    if inputs:
+        internal_step(run)  # before the first step, inputs are part of the assembly
+    for name, value in inputs.items():
+        run[name] = value
+    return run, step
+
+
+def test_every_status_has_a_sentence_and_is_provoked_below():
+    assert set(SENTENCE) == set(Status)
+    assert {Status.OK, *FAILURES} == set(Status)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("status", FAILURES, ids=lambda status: status.name)
+def test_a_step_that_fails_says_why_and_leaves_the_state_as_before(status, kernel):
+    run, step = provoked(status, kernel)
+    before = run.save()
+    with pytest.raises(StepError) as caught:
+        run.advance(run.time, step)
+    assert SENTENCE[status] in str(caught.value)
+    assert str(caught.value).startswith(f"step from t = {run.time:g} s with h = ")
+    assert run.status is status
+    assert run.state.head["status"] == status
+    run.state.head["status"] = Status.OK
+    assert run.save() == before
+
+
+@pytest.mark.parametrize("step", [-0.1, 0.0, math.nan, math.inf])
+def test_a_step_that_is_no_length_of_time_is_refused(step):
+    run = start(PENDULUM)
+    before = run.save()
+    with pytest.raises(StepError):
+        run.advance(0.0, step)
+    run.state.head["status"] = Status.OK
+    assert run.save() == before
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_failure_late_in_a_communication_step_leaves_no_trace(kernel):
+    """Five internal steps are solved, the sixth meets a force beyond all bounds."""
+    failed, never = (start(SPRUNG, kernel, step_size=0.01) for _ in range(2))
+    for run in (failed, never):
+        advance(run, 2)
+        run["push"] = 1.0
+    before = block(failed).copy()
+    with pytest.raises(StepError, match="grew beyond all bounds"):
+        failed.advance(failed.time, 0.08)
+    assert failed.status is Status.NOT_FINITE
+    changed = np.flatnonzero(block(failed) != before)
+    assert changed.tolist() == [PLACE["status"]]
+    for run in (failed, never):
+        run["push"] = 0.0
+        advance(run, 3)
+        assert run.status is Status.OK
+    assert bytes(failed.engine.state) == bytes(never.engine.state)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("paired", [True, False])
+def test_a_step_that_does_not_converge_is_halved_until_it_does(kernel, paired):
+    """A second of a pendulum that turns by 10 rad in it, in one internal step."""
+    text = PENDULUM.replace("[0.8, 0.6]", "[8.0, 6.0]")
+    run = start(text, kernel, step_size=1.0, max_newton=8, paired=paired)
+    internal_step(run)
+    assert run.status is Status.OK
+    assert run.time == 1.0
+    assert run.state.head["substeps"] > (2 if paired else 1)
+    assert run["constraint.position"] < 1e-14
+    assert run["energy.error"] < 1e-13
+    with_all = start(text, kernel, step_size=1.0, max_newton=1, paired=paired)
+    with pytest.raises(StepError, match="even with the step halved 6 times"):
+        internal_step(with_all)
+
+
+DRIVEN = (
+    PENDULUM
+    + """
+[forces.pump]
+type = "spring"
+points = ["A", "ground"]
+at = [3, 0]
+stiffness = "100*(1.5 + sin(20*t))"
+free_length = 1.0
+"""
+)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("paired", [True, False])
+def test_the_work_of_changing_a_spring_is_booked_once_however_a_step_is_halved(kernel, paired):
+    run = start(DRIVEN, kernel, step_size=0.25, max_newton=5, paired=paired)
+    pieces = 0
+    for _ in range(4):
+        internal_step(run)
+        pieces += run.state.head["substeps"]
+    assert pieces > (8 if paired else 4)
+    assert abs(run["energy.work"]) > 1.0
+    assert run["energy.error"] < 1e-12
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_length_that_fixed_ends_do_not_allow_is_a_sentence_and_no_crash(kernel):
+    text = PENDULUM.replace("[joints]", "[parameters]\nlength = 1.0\n[joints]").replace(
+        'points = ["O", "A"] }', 'points = ["O", "A"], length = "length" }'
+    )
+    run = Integrator(model_of(text), kernel=kernel)
+    run["length"] = 1.5
+    with pytest.raises(AssemblyError, match=r"length is 1\.5 m, but its points"):
+        run.initialise()
