@@ -19,6 +19,9 @@ Array = NDArray[np.float64]
 
 EPSILON = float(np.finfo(np.float64).eps)
 
+HUGE = 1e300
+"""No entry of a tangent that can be factorised is larger."""
+
 MARGIN = 1e-5
 """What is left when an iteration ends, over the tolerance: it adds up over steps in the energy."""
 
@@ -83,6 +86,8 @@ class Step:
         """Add one Newton increment to w and mu; return its size in the mass norm."""
         residual = self.equations.residual(self.w, self.mu, lam)
         tangent = self.equations.tangent(self.w, self.mu)
+        if not np.all(np.abs(tangent) < HUGE):
+            raise UnsolvedError(Status.SINGULAR_TANGENT)
         try:
             increment: Array = np.linalg.solve(tangent, -residual).astype(np.float64)
         except np.linalg.LinAlgError:
@@ -98,19 +103,21 @@ class Step:
     def newton(self, lam: Array) -> Array:
         """Iterate until increments below the tolerance stop shrinking; return lam."""
         previous, tolerance, size = np.inf, self.head["tolerance"], np.inf
+        follows = self.simultaneous and self.equations.augmented
         for _ in range(int(self.head["max_newton"])):
             size = self.newton_increment(lam)
             stalled = size > 0.5 * previous and size <= max(self.target, self.floor)
             done, previous = stalled or size <= MARGIN * self.target, size
-            if self.simultaneous and self.equations.augmented:
+            if follows:
                 lam = self.updated(lam)
                 done = done and self.defect() <= (tolerance if stalled else MARGIN * tolerance)
             if done:
                 return lam
-        # The motion may have settled and the rows still not hold: only if lam is updated along.
-        raise UnsolvedError(
-            Status.UZAWA_DIVERGED if size <= self.target else Status.NEWTON_DIVERGED
-        )
+        if not size <= self.target:
+            raise UnsolvedError(Status.NEWTON_DIVERGED)
+        if follows and not self.defect() <= tolerance:
+            raise UnsolvedError(Status.UZAWA_DIVERGED)
+        return lam
 
     def solve(self) -> None:
         """Solve the step; raises `UnsolvedError`."""

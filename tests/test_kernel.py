@@ -1,0 +1,255 @@
+"""The kernel against the NumPy reference, its own residual, and its own motion reversed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver.runtime import StepError
+from solver.runtime.layout import measured_sections
+from tests.twins import (
+    EVERYTHING,
+    FORMULATIONS,
+    KERNELS,
+    PENDULUM,
+    SCENES,
+    advance,
+    block,
+    internal_step,
+    model_of,
+    numbers,
+    start,
+    vector,
+)
+
+SOURCES = {path.stem: path for path in SCENES}
+SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}
+
+METHODS = [
+    *(f"{formulation} nested" for formulation in FORMULATIONS),
+    "conserving-al simultaneous",
+    "midpoint-al simultaneous",
+    "conserving-al paper",
+    "conserving-al unpaired",
+]
+PENALTY = 1e3
+"""Of the penalty formulations. It multiplies what rounding leaves in Phi_n."""
+
+
+def settings(method):
+    """Settings of a method by its name in `METHODS`."""
+    formulation, variant = method.split()
+    chosen = {"formulation": formulation}
+    if not formulation.endswith("-al"):
+        chosen["penalty"] = PENALTY
+    if variant == "simultaneous":
+        chosen["algorithm"] = variant
+    if variant == "paper":
+        chosen["multiplier_update"] = variant
+    if variant == "unpaired":
+        chosen["paired"] = False
+    return chosen
+
+
+def errors_of_one_step(kernel, oracle):
+    """Differences of d, v and mu after one internal step of both, over their natural scales.
+
+    d = h (v_n + v_n1)/2 can be no better than h times the velocities. mu follows from a row that
+    is a difference of terms l |d|, by division by h^2 sigma/2: so much of it is at the mercy of
+    rounding, however exact the solution.
+    """
+    block(oracle)[:] = block(kernel)
+    oracle.phase = kernel.phase
+    h = kernel.state.head["step_size"]
+    q_n, v_n = (vector(kernel, name) for name in "qv")
+    q_n_low = vector(kernel, "q_low")
+    for twin in (kernel, oracle):
+        internal_step(twin)
+    d, v, mu = zip(
+        *(
+            (
+                (vector(twin, "q") - q_n) + (vector(twin, "q_low") - q_n_low),
+                vector(twin, "v", "v_low"),
+                np.concatenate([vector(twin, "mu_first"), vector(twin, "mu_second")]),
+            )
+            for twin in (kernel, oracle)
+        ),
+        strict=True,
+    )
+    speed = max(np.max(np.abs(v_n)), np.max(np.abs(v[0])))
+    size = max(np.max(np.abs(d[0])), h * speed)
+    at, count = kernel.model.offsets, kernel.model.sizes["n_rows"]
+    length2, sigma = (
+        numbers(kernel)[at[name] : at[name] + count] for name in ("row_scale", "row_sigma")
+    )
+    force = np.max(np.abs(mu[0]), initial=1e-300) + np.max(
+        2.0 * np.sqrt(length2) * size / (0.5 * (0.5 * h) ** 2 * sigma), initial=0.0
+    )
+    pairs = zip((d, v, mu), (size, speed, force), strict=True)
+    return [np.max(np.abs(x - y), initial=0.0) / scale for (x, y), scale in pairs]
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", SOURCES)
+def test_the_kernel_equals_the_reference_step_by_step(name, method):
+    """At points along the run; each step of both starts from the same state, against chaos."""
+    model = model_of(SOURCES[name])
+    kernel, oracle = (start(model, twin, **settings(method)) for twin in KERNELS)
+    leap = model.experiment.stop_time / 12
+    compared = 0
+    try:
+        for _ in range(12):
+            for error in errors_of_one_step(kernel, oracle):
+                assert error <= 1e-13
+            compared += 1
+            kernel.advance(kernel.time, leap)
+    except StepError:
+        # The midpoint rule blows up, which is the point of the paper.
+        assert method.startswith("midpoint")
+    assert compared >= 2
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_both_begin_alike_and_measure_alike(name):
+    kernel, oracle = (start(SOURCES[name], twin) for twin in KERNELS)
+    assert block(kernel) == pytest.approx(block(oracle), rel=1e-13, abs=1e-13)
+    advance(kernel, 7)
+    advance(oracle, 7)
+    block(oracle)[:] = block(kernel)
+    for twin in (kernel, oracle):
+        twin.engine.measure()
+    base = kernel.model.offsets["measured"]
+    for start_at, count in measured_sections(kernel.model.sizes).values():
+        part = slice(base + start_at, base + start_at + count)
+        ours, theirs = numbers(kernel)[part], numbers(oracle)[part]
+        assert ours == pytest.approx(theirs, rel=1e-13, abs=1e-14 * max(1.0, *np.abs(theirs), 0.0))
+    rows = zip(kernel.engine.residuals(), oracle.engine.residuals(), strict=True)
+    for ours, theirs in rows:
+        assert ours == pytest.approx(theirs, abs=1e-14)
+
+
+def test_both_book_the_same_ledger():
+    kernel, oracle = (start(EVERYTHING[3], twin, step_size=0.02) for twin in KERNELS)
+    for twin in (kernel, oracle):
+        advance(twin, 5)
+        twin["push"] = 2.0
+        advance(twin, 5)
+    for account in ("energy.work", "energy.dissipated", "energy.total"):
+        assert kernel[account] == pytest.approx(oracle[account], rel=1e-12)
+        assert kernel["energy.error"] < 1e-13
+
+
+# --------------------------------------------------------------------------- residual and tangent
+
+
+@pytest.fixture(params=[2, 3], ids=["plane", "space"], scope="module")
+def probed(request):
+    """Kernel and reference in the same state of a mechanism of all laws, a little under way."""
+    model = model_of(EVERYTHING[request.param])
+    kernel, oracle = (start(model, twin, penalty=10.0, step_size=0.05) for twin in KERNELS)
+    advance(kernel, 2)
+    numbers(oracle)[:] = numbers(kernel)
+    return kernel, oracle
+
+
+def unknowns(kernel, size, seed):
+    """Random w [m] of a size, mu, and a direction (w, mu)."""
+    random = np.random.default_rng(seed)
+    n, r = len(kernel.state.vectors["q"]), kernel.model.sizes["n_rows"]
+    return size * random.normal(size=n), 5.0 * random.normal(size=r), random.normal(size=n + r)
+
+
+def choose(formulation, kernel, oracle):
+    """Set the formulation; both are in the kernel's state."""
+    kernel.state.head["formulation"] = FORMULATIONS.index(formulation)
+    block(oracle)[:] = block(kernel)
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-2, 1.0])
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_residual_and_tangent_of_the_kernel_are_those_of_the_reference(probed, formulation, size):
+    """At increments from none (series of the torque's law) to links turned by more than 90°."""
+    kernel, oracle = probed
+    choose(formulation, kernel, oracle)
+    for seed in range(5):
+        w, mu, x = unknowns(kernel, size, seed)
+        status, *ours = kernel.engine.probe(0.1, w, mu, x)
+        _, *theirs = oracle.engine.probe(0.1, w, mu, x)
+        assert status == 0
+        for a, b in zip(ours, theirs, strict=True):
+            # terms up to 1e2 (1e5 in the rows of penalty-velocity) cancel
+            assert a == pytest.approx(b, rel=1e-12, abs=1e-13 * np.max(np.abs(b)))
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-2, 1.0])
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_the_tangent_is_the_derivative_of_the_residual(probed, formulation, size):
+    kernel, oracle = probed
+    choose(formulation, kernel, oracle)
+    for seed in range(5):
+        w, mu, x = unknowns(kernel, size, seed)
+        n, step = len(w), 1e-5
+        _, _, tangent = kernel.engine.probe(0.1, w, mu, x)
+        ahead, behind = (
+            np.array(kernel.engine.probe(0.1, w + s * x[:n], mu + s * x[n:], x)[1])
+            for s in (step, -step)
+        )
+        # truncation step^2 times third derivatives of order 10, rounding 1e-16/step
+        scale = np.max(np.abs(tangent))
+        assert (ahead - behind) / (2.0 * step) == pytest.approx(tangent, abs=1e-8 * scale)
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_the_rates_of_the_rows_are_the_derivative_of_the_rows(name):
+    """G v of the kernel against differences of Phi, which are exact for quadratic rows."""
+    kernel = start(SOURCES[name])
+    advance(kernel, 3)
+    q, v = (kernel.state.vectors[part] for part in "qv")
+    q_n, step = vector(kernel, "q"), 1e-3
+    _, rates = kernel.engine.residuals()
+    rows = []
+    for sign in (step, -step):
+        q[:] = memoryview(q_n + sign * np.asarray(v))
+        rows.append(np.array(kernel.engine.residuals()[0]))
+    # rounding 1e-16 l^2 over the step
+    assert (rows[0] - rows[1]) / (2.0 * step) == pytest.approx(rates, abs=1e-12)
+
+
+# --------------------------------------------------------------------------- reversal
+
+
+def conservative(integrator):
+    """Switch off what drives or damps."""
+    for name in {"damping", "drive", "push"} & {v.name for v in integrator.model.variables}:
+        integrator[name] = 0.0
+    integrator.initialise()
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_a_motion_reversed_returns_to_its_start(path, formulation):
+    run = start(path, **(settings(f"{formulation} nested") | {"xi": 0.0}))
+    conservative(run)
+    q, v = vector(run, "q"), vector(run, "v")
+    advance(run, 20)
+    there = vector(run, "q")
+    for name in ("v", "v_low"):
+        half = np.asarray(run.state.vectors[name])
+        half[:] = -half
+    advance(run, 20)
+    # rounding 1e-16 of 80 half steps, which multipliers of either parity carry on
+    assert np.max(np.abs(vector(run, "q") - q)) < 1e-12
+    assert np.max(np.abs(vector(run, "v") + v)) < 1e-9
+    assert np.max(np.abs(there - q)) > 1e-5
+
+
+def test_the_first_pair_needs_no_more_iterations_than_the_next():
+    """Both halves start from the acceleration at rest, not from one of another step length."""
+    for source in (PENDULUM, *SOURCES.values()):
+        run = start(source)
+        counts = []
+        for _ in range(3):
+            internal_step(run)
+            counts.append(run.state.head["newton_iterations"])
+            assert run.state.head["substeps"] == 2
+        assert counts[0] <= 2.0 * max(counts[1:])

@@ -1,0 +1,120 @@
+"""All that survives a step is in the state: bits do not depend on scratch, history or process."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from solver.runtime import Integrator
+from solver.runtime.layout import measured_sections
+from tests.twins import (
+    EVERYTHING,
+    KERNELS,
+    SCENES,
+    advance,
+    internal_step,
+    model_of,
+    numbers,
+    start,
+)
+
+SOURCES = {path.stem: path for path in SCENES}
+SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}
+
+
+def tape_targets(model, *segments):
+    """Places in the numbers that segments of the tape write."""
+    lengths = [model.sizes[f"n_tape_{name}"] for name in ("parameters", "laws", "outputs")]
+    tape = np.asarray(model.tables["tape"]).reshape(-1, 5)
+    rows = [tape[sum(lengths[:s]) : sum(lengths[: s + 1])] for s in segments]
+    return np.concatenate(rows)[:, 1]
+
+
+def spoil(integrator):
+    """Fill with NaN all that need not survive: scratch, time, measurements, what laws write."""
+    np.asarray(memoryview(integrator.engine.work).cast("B").cast("d"))[:] = np.nan
+    model, values = integrator.model, numbers(integrator)
+    first, count = measured_sections(model.sizes)["solver"]
+    base = model.offsets["measured"]
+    values[base : base + first + count] = np.nan
+    values[model.offsets["time"]] = np.nan
+    values[tape_targets(model, 1, 2)] = np.nan
+    for kind in ("input", "parameter"):
+        at = model.offsets[kind]
+        values[at : at + model.sizes[f"n_{kind}s"]] = np.nan
+
+
+def outputs(integrator):
+    """Values of all variables."""
+    return integrator.get(range(len(integrator.model.variables)))
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("name", SOURCES)
+def test_scratch_filled_with_nan_between_steps_changes_nothing(name, kernel):
+    clean, spoilt = (start(SOURCES[name], kernel) for _ in range(2))
+    for _ in range(5):
+        spoil(spoilt)
+        internal_step(clean)
+        internal_step(spoilt)
+        assert bytes(clean.engine.state) == bytes(spoilt.engine.state)
+        spoil(spoilt)
+        assert outputs(clean) == outputs(spoilt)
+
+
+@pytest.mark.parametrize("name", ["spring_pendulum", "everything in 2-D", "everything in 3-D"])
+def test_scratch_filled_with_nan_before_an_input_changes_nothing(name):
+    clean, spoilt = (start(SOURCES[name]) for _ in range(2))
+    for value in (0.0, 3.0, -2.0):
+        spoil(spoilt)
+        for run in (clean, spoilt):
+            run["push"] = value
+            internal_step(run)
+        assert bytes(clean.engine.state) == bytes(spoilt.engine.state)
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_the_same_inputs_give_the_same_bits(name):
+    """Also when another run of another formulation takes its steps in between."""
+    runs = [start(SOURCES[name]) for _ in range(2)]
+    other = start(SOURCES[name], formulation="midpoint-penalty", penalty=100.0)
+    for _ in range(20):
+        internal_step(runs[0])
+        internal_step(other)
+    advance(runs[1], 20)
+    assert bytes(runs[0].engine.state) == bytes(runs[1].engine.state)
+    assert outputs(runs[0]) == outputs(runs[1])
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_100_steps_are_50_saved_and_restored_and_50_more_bit_for_bit(name):
+    model = model_of(SOURCES[name])
+    whole, parted = (start(model) for _ in range(2))
+    advance(whole, 100)
+    advance(parted, 50)
+    saved = parted.save()
+    advance(parted, 7)
+    parted.restore(saved)
+    fresh = Integrator(model)
+    fresh.restore(saved)
+    assert outputs(fresh) == outputs(parted)
+    for run in (parted, fresh):
+        advance(run, 50)
+        assert bytes(run.engine.state) == bytes(whole.engine.state)
+        assert outputs(run) == outputs(whole)
+        assert run.save() == whole.save()
+
+
+@pytest.mark.parametrize("paired", [True, False])
+@pytest.mark.parametrize("algorithm", ["nested", "simultaneous"])
+def test_settings_inputs_and_odd_steps_are_saved_too(algorithm, paired):
+    settings = {"formulation": "conserving-penalty", "penalty": 1e3, "paired": paired}
+    run = start(EVERYTHING[2], algorithm=algorithm, **settings)
+    advance(run, 3)
+    run["push"] = 1.3
+    run.advance(run.time, 0.0137)
+    fresh = Integrator(run.model)
+    fresh.restore(run.save())
+    for each in (run, fresh):
+        advance(each, 3)
+    assert outputs(fresh) == outputs(run)
