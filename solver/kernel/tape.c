@@ -33,8 +33,8 @@ static double operate(int32_t code, double a, double b, double c)
     case T_LOG: return log(a);
     case T_ABS: return fabs(a);
     /* min and max hand a NaN on, unlike fmin and fmax: it must be seen, not hidden. */
-    case T_MIN: return (a < b || a != a) ? a : b;
-    case T_MAX: return (a > b || a != a) ? a : b;
+    case T_MIN: return (a <= b || a != a) ? a : b;
+    case T_MAX: return (a >= b || a != a) ? a : b;
     case T_SIGN: return a != a ? a : (double)((a > 0.0) - (a < 0.0));
     case T_LT: return (double)(a < b);
     case T_LE: return (double)(a <= b);

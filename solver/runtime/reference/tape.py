@@ -2,10 +2,12 @@
 
 Each operation is five integers: code, target, three arguments (the last ones unused by most). The
 arithmetic is that of IEEE 754: what has no value becomes NaN, which is caught where it matters.
+Functions are those of the C library, bit for bit those of the kernel.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -18,6 +20,18 @@ Array = NDArray[np.float64]
 
 def _truth(test: Callable[..., bool]) -> Callable[..., float]:
     return lambda *values: 1.0 if test(*values) else 0.0
+
+
+def _library(function: Callable[..., float], ieee: Callable[..., float]) -> Callable[..., float]:
+    """Function of the C library; where Python refuses, the infinity or NaN of IEEE 754."""
+
+    def value(*arguments: float) -> float:
+        try:
+            return function(*arguments)
+        except (ValueError, OverflowError):
+            return ieee(*arguments)
+
+    return value
 
 
 def _minimum(a: float, b: float) -> float:
@@ -34,18 +48,18 @@ OPERATIONS: tuple[tuple[int, Callable[..., float]], ...] = (
     (2, np.subtract),
     (2, np.multiply),
     (2, np.divide),
-    (2, np.power),
+    (2, _library(math.pow, np.power)),
     (1, np.negative),
-    (1, np.sin),
-    (1, np.cos),
-    (1, np.tan),
-    (1, np.arcsin),
-    (1, np.arccos),
-    (1, np.arctan),
-    (2, np.arctan2),
+    (1, _library(math.sin, np.sin)),
+    (1, _library(math.cos, np.cos)),
+    (1, _library(math.tan, np.tan)),
+    (1, _library(math.asin, np.arcsin)),
+    (1, _library(math.acos, np.arccos)),
+    (1, _library(math.atan, np.arctan)),
+    (2, _library(math.atan2, np.arctan2)),
     (1, np.sqrt),
-    (1, np.exp),
-    (1, np.log),
+    (1, _library(math.exp, np.exp)),
+    (1, _library(math.log, np.log)),
     (1, np.abs),
     (2, _minimum),
     (2, _maximum),
