@@ -49,8 +49,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks",
-        description="Measure time and accuracy. A complete run writes docs/benchmarks.md and .json; "
-        "a part of it or a quick one only prints, unless --output says where to write.",
+        description="Measure time and accuracy. A complete run writes docs/benchmarks.md and "
+        ".json; a part of it or a quick one only prints, unless --output says where to write.",
     )
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"some of: {', '.join(SECTIONS)}")
     parser.add_argument("--quick", action="store_true", help="small sizes, to try the programs")

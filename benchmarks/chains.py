@@ -42,10 +42,11 @@ def measure(effort: Effort) -> Section:
         name="chains",
         title="Cost against the number of bodies",
         method=(
-            "The spatial chain of the table above, plain steps of 1 ms, nested, each N in a process "
-            "of its own. *Read* is from the text of the scene to a checked scene, *assemble* from "
-            "there to the first step. *Kernel* is all memory that the compiled kernel works on; "
-            "*process* is the growth of the largest memory of the process, Python's objects included."
+            "The spatial chain of the table above, plain steps of 1 ms, nested, each N in a "
+            "process of its own. *Read* is from the text of the scene to a checked scene, "
+            "*assemble* from there to the first step. *Kernel* is all memory that the compiled "
+            "kernel works on; *process* is the growth of the largest memory of the process, with "
+            "Python's objects."
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=[
@@ -78,15 +79,16 @@ def _child(n: int, effort: Effort) -> dict[str, Value]:
 
 
 def _row(facts: dict[str, Value]) -> dict[str, Value]:
-    """Add what follows from the facts of one chain."""
-    n, step = facts["n"], facts.get("step")
-    row = dict(facts)
-    for key, source in (("kernel", "kernel_bytes"), ("peak", "peak_bytes")):
-        size = facts.get(source)
-        row[key] = size / n if isinstance(size, float | int) and isinstance(n, float | int) else None
-    if isinstance(step, float) and isinstance(n, float | int):
-        row["step"] = 1e6 * step
-        row["node"] = 1e6 * step / n
+    """Divide what was measured of one chain by its points."""
+    row, n = dict(facts), float(facts["n"] or 0)
+    for key, source, factor in (
+        ("kernel", "kernel_bytes", 1.0 / n),
+        ("peak", "peak_bytes", 1.0 / n),
+        ("node", "step", 1e6 / n),
+        ("step", "step", 1e6),
+    ):
+        value = facts.get(source)
+        row[key] = None if value is None else factor * float(value)
     return row
 
 

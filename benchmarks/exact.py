@@ -6,9 +6,11 @@ Double pendulum, angles a, b of the rods from the vertical, unit masses and leng
     cos(a - b) a'' + b''   =  sin(a - b) a'^2 -   g sin b
 
 integrated with Gragg's modified midpoint rule extrapolated to order 20 (Gragg 1965; Hairer, Norsett
-& Wanner I, II.9), in the widest floating-point numbers of the platform. Four-bar with N loops, angle
-phi of the cranks from the upright: I phi'' = W g sin phi, I = (N+1)/3 + N, W = (N+1)/2 + N, solved by
-Jacobi's amplitude: phi = pi + 2 am(A t/2 - K, m), A^2 = phi'(0)^2 + 4 W g/I, m = 4 W g/(I A^2).
+& Wanner I, II.9), in the widest floating-point numbers of the platform. Four-bar with N loops,
+angle phi of the cranks from the upright: I phi'' = W g sin phi, I = (N+1)/3 + N, W = (N+1)/2 + N,
+solved by Jacobi's amplitude:
+
+    phi = pi + 2 am(A t/2 - K, m),   A^2 = phi'(0)^2 + 4 W g/I,   m = 4 W g/(I A^2)
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ from scipy.special import ellipj, ellipkm1
 from benchmarks.mechanisms import GRAVITY
 
 Array = NDArray[np.float64]
+Extended = NDArray[np.longdouble]
 
 STAGES = 10
 
@@ -58,10 +61,10 @@ def double_pendulum_points(y: Sequence[float]) -> tuple[Array, Array]:
     return np.array([upper, upper + lower]), np.array([along, along + below])
 
 
-def double_pendulum_motion(angle: float, stop: float, step: float = 0.0125) -> NDArray[np.longdouble]:
+def double_pendulum_motion(angle: float, stop: float, step: float = 0.0125) -> Extended:
     """Return (a, b, a', b') at `stop`, released from rest with both rods at `angle`."""
 
-    def rates(y: NDArray[np.longdouble]) -> NDArray[np.longdouble]:
+    def rates(y: Extended) -> Extended:
         return np.array(double_pendulum_rates(0.0, tuple(y), np.sin, np.cos), dtype=np.longdouble)
 
     y = np.array([angle, angle, 0.0, 0.0], dtype=np.longdouble)
@@ -72,11 +75,9 @@ def double_pendulum_motion(angle: float, stop: float, step: float = 0.0125) -> N
     return y
 
 
-def _extrapolated_step(
-    rates: Callable[[Any], Any], y: NDArray[np.longdouble], h: np.longdouble
-) -> NDArray[np.longdouble]:
+def _extrapolated_step(rates: Callable[[Any], Any], y: Extended, h: np.longdouble) -> Extended:
     """One step of length h: midpoint rules of 2, 4, ... substeps, extrapolated in their square."""
-    row: list[NDArray[np.longdouble]] = []
+    row: list[Extended] = []
     start = rates(y)
     for stage in range(1, STAGES + 1):
         n = 2 * stage

@@ -62,7 +62,8 @@ def measure(effort: Effort) -> Section:
         ],
         goals=[
             Goal(
-                what=f"largest energy error, double pendulum, {row['early_count']:.0f} {row['stepping']}",
+                what="largest energy error, double pendulum, "
+                f"{row['early_count']:.0f} {row['stepping']}",
                 unit="J",
                 goal=ENERGY_GOAL,
                 value=float(row["early"]),  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""What the numbers were measured on: processor, system, compiler, versions; no names, no folders."""
+"""What the numbers were measured on: processor, system, compiler, versions; no names or folders."""
 
 from __future__ import annotations
 

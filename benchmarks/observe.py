@@ -57,6 +57,11 @@ class Observer:
         q[self._free], v[self._free] = moving_q, moving_v
         return q, v
 
+    def moving_points(self) -> tuple[Array, Array]:
+        """Positions and velocities of the points that are not fixed."""
+        q, v = self.points()
+        return q[self._free], v[self._free]
+
     def energy(self) -> float:
         """Kinetic energy, potential energy of gravity and of springs [J]."""
         q, v = self.points()

@@ -25,7 +25,7 @@ class Goal:
     def verdict(self) -> str:
         """Whether the goal was met, and by which factor."""
         if self.value is None:
-            return "missed: no value"
+            return "**missed** (no value)"
         ratio = self.value / self.goal
         return f"met ({ratio:.2f} of it)" if ratio <= 1.0 else f"**missed** ({ratio:.2f} times it)"
 
@@ -70,8 +70,8 @@ def as_markdown(machine: Mapping[str, Value], effort: str, sections: Sequence[Se
     """The page: machine, goals, sections."""
     parts = [
         "# Benchmarks",
-        "Written by `make benchmark` (`python -m benchmarks`); the same numbers with all digits are "
-        "in [benchmarks.json](benchmarks.json).",
+        "Written by `make benchmark` (`python -m benchmarks`); the same numbers with all digits "
+        "are in [benchmarks.json](benchmarks.json).",
     ]
     if effort != "full":
         parts.append(
@@ -119,11 +119,12 @@ def _section(section: Section) -> list[str]:
     for table in section.tables:
         if table.title:
             parts.append(f"**{table.title}**")
+        used = [key for key in table.columns if any(row.get(key) != "" for row in table.rows)]
         rows = [
-            [formatted(row.get(key), table.formats.get(key, ".3g")) for key in table.columns]
+            [formatted(row.get(key), table.formats.get(key, ".3g")) for key in used]
             for row in table.rows
         ]
-        parts.append(markdown_table(list(table.columns.values()), rows))
+        parts.append(markdown_table([table.columns[key] for key in used], rows))
     if section.picture:
         parts.append(f"![{section.title}]({section.picture})")
     if section.remarks:

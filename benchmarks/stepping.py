@@ -12,8 +12,8 @@ class Repeated:
     """`count` internal steps of length `h` [s], always the same ones, behind a few that warm up.
 
     The integrator's setting ``step_size`` must be `h`. `solves` is the number of implicit solves
-    among the steps, `newton_per_solve` their average number of Newton iterations; `halved` says that
-    some had to be divided, `failure` why one could not be solved (None if all were).
+    among the steps, `newton_per_solve` their average number of Newton iterations; `halved` says
+    that some had to be divided, `failure` why one could not be solved (None if all were).
     """
 
     def __init__(

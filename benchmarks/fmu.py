@@ -1,0 +1,205 @@
+"""What the FMU adds: time of doStep above the kernel's, of building, of loading."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import fmpy
+from fmpy.fmi2 import FMU2Slave
+
+import solver
+from benchmarks.effort import Effort
+from benchmarks.first_step import PARTS
+from benchmarks.processes import Durations, build_times, first_step_times
+from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.timing import Entry, interleave
+from build_fmu import build
+from solver.runtime import Integrator
+
+if TYPE_CHECKING:
+    from solver.scene import Scene
+
+SCENES = Path(__file__).resolve().parents[1] / "scenes"
+NAMES = ("double_pendulum", "four_bar", "chain")
+STEP = 1e-3
+INTERNAL = 10
+"""Internal steps (pairs) of a communication step."""
+
+COUNT = 500
+OVERHEAD, BUILD, LOAD = 15.0, 1.5, 0.3
+
+COLUMNS = {
+    "scene": "scene",
+    "step": "doStep, µs",
+    "library": "Integrator.advance, µs",
+    "kernel": "kernel alone, µs",
+    "above": "doStep above the kernel, µs",
+    "outputs": "number of outputs",
+    "read": "getReal of all outputs, µs",
+    "noise": "noise of doStep",
+}
+FORMATS = dict.fromkeys(("step", "library", "kernel", "above", "read"), ".1f") | {
+    "outputs": ".0f",
+    "noise": ".2f",
+}
+PART_COLUMNS = {"part": "part", "cpu": "CPU, s", "wall": "wall, s", "noise": "noise of CPU"}
+PART_FORMATS = {"cpu": ".3f", "wall": ".3f", "noise": ".2f"}
+
+
+def measure(effort: Effort) -> Section:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
+        folder = Path(name)
+        steps = [_steps(scene, folder, effort) for scene in NAMES]
+        fmu = build(SCENES / "four_bar.toml", folder / "timed.fmu")
+        building = build_times(SCENES / "four_bar.toml", folder / "built.fmu", effort)
+        loading = first_step_times(fmu, effort)
+    after_import = _sum([loading[part] for part in PARTS[1:]])
+    parts = [
+        _part("build-fmu build, new process", building["new process"]),
+        _part("build_fmu.build, in a process that has built before", building["same process"]),
+        *(_part(f"first step: {part}", times) for part, times in loading.items()),
+        _part("first step: all but Python's start and importing fmpy", after_import),
+    ]
+    return Section(
+        name="fmu",
+        title="In the FMU",
+        method=(
+            f"One doStep of fmpy's FMU2Slave with {INTERNAL} internal steps (pairs) of 1 ms, "
+            f"{COUNT} of them from the same saved state in each repetition, in turn with the same "
+            "steps in the library and in the kernel alone. Building and loading: the four-bar; a "
+            "new process each time, a new unpack folder each time, files in the system's cache."
+        ),
+        tables=[
+            Table(title="A communication step", columns=COLUMNS, rows=steps, formats=FORMATS),
+            Table(
+                title="Building and loading",
+                columns=PART_COLUMNS,
+                rows=parts,
+                formats=PART_FORMATS,
+            ),
+        ],
+        goals=_goals(steps[0], building["new process"], after_import),
+    )
+
+
+def _goals(steps: dict[str, Value], building: Durations, loading: Durations) -> list[Goal]:
+    above = steps["above"]
+    return [
+        Goal(
+            what=f"doStep of {INTERNAL} internal steps above the kernel, double pendulum",
+            unit="µs",
+            goal=OVERHEAD,
+            value=above if isinstance(above, float) else None,
+            noise=float(steps["noise"] or 0.0),
+        ),
+        Goal(
+            what="build of an FMU in a new process, CPU",
+            unit="s",
+            goal=BUILD,
+            value=building.cpu,
+            noise=building.noise,
+        ),
+        Goal(
+            what="load and first step in fmpy, after importing fmpy, CPU",
+            unit="s",
+            goal=LOAD,
+            value=loading.cpu,
+            noise=loading.noise,
+        ),
+    ]
+
+
+def _part(name: str, times: Durations) -> dict[str, Value]:
+    return {"part": name, "cpu": times.cpu, "wall": times.wall, "noise": times.noise}
+
+
+def _sum(parts: list[Durations]) -> Durations:
+    runs = zip(*(part.runs for part in parts), strict=True)
+    return Durations(tuple((sum(r[0] for r in run), sum(r[1] for r in run)) for run in runs))
+
+
+class Running:
+    """An instance in fmpy that repeats the same communication steps."""
+
+    def __init__(self, path: Path, folder: Path) -> None:
+        description = fmpy.read_model_description(str(path))
+        outputs = [v for v in description.modelVariables if v.causality == "output"]
+        self.outputs = [variable.valueReference for variable in outputs]
+        fmpy.extract(str(path), str(folder))
+        assert description.coSimulation is not None
+        self.fmu = FMU2Slave(
+            guid=description.guid,
+            unzipDirectory=str(folder),
+            modelIdentifier=description.coSimulation.modelIdentifier,
+            instanceName="timed",
+        )
+        self.fmu.instantiate()
+        self.fmu.setupExperiment(startTime=0.0)
+        self.fmu.enterInitializationMode()
+        self.fmu.exitInitializationMode()
+        self.fmu.doStep(0.0, INTERNAL * STEP)
+        self._state = self.fmu.getFMUState()
+
+    def restore(self) -> None:
+        """Return to the time after the first communication step."""
+        self.fmu.setFMUState(self._state)
+
+    def close(self) -> None:
+        """Free the instance, which holds the unpack folder."""
+        self.fmu.freeFMUState(self._state)
+        self.fmu.terminate()
+        self.fmu.freeInstance()
+
+
+def _steps(name: str, folder: Path, effort: Effort) -> dict[str, Value]:
+    scene = solver.load(SCENES / f"{name}.toml", {"solver.step_size": STEP})
+    running = Running(build(scene, folder / f"{name}.fmu"), folder / name)
+    times = interleave(_entries(running, scene, effort.count(COUNT)), effort)
+    count = effort.count(COUNT)
+    micro = {key: 1e6 * value.minimum / count for key, value in times.items()}
+    running.close()
+    return {
+        "scene": name,
+        **micro,
+        "above": micro["step"] - micro["kernel"],
+        "outputs": float(len(running.outputs)),
+        "noise": times["step"].noise,
+    }
+
+
+def _entries(running: Running, scene: Scene, count: int) -> dict[str, Entry]:
+    """Loops over the same communication steps on the three levels, and over reading outputs."""
+    integrator = Integrator(solver.assemble(scene), kernel="c")
+    h = INTERNAL * STEP
+    times = [i * h for i in range(1, count + 1)]
+    integrator.advance(0.0, h)
+    state = integrator.save()
+    fmu, engine, outputs = running.fmu, integrator.engine, running.outputs
+
+    def step() -> None:
+        for t in times:
+            fmu.doStep(t, h)
+
+    def library() -> None:
+        for t in times:
+            integrator.advance(t, h)
+
+    def kernel() -> None:
+        for _ in times:
+            engine.advance(h)
+
+    def read() -> None:
+        for _ in times:
+            fmu.getReal(outputs)
+
+    def restore() -> None:
+        integrator.restore(state)
+
+    return {
+        "step": Entry(step, running.restore),
+        "library": Entry(library, restore),
+        "kernel": Entry(kernel, restore),
+        "read": Entry(read),
+    }
