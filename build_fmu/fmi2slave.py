@@ -7,10 +7,12 @@ pythonfmu knows the class by its name.
 
 from __future__ import annotations
 
-from typing import Any
-
 from pythonfmu.enums import Fmi2Status
 from pythonfmu.logmsg import LogMsg
+
+TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
+if TYPE_CHECKING:
+    from typing import Any
 
 
 class Fmi2Slave:

@@ -12,12 +12,15 @@ from __future__ import annotations
 import os  # not pathlib, which would take a tenth of the time to import all this
 import sys
 from collections.abc import Sequence
-from typing import Any
 
 from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
 
 from . import snapshot, status
 from .log import LoggedSlave, sentence
+
+TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
+if TYPE_CHECKING:
+    from typing import Any
 
 MODEL_FILE = "model.bin"
 INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = range(4)

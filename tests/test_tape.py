@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from array import array
 
@@ -40,8 +39,7 @@ def on_tape(engine, number, values):
     operations = tape.operations[Segment.PARAMETERS]
     base = model_of(PENDULUM)
     lengths = {"n_tape_parameters": len(operations) // 5, "n_tape_laws": 0, "n_tape_outputs": 0}
-    model = dataclasses.replace(
-        base,
+    model = base._replace(
         sizes={**base.sizes, **lengths, "n_numbers": len(numbers)},
         tables={**base.tables, "tape": array("i", operations)},
         numbers=numbers,

@@ -85,7 +85,7 @@ def _document(model: Model, counts: Survey) -> dict[str, object]:
         "bodies": _parts(model, "body"),
         "joints": _parts(model, "joint"),
         **asdict(counts),
-        "experiment": asdict(model.experiment),
+        "experiment": model.experiment._asdict(),
         "variables": [
             {
                 "name": v.name,

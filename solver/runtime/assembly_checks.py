@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 
-from .engine import Doubles, Engine
-from .model import Model
+TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
+if TYPE_CHECKING:
+    from .engine import Doubles, Engine
+    from .model import Model
 
 DRAWN = 1e-9
 """Largest relative error of a drawn length: the first step would turn a larger one into a jolt."""

@@ -8,12 +8,15 @@ from array import array
 from collections.abc import Callable, Sequence
 
 from .assembly_checks import broken_rules, contradicted_rows
-from .engine import Engine
 from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
 from .state import State
+
+TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
+if TYPE_CHECKING:
+    from .engine import Engine
 
 CONFIGURED, ASSEMBLED, MOVING = range(3)
 """Phases of a run: values may change; initial configuration taken; at least one step done."""

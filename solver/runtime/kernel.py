@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import sys
 from array import array
 from collections.abc import Sequence
-from pathlib import Path
 
 from .layout import OFFSETS, SIZES, TABLES, state_size
 from .model import Model
@@ -26,13 +26,13 @@ class _ModelStruct(ctypes.Structure):
     ]
 
 
-def library_path() -> Path:
+def library_path() -> str:
     """Return where the kernel of this platform lies when it was built."""
     suffix = {"win32": "dll", "cygwin": "dll", "darwin": "dylib"}.get(sys.platform, "so")
-    return Path(__file__).parent / "_kernel" / f"libholonom.{suffix}"
+    return os.path.join(os.path.dirname(__file__), "_kernel", f"libholonom.{suffix}")
 
 
-def load_library(path: Path | None = None) -> ctypes.CDLL:
+def load_library(path: str | None = None) -> ctypes.CDLL:
     """Load the kernel and declare its functions.
 
     Raises
@@ -42,7 +42,7 @@ def load_library(path: Path | None = None) -> ctypes.CDLL:
     """
     path = path or library_path()
     try:
-        library = ctypes.CDLL(str(path))
+        library = ctypes.CDLL(path)
     except OSError as error:
         message = f"no kernel for this platform: {error}"
         raise KernelMissingError(message) from error
@@ -63,7 +63,7 @@ def load_library(path: Path | None = None) -> ctypes.CDLL:
         function = getattr(library, f"holonom_{name}")
         function.restype, function.argtypes = result, arguments
     if library.holonom_model_bytes() != ctypes.sizeof(_ModelStruct):
-        message = f"{path.name} was built from other sources than this Python code; build it again"
+        message = f"{path} was built from other sources than this Python code; build it again"
         raise KernelMissingError(message)
     return library
 

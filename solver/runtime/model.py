@@ -8,17 +8,17 @@ assembled. A model is the only thing that assembly and kernel share, and what tr
 
 Symbols: q coordinates, v velocities, M mass matrix, Phi constraint rows, G their Jacobian, lambda
 multipliers held fixed in the inner iteration, mu total multipliers, alpha penalties, h step.
+
+Records are named tuples: `dataclasses` and `typing` would double the time to import the FMU's code.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
 import sys
 from array import array
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields
-from typing import Any, TypeVar
+from collections import namedtuple
+from functools import cached_property
 
 from .layout import OFFSETS, SIZES, TABLES
 
@@ -26,38 +26,47 @@ FORMAT = 1
 """Version of the byte format of a model."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Variable:
+class Variable(
+    namedtuple(
+        "Variable",
+        "name type causality variability unit description start minimum maximum kind place",
+        defaults=("", "", None, None, None, "measured", 0),
+    )
+):
     """A named quantity that a user reads or sets.
 
-    `kind` and `place` say where it lies: "parameter", "input" (in the state), "number" (in the
-    vector of numbers), "measured" (behind the offset of the measurements) or "option".
+    Attributes
+    ----------
+    name, unit, description : str
+    type : {"Real", "String", "Boolean"}
+    causality : {"parameter", "calculatedParameter", "input", "output"}
+    variability : {"fixed", "tunable", "continuous"}
+    start : float, str, bool or None
+        Value at the beginning of a parameter or input.
+    minimum, maximum : float or None
+    kind, place
+        Where it lies: "parameter", "input" (in the state), "number" (in the vector of numbers),
+        "measured" (behind the offset of the measurements) or "option"; and the index there.
     """
 
-    name: str
-    type: str
-    causality: str
-    variability: str
-    unit: str = ""
-    description: str = ""
-    start: float | str | bool | None = None
-    minimum: float | None = None
-    maximum: float | None = None
-    kind: str = "measured"
-    place: int = 0
+    __slots__ = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Rule:
-    """A condition on a number that is checked whenever the mechanism is assembled.
+class Rule(namedtuple("Rule", "number relation bound message")):
+    """A condition that is checked whenever the mechanism is assembled.
 
-    `relation` is ">", ">=" (against `bound`) or "finite"; `message` says what, with ``{value}``.
+    Attributes
+    ----------
+    number : int
+        Place in the vector of numbers.
+    relation : {">", ">=", "finite"}
+        Against `bound`.
+    bound : float
+    message : str
+        What is said when it does not hold, with ``{value}``.
     """
 
-    number: int
-    relation: str
-    bound: float
-    message: str
+    __slots__ = ()
 
     def holds(self, value: float) -> bool:
         """Whether `value` keeps the rule; NaN never does."""
@@ -66,49 +75,57 @@ class Rule:
         return value > self.bound if self.relation == ">" else value >= self.bound
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Experiment:
-    """Default run: times in s, relative tolerance or None."""
+class Experiment(
+    namedtuple(
+        "Experiment", "start_time stop_time step_size tolerance", defaults=(0.0, 1.0, 0.1, None)
+    )
+):
+    """Default run: start and stop time and communication step [s]; relative tolerance or None."""
 
-    start_time: float = 0.0
-    stop_time: float = 1.0
-    step_size: float = 0.1
-    tolerance: float | None = None
-
-
-Record = TypeVar("Record", Variable, Rule, Experiment)
+    __slots__ = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Model:
-    """Structure and numbers of a mechanism; never modified."""
+class Model(
+    namedtuple(
+        "Model",
+        "name description sizes tables offsets numbers variables rules row_names settings "
+        "experiment",
+    )
+):
+    """Structure and numbers of a mechanism; never modified.
 
-    name: str
-    description: str
-    sizes: Mapping[str, int]
-    tables: Mapping[str, array]
-    offsets: Mapping[str, int]
-    numbers: array
-    variables: tuple[Variable, ...]
-    rules: tuple[Rule, ...]
-    row_names: tuple[str, ...]
-    settings: Mapping[str, float | str | bool]
-    experiment: Experiment
-    fingerprint: str = field(default="", compare=False)
-    _places: dict[str, int] = field(default_factory=dict, init=False, repr=False, compare=False)
+    Attributes
+    ----------
+    name, description : str
+    sizes : mapping of str to int
+        As in ``layout.SIZES``.
+    tables : mapping of str to array of int
+        As in ``layout.TABLES``.
+    offsets : mapping of str to int
+        As in ``layout.OFFSETS``.
+    numbers : array of float
+    variables : tuple of Variable
+    rules : tuple of Rule
+    row_names : tuple of str
+        What each constraint row belongs to, for messages.
+    settings : mapping of str to float, str or bool
+        Of the solver, as in ``options.DEFAULTS``.
+    experiment : Experiment
+    """
 
-    def __post_init__(self) -> None:
-        """Take the fingerprint: the hash of all that a run depends on."""
-        assert tuple(self.sizes) == SIZES
-        assert tuple(self.tables) == TABLES
-        assert tuple(self.offsets) == OFFSETS
-        if not self.fingerprint:
-            object.__setattr__(self, "fingerprint", _hash(self.to_bytes()))
+    @cached_property
+    def fingerprint(self) -> str:
+        """Hash of all that a run depends on."""
+        import hashlib  # only where states are saved or archives built: it loads OpenSSL
 
-    def index(self, name: str) -> int:
+        return hashlib.sha256(self.to_bytes()).hexdigest()[:32]
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        return {variable.name: index for index, variable in enumerate(self.variables)}
+
+    def index(self, name: str) -> int:  # type: ignore[override]
         """Return the index of a variable; raises KeyError if there is none of that name."""
-        if not self._places:
-            self._places.update((v.name, index) for index, v in enumerate(self.variables))
         return self._places[name]
 
     def to_bytes(self) -> bytes:
@@ -116,19 +133,14 @@ class Model:
 
         The same model gives the same bytes.
         """
+        assert tuple(self.sizes) == SIZES
+        assert tuple(self.tables) == TABLES
+        assert tuple(self.offsets) == OFFSETS
         header = {
             "format": FORMAT,
-            "name": self.name,
-            "description": self.description,
-            "sizes": dict(self.sizes),
-            "offsets": dict(self.offsets),
+            **{name: value for name, value in self._asdict().items() if name != "numbers"},
             "tables": {name: len(table) for name, table in self.tables.items()},
             "numbers": len(self.numbers),
-            "variables": [_row(variable) for variable in self.variables],
-            "rules": [_row(rule) for rule in self.rules],
-            "row_names": list(self.row_names),
-            "settings": dict(self.settings),
-            "experiment": _row(self.experiment),
         }
         text = json.dumps(header, separators=(",", ":")).encode()
         blocks = [_little_endian(table) for table in (*self.tables.values(), self.numbers)]
@@ -145,42 +157,21 @@ class Model:
         """
         length = int.from_bytes(data[:8], "little")
         header = json.loads(data[8 : 8 + length])
-        if header["format"] != FORMAT:
-            message = f"model of format {header['format']}, this code reads format {FORMAT}"
+        if header.pop("format") != FORMAT:
+            message = f"the model has another format than {FORMAT}, which this code reads"
             raise ValueError(message)
-        position, tables = 8 + length, {}
+        position = 8 + length
         for name, count in header["tables"].items():
-            tables[name], position = _from_little_endian("i", count, data, position)
-        numbers, position = _from_little_endian("d", header["numbers"], data, position)
+            header["tables"][name], position = _from_little_endian("i", count, data, position)
+        header["numbers"], position = _from_little_endian("d", header["numbers"], data, position)
         if position != len(data):
-            message = f"model is {len(data)} bytes long, its header says {position}"
+            message = f"the model is {len(data)} bytes long, its header says {position}"
             raise ValueError(message)
-        return Model(
-            name=header["name"],
-            description=header["description"],
-            sizes=header["sizes"],
-            tables=tables,
-            offsets=header["offsets"],
-            numbers=numbers,
-            variables=tuple(_from_row(Variable, row) for row in header["variables"]),
-            rules=tuple(_from_row(Rule, row) for row in header["rules"]),
-            row_names=tuple(header["row_names"]),
-            settings=header["settings"],
-            experiment=_from_row(Experiment, header["experiment"]),
-            fingerprint=_hash(data),
-        )
-
-
-def _hash(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()[:32]
-
-
-def _row(record: Variable | Rule | Experiment) -> list[Any]:
-    return [getattr(record, part.name) for part in fields(record)]
-
-
-def _from_row(kind: type[Record], row: Sequence[Any]) -> Record:
-    return kind(**dict(zip((part.name for part in fields(kind)), row, strict=True)))
+        header["variables"] = tuple(Variable(*row) for row in header["variables"])
+        header["rules"] = tuple(Rule(*row) for row in header["rules"])
+        header["row_names"] = tuple(header["row_names"])
+        header["experiment"] = Experiment(*header["experiment"])
+        return Model(**header)
 
 
 def _little_endian(values: array) -> bytes:

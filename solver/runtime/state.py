@@ -54,11 +54,11 @@ class State:
             name: view[start : start + length]
             for name, (start, length) in state_sections(model.sizes).items()
         }
-        self._fingerprint = model.fingerprint.encode()
+        self._model = model
 
     def to_bytes(self, phase: int) -> bytes:
         """Return the whole state and the phase of the run, bit for bit."""
-        prefix = _PREFIX.pack(MAGIC, self._fingerprint, phase, len(self.block))
+        prefix = _PREFIX.pack(MAGIC, self._model.fingerprint.encode(), phase, len(self.block))
         return prefix + bytes(self.block)
 
     def phase_of(self, data: bytes) -> int:
@@ -73,7 +73,7 @@ class State:
             message = "the saved state is not one of this format; save it again with this FMU"
             raise OptionError(message)
         _, fingerprint, phase, length = _PREFIX.unpack_from(data)
-        if fingerprint != self._fingerprint:
+        if fingerprint != self._model.fingerprint.encode():
             message = "the saved state belongs to another model; restore it where it was saved"
             raise OptionError(message)
         if len(data) != _PREFIX.size + 8 * length or length != len(self.block):
