@@ -71,7 +71,6 @@ def test_a_chain_has_no_fill_in_beyond_its_neighbours(dimension):
     assert updated < 1000 * block**3
 
 
-@pytest.mark.slow
 @DIMENSIONS
 def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
     # A straight spatial chain with a wave of velocity, steps of 1 ms. Round-off of longer chains
@@ -94,7 +93,6 @@ def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
     assert mean[1000] < mean[10] + 1
 
 
-@pytest.mark.slow
 def test_a_chain_of_a_thousand_links_falls_and_keeps_its_energy():
     # Ten steps of 10 ms from the horizontal: rods carry nothing at first, the hardest start there
     # is.

@@ -8,20 +8,14 @@ turns by the angle that the link turns.
 from __future__ import annotations
 
 import math
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import solver
-from solver.runtime import Integrator, StepError
 from tests.problems import (
     GRAVITY,
     Array,
-    Content,
     four_bar,
     mechanism,
     move,
@@ -29,25 +23,12 @@ from tests.problems import (
     observed_order,
     start,
     step,
+    tethered,
+    turning_bar,
     view,
 )
-from tests.random_mechanisms import driven_systems
 
-SCENES = sorted((Path(__file__).parent.parent / "scenes").glob("*.toml"))
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
-
-
-def tethered(law: Content, dimension: int = 3, *, gravity: bool = False) -> Content:
-    """A point of 2 kg that flies past the origin, tied to it by one force."""
-    points = {
-        "A": {
-            "position": [0.6, -0.5, 0.4][:dimension],
-            "velocity": [0.3, 1.0, -0.7][:dimension],
-            "mass": 2.0,
-        }
-    }
-    tie = law | {"points": ["ground", "A"], "at": [0.0] * dimension}
-    return mechanism("tethered", dimension, gravity=gravity, points=points, forces={"tie": tie})
 
 
 def lengths(q: Array) -> Array:
@@ -177,19 +158,6 @@ def test_the_work_of_a_force_that_changes_in_time_is_taken_in_the_middle_of_the_
     assert abs(integrator["energy.balance"]) < 1e-12
 
 
-def turning_bar(dimension: int, torque: Any, *, pivoted: bool = True) -> Content:
-    """A uniform bar of 1.2 kg and 2 m at rest along x, on a pivot or free, with a torque."""
-    zero = [0.0] * dimension
-    points = {"O": {"position": zero}, "A": {"position": [2.0, *zero[1:]]}}
-    points["O"]["fixed"] = pivoted
-    bar = {"type": "bar", "points": ["O", "A"], "mass": 1.2}
-    motor = {"type": "torque", "body": "bar", "value": torque}
-    return mechanism(
-        "turning", dimension, gravity=False, points=points, bodies={"bar": bar},
-        forces={"motor": motor},
-    )  # fmt: skip
-
-
 @pytest.mark.parametrize("pivoted", [True, False], ids=["pivoted", "free"])
 @pytest.mark.parametrize("h", [0.01, 0.2])
 def test_the_work_of_a_torque_in_the_plane_is_torque_times_angle(pivoted, h):
@@ -257,103 +225,3 @@ def test_the_work_of_a_moment_on_a_tumbling_bar_is_that_of_its_angular_velocity(
         errors.append(abs(integrator["energy.work"] - expected))
         assert abs(integrator["energy.balance"]) < 1e-11
     assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.1)
-
-
-# -------------------------------------------------------------------------------------- the ledger
-
-
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
-def test_the_ledger_of_every_scene_closes(path):
-    # With every input changed from step to step, and the tolerance of a step, 1e-12, as measure.
-    integrator = Integrator(solver.assemble(solver.load(path)))
-    model = integrator.model
-    inputs = [v for v in model.variables if v.causality == "input"]
-    for i in range(100):
-        for variable in inputs:
-            integrator[variable.name] = 3.0 * math.sin(0.7 * i)
-        integrator.advance(integrator.time, model.experiment.step_size)
-        assert integrator["energy.error"] < 1e-12
-        assert integrator["constraint.position"] < 1e-12
-    assert not inputs or integrator["energy.work"] != 0.0
-
-
-def tuned_spring() -> Content:
-    content = tethered({"type": "spring", "stiffness": "k", "free_length": "l"}, gravity=True)
-    parameters = {
-        "k": {"value": 40.0, "unit": "N/m", "variability": "tunable"},
-        "l": {"value": 0.7, "unit": "m", "variability": "tunable"},
-    }
-    return content | {"parameters": parameters}
-
-
-def test_a_spring_that_is_tuned_while_it_moves_takes_work():
-    # Half the change of stiffness times the square of the stretch, and likewise for the length.
-    integrator = start(tuned_spring(), h=0.05)
-    move(integrator, 0.05, 20)
-    assert integrator["energy.work"] == 0.0
-    length = float(np.linalg.norm(view(integrator, "q")[0]))
-    before = integrator["energy.total"]
-    integrator["k"] = 90.0
-    stiffer = 0.5 * 50.0 * (length - 0.7) ** 2
-    assert integrator["energy.work"] == pytest.approx(stiffer, rel=1e-12)
-    assert integrator["energy.total"] == pytest.approx(before + stiffer, rel=1e-13)
-    integrator["l"] = 0.9
-    longer = 0.5 * 90.0 * ((length - 0.9) ** 2 - (length - 0.7) ** 2)
-    assert integrator["energy.work"] == pytest.approx(stiffer + longer, rel=1e-12)
-    move(integrator, 0.05, 50)
-    assert integrator["energy.work"] == pytest.approx(stiffer + longer, rel=1e-12)
-    assert integrator["energy.error"] < 1e-12
-
-
-@pytest.mark.parametrize("paired", [False, True], ids=["plain", "pairs"])
-def test_the_ledger_closes_while_a_spring_is_pumped(paired):
-    # Stiffness and length follow the time: a parametric oscillator that gains energy from outside.
-    content = tethered(
-        {"type": "spring", "stiffness": "40*(1+0.4*sin(9*t))", "free_length": "0.7+0.1*cos(4*t)"},
-        gravity=True,
-    )
-    integrator = start(content, h=0.02, paired=paired)
-    work, error = observe(integrator, 0.02, 500, ["energy.work", "energy.error"]).T
-    assert np.abs(work).max() > 1.0
-    assert error.max() < 1e-12
-
-
-def test_everything_at_once_is_booked():
-    # Bars, rods, spring, damper, force, torque and gravity, at a large step.
-    content = four_bar(2)
-    content["points"]["C"] = {"position": [1.5, 2.0], "velocity": [1.0, 0.0], "mass": 0.5}
-    content["joints"] = {"arm": {"type": "distance", "points": ["B1", "C"]}}
-    content["inputs"] = {"drive": {"start": 4.0}}
-    content["forces"] = {
-        "motor": {"type": "torque", "body": "crank0", "value": "drive*cos(t)"},
-        "push": {"type": "force", "point": "C", "value": ["drive", "2*t"]},
-        "spring": {"type": "spring", "points": ["B2", "C"], "stiffness": 80.0},
-        "damper": {"type": "damper", "points": ["B2", "C"], "damping": 0.6},
-    }
-    integrator = start(content, h=0.02)
-    names = ["energy.error", "energy.dissipated", "energy.work", "constraint.position"]
-    error, dissipated, work, constraint = observe(integrator, 0.02, 500, names).T
-    assert error.max() < 1e-12
-    assert constraint.max() < 1e-12
-    assert (np.diff(dissipated) >= 0).all()
-    assert dissipated[-1] > 1e-3
-    assert np.abs(work).max() > 1.0
-
-
-@settings(max_examples=60)
-@given(driven_systems(), st.sampled_from([0.005, 0.05]), st.booleans())
-def test_the_ledger_of_any_mechanism_closes(content, h, paired):
-    names = ["energy.error", "constraint.position", "energy.dissipated"]
-    error, constraint, dissipated = observe(start(content, h=h, paired=paired), h, 200, names).T
-    assert error.max() < 1e-12
-    assert constraint.max() < 1e-12
-    assert (np.diff(dissipated) >= 0).all()
-
-
-def test_a_torque_beyond_all_bounds_ends_in_words_and_changes_nothing():
-    integrator = start(turning_bar(2, "1e300*t"), h=0.1)
-    before = view(integrator, "q").copy()
-    with pytest.raises(StepError, match="t = 0 s"):
-        step(integrator, 0.1)
-    assert (view(integrator, "q") == before).all()
-    assert integrator.time == 0.0

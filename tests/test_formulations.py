@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from solver.runtime import StepError
+from tests.exact_motions import pendulum_angle
 from tests.problems import (
     GRAVITY,
     Array,
@@ -23,7 +24,6 @@ from tests.problems import (
     observe,
     observed_order,
     pendulum,
-    pendulum_angle,
     start,
     tree,
     view,

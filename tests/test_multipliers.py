@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from solver.runtime import Integrator
+from tests.exact_motions import pendulum_multiplier
 from tests.problems import (
     Array,
     Content,
@@ -23,7 +24,6 @@ from tests.problems import (
     move,
     observed_order,
     pendulum,
-    pendulum_multiplier,
     start,
     step,
     view,

@@ -8,18 +8,17 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
+from tests.exact_motions import double_pendulum_motion, pendulum_angle
 from tests.problems import (
     GRAVITY,
     PLAIN,
     Motion,
     conical_pendulum,
     double_pendulum,
-    double_pendulum_motion,
     move,
     observe,
     observed_order,
     pendulum,
-    pendulum_angle,
     start,
 )
 
