@@ -82,6 +82,15 @@ class Step:
             phi, _ = equations.C(self.w)
         return float(np.max(np.abs(phi) / self.mechanism.row_scale, initial=0.0))
 
+    def balanced(self) -> bool:
+        """Whether the energy v_mid' R that the residual R would add is below the tolerance.
+
+        Increments alone do not tell: they also become small where mu grows beyond all bounds.
+        """
+        added = self.d @ self.equations.momentum(self.w, self.mu) / self.h
+        energy = self.head["energy_reference"] + 0.5 * (self.mechanism.norm(self.d) / self.h) ** 2
+        return bool(abs(added) <= self.head["tolerance"] * energy)
+
     def newton_increment(self, lam: Array) -> float:
         """Add one Newton increment to w and mu; return its size in the mass norm."""
         residual = self.equations.residual(self.w, self.mu, lam)
@@ -111,9 +120,9 @@ class Step:
             if follows:
                 lam = self.updated(lam)
                 done = done and self.defect() <= (tolerance if stalled else MARGIN * tolerance)
-            if done:
+            if done and self.balanced():
                 return lam
-        if not size <= self.target:
+        if not (size <= self.target and self.balanced()):
             raise UnsolvedError(Status.NEWTON_DIVERGED)
         if follows and not self.defect() <= tolerance:
             raise UnsolvedError(Status.UZAWA_DIVERGED)
