@@ -38,7 +38,7 @@ def draw_work_precision(section: Section, path: Path) -> None:
             if column == 0:
                 axes[row][column].set_ylabel(label)
     axes[0][0].legend(fontsize=7)
-    figure.savefig(path, dpi=90)
+    figure.savefig(path, dpi=80)
 
 
 def _curves(axes: Axes, table: Table, key: str) -> None:

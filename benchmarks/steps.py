@@ -54,6 +54,7 @@ def measure(effort: Effort) -> Section:
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=_goals(rows, effort.largest),
+        remarks=[f"{name}: {cases[key].failure}" for name, key in keys.items() if name not in able],
     )
 
 
@@ -76,7 +77,7 @@ def _row(
     name, algorithm, stepping = key
     row: dict[str, Value] = {"mechanism": name, "algorithm": algorithm, "stepping": stepping}
     if times is None:
-        return row | {"remark": case.failure}
+        return row | {"remark": "a step failed"}
     points = mechanisms(effort.largest)[name][1]
     solve = 1e6 * times.minimum / case.solves
     return row | {

@@ -122,15 +122,19 @@ def curve(problem: Problem, effort: Effort) -> list[dict[str, Value]]:
 def _ours(problem: Problem, algorithm: str, h: float) -> Candidate:
     solver, setting = f"holonom {algorithm}", f"h = {h:g}"
     settings = {"step_size": h, "algorithm": algorithm}
+    integrator = start(problem.content, **settings)
+    observer = Observer(problem.content, integrator)
+    initial, energy = observer.energy(), 0.0
     try:
-        observer = Observer(problem.content, integrator := start(problem.content, **settings))
-        initial, energy = observer.energy(), 0.0
         for _ in range(SAMPLES):
             integrator.advance(integrator.time, STOP / SAMPLES)
             energy = max(energy, abs(observer.energy() - initial))
-    except StepError as error:
-        return Candidate(solver, setting, {"remark": str(error)}, None)
+    except StepError:
+        remark = f"a step failed at {integrator.time:g} s"
+        return Candidate(solver, setting, {"remark": remark}, None)
     steps = Repeated(start(problem.content, **settings), h, round(STOP / h), warm_up=0)
+    if steps.failure:
+        return Candidate(solver, setting, {"energy": energy, "remark": "a step failed"}, None)
     q, v = Observer(problem.content, steps.integrator).moving_points()
     accuracy = errors(problem, q, v) | {"energy": energy}
     accuracy["remark"] = "some steps halved" if steps.halved else ""
