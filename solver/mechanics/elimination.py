@@ -45,14 +45,9 @@ def block_order(neighbours: list[set[int]], n_nodes: int, dim: int) -> list[int]
     `neighbours` (modified) holds the blocks that each block is coupled to.
     """
     weight = [dim] * n_nodes + [1] * (len(neighbours) - n_nodes)
-    nodes_of_row = [{b for b in neighbours[row] if b < n_nodes} for row in range(len(weight))]
-    rows_of_node: list[list[int]] = [[] for _ in range(n_nodes)]
-    for row in range(n_nodes, len(weight)):
-        for node in nodes_of_row[row]:
-            rows_of_node[node].append(row)
     degree = [sum(weight[b] for b in near) for near in neighbours]
-    ready = [block < n_nodes for block in range(len(weight))]
     done = [False] * len(weight)
+    # Rows enter the heap as neighbours of an eliminated block, so after one of their nodes.
     heap = [(degree[block], block) for block in range(n_nodes)]
     heapq.heapify(heap)
     order = []
@@ -66,12 +61,9 @@ def block_order(neighbours: list[set[int]], n_nodes: int, dim: int) -> list[int]
         for other in near:
             neighbours[other] |= near
             neighbours[other] -= {other, block}
-        for row in rows_of_node[block] if block < n_nodes else ():
-            ready[row] = True
         for other in near:
             degree[other] = sum(weight[b] for b in neighbours[other])
-            if ready[other]:
-                heapq.heappush(heap, (degree[other], other))
+            heapq.heappush(heap, (degree[other], other))
     assert len(order) == len(weight)
     return order
 
