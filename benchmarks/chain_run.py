@@ -15,13 +15,14 @@ from benchmarks.effort import Effort
 from benchmarks.mechanisms import scene, start_scene, waving_chain
 from benchmarks.stepping import Repeated
 from benchmarks.timing import interleave
+from solver.runtime import Integrator, Model
 
 STEP = 1e-3
 WARM_UP = 5
 
 
-def run(n: int, count: int, repetitions: int) -> dict[str, float | str | None]:
-    """Measure a spatial chain of n points, `count` plain steps at a time."""
+def run(n: int, count: int, repetitions: int) -> list[dict[str, float | str | None]]:
+    """Measure a spatial chain of n points, `count` plain steps at a time; one row an algorithm."""
     start_scene(scene(waving_chain(10, 3)))  # what the first scene imports is no part of it
     before = peak_bytes()
     begin = time.process_time()
@@ -40,18 +41,29 @@ def run(n: int, count: int, repetitions: int) -> dict[str, float | str | None]:
         "kernel_bytes": 8 * doubles + 4 * integers,
         "peak_bytes": after - before if after and before else None,
     }
-    steps = Repeated(integrator, STEP, count, WARM_UP)
-    if steps.failure:
-        return facts | {"failure": steps.failure}
+    return [facts | steps(model, name, count, repetitions) for name in ("nested", "simultaneous")]
+
+
+def steps(
+    model: Model, algorithm: str, count: int, repetitions: int
+) -> dict[str, float | str | None]:
+    """Seconds and Newton iterations of a step; or why there is none."""
+    integrator = Integrator(model, kernel="c")
+    integrator["solver.algorithm"] = algorithm
+    integrator.initialise()
+    repeated = Repeated(integrator, STEP, count, WARM_UP)
+    if repeated.failure:
+        return {"algorithm": algorithm, "failure": repeated.failure}
     effort = Effort(
-        name="child", scale=1.0, repetitions=repetitions, budget=0.5, largest=n, steps=0
+        name="child", scale=1.0, repetitions=repetitions, budget=0.5, largest=1, steps=0
     )
-    times = interleave({"steps": steps.entry}, effort)["steps"]
-    return facts | {
+    times = interleave({"steps": repeated.entry}, effort)["steps"]
+    return {
+        "algorithm": algorithm,
         "step": times.minimum / count,
         "noise": times.noise,
-        "newton": steps.newton_per_solve,
-        "failure": "some steps halved" if steps.halved else "",
+        "newton": repeated.newton_per_solve,
+        "failure": "some steps halved" if repeated.halved else "",
     }
 
 

@@ -19,6 +19,7 @@ FIRST_OF_FIT = 100
 
 COLUMNS = {
     "n": "N",
+    "algorithm": "algorithm",
     "step": "µs per step",
     "node": "µs per step and point",
     "newton": "Newton iterations",
@@ -27,7 +28,7 @@ COLUMNS = {
     "assemble": "assemble, s",
     "kernel": "kernel, bytes per point",
     "peak": "process, bytes per point",
-    "failure": "",
+    "remark": "",
 }
 FORMATS = {
     "n": ".0f", "step": ".4g", "node": ".3f", "newton": ".1f", "noise": ".2f",
@@ -36,13 +37,13 @@ FORMATS = {
 
 
 def measure(effort: Effort) -> Section:
-    rows = [_row(_child(n, effort)) for n in POINTS if n <= effort.largest]
+    rows = [_row(f) for n in POINTS if n <= effort.largest for f in _child(n, effort)]
     largest = max(n for n in POINTS if n <= effort.largest)
     return Section(
         name="chains",
         title="Cost against the number of bodies",
         method=(
-            "The spatial chain of the table above, plain steps of 1 ms, nested, each N in a "
+            "The spatial chain of the table above, plain steps of 1 ms, each N in a "
             "process of its own. *Read* is from the text of the scene to a checked scene, "
             "*assemble* from there to the first step. *Kernel* is all memory that the compiled "
             "kernel works on; *process* is the growth of the largest memory of the process, with "
@@ -51,18 +52,25 @@ def measure(effort: Effort) -> Section:
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=[
             Goal(
-                what=f"exponent p in cost of a step ~ N^p, N = {FIRST_OF_FIT} to {largest}",
+                what=f"p in cost of a step ~ N^p, N = {FIRST_OF_FIT} to {largest}, {algorithm}",
                 unit="1",
                 goal=LINEAR,
-                value=_exponent(rows),
-            ),
+                value=_exponent(rows, algorithm),
+            )
+            for algorithm in ("nested", "simultaneous")
         ]
         if largest > FIRST_OF_FIT
         else [],
+        remarks=[
+            f"N = {row['n']}, {row.get('algorithm', 'both')}: {row['failure']}"
+            for row in rows
+            if row["failure"]
+        ],
     )
 
 
-def _child(n: int, effort: Effort) -> dict[str, Value]:
+def _child(n: int, effort: Effort) -> list[dict[str, Value]]:
+    """One row for each algorithm, from a process of its own."""
     count = effort.count(max(2, STEPS_TIMES_POINTS // n), least=2)
     numbers = [str(number) for number in (n, count, effort.repetitions)]
     run = subprocess.run(
@@ -74,7 +82,7 @@ def _child(n: int, effort: Effort) -> dict[str, Value]:
     )
     if run.returncode:
         reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
-        return {"n": float(n), "failure": reason}
+        return [{"n": n, "failure": reason}]
     return json.loads(run.stdout)
 
 
@@ -89,16 +97,19 @@ def _row(facts: dict[str, Value]) -> dict[str, Value]:
     ):
         value = facts.get(source)
         row[key] = None if value is None else factor * float(value)
+    row["remark"] = "see below" if facts["failure"] else ""
     return row
 
 
-def _exponent(rows: list[dict[str, Value]]) -> float | None:
+def _exponent(rows: list[dict[str, Value]], algorithm: str) -> float | None:
     """Slope between the chain of 100 points and the longest; None when either was not measured."""
     ends = [row for row in rows if row["n"] in (FIRST_OF_FIT, rows[-1]["n"])]
-    steps = [row.get("step") for row in ends]
-    sizes = [row["n"] for row in ends]
-    if len(ends) != 2 or None in steps:
+    points = [
+        (math.log(float(row["n"] or 0)), math.log(float(step)))
+        for row in ends
+        if row.get("algorithm") == algorithm and (step := row.get("step")) is not None
+    ]
+    if len(points) != 2:
         return None
-    first, last = (math.log(float(value)) for value in steps if value is not None)
-    small, large = (math.log(float(value)) for value in sizes if value is not None)
+    (small, first), (large, last) = points
     return (last - first) / (large - small)
