@@ -74,12 +74,12 @@ def book_step(step: Step) -> None:
         motion.book("work", float(load @ d[mechanism.dim * node : mechanism.dim * (node + 1)]))
     for form, moment in zip(mechanism.moment_links, mechanism.moment, strict=True):
         u_n = equations.u_n[form]
-        f, _ = couple(moment, u_n, u_n + form.U @ d)
+        f, _ = couple(moment, u_n, form.U @ d)
         motion.book("work", float(f @ form.U @ d))
     for form, damping in zip(mechanism.lines, mechanism.damping, strict=True):
         if damping != 0.0:
             u_n = equations.u_n[form]
-            motion.book("dissipated", damping * elongation(u_n, u_n + form.U @ d) ** 2 / h)
+            motion.book("dissipated", damping * elongation(u_n, form.U @ d) ** 2 / h)
 
 
 def crossings(u_n: Array, u_n1: Array) -> float:

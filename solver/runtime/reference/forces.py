@@ -43,27 +43,27 @@ def constant_force(mechanism: Mechanism) -> Array:
     return Q
 
 
-def elongation(u_n: Array, u_n1: Array) -> float:
-    """Elongation l_n1 - l_n = (u_n + u_n1) . (u_n1 - u_n)/(l_n + l_n1), without cancellation."""
-    return float((u_n + u_n1) @ (u_n1 - u_n)) / (length(u_n) + length(u_n1))
+def elongation(u_n: Array, du: Array) -> float:
+    """Elongation l_n1 - l_n = (u_n + u_n1) . du/(l_n + l_n1), without cancellation."""
+    return float((2.0 * u_n + du) @ du) / (length(u_n) + length(u_n + du))
 
 
 def tension(
-    u_n: Array, u_n1: Array, h: float, stiffness: float, free_length: float, damping: float
+    u_n: Array, du: Array, h: float, stiffness: float, free_length: float, damping: float
 ) -> tuple[Array, Array]:
-    """Force N e [N] in a link from spring and damper, and its derivative in u_n1.
+    """Force N e [N] in a link from spring and damper, and its derivative in du = u_n1 - u_n.
 
     N = k [(l_n + l_n1)/2 - l_free] + c (l_n1 - l_n)/h: the mean slope of V = k (l - l_free)^2/2, so
     that the work is exactly -dV - c (l_n1 - l_n)^2/h.
     """
-    identity, u_sum = np.eye(len(u_n)), u_n + u_n1
+    identity, u_n1, u_sum = np.eye(len(u_n)), u_n + du, 2.0 * u_n + du
     if free_length == 0.0 and damping == 0.0:  # V = k u.u/2: no direction is needed
         return 0.5 * stiffness * u_sum, 0.5 * stiffness * identity
     l_n, l_n1 = length(u_n), length(u_n1)
     if not (l_n > 0.0 and l_n1 > 0.0):
         raise UnsolvedError(Status.ZERO_LENGTH)
     l_sum, e_n1 = l_n + l_n1, u_n1 / l_n1
-    N = stiffness * (0.5 * l_sum - free_length) + damping * elongation(u_n, u_n1) / h
+    N = stiffness * (0.5 * l_sum - free_length) + damping * elongation(u_n, du) / h
     dN = (0.5 * stiffness + damping / h) * e_n1
     e, de = u_sum / l_sum, identity / l_sum - np.outer(u_sum, e_n1) / l_sum**2
     return N * e, np.outer(e, dN) + N * de
@@ -74,15 +74,15 @@ def in_space(x: Array) -> Array:
     return np.append(x, np.zeros(3 - len(x)))
 
 
-def couple(moment: Array, u_n: Array, u_n1: Array) -> tuple[Array, Array]:
-    """Force f [N] of a moment m on a link, and its derivative in u_n1.
+def couple(moment: Array, u_n: Array, du: Array) -> tuple[Array, Array]:
+    """Force f [N] of a moment m on a link, and its derivative in du = u_n1 - u_n.
 
     f = g m x u_mid with g = beta/|u_n x u_n1|, beta the angle from u_n to u_n1. In the plane the
     work f . du = g m . (u_n x u_n1) is exactly m beta.
     """
     dim = len(u_n)
     m = in_space(moment) if dim == 3 else np.array([0.0, 0.0, moment[0]])
-    u_n, u_n1 = in_space(u_n), in_space(u_n1)
+    u_n, u_n1 = in_space(u_n), in_space(u_n + du)
     size2 = length(u_n) * length(u_n1)
     if not size2 > 0.0:
         raise UnsolvedError(Status.ZERO_LENGTH)
@@ -109,12 +109,12 @@ def step_force(
     laws = zip(mechanism.stiffness, mechanism.free_length, mechanism.damping, strict=True)
     for form, law in zip(mechanism.lines, laws, strict=True):
         u_n = links[form]
-        f, f_u = tension(u_n, u_n + form.U @ d, h, *law)
+        f, f_u = tension(u_n, form.U @ d, h, *law)
         Q -= form.U.T @ f
         Q_d -= form.U.T @ f_u @ form.U
     for form, moment in zip(mechanism.moment_links, mechanism.moment, strict=True):
         u_n = links[form]
-        f, f_u = couple(moment, u_n, u_n + form.U @ d)
+        f, f_u = couple(moment, u_n, form.U @ d)
         Q += form.U.T @ f
         Q_d += form.U.T @ f_u @ form.U
     return Q, Q_d
