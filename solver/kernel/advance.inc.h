@@ -44,14 +44,33 @@ static int32_t single_step(context *c, double h, int parity)
     return status;
 }
 
+/* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours
+   is smooth, and it belongs to the time between them. Two means give the multiplier at the output's time.      */
+static void average_multipliers(context *c, double time)
+{
+    double *head = c->s.head;
+    const hm_state *s = &c->s;
+    head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
+    head[S_MEAN_TIME] = time;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        s->mean_before[i] = s->mean[i];
+        s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
+    }
+}
+
 /* One internal step, or the pair of half steps that replaces it: the plain step reflects the velocity normal to
    the constraints, the pair does not, so that its velocities are smooth.                                       */
 static int32_t internal_step(context *c, double h)
 {
-    if (c->s.head[S_PAIRED] == 0.0) return single_step(c, h, (int)c->s.head[S_PARITY]);
+    if (c->s.head[S_PAIRED] == 0.0) {
+        const int32_t status = single_step(c, h, (int)c->s.head[S_PARITY]);
+        if (!status) average_multipliers(c, c->t - h);
+        return status;
+    }
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
     int32_t status = single_step(c, 0.5 * h, 0);
     if (!status) status = single_step(c, 0.5 * h, 1);
+    if (!status) average_multipliers(c, c->t - 0.5 * h);
     return status;
 }
 

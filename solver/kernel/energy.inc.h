@@ -148,5 +148,8 @@ static int32_t first_multipliers(context *c)
         EACH(k) c->s.a[0][DIM * a + k] = c->s.a[1][DIM * a + k] = c->k.rhs[m->node_position[a] + k];
     memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)m->n_rows);
     memcpy(c->s.mu[1], c->k.mu, sizeof(double) * (size_t)m->n_rows);
+    memcpy(c->s.mean, c->k.mu, sizeof(double) * (size_t)m->n_rows);
+    memcpy(c->s.mean_before, c->k.mu, sizeof(double) * (size_t)m->n_rows);
+    c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
     return HOLONOM_OK;
 }

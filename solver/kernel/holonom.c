@@ -24,6 +24,8 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->a[1] = take(block, &used, n);
     s->mu[0] = take(block, &used, m->n_rows);
     s->mu[1] = take(block, &used, m->n_rows);
+    s->mean = take(block, &used, m->n_rows);
+    s->mean_before = take(block, &used, m->n_rows);
     s->turns = take(block, &used, m->n_angles);
     s->inputs = take(block, &used, m->n_inputs);
     s->parameters = take(block, &used, m->n_parameters);

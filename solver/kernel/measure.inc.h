@@ -83,18 +83,21 @@ static double *measure_motion(const context *c, double *y)
     return y + 2 * m->n_lines;
 }
 
-/* Force along each rod, positive in tension: mean multiplier of the last two steps, since mu is constant over a
-   step and has a component of alternating sign.                                                             */
+/* Force along each rod, positive in tension, from the multiplier at the present time: the line through the means
+   of the last steps.                                                                                         */
 static double *measure_rows(const context *c, double *y, double *position, double *velocity)
 {
     const holonom_model *m = c->m;
+    const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
+    const double ahead = gap > 0.0 ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
     *position = *velocity = 0.0;
     for (int32_t i = 0; i < m->n_rows; i++) {
         double u[DIM], w[DIM], vu[DIM], vw[DIM];
         link_at_state(c, m->row_form[i], u, w);
         link_of(c, m->row_form[i], c->s.v, vu, vw);
         const double scale = c->number[m->row_scale_at + i];
-        y[i] = 0.5 * (c->s.mu[0][i] + c->s.mu[1][i]) * 2.0 * sqrt(dot(u, u));
+        const double mu = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
+        y[i] = mu * 2.0 * sqrt(dot(u, u));
         *position = fmax(*position, fabs(dot(u, w) - c->number[m->row_constant_at + i]) / scale);
         *velocity = fmax(*velocity, fabs(dot(u, vw) + dot(w, vu)) / scale);
     }

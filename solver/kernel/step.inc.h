@@ -82,13 +82,36 @@ static int32_t newton_update(context *c, double *eta)
 #define NEWTON_MARGIN 1e-6
 #define CONSTRAINT_MARGIN 1e-5
 
+/* Energies that unfinished iterations would add: v'R by the momentum balance, Phi'mu by the constraints. Small
+   increments alone do not tell that a step is solved: they also become small where mu grows beyond all bounds. */
+static double residual_energy(const context *c)
+{
+    double sum = 0.0;
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) sum += c->k.d[k] * c->k.momentum[k];
+    return fabs(sum) / c->h;
+}
+
+static double constraint_energy(const context *c)
+{
+    double sum = 0.0;
+    for (int32_t i = 0; i < c->m->n_rows; i++) sum += c->k.phi[i] * c->k.mu[i];
+    return fabs(sum);
+}
+
 /* Newton iteration with lambda held fixed (nested) or following mu (simultaneous). The error left behind is
    estimated from the observed contraction theta. It ends a margin below the tolerance, or where round-off stops
    the contraction below the tolerance. The factors are kept while they contract well.                        */
 typedef struct newton_record {
     double theta, eta, target, floor; /* contraction, last increment, tolerance, round-off of positions        */
+    double energy;                    /* reference energy [J]                                                 */
     int factorised, total;
 } newton_record;
+
+/* A momentum residual that adds 1e4 tolerances of energy is no round-off: mu has left all bounds. */
+static int is_sound(const context *c, const newton_record *r)
+{
+    return residual_energy(c) <= 1e4 * c->s.head[S_TOLERANCE] * r->energy;
+}
 
 static int32_t iterate_newton(context *c, newton_record *r)
 {
@@ -117,10 +140,11 @@ static int32_t iterate_newton(context *c, newton_record *r)
         const double left = iteration > 0 || keep ? r->theta * r->eta : r->eta;
         const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
         if (simultaneous && !is_penalty(c)) defect = constraint_defect(c);
-        if (left <= NEWTON_MARGIN * r->target && defect <= CONSTRAINT_MARGIN * tolerance) return HOLONOM_OK;
-        if (stalled && defect <= tolerance) return HOLONOM_OK;
+        const int solved = left <= NEWTON_MARGIN * r->target && defect <= CONSTRAINT_MARGIN * tolerance;
+        if ((solved || (stalled && defect <= tolerance)) && is_sound(c, r)) return HOLONOM_OK;
     }
-    return r->eta <= r->target ? HOLONOM_UZAWA_DIVERGED : HOLONOM_NEWTON_DIVERGED;
+    if (!(r->eta <= r->target && is_sound(c, r))) return HOLONOM_NEWTON_DIVERGED;
+    return defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
 /* One step: outer Uzawa iteration around the inner Newton iteration (paper, section 2.2 and eq 15, 16). */
@@ -129,12 +153,13 @@ static int32_t solve_step(context *c, int parity)
     double *head = c->s.head, last = INFINITY;
     const double tolerance = head[S_TOLERANCE];
     const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
-    newton_record r = {1.0, 0.0, 0.0, 0.0, 0, 0};
+    newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0, 0};
     prepare_step(c, parity);
     update_multipliers(c);
     int32_t status = evaluate_residual(c);
     const double speed2 = mass_norm2(c, c->k.d) + 2.0 * c->h * c->h * head[S_ENERGY_REFERENCE];
     r.target = tolerance * sqrt(speed2);
+    r.energy = 0.5 * speed2 / (c->h * c->h);
     r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
     for (int uzawa = 0; !status; uzawa++) {
         status = iterate_newton(c, &r);
@@ -143,7 +168,10 @@ static int32_t solve_step(context *c, int parity)
         if (status || single) break;
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
-        if (defect <= CONSTRAINT_MARGIN * tolerance || (defect <= tolerance && defect > 0.5 * last)) break;
+        if (defect <= CONSTRAINT_MARGIN * tolerance) break;
+        /* Round-off, or slow contraction that has gone far enough for the energy. */
+        const int harmless = defect > 0.5 * last && constraint_energy(c) <= tolerance * r.energy;
+        if (defect <= tolerance && (harmless || defect > 0.9 * last)) break;
         if (uzawa >= max_uzawa) return HOLONOM_UZAWA_DIVERGED;
         last = defect;
         head[S_UZAWA] += 1.0;

@@ -32,7 +32,8 @@ OFFSETS = (
 
 HEAD = (
     "time", "energy_start", "potential_start", "energy_reference", "work", "work_low", "dissipated",
-    "dissipated_low", "defect", "defect_low", "residual", "residual_low", "parity",
+    "dissipated_low", "defect", "defect_low", "residual", "residual_low",
+    "mean_time", "mean_time_before", "parity",
     "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation", "simultaneous",
     "paper_update", "paired", "step_size", "tolerance", "penalty", "xi", "omega", "max_newton",
     "max_uzawa",
@@ -48,13 +49,13 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
 
     ``q, q_low, v, v_low`` (n each): coordinates [m], velocities [m/s], and what rounding left over;
     ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first,
-    mu_second`` (n_rows each): last multipliers; ``turns``: full turns of planar links; ``inputs,
-    parameters``.
+    mu_second`` (n_rows each): last multipliers; ``mean, mean_before``: means of two neighbours;
+    ``turns``: full turns of planar links; ``inputs, parameters``.
     """
     n = sizes["dim"] * sizes["n_free"]
     lengths = {
         **dict.fromkeys(("q", "q_low", "v", "v_low", "a_first", "a_second"), n),
-        **dict.fromkeys(("mu_first", "mu_second"), sizes["n_rows"]),
+        **dict.fromkeys(("mu_first", "mu_second", "mean", "mean_before"), sizes["n_rows"]),
         "turns": sizes["n_angles"],
         "inputs": sizes["n_inputs"],
         "parameters": sizes["n_parameters"],

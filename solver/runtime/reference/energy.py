@@ -142,11 +142,15 @@ class Measurement:
         return forces
 
     def rod_force(self) -> Array:
-        """Forces along the rods [N]: mean multiplier of the last two steps times |grad Phi|.
+        """Forces along the rods [N]: multiplier at the present time times |grad Phi|.
 
-        mu is constant over a step and has a component of alternating sign, which the mean removes.
+        mu is constant over a step and has a component of alternating sign, which the mean of two
+        neighbours removes; the line through the last two means leads to the present time.
         """
-        mu = 0.5 * (self.motion.mu[0] + self.motion.mu[1])
+        head, mean = self.motion.head, self.motion.vectors["mean"]
+        gap = head["mean_time"] - head["mean_time_before"]
+        ahead = (head["time"] - head["mean_time"]) / gap if gap > 0.0 else 0.0
+        mu = mean + ahead * (mean - self.motion.vectors["mean_before"])
         return mu * np.array([2.0 * length(self._link(row)[0]) for row in self.mechanism.rows])
 
     def energy(self) -> list[float]:

@@ -120,6 +120,8 @@ class Reference:
         lam, a = first_multipliers(mechanism, motion)
         for half in (0, 1):
             motion.mu[half][:], motion.a[half][:] = lam, a
+        motion.vectors["mean"][:] = motion.vectors["mean_before"][:] = lam
+        head["mean_time"] = head["mean_time_before"] = head["time"]
         kinetic = kinetic_energy(mechanism, motion)
         head["potential_start"] = potential_energy(mechanism, motion)
         head["energy_start"] = kinetic + head["potential_start"]
@@ -182,8 +184,17 @@ class Reference:
         if self._motion.head["paired"]:
             self._single_step(mechanism, t, 0.5 * h, 0)
             self._single_step(mechanism, t + 0.5 * h, 0.5 * h, 1)
+            self._average_multipliers(t + 0.5 * h)
         else:
             self._single_step(mechanism, t, h, int(self._motion.head["parity"]))
+            self._average_multipliers(t)
+
+    def _average_multipliers(self, time: float) -> None:
+        """Keep the mean of the last two multipliers, which belongs to the time between them."""
+        vectors, head = self._motion.vectors, self._motion.head
+        vectors["mean_before"][:] = vectors["mean"]
+        vectors["mean"][:] = 0.5 * (self._motion.mu[0] + self._motion.mu[1])
+        head["mean_time_before"], head["mean_time"] = head["mean_time"], time
 
     def _single_step(self, mechanism: Mechanism, t: float, h: float, half: int) -> None:
         """Solve one step with the laws at its midpoint and take it over into the state."""
