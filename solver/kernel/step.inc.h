@@ -169,10 +169,15 @@ static int32_t solve_step(context *c, int parity)
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
         if (defect <= CONSTRAINT_MARGIN * tolerance) break;
-        /* Round-off, or slow contraction that has gone far enough for the energy. */
-        const int harmless = defect > 0.5 * last && constraint_energy(c) <= tolerance * r.energy;
-        if (defect <= tolerance && (harmless || defect > 0.9 * last)) break;
-        if (uzawa >= max_uzawa) return HOLONOM_UZAWA_DIVERGED;
+        /* Near a singular configuration one combination of rows contracts slowly: it may go on until its energy
+           is round-off, or the updates are used up. Contraction that has ended is round-off of Phi itself. */
+        const double energy = constraint_energy(c) / r.energy;
+        const int slow = defect > 0.5 * last && energy <= CONSTRAINT_MARGIN * tolerance;
+        if (defect <= tolerance && (slow || defect > 0.9 * last)) break;
+        if (uzawa >= max_uzawa) {
+            if (defect <= tolerance && energy <= tolerance) break;
+            return HOLONOM_UZAWA_DIVERGED;
+        }
         last = defect;
         head[S_UZAWA] += 1.0;
         update_multipliers(c);
