@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 import time
 from collections.abc import Sequence
@@ -79,4 +80,8 @@ def _draw(sections: Sequence[Section], folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    code = main()
+    sys.stdout.flush()
+    # Without exit handlers: that of pythonfmu's library, once an FMU was loaded, reads freed memory
+    # and now and then aborts a process that has done all its work.
+    os._exit(code)
