@@ -78,6 +78,36 @@ static void link_at_state(const context *c, int32_t f, double *u, double *w)
     EACH(k) w[k] += w_low[k];
 }
 
+/* Phi = u . w - c of row i at the state's configuration, to about twice the digits of a double, so that no step
+   corrects the rounding error of Phi: its impulse grows as 1/h^2, without bound near a singular configuration. */
+static double row_at_state(const context *c, int32_t i)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = m->row_form[i], begin = m->form_ptr[f], free = begin + m->form_free[f];
+    double high = -c->number[m->row_constant_at + i], low = 0.0;
+    EACH(k) {
+        double u = 0.0, u_low = 0.0, w = 0.0, w_low = 0.0;
+        for (int32_t e = begin; e < m->form_ptr[f + 1]; e++) {
+            const int32_t at = DIM * (m->form_node[e] - (e < free ? 0 : m->n_free)) + k;
+            const double x = e < free ? c->s.q[at] : c->number[m->support_at + at];
+            const double x_low = e < free ? c->s.q_low[at] : 0.0;
+            const double alpha = c->number[m->alpha_at + e], beta = c->number[m->beta_at + e];
+            hm_add_product(&u, &u_low, alpha, x);
+            u_low += alpha * x_low;
+            if (m->form_square[f]) continue;
+            hm_add_product(&w, &w_low, beta, x);
+            w_low += beta * x_low;
+        }
+        if (m->form_square[f]) {
+            w = u;
+            w_low = u_low;
+        }
+        hm_add_product(&high, &low, u, w);
+        low += u * w_low + u_low * w;
+    }
+    return high + low;
+}
+
 /* target[node] += factor (alpha W + beta U): adds a multiple of the gradient of form f built from links U, W. */
 static inline void add_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
                                 double *target)

@@ -20,6 +20,20 @@ static inline void hm_add(double *high, double *low, double x)
     *high = s;
 }
 
+/* (*high + *low) += a b to about twice the precision, for terms of any size (Dekker 1971; Veltkamp's split rather
+   than fma, which is a call where the processor is not known to have it). */
+static inline void hm_add_product(double *high, double *low, double a, double b)
+{
+    const double product = a * b, s = *high + product, t = s - *high;
+    *low += (*high - (s - t)) + (product - t);
+    *high = s;
+    if (a == 1.0 || a == -1.0) return; /* the product is exact */
+    const double a_far = 134217729.0 * a, b_far = 134217729.0 * b; /* 2^27 + 1 */
+    const double a_high = a_far - (a_far - a), b_high = b_far - (b_far - b);
+    const double a_low = a - a_high, b_low = b - b_high;
+    *low += ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
 /* Vectors of a state behind its head. */
 typedef struct hm_state {
     double *head;

@@ -1,14 +1,5 @@
 /* One conserving step, pairs of half steps, and a communication step. Included once per dimension.            */
 
-/* Mass norms: |w|, |d|, with the node's share of the mass. */
-static double mass_norm2(const context *c, const double *x)
-{
-    double sum = 0.0;
-    for (int32_t a = 0; a < c->m->n_free; a++)
-        sum += c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
-    return sum;
-}
-
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
 {
@@ -24,8 +15,7 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     for (int32_t i = 0; i < m->n_rows; i++) {
-        const int32_t f = m->row_form[i];
-        c->k.phi0[i] = dot(c->k.u0 + DIM * f, c->k.w0 + DIM * f) - c->number[m->row_constant_at + i];
+        c->k.phi0[i] = row_at_state(c, i);
         c->k.epsilon[i] = row_compliance(c, i);
         c->k.mu[i] = c->s.mu[parity][i];
     }
@@ -58,22 +48,35 @@ static double constraint_defect(const context *c)
     return largest;
 }
 
-/* Solves for one Newton increment and adds it; *eta is its size in the mass norm. */
-static int32_t newton_update(context *c, double *eta)
+typedef struct newton_record {
+    double theta, eta, size;      /* contraction, and in the mass norm the last increment and d [kg^1/2 m]      */
+    double target, floor, energy; /* tolerance and round-off of increments; reference energy [J]               */
+    int factorised, total, stiffened;
+} newton_record;
+
+/* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */
+static int32_t newton_update(context *c, newton_record *r)
 {
     const holonom_model *m = c->m;
-    double *rhs = c->k.rhs, sum = 0.0;
+    double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
     hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, rhs);
     for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = rhs + m->node_position[a];
-        sum += c->number[m->node_mass_at + a] * dot(x, x);
-        EACH(k) c->k.w[DIM * a + k] += x[k];
-        EACH(k) c->k.d[DIM * a + k] = c->k.hv[DIM * a + k] + c->k.w[DIM * a + k];
+        const double *x = rhs + m->node_position[a], mass = c->number[m->node_mass_at + a];
+        double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
+        EACH(k) w[k] += x[k];
+        EACH(k) d[k] = c->k.hv[DIM * a + k] + w[k];
+        increment2 += mass * dot(x, x);
+        size2 += mass * dot(d, d);
     }
     for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] += rhs[m->row_position[i]];
-    *eta = sqrt(sum);
-    return *eta < 1e150 ? HOLONOM_OK : HOLONOM_NOT_FINITE;
+    const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
+    r->eta = sqrt(increment2);
+    r->size = sqrt(size2);
+    r->target = c->s.head[S_TOLERANCE] * sqrt(size2 + 2.0 * h2 * reference);
+    r->energy = 0.5 * size2 / h2 + reference;
+    r->total++;
+    return r->eta < 1e150 && r->size < 1e150 ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 
 /* A step's error must lie far below the tolerance: what is left in momentum or constraints has one sign over
@@ -81,6 +84,10 @@ static int32_t newton_update(context *c, double *eta)
    margins of 1e-4 and 1e-3, 4e-14 J with these). The factors are kept, so that the last digits cost little.   */
 #define NEWTON_MARGIN 1e-6
 #define CONSTRAINT_MARGIN 1e-5
+/* Energy that the momentum residual may add: with near-singular factors increments shrink before the residual does,
+   so it is asked for by itself; where round-off ends the iteration it must still be no more than round-off.      */
+#define ENERGY_MARGIN 1e-3
+#define ENERGY_LIMIT 1e4
 
 /* Energies that unfinished iterations would add: v'R by the momentum balance, Phi'mu by the constraints. Small
    increments alone do not tell that a step is solved: they also become small where mu grows beyond all bounds. */
@@ -98,21 +105,20 @@ static double constraint_energy(const context *c)
     return fabs(sum);
 }
 
+/* Raises the penalty of the step at hand a thousandfold, twice at most. Where the singular configuration lies
+   between the midpoint and the end of a step, the gradients there differ in sign along one combination of rows;
+   if both are small, the Uzawa factor 1/(1 + chi g_1 g_m/sigma) of that combination has its pole nearby.         */
+static int stiffen(context *c, int *stiffened)
+{
+    if (is_penalty(c) || *stiffened >= 2) return 0;
+    *stiffened += 1;
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] *= 1e-3;
+    return 1;
+}
+
 /* Newton iteration with lambda held fixed (nested) or following mu (simultaneous). The error left behind is
    estimated from the observed contraction theta. It ends a margin below the tolerance, or where round-off stops
    the contraction below the tolerance. The factors are kept while they contract well.                        */
-typedef struct newton_record {
-    double theta, eta, target, floor; /* contraction, last increment, tolerance, round-off of positions        */
-    double energy;                    /* reference energy [J]                                                 */
-    int factorised, total;
-} newton_record;
-
-/* A momentum residual that adds 1e4 tolerances of energy is no round-off: mu has left all bounds. */
-static int is_sound(const context *c, const newton_record *r)
-{
-    return residual_energy(c) <= 1e4 * c->s.head[S_TOLERANCE] * r->energy;
-}
-
 static int32_t iterate_newton(context *c, newton_record *r)
 {
     const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0;
@@ -127,12 +133,11 @@ static int32_t iterate_newton(context *c, newton_record *r)
             if (status) return status;
             r->factorised = 1;
         }
-        status = newton_update(c, &r->eta);
+        status = newton_update(c, r);
         if (status) return status;
-        r->total++;
         /* First increment with new factors: nothing is known but its size against the step's. */
         if (iteration > 0 && previous > 0.0) r->theta = r->eta / previous;
-        else if (!keep) r->theta = r->eta < 0.02 * sqrt(mass_norm2(c, c->k.d)) ? 0.04 : 1.0;
+        else if (!keep) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
         previous = r->eta;
         if (simultaneous) update_multipliers(c);
         status = evaluate_residual(c);
@@ -140,10 +145,20 @@ static int32_t iterate_newton(context *c, newton_record *r)
         const double left = iteration > 0 || keep ? r->theta * r->eta : r->eta;
         const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
         if (simultaneous && !is_penalty(c)) defect = constraint_defect(c);
-        const int solved = left <= NEWTON_MARGIN * r->target && defect <= CONSTRAINT_MARGIN * tolerance;
-        if ((solved || (stalled && defect <= tolerance)) && is_sound(c, r)) return HOLONOM_OK;
+        const double added = residual_energy(c);
+        if (left <= NEWTON_MARGIN * r->target && defect <= CONSTRAINT_MARGIN * tolerance &&
+            added <= ENERGY_MARGIN * tolerance * r->energy)
+            return HOLONOM_OK;
+        if (stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy) return HOLONOM_OK;
+        if (simultaneous && iteration > 1 && r->theta > 0.25 && stiffen(c, &r->stiffened)) {
+            update_multipliers(c);
+            status = evaluate_residual(c);
+            r->factorised = 0;
+            r->theta = 1.0;
+        }
     }
-    if (!(r->eta <= r->target && is_sound(c, r))) return HOLONOM_NEWTON_DIVERGED;
+    if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy))
+        return HOLONOM_NEWTON_DIVERGED;
     return defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
@@ -153,13 +168,10 @@ static int32_t solve_step(context *c, int parity)
     double *head = c->s.head, last = INFINITY;
     const double tolerance = head[S_TOLERANCE];
     const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
-    newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0, 0};
+    newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0};
     prepare_step(c, parity);
     update_multipliers(c);
     int32_t status = evaluate_residual(c);
-    const double speed2 = mass_norm2(c, c->k.d) + 2.0 * c->h * c->h * head[S_ENERGY_REFERENCE];
-    r.target = tolerance * sqrt(speed2);
-    r.energy = 0.5 * speed2 / (c->h * c->h);
     r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
     for (int uzawa = 0; !status; uzawa++) {
         status = iterate_newton(c, &r);
@@ -169,13 +181,15 @@ static int32_t solve_step(context *c, int parity)
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
         if (defect <= CONSTRAINT_MARGIN * tolerance) break;
-        /* Near a singular configuration one combination of rows contracts slowly: it may go on until its energy
-           is round-off, or the updates are used up. Contraction that has ended is round-off of Phi itself. */
-        const double energy = constraint_energy(c) / r.energy;
-        const int slow = defect > 0.5 * last && energy <= CONSTRAINT_MARGIN * tolerance;
-        if (defect <= tolerance && (slow || defect > 0.9 * last)) break;
+        /* Near a singular configuration one combination of rows contracts slowly, or not at all. It need not go on
+           where its energy is round-off; else the penalty is raised; contraction that ends even so is round-off. */
+        const double energy = constraint_energy(c);
+        if (defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r.energy) break;
+        if (defect > 0.25 * last && defect > 10.0 * last / (1.0 + head[S_PENALTY]) && stiffen(c, &r.stiffened))
+            r.factorised = 0;
+        else if (defect > 0.9 * last && defect <= tolerance) break;
         if (uzawa >= max_uzawa) {
-            if (defect <= tolerance && energy <= tolerance) break;
+            if (defect <= tolerance && energy <= tolerance * r.energy) break;
             return HOLONOM_UZAWA_DIVERGED;
         }
         last = defect;

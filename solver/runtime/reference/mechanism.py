@@ -11,7 +11,9 @@ links are differences and lose no digits far from the origin.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +44,17 @@ class Form:
         u = self.U @ q + self.u_s + self.U @ q_low
         w = self.W @ q + self.w_s + self.W @ q_low
         return u, w
+
+    def exact(self, x: Sequence[Fraction]) -> Fraction:
+        """Value s = u . w at coordinates x (n,), without rounding."""
+        u, w = (
+            [
+                Fraction(fixed) + sum(Fraction(row[k]) * x[k] for k in np.flatnonzero(row))
+                for row, fixed in zip(matrix, support, strict=True)
+            ]
+            for matrix, support in ((self.U, self.u_s), (self.W, self.w_s))
+        )
+        return sum((a * b for a, b in zip(u, w, strict=True)), Fraction(0))
 
     def gradient(self, u: Array, w: Array) -> Array:
         """Gradient ds/dq, shape (n,), for given links."""
@@ -115,9 +128,13 @@ class Mechanism:
         return Form(U, W, u_s, w_s, U.T @ W + W.T @ U)
 
     def phi(self, q: Array, q_low: Array) -> Array:
-        """Constraint rows Phi(q) [m^2], shape (r,)."""
+        """Constraint rows Phi(q) [m^2], shape (r,), in exact arithmetic.
+
+        A step would correct the rounding error of Phi by an impulse that grows as 1/h^2.
+        """
+        x = [Fraction(high) + Fraction(low) for high, low in zip(q, q_low, strict=True)]
         return np.array(
-            [dot(*row.links(q, q_low)) - c for row, c in zip(self.rows, self.c, strict=True)]
+            [float(row.exact(x) - Fraction(c)) for row, c in zip(self.rows, self.c, strict=True)]
         )
 
     def G(self, q: Array, q_low: Array) -> Array:  # noqa: N802
