@@ -169,3 +169,52 @@ def test_a_parameter_that_is_no_number_is_refused(value):
     with pytest.raises(OptionError, match=r"^mass: must be a finite number"):
         integrator["mass"] = value
     assert integrator["mass"] == 1.0
+
+
+# ----------------------------------------------------------------------------- rules, while moving
+
+
+def turned(stiffness: str) -> Content:
+    """A point on a spring whose stiffness can be turned while it moves."""
+    points = {
+        "O": {"position": [0.0, 0.0], "fixed": True},
+        "A": {"position": [1.0, 0.0], "mass": 1.0},
+    }
+    ends = {"points": ["O", "A"], "free_length": 0.4}
+    return mechanism(
+        "turned", 2, points=points,
+        inputs={"u": {"start": 10.0}, "push": {}},
+        parameters={"k": {"value": 7.0, "variability": "tunable"}},
+        forces={
+            "tie": {"type": "spring", "stiffness": stiffness} | ends,
+            "wind": {"type": "force", "point": "A", "value": ["push", 0.0]},
+        },
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("kernel", ["c", "numpy"])
+@pytest.mark.parametrize(
+    ("stiffness", "name", "value"),
+    [("u", "u", -5.0), ("2*u - 1", "u", -2.0), ("k", "k", -5.0), ("k*t + u", "k", -500.0)],
+)
+def test_a_rule_is_kept_in_motion_and_a_value_that_breaks_it_changes_nothing(
+    stiffness, name, value, kernel
+):
+    model = assemble(turned(stiffness), step_size=0.01)
+    one, other = Integrator(model, kernel=kernel), Integrator(model, kernel=kernel)
+    for integrator in (one, other):
+        integrator.advance(0.0, 0.1)
+    places = [model.index("push"), model.index(name)]
+    with pytest.raises(OptionError, match=r"^force 'tie': stiffness must be >= 0 N/m, got -"):
+        one.set(places, [3.0, value])
+    assert one["push"] == 0.0
+    for integrator in (one, other):
+        integrator.advance(0.1, 0.1)
+    assert one.save() == other.save()
+
+
+def test_a_rule_about_an_expression_of_inputs_is_checked_at_assembly():
+    integrator = Integrator(assemble(turned("2*u - 1"), step_size=0.01))
+    integrator["u"] = -2.0
+    with pytest.raises(AssemblyError, match=r"stiffness must be >= 0 N/m, got -5\.0"):
+        integrator.initialise()

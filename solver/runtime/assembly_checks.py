@@ -3,21 +3,34 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
     from .engine import Doubles, Engine
-    from .model import Model
+    from .model import Model, Rule
 
 DRAWN = 1e-9
 """Largest relative error of a drawn length: the first step would turn a larger one into a jolt."""
 
 
-def broken_rules(model: Model, numbers: Doubles) -> list[str]:
+def rules_of_laws(model: Model) -> tuple[Rule, ...]:
+    """Return the rules whose numbers inputs, tunable parameters and time can change in motion."""
+    sizes, offsets = model.sizes, model.offsets
+    start = 5 * sizes["n_tape_parameters"]  # an operation is code, target and three arguments
+    laws = model.tables["tape"][start : start + 5 * sizes["n_tape_laws"]]
+    moved = {*laws[1::5], *range(offsets["input"], offsets["input"] + sizes["n_inputs"])}
+    for variable in model.variables:
+        if variable.kind == "parameter" and variable.variability == "tunable":
+            moved.add(offsets["parameter"] + variable.place)
+    return tuple(rule for rule in model.rules if rule.number in moved)
+
+
+def broken_rules(rules: Iterable[Rule], numbers: Doubles) -> list[str]:
     """Return one sentence for each rule that the numbers break."""
     return [
         rule.message.format(value=numbers[rule.number])
-        for rule in model.rules
+        for rule in rules
         if not rule.holds(numbers[rule.number])
     ]
 

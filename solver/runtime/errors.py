@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from enum import IntEnum
 
 
@@ -10,11 +11,31 @@ class AssemblyError(Exception):
 
 
 class StepError(Exception):
-    """A step could not be solved; the state is as before it."""
+    """A step could not be solved; the state is as before it.
+
+    `status` is the kernel's, and OK where the step was not even tried.
+    """
+
+    def __init__(self, message: str, status: Status | None = None) -> None:
+        super().__init__(message)
+        self.status = Status.OK if status is None else status
 
 
 class OptionError(ValueError):
     """A value was set that no rule allows; nothing was changed."""
+
+
+class UnknownNameError(OptionError, KeyError):
+    """There is no variable of this name; `known` are those there are."""
+
+    def __init__(self, name: str, known: Iterable[str]) -> None:
+        from difflib import get_close_matches  # only where a name is wrong
+
+        near = get_close_matches(name, known, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        super().__init__(f"no variable is named {name!r}{hint}")
+
+    __str__ = ValueError.__str__  # KeyError's is the message in quotation marks
 
 
 class Status(IntEnum):
@@ -27,6 +48,7 @@ class Status(IntEnum):
     NOT_FINITE = 4
     ZERO_LENGTH = 5
     BAD_STEP = 6
+    BAD_LAW = 7
 
 
 SENTENCE = {
@@ -54,6 +76,10 @@ SENTENCE = {
     Status.BAD_STEP: (
         "the step must be a finite number > 0 s and at most 1e9 internal steps long; "
         "use a shorter communication step or a larger solver.step_size"
+    ),
+    Status.BAD_LAW: (
+        "a stiffness, free length or damping became negative or not a number; "
+        "look at the expressions of springs and dampers at this time and with these inputs"
     ),
 }
 """What each status means, and the remedy."""

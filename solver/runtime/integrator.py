@@ -7,19 +7,20 @@ import math
 from array import array
 from collections.abc import Callable, Sequence
 
-from .assembly_checks import broken_rules, contradicted_rows
+from .assembly_checks import broken_rules, contradicted_rows, rules_of_laws
 from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
-from .state import State
+from .state import ASSEMBLED, CONFIGURED, MOVING, State
+from .value_checks import check_settable
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
     from .engine import Engine
 
-CONFIGURED, ASSEMBLED, MOVING = range(3)
-"""Phases of a run: values may change; initial configuration taken; at least one step done."""
+ROUNDING, STEP_SLACK = 8, 1e-6
+"""A step begins at the present time, up to so many last digits of it and this part of a step."""
 
 Value = float | str | bool
 
@@ -62,6 +63,7 @@ class Integrator:
         self.engine = _engine(model, kernel, log)
         self.state = State(model, self.engine.state)
         self._base = model.offsets["measured"]
+        self._rules_of_laws = rules_of_laws(model)
         self.reset()
 
     def reset(self) -> None:
@@ -147,46 +149,40 @@ class Integrator:
         """
         changes = list(zip((self.model.variables[index] for index in indices), values, strict=True))
         for variable, value in changes:
-            self._check_settable(variable, value)
+            check_settable(variable, value, moving=self.phase == MOVING)
         inputs, parameters = (list(self.state.vectors[name]) for name in ("inputs", "parameters"))
         for variable, value in changes:
-            if variable.kind == "option":
-                self._set_option(variable.name.removeprefix("solver."), value)
-            else:
+            if variable.kind != "option":
                 target = inputs if variable.kind == "input" else parameters
                 target[variable.place] = float(value)
         if self.phase == MOVING:
-            self.engine.set_inputs(inputs, parameters)
+            self._turn(inputs, parameters)
         else:
             self.state.vectors["inputs"][:] = array("d", inputs)
             self.state.vectors["parameters"][:] = array("d", parameters)
             self.phase = CONFIGURED
+        for variable, value in changes:
+            if variable.kind == "option":
+                self._set_option(variable.name.removeprefix("solver."), value)
         self._measured = False
+
+    def _turn(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
+        """Change inputs and tunable parameters in motion, unless a law would break its rule."""
+        if not self._rules_of_laws:
+            self.engine.set_inputs(inputs, parameters)
+            return
+        blocks = (self.state.block, self.engine.numbers)
+        before = [bytes(block) for block in blocks]
+        self.engine.set_inputs(inputs, parameters)
+        problems = broken_rules(self._rules_of_laws, self.engine.numbers)
+        if problems:
+            for block, kept in zip(blocks, before, strict=True):
+                ctypes.memmove(block, kept, len(kept))
+            raise OptionError("\n".join(problems))
 
     def __setitem__(self, name: str, value: Value) -> None:
         """Set a variable by its name."""
         self.set([self.model.index(name)], [value])
-
-    def _check_settable(self, variable: Variable, value: Value) -> None:
-        name, unit = variable.name, f" {variable.unit}".rstrip()
-        if variable.causality not in ("parameter", "input"):
-            message = f"{name}: is calculated and cannot be set"
-            raise OptionError(message)
-        if variable.variability == "fixed" and self.phase == MOVING:
-            message = f"{name}: is a fixed parameter; set it before the first step, or reset first"
-            raise OptionError(message)
-        if variable.kind == "option":
-            encode(name.removeprefix("solver."), value)
-            return
-        if not isinstance(value, int | float) or not math.isfinite(value):
-            message = f"{name}: must be a finite number{unit and f' in{unit}'}, got {value!r}"
-            raise OptionError(message)
-        if variable.minimum is not None and value < variable.minimum:
-            message = f"{name}: must be >= {variable.minimum:g}{unit}, got {value!r}"
-            raise OptionError(message)
-        if variable.maximum is not None and value > variable.maximum:
-            message = f"{name}: must be <= {variable.maximum:g}{unit}, got {value!r}"
-            raise OptionError(message)
 
     # ------------------------------------------------------------------------------- motion
 
@@ -206,14 +202,20 @@ class Integrator:
             self.phase = CONFIGURED
             raise AssemblyError("\n".join(problems))
 
-    def _assemble(self) -> None:
-        """Evaluate all that depends on parameters, and take the initial configuration."""
+    def _evaluate(self) -> None:
+        """Evaluate all numbers that depend on parameters, inputs and the time."""
         numbers, offsets = self.engine.numbers, self.model.offsets
         for name, section in (("input", "inputs"), ("parameter", "parameters")):
             for place, value in enumerate(self.state.vectors[section]):
                 numbers[offsets[name] + place] = value
+        numbers[offsets["time"]] = self.state.head["time"]
         self.engine.evaluate(0)
-        problems = broken_rules(self.model, numbers)
+        self.engine.evaluate(1)
+
+    def _assemble(self) -> None:
+        """Evaluate the numbers, check them, and take the initial configuration."""
+        self._evaluate()
+        problems = broken_rules(self.model.rules, self.engine.numbers)
         if problems:
             raise AssemblyError("\n".join(problems))
         status = Status(self.engine.initialise())
@@ -233,7 +235,8 @@ class Integrator:
             is as before.
         """
         head = self.state.head
-        slack = 1e-9 * max(abs(t), abs(step)) if math.isfinite(t + step) else 0.0
+        finite = math.isfinite(t + step)
+        slack = ROUNDING * math.ulp(t) + STEP_SLACK * abs(step) if finite else 0.0
         if not abs(t - head["time"]) <= slack:
             message = f"step from t = {t!r} s asked for, but the mechanism is at {head['time']!r} s"
             raise StepError(message)
@@ -255,7 +258,7 @@ class Integrator:
         self._measured = False
         h = min(step, self.state.head["step_size"])
         self.message = f"step from t = {t:g} s with h = {h:g} s: {SENTENCE[status]}"
-        raise StepError(self.message)
+        raise StepError(self.message, status)
 
     # --------------------------------------------------------------------------- save, restore
 
@@ -269,12 +272,15 @@ class Integrator:
         Raises
         ------
         OptionError
-            When it is a state of another model, or damaged.
+            When it is a state of another model, or damaged; the present one is then kept.
         """
         phase = self.state.phase_of(data)
         self.state.fill(data)
         if phase != CONFIGURED:
-            self._assemble()  # numbers that depend on parameters are not part of the state
+            # Numbers are no part of the state; it was assembled with these when it was saved, so
+            # nothing is asked again.
+            self._evaluate()
+            self.engine.initialise()
             self.state.fill(data)
         self.phase = phase
         self._measured = False

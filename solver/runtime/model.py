@@ -20,6 +20,7 @@ from array import array
 from collections import namedtuple
 from functools import cached_property
 
+from .errors import UnknownNameError
 from .layout import OFFSETS, SIZES, TABLES
 
 FORMAT = 1
@@ -125,7 +126,9 @@ class Model(
         return {variable.name: index for index, variable in enumerate(self.variables)}
 
     def index(self, name: str) -> int:  # type: ignore[override]
-        """Return the index of a variable; raises KeyError if there is none of that name."""
+        """Return the index of a variable; `UnknownNameError` if there is none of that name."""
+        if name not in self._places:
+            raise UnknownNameError(name, self._places)
         return self._places[name]
 
     def to_bytes(self) -> bytes:

@@ -4,16 +4,24 @@ from __future__ import annotations
 
 import ctypes
 import struct
+import zlib
 from collections.abc import Iterator, Mapping
 
 from .errors import OptionError
 from .layout import HEAD, PLACE, state_sections
 from .model import Model
 
-MAGIC = b"holonom1"
+MAGIC = b"holonom2"
 """Begins every saved state; the digit is the version of its format."""
 
+PHASES = CONFIGURED, ASSEMBLED, MOVING = 0, 1, 2
+"""Of a run: values may change; initial configuration taken; at least one step done."""
+
 _PREFIX = struct.Struct("<8s32sqq")
+_CHECKSUM = struct.Struct("<I")
+"""CRC-32 of prefix and block; it stands between them."""
+
+_START = _PREFIX.size + _CHECKSUM.size
 
 
 class Head(Mapping[str, float]):
@@ -60,7 +68,8 @@ class State:
     def to_bytes(self, phase: int) -> bytes:
         """Return the whole state and the phase of the run, bit for bit."""
         prefix = _PREFIX.pack(MAGIC, self._model.fingerprint.encode(), phase, len(self.block))
-        return prefix + bytes(self.block)
+        block = bytes(self.block)
+        return prefix + _CHECKSUM.pack(zlib.crc32(block, zlib.crc32(prefix))) + block
 
     def phase_of(self, data: bytes) -> int:
         """Check that `data` is a state of this model and return its phase.
@@ -68,20 +77,26 @@ class State:
         Raises
         ------
         OptionError
-            When it is not, or was cut off.
+            When it is not, or was cut off or changed.
         """
-        if len(data) < _PREFIX.size or data[:8] != MAGIC:
+        if len(data) < _START or data[:8] != MAGIC:
             message = "the saved state is not one of this format; save it again with this FMU"
             raise OptionError(message)
         _, fingerprint, phase, length = _PREFIX.unpack_from(data)
         if fingerprint != self._model.fingerprint.encode():
             message = "the saved state belongs to another model; restore it where it was saved"
             raise OptionError(message)
-        if len(data) != _PREFIX.size + 8 * length or length != len(self.block):
+        if len(data) != _START + 8 * length or length != len(self.block):
             message = f"the saved state is {len(data)} bytes long, not what its header says"
+            raise OptionError(message)
+        # Counters and indices of the block steer the kernel, which does not check them again.
+        (checksum,) = _CHECKSUM.unpack_from(data, _PREFIX.size)
+        found = zlib.crc32(data[_START:], zlib.crc32(data[: _PREFIX.size]))
+        if found != checksum or phase not in PHASES:
+            message = "the saved state is damaged: its checksum does not fit; save it again"
             raise OptionError(message)
         return phase
 
     def fill(self, data: bytes) -> None:
         """Take over the block that `to_bytes` wrote."""
-        ctypes.memmove(self.block, data[_PREFIX.size :], 8 * len(self.block))
+        ctypes.memmove(self.block, data[_START:], 8 * len(self.block))

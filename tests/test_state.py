@@ -1,0 +1,91 @@
+"""A saved state comes back whole, or is refused and the present one stays."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+
+import pytest
+
+from solver.runtime import Integrator, OptionError
+from solver.runtime.layout import PLACE
+from solver.runtime.state import _CHECKSUM, _PREFIX, _START
+from tests.twins import PENDULUM, advance, block, model_of, start
+
+SPRING_OF_INPUT = """
+name = "spring_of_input"
+dimension = 2
+[inputs]
+k = { start = 10.0 }
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 0.3 }
+[forces]
+spring = { type = "spring", points = ["O", "A"], stiffness = "30 - t*k", free_length = 0.5 }
+"""
+
+
+def moved(source: str = PENDULUM) -> Integrator:
+    integrator = start(source)
+    advance(integrator, 5)
+    return integrator
+
+
+def assert_refused_and_kept(data: bytes, words: str, source: str = PENDULUM) -> None:
+    integrator = moved(source)
+    before, phase = block(integrator).tobytes(), integrator.phase
+    with pytest.raises(OptionError, match=words):
+        integrator.restore(data)
+    assert block(integrator).tobytes() == before
+    assert integrator.phase == phase
+    advance(integrator, 1)
+
+
+@pytest.mark.parametrize("name", ["parity", "formulation", "time", "max_newton"])
+@pytest.mark.parametrize("value", [1e6, float("nan")], ids=str)
+def test_a_scalar_changed_in_the_bytes_is_noticed(name, value):
+    # A parity of 1e6, an index, once made the kernel write outside of its memory.
+    data = bytearray(moved().save())
+    struct.pack_into("<d", data, _START + 8 * PLACE[name], value)
+    assert_refused_and_kept(bytes(data), "damaged")
+
+
+@pytest.mark.parametrize("place", [45, 52, -1, -200])
+def test_a_single_bit_changed_in_the_bytes_is_noticed(place):
+    data = bytearray(moved().save())
+    data[place] ^= 1
+    assert_refused_and_kept(bytes(data), "the saved state")
+
+
+def test_a_phase_that_does_not_exist_is_refused_even_with_the_right_checksum():
+    saved = moved().save()
+    magic, fingerprint, _, length = _PREFIX.unpack_from(saved)
+    prefix = _PREFIX.pack(magic, fingerprint, 7, length)
+    checksum = _CHECKSUM.pack(zlib.crc32(saved[_START:], zlib.crc32(prefix)))
+    assert_refused_and_kept(prefix + checksum + saved[_START:], "damaged")
+
+
+@pytest.mark.parametrize("cut", [0, 7, 56, 59, 60, 61, -8, -1])
+def test_a_state_that_was_cut_off_is_refused(cut):
+    assert_refused_and_kept(moved().save()[:cut], "the saved state")
+
+
+def test_the_state_of_an_earlier_format_is_refused():
+    assert_refused_and_kept(b"holonom1" + moved().save()[8:], "not one of this format")
+
+
+def test_the_state_of_another_model_is_refused():
+    other = start(PENDULUM.replace("mass = 2.0", "mass = 3.0"))
+    assert_refused_and_kept(other.save(), "another model")
+
+
+def test_a_state_that_time_has_brought_beyond_a_rule_comes_back():
+    # At t = 4 s the stiffness is -10 N/m: nobody set it so, and a saved state is taken as it is.
+    integrator = start(SPRING_OF_INPUT)
+    integrator.advance(0.0, 4.0)
+    saved = integrator.save()
+    other = Integrator(model_of(SPRING_OF_INPUT))
+    for each in (integrator, other):
+        each.restore(saved)
+        each.advance(4.0, 0.1)
+    assert block(integrator).tobytes() == block(other).tobytes()
