@@ -24,6 +24,7 @@ from fmpy.fmi2 import (
 
 import solver
 from build_fmu import build
+from fmu_src.slave import Slave
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
 _FOLDER = tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True)
@@ -159,3 +160,8 @@ def instance(path: Path, *, logging: bool = True) -> Iterator[Instance]:
         with contextlib.suppress(FMICallException):
             made.fmu.terminate()
         made.fmu.freeInstance()
+
+
+def slave_of(fmu: Instance) -> Slave:
+    """Slave as pythonfmu's library makes it, without that library."""
+    return Slave(instance_name="a", resources=f"{fmu.fmu.unzipDirectory}/resources")

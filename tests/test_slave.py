@@ -6,9 +6,8 @@ import math
 
 import pytest
 
-from fmu_src import snapshot, status
-from fmu_src.slave import Slave
-from tests.fmu_instance import instance, pendulum, scene_fmu, text_fmu
+from fmu_src import status
+from tests.fmu_instance import instance, pendulum, slave_of, text_fmu
 
 DISCARD, ERROR = 2, 3
 
@@ -157,12 +156,32 @@ def test_an_impossible_step_is_discarded_with_a_message(start, size, words):
         assert fmu.run(0.0, 0.1, 10) == straight.run(0.0, 0.1, 10)
 
 
+def test_a_step_refused_after_one_that_failed_has_its_own_code():
+    with instance(pendulum(push="sqrt(0.15 - t)")) as fmu:
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+        assert not fmu.step(0.1, 0.1)
+        assert 0 < fmu.get("solver.status") < 100
+        assert not fmu.step(0.5, 0.1)
+        assert fmu.get("solver.status") == status.STEP_REFUSED
+
+
 def test_a_step_without_end_is_discarded_where_no_stop_time_is_defined():
     with instance(pendulum()) as fmu:
         fmu.initialise()
         assert not fmu.step(0.0, math.inf)
         assert not fmu.step(0.0, 1e300)
         assert fmu.step(0.0, 0.1)
+
+
+def test_a_step_that_begins_or_ends_elsewhere_is_discarded_at_a_late_time_too():
+    # 1e-9 of the time would be half a step.
+    with instance(pendulum()) as fmu:
+        fmu.initialise(start=1e6, stop=1e6 + 0.01)
+        assert not fmu.step(1e6 + 5e-4, 1e-3)
+        assert not fmu.step(1e6, 0.0105)
+        assert "stop time" in fmu.log[-1][2]
+        assert fmu.step(1e6, 1e-3)
 
 
 def test_communication_points_with_round_off_reach_the_stop_time():
@@ -207,56 +226,6 @@ def test_without_logging_a_failure_still_shows_in_the_status():
         assert not fmu.log
 
 
-# ------------------------------------------------------------------------------------ state
-
-
-@pytest.mark.parametrize(
-    "data",
-    [b"", b"x", b"HOLFMU\x00\x01", b"HOLFMU\x00\x01\xff\xff\xff\x7f{}", bytes(500)],
-    ids=len,
-)
-def test_bytes_that_are_no_state_are_refused(data):
-    with instance(pendulum()) as fmu:
-        fmu.initialise()
-        before = fmu.outputs()
-        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
-        assert fmu.log[-1][0] == ERROR
-        assert fmu.outputs()[:-1] == before[:-1]
-        assert not fmu.step(0.0, 0.1)
-        fmu.fmu.reset()
-        fmu.initialise()
-        assert fmu.step(0.0, 0.1)
-
-
-def test_the_state_of_another_model_is_refused():
-    with instance(pendulum()) as fmu, instance(scene_fmu("four_bar")) as other:
-        fmu.initialise()
-        other.initialise()
-        data = other.fmu.serializeFMUState(other.fmu.getFMUState())
-        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
-        assert "another model" in fmu.log[-1][2]
-        assert not fmu.step(0.0, 0.1)
-        assert fmu.get("solver.status") == status.STATE_REFUSED
-
-
-def test_a_good_state_ends_a_refusal():
-    with instance(pendulum()) as fmu:
-        fmu.initialise()
-        good = fmu.fmu.getFMUState()
-        fmu.set(push=math.nan)
-        bad = fmu.fmu.getFMUState()
-        fmu.fmu.setFMUState(good)
-        assert fmu.step(0.0, 0.1)
-        fmu.fmu.setFMUState(bad)
-        assert not fmu.step(0.0, 0.1)
-
-
-def test_a_snapshot_comes_back_as_it_was():
-    header = {"phase": 2, "refusals": [[3, "text"]], "start_time": 0.1 + 0.2}
-    state = bytes(range(256))
-    assert snapshot.unpack(snapshot.pack(header, state)) == (header, state)
-
-
 # ------------------------------------------------------------------------- a fault of our own
 
 
@@ -268,11 +237,6 @@ class Broken:
     def __getattr__(self, name):
         message = f"{name}: 100% broken \udcff"
         raise RuntimeError(message)
-
-
-def slave_of(fmu):
-    """Slave as pythonfmu's library makes it, without that library."""
-    return Slave(instance_name="a", resources=f"{fmu.fmu.unzipDirectory}/resources")
 
 
 def test_no_exception_leaves_the_slave_whatever_breaks():

@@ -1,0 +1,109 @@
+"""A slave takes its whole state back, or refuses it and goes no further."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from fmu_src import snapshot, status
+from tests.fmu_instance import instance, pendulum, scene_fmu, slave_of
+
+ERROR = 3
+
+
+@pytest.mark.parametrize(
+    "data",
+    [b"", b"x", b"HOLFMU\x00\x01", b"HOLFMU\x00\x01\xff\xff\xff\x7f{}", bytes(500)],
+    ids=len,
+)
+def test_bytes_that_are_no_state_are_refused(data):
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        before = fmu.outputs()
+        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
+        assert fmu.log[-1][0] == ERROR
+        assert fmu.outputs()[:-1] == before[:-1]
+        assert not fmu.step(0.0, 0.1)
+        fmu.fmu.reset()
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+
+
+def test_the_state_of_another_model_is_refused():
+    with instance(pendulum()) as fmu, instance(scene_fmu("four_bar")) as other:
+        fmu.initialise()
+        other.initialise()
+        data = other.fmu.serializeFMUState(other.fmu.getFMUState())
+        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
+        assert "another model" in fmu.log[-1][2]
+        assert not fmu.step(0.0, 0.1)
+        assert fmu.get("solver.status") == status.STATE_REFUSED
+
+
+def test_a_good_state_ends_a_refusal():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        good = fmu.fmu.getFMUState()
+        fmu.set(push=math.nan)
+        bad = fmu.fmu.getFMUState()
+        fmu.fmu.setFMUState(good)
+        assert fmu.step(0.0, 0.1)
+        fmu.fmu.setFMUState(bad)
+        assert not fmu.step(0.0, 0.1)
+
+
+def test_a_snapshot_comes_back_as_it_was():
+    header = {"phase": 2, "refusals": [[3, "text"]], "start_time": 0.1 + 0.2}
+    state = bytes(range(256))
+    assert snapshot.unpack(snapshot.pack(header, state)) == (header, state)
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        {},
+        [],
+        None,
+        {"phase": "2"},
+        {"phase": 9},
+        {"phase": True},
+        {"start_time": "0"},
+        {"start_time": math.nan},
+        {"assembled": 1},
+        {"status": None},
+        {"refusals": 5},
+        {"refusals": [5]},
+        {"refusals": [["length"]]},
+        {"refusals": [[[], "text"]]},
+        {"refusals": [["length", 5]]},
+        {"more": 1},
+    ],
+    ids=str,
+)
+def test_a_header_of_other_types_is_refused_and_nothing_is_taken_over(header):
+    with instance(pendulum()) as fmu:
+        slave = slave_of(fmu)
+    slave.setup_experiment(0.0)
+    slave.enter_initialization_mode()
+    slave.exit_initialization_mode()
+    good = slave._get_fmu_state()
+    right, data = snapshot.unpack(good)
+    assert slave.do_step(0.0, 0.1)
+    before = slave._integrator.save()
+    slave._set_fmu_state(snapshot.pack(right | header if header else header, data))
+    assert slave.get_real([slave._status_index]) == [status.STATE_REFUSED]
+    assert slave._integrator.save() == before
+    assert not slave.do_step(0.1, 0.1)
+    slave._set_fmu_state(good)
+    assert slave.do_step(0.0, 0.1)
+
+
+def test_a_state_damaged_in_its_numbers_is_refused():
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        data = bytearray(fmu.fmu.serializeFMUState(fmu.fmu.getFMUState()))
+        data[-40] ^= 64
+        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(bytes(data)))
+        assert "damaged" in fmu.log[-1][2]
+        assert not fmu.step(0.0, 0.1)
