@@ -36,6 +36,17 @@ point = "B"
 value = ["push**2", "1e200**(2*push) if t > 0.055 else 0"]
 """
 
+TIRING = (
+    PENDULUM
+    + """
+[forces.damper]
+type = "damper"
+points = ["A", "ground"]
+at = [3, 0]
+damping = "1 - 50*t"
+"""
+)
+
 FAILURES = {
     Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
     Status.UZAWA_DIVERGED: (PENDULUM, {"penalty": 1e-3, "max_uzawa": 3}, {}, 0.1),
@@ -43,6 +54,7 @@ FAILURES = {
     Status.NOT_FINITE: (SPRUNG, {}, {"push": 1e200}, 0.1),
     Status.ZERO_LENGTH: (SPRUNG.replace("[0, 0.3]", "[0, 0]"), {}, {"free_length": 0.1}, 0.1),
     Status.BAD_STEP: (PENDULUM, {}, {}, 1e12),
+    Status.BAD_LAW: (TIRING, {}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
 

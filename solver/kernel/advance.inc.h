@@ -33,6 +33,7 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     load_inputs(&c);
     set_laws(&c, c.t, 1);
+    c.s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
 }
 
 static int32_t single_step(context *c, double h, int parity)
@@ -50,6 +51,7 @@ static void average_multipliers(context *c, double time)
 {
     double *head = c->s.head;
     const hm_state *s = &c->s;
+    if (!is_telling(c)) return;
     head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
     head[S_MEAN_TIME] = time;
     for (int32_t i = 0; i < c->m->n_rows; i++) {
@@ -97,6 +99,7 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     context c;
     open_context(&c, m, number, state, work);
     double *head = c.s.head;
+    head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 0.0 && step < 1e300)) return HOLONOM_BAD_STEP;
     const double count = ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10)); /* robust against the last digit */
     if (!(count < 1e9)) return HOLONOM_BAD_STEP;
@@ -111,6 +114,8 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
         c.t = start + h * (double)i;
         status = interval(&c, h, 0);
     }
+    if (!status && m->time_dependent) set_laws(&c, start + step, 1);
+    if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {
         memcpy(head, c.k.step_backup, sizeof(double) * (size_t)c.state_size);
         head[S_STATUS] = status;
@@ -118,7 +123,6 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     }
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
-    if (m->time_dependent) set_laws(&c, head[S_TIME], 1);
     follow_energy_reference(&c);
     return HOLONOM_OK;
 }

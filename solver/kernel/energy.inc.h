@@ -28,17 +28,19 @@ static double penalty_energy(const context *c)
     return sum;
 }
 
-static double potential_energy(const context *c)
+/* Change of the potential energy since the start. Weights act on displacements: on positions they would lose the
+   digits by which the mechanism is far from the origin.                                                      */
+static double potential_change(const context *c)
 {
     const holonom_model *m = c->m;
-    const double *gravity = c->number + m->gravity_at;
+    const double *gravity = c->number + m->gravity_at, *start = c->number + m->initial_position_at;
     double high = 0.0, low = 0.0;
     for (int32_t a = 0; a < m->n_free; a++) {
-        const double mass = c->number[m->node_mass_at + a];
-        hm_add(&high, &low, -mass * dot(gravity, c->s.q + DIM * a));
-        hm_add(&high, &low, -mass * dot(gravity, c->s.q_low + DIM * a));
+        double moved[DIM];
+        EACH(k) moved[k] = (c->s.q[DIM * a + k] - start[DIM * a + k]) + c->s.q_low[DIM * a + k];
+        hm_add(&high, &low, -c->number[m->node_mass_at + a] * dot(gravity, moved));
     }
-    hm_add(&high, &low, spring_energy(c) + penalty_energy(c));
+    hm_add(&high, &low, spring_energy(c) + penalty_energy(c) - c->s.head[S_STORED_START]);
     return high;
 }
 
@@ -66,8 +68,16 @@ static void follow_energy_reference(context *c)
 {
     double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum);
-    const double change = fabs(potential_energy(c) - head[S_POTENTIAL_START]);
-    head[S_ENERGY_REFERENCE] = fmax(head[S_ENERGY_REFERENCE], fmax(kinetic, change));
+    const double change = fabs(potential_change(c));
+    double load = 0.0; /* a thousandth of what the loads could do over the size of the mechanism */
+    for (int32_t j = 0; j < c->m->n_loads; j++)
+        load += sqrt(dot(c->number + c->m->load_at + DIM * j, c->number + c->m->load_at + DIM * j));
+    load *= 1e-3 * c->number[c->m->extent_at];
+    for (int32_t j = 0; j < c->m->n_moments * (DIM == 2 ? 1 : 3); j++)
+        load += 1e-3 * fabs(c->number[c->m->moment_at + j]);
+    if (!(load <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = load;
+    if (!(kinetic <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = kinetic;
+    if (!(change <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = change;
 }
 
 void NAME(hm_residuals)(const holonom_model *m, const double *number, double *state, double *work, double *phi,

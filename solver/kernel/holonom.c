@@ -57,6 +57,8 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     return used;
 }
 
+int32_t holonom_abi(void) { return HOLONOM_ABI; }
+
 int64_t holonom_model_bytes(void) { return (int64_t)sizeof(holonom_model); }
 
 int64_t holonom_state_size(const holonom_model *m)

@@ -22,6 +22,9 @@
 #define HOLONOM_API __attribute__((visibility("default")))
 #endif
 
+/* Changes whenever the structures below, the head of a state or an entry point change. */
+#define HOLONOM_ABI 2
+
 enum holonom_status {
     HOLONOM_OK = 0,
     HOLONOM_NEWTON_DIVERGED = 1,   /* inner Newton iteration did not reach the tolerance                 */
@@ -29,7 +32,8 @@ enum holonom_status {
     HOLONOM_SINGULAR_TANGENT = 3,  /* a pivot of the tangent matrix is zero                              */
     HOLONOM_NOT_FINITE = 4,        /* an increment, a residual or a number of the model is not finite     */
     HOLONOM_ZERO_LENGTH = 5,       /* a line element or a turned link has length zero: no direction       */
-    HOLONOM_BAD_STEP = 6           /* step length is not a finite positive number                        */
+    HOLONOM_BAD_STEP = 6,          /* step length is not a finite positive number                        */
+    HOLONOM_BAD_LAW = 7            /* a stiffness, free length or damping is negative or not a number       */
 };
 
 enum holonom_formulation {
@@ -102,11 +106,13 @@ typedef struct holonom_model {
 
 /* Places of the scalars at the head of a state; vectors follow in the order of holonom_state_size.         */
 enum holonom_state_place {
-    S_TIME, S_ENERGY_START, S_POTENTIAL_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
+    S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY, S_NEWTON, S_UZAWA, S_SUBSTEPS,
     S_STATUS, S_FORMULATION, S_SIMULTANEOUS, S_PAPER_UPDATE, S_PAIRED, S_STEP_SIZE, S_TOLERANCE, S_PENALTY,
     S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_HEAD
 };
+
+HOLONOM_API int32_t holonom_abi(void);
 
 /* Sizes in doubles. */
 HOLONOM_API int64_t holonom_model_bytes(void);

@@ -13,6 +13,7 @@ static int32_t line_law(const context *c, int32_t j, const motion *g, line_state
 {
     const double k = c->number[c->m->stiffness_at + j], free_length = c->number[c->m->free_length_at + j];
     const double damping = c->number[c->m->damping_at + j];
+    if (!(k >= 0.0 && free_length >= 0.0 && damping >= 0.0)) return HOLONOM_BAD_LAW;
     double u1[DIM];
     EACH(i) u1[i] = g->u0[i] + g->du[i];
     const double l0 = sqrt(dot(g->u0, g->u0)), sum = l0 + (law->l1 = sqrt(dot(u1, u1)));

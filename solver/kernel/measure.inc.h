@@ -32,7 +32,7 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     const size_t bytes = sizeof(double) * (size_t)(DIM * m->n_free);
     open_context(&c, m, number, state, work);
     double *head = c.s.head;
-    memset(head + S_ENERGY_START, 0, sizeof(double) * (S_FORMULATION - S_ENERGY_START));
+    memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
     memcpy(c.s.q, number + m->initial_position_at, bytes);
     memcpy(c.s.v, number + m->initial_velocity_at, bytes);
@@ -47,11 +47,15 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     const double kinetic = kinetic_energy(&c, c.k.momentum);
     double mass = 0.0;
     for (int32_t a = 0; a < m->n_free; a++) mass += number[m->node_mass_at + a];
-    head[S_POTENTIAL_START] = potential_energy(&c);
-    head[S_ENERGY_START] = kinetic + head[S_POTENTIAL_START];
+    head[S_KINETIC_START] = kinetic;
+    head[S_STORED_START] = spring_energy(&c) + penalty_energy(&c);
+    head[S_POTENTIAL_START] = head[S_STORED_START];
+    for (int32_t a = 0; a < m->n_free; a++)
+        head[S_POTENTIAL_START] -= number[m->node_mass_at + a] * dot(number + m->gravity_at, c.s.q + DIM * a);
     /* A floor, so that a mechanism at rest has a finite relative error. */
     const double gravity = sqrt(dot(number + m->gravity_at, number + m->gravity_at));
-    head[S_ENERGY_REFERENCE] = fmax(kinetic, 1e-3 * mass * gravity * number[m->extent_at]);
+    const double floor = 1e-3 * (mass * gravity * number[m->extent_at] + head[S_STORED_START]);
+    head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 
@@ -89,7 +93,7 @@ static double *measure_rows(const context *c, double *y, double *position, doubl
 {
     const holonom_model *m = c->m;
     const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
-    const double ahead = gap > 0.0 ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
+    const double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
     *position = *velocity = 0.0;
     for (int32_t i = 0; i < m->n_rows; i++) {
         double u[DIM], w[DIM], vu[DIM], vw[DIM];
@@ -98,8 +102,10 @@ static double *measure_rows(const context *c, double *y, double *position, doubl
         const double scale = c->number[m->row_scale_at + i];
         const double mu = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
         y[i] = mu * 2.0 * sqrt(dot(u, u));
-        *position = fmax(*position, fabs(dot(u, w) - c->number[m->row_constant_at + i]) / scale);
-        *velocity = fmax(*velocity, fabs(dot(u, vw) + dot(w, vu)) / scale);
+        const double phi = fabs(dot(u, w) - c->number[m->row_constant_at + i]) / scale;
+        const double rate = fabs(dot(u, vw) + dot(w, vu)) / scale;
+        if (!(phi <= *position)) *position = phi; /* not fmax, which would hide a NaN */
+        if (!(rate <= *velocity)) *velocity = rate;
     }
     return y + m->n_rows;
 }
@@ -114,14 +120,14 @@ void NAME(hm_measure)(const holonom_model *m, double *number, double *state, dou
     set_laws(&c, head[S_TIME], 0);
     number[m->time_at] = head[S_TIME];
     y = measure_rows(&c, measure_motion(&c, y), &position, &velocity);
-    const double kinetic = kinetic_energy(&c, p), potential = potential_energy(&c);
+    const double kinetic = kinetic_energy(&c, p), change = potential_change(&c);
     const double spent = head[S_WORK] - head[S_DISSIPATED];
     y[0] = kinetic;
-    y[1] = potential;
-    y[2] = kinetic + potential;
+    y[1] = head[S_POTENTIAL_START] + change;
+    y[2] = y[0] + y[1];
     y[3] = head[S_WORK];
     y[4] = head[S_DISSIPATED];
-    y[5] = (kinetic + (potential - head[S_ENERGY_START])) - spent;
+    y[5] = ((kinetic - head[S_KINETIC_START]) + change) - spent;
     y[6] = head[S_ENERGY_REFERENCE] > 0.0 ? fabs(y[5]) / head[S_ENERGY_REFERENCE] : fabs(y[5]);
     y[7] = position;
     y[8] = velocity;

@@ -8,7 +8,7 @@ import sys
 from array import array
 from collections.abc import Sequence
 
-from .layout import OFFSETS, SIZES, TABLES, state_size
+from .layout import ABI, OFFSETS, SIZES, TABLES, state_size
 from .model import Model
 
 
@@ -32,6 +32,10 @@ def library_path() -> str:
     return os.path.join(os.path.dirname(__file__), "_kernel", f"libholonom.{suffix}")
 
 
+def _other(path: str) -> str:
+    return f"{path} belongs to another version of this Python code; build it again"
+
+
 def load_library(path: str | None = None) -> ctypes.CDLL:
     """Load the kernel and declare its functions.
 
@@ -48,6 +52,7 @@ def load_library(path: str | None = None) -> ctypes.CDLL:
         raise KernelMissingError(message) from error
     pointer, integer, real = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double
     for name, result, arguments in (
+        ("abi", integer, []),
         ("model_bytes", ctypes.c_int64, []),
         ("state_size", ctypes.c_int64, [pointer]),
         ("work_size", ctypes.c_int64, [pointer]),
@@ -60,11 +65,12 @@ def load_library(path: str | None = None) -> ctypes.CDLL:
         ("measure", None, [pointer] * 4),
         ("probe", integer, [*[pointer] * 4, real, *[pointer] * 5]),
     ):
-        function = getattr(library, f"holonom_{name}")
+        function = getattr(library, f"holonom_{name}", None)
+        if function is None:
+            raise KernelMissingError(_other(path))
         function.restype, function.argtypes = result, arguments
-    if library.holonom_model_bytes() != ctypes.sizeof(_ModelStruct):
-        message = f"{path} was built from other sources than this Python code; build it again"
-        raise KernelMissingError(message)
+    if (library.holonom_abi(), library.holonom_model_bytes()) != (ABI, ctypes.sizeof(_ModelStruct)):
+        raise KernelMissingError(_other(path))
     return library
 
 

@@ -9,6 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+ABI = 2
+"""``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
+
 SIZES = (
     "dim", "n_free", "n_support", "n_forms", "n_rows", "n_lines", "n_moments", "n_loads", "n_mass",
     "n_angles", "n_parameters", "n_inputs", "n_numbers", "n_tape_parameters", "n_tape_laws",
@@ -31,8 +34,8 @@ OFFSETS = (
 """Sections of the vector of numbers, each a 32-bit offset."""
 
 HEAD = (
-    "time", "energy_start", "potential_start", "energy_reference", "work", "work_low", "dissipated",
-    "dissipated_low", "defect", "defect_low", "residual", "residual_low",
+    "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
+    "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
     "mean_time", "mean_time_before", "parity",
     "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation", "simultaneous",
     "paper_update", "paired", "step_size", "tolerance", "penalty", "xi", "omega", "max_newton",

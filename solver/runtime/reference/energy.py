@@ -38,11 +38,16 @@ def penalty_energy(mechanism: Mechanism, motion: Motion) -> float:
     return float(np.sum(0.5 * alpha * mechanism.phi(motion.q, motion.q_low) ** 2))
 
 
-def potential_energy(mechanism: Mechanism, motion: Motion) -> float:
-    """Energy of gravity, springs and penalties [J], summed without rounding."""
+def potential_change(mechanism: Mechanism, motion: Motion) -> float:
+    """Change of the energy of gravity, springs and penalties since the start [J].
+
+    Weights act on displacements: on positions they would lose the digits by which the mechanism is
+    far from the origin.
+    """
     weight = mechanism.m_node * np.tile(mechanism.gravity, mechanism.n_free)
-    gravity = math.fsum([*(-weight * motion.q), *(-weight * motion.q_low)])
-    return gravity + (spring_energy(mechanism, motion) + penalty_energy(mechanism, motion))
+    moved = (motion.q - mechanism.section["initial_position"]) + motion.q_low
+    stored = spring_energy(mechanism, motion) + penalty_energy(mechanism, motion)
+    return math.fsum(-weight * moved) + (stored - motion.head["stored_start"])
 
 
 def momentum(mechanism: Mechanism, motion: Motion) -> Array:
@@ -57,9 +62,12 @@ def kinetic_energy(mechanism: Mechanism, motion: Motion) -> float:
 
 def follow_energy_reference(mechanism: Mechanism, motion: Motion) -> None:
     """Let the reference energy be the largest kinetic energy or change of potential seen so far."""
-    change = abs(potential_energy(mechanism, motion) - motion.head["potential_start"])
+    change = abs(potential_change(mechanism, motion))
+    # A thousandth of what the loads could do over the size of the mechanism.
+    load = np.sum(np.linalg.norm(mechanism.load, axis=1)) * mechanism.section["extent"][0]
+    floor = 1e-3 * float(load + np.sum(np.abs(mechanism.moment)))
     motion.head["energy_reference"] = max(
-        motion.head["energy_reference"], kinetic_energy(mechanism, motion), change
+        motion.head["energy_reference"], kinetic_energy(mechanism, motion), change, floor
     )
 
 
@@ -149,7 +157,7 @@ class Measurement:
         """
         head, mean = self.motion.head, self.motion.vectors["mean"]
         gap = head["mean_time"] - head["mean_time_before"]
-        ahead = (head["time"] - head["mean_time"]) / gap if gap > 0.0 else 0.0
+        ahead = (head["time"] - head["mean_time"]) / gap if 0.0 < gap < math.inf else 0.0
         mu = mean + ahead * (mean - self.motion.vectors["mean_before"])
         return mu * np.array([2.0 * length(self._link(row)[0]) for row in self.mechanism.rows])
 
@@ -157,9 +165,10 @@ class Measurement:
         """Kinetic, potential and total energy, work, dissipation, balance [J], relative error."""
         head = self.motion.head
         kinetic = kinetic_energy(self.mechanism, self.motion)
-        potential = potential_energy(self.mechanism, self.motion)
+        change = potential_change(self.mechanism, self.motion)
+        potential = head["potential_start"] + change
         spent = head["work"] - head["dissipated"]
-        balance = kinetic + (potential - head["energy_start"]) - spent
+        balance = (kinetic - head["kinetic_start"]) + change - spent
         reference = head["energy_reference"] if head["energy_reference"] > 0.0 else 1.0
         accounts = [head["work"], head["dissipated"], balance, abs(balance) / reference]
         return [kinetic, potential, kinetic + potential, *accounts]

@@ -18,7 +18,7 @@ from .energy import (
     crossings,
     follow_energy_reference,
     kinetic_energy,
-    potential_energy,
+    penalty_energy,
     spring_energy,
 )
 from .equations import Equations
@@ -92,6 +92,8 @@ class Reference:
         self._motion.vectors["parameters"][:] = parameters
         self._load_inputs()
         self._set_laws(mechanism, t, booked=True)
+        # No line is drawn through means of multipliers from before and after a jump.
+        self._motion.head["mean_time"] = math.inf
 
     # ------------------------------------------------------------------------------- start
 
@@ -106,7 +108,7 @@ class Reference:
 
     def _initialise(self) -> None:
         mechanism, motion, head = self._mechanism(), self._motion, self._motion.head
-        for name in HEAD[PLACE["energy_start"] : PLACE["formulation"]]:
+        for name in HEAD[PLACE["kinetic_start"] : PLACE["formulation"]]:
             head[name] = 0.0
         for vector in (motion.q_low, motion.v_low, motion.turns):
             vector[:] = 0.0
@@ -123,11 +125,14 @@ class Reference:
         motion.vectors["mean"][:] = motion.vectors["mean_before"][:] = lam
         head["mean_time"] = head["mean_time_before"] = head["time"]
         kinetic = kinetic_energy(mechanism, motion)
-        head["potential_start"] = potential_energy(mechanism, motion)
-        head["energy_start"] = kinetic + head["potential_start"]
+        weight = mechanism.m_node * np.tile(mechanism.gravity, mechanism.n_free)
+        head["kinetic_start"] = kinetic
+        head["stored_start"] = spring_energy(mechanism, motion) + penalty_energy(mechanism, motion)
+        head["potential_start"] = head["stored_start"] - float(weight @ motion.q)
         # A floor, so that a mechanism at rest has a finite relative error.
         mass = float(np.sum(mechanism.section["node_mass"]))
-        floor = 1e-3 * mass * math.hypot(*mechanism.gravity) * mechanism.section["extent"][0]
+        weight_times_size = mass * math.hypot(*mechanism.gravity) * mechanism.section["extent"][0]
+        floor = 1e-3 * (weight_times_size + head["stored_start"])
         head["energy_reference"] = max(kinetic, floor)
         if not np.all(np.isfinite(motion.block)):
             raise UnsolvedError(Status.NOT_FINITE)
@@ -153,13 +158,15 @@ class Reference:
         try:
             for i in range(n):
                 self._interval(mechanism, start + h * i, h, 0)
+            if self.model.sizes["time_dependent"]:
+                self._set_laws(mechanism, start + step, booked=True)
+            if not math.isfinite(head["work"]):
+                raise UnsolvedError(Status.BAD_LAW)
         except UnsolvedError as failure:
             motion.block[:] = backup
             head["status"] = float(failure.status)
             return failure.status
         head["time"], head["status"] = start + step, 0.0
-        if self.model.sizes["time_dependent"]:
-            self._set_laws(mechanism, head["time"], booked=True)
         follow_energy_reference(mechanism, motion)
         return Status.OK
 
@@ -184,14 +191,16 @@ class Reference:
         if self._motion.head["paired"]:
             self._single_step(mechanism, t, 0.5 * h, 0)
             self._single_step(mechanism, t + 0.5 * h, 0.5 * h, 1)
-            self._average_multipliers(t + 0.5 * h)
+            self._average_multipliers(t + 0.5 * h, 0.5 * h)
         else:
             self._single_step(mechanism, t, h, int(self._motion.head["parity"]))
-            self._average_multipliers(t)
+            self._average_multipliers(t, h)
 
-    def _average_multipliers(self, time: float) -> None:
+    def _average_multipliers(self, time: float, h: float) -> None:
         """Keep the mean of the last two multipliers, which belongs to the time between them."""
         vectors, head = self._motion.vectors, self._motion.head
+        if not self._motion.is_telling(h):
+            return
         vectors["mean_before"][:] = vectors["mean"]
         vectors["mean"][:] = 0.5 * (self._motion.mu[0] + self._motion.mu[1])
         head["mean_time_before"], head["mean_time"] = head["mean_time"], time
@@ -209,7 +218,8 @@ class Reference:
         add(motion.v, motion.v_low, 2.0 / h * step.w)
         u_n1 = [form.links(motion.q, motion.q_low)[0] for form in mechanism.angle_links]
         motion.turns[:] += [crossings(*links) for links in zip(u_n, u_n1, strict=True)]
-        motion.a[half][:], motion.mu[half][:] = 2.0 / h**2 * step.w, step.mu
+        if motion.is_telling(h):
+            motion.a[half][:], motion.mu[half][:] = 2.0 / h**2 * step.w, step.mu
         head["parity"] = 1.0 - half
         motion.count("substeps")
 

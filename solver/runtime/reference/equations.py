@@ -57,6 +57,8 @@ class Equations:
         self.xi, self.omega = motion.head["xi"], motion.head["omega"]
         self.h_v = h * motion.v + h * motion.v_low
         self.phi_n = mechanism.phi(motion.q, motion.q_low)
+        if not motion.is_telling(h) and self.formulation.endswith("-al"):
+            self.phi_n[:] = 0.0
         self.G_n = mechanism.G(motion.q, motion.q_low)
         self.alpha = penalties(mechanism, motion, h)
         links = (*mechanism.lines, *mechanism.moment_links)

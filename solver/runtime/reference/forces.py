@@ -56,6 +56,8 @@ def tension(
     N = k [(l_n + l_n1)/2 - l_free] + c (l_n1 - l_n)/h: the mean slope of V = k (l - l_free)^2/2, so
     that the work is exactly -dV - c (l_n1 - l_n)^2/h.
     """
+    if not (stiffness >= 0.0 and free_length >= 0.0 and damping >= 0.0):
+        raise UnsolvedError(Status.BAD_LAW)
     identity, u_n1, u_sum = np.eye(len(u_n)), u_n + du, 2.0 * u_n + du
     if free_length == 0.0 and damping == 0.0:  # V = k u.u/2: no direction is needed
         return 0.5 * stiffness * u_sum, 0.5 * stiffness * identity

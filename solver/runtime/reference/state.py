@@ -46,6 +46,14 @@ class Motion:
         """Name of the formulation."""
         return CHOICES["formulation"][int(self.head["formulation"])]
 
+    def is_telling(self, h: float) -> bool:
+        """Whether a step of length h is long enough to tell an acceleration and a multiplier.
+
+        Rounding errors enter both over h^2. A shorter step leaves those of the last one, and the
+        round-off of the constraints as it is.
+        """
+        return h >= 1e-5 * self.head["step_size"]
+
     def count(self, name: str, number: int = 1) -> None:
         """Add to a counter of the head."""
         self.head[name] += number

@@ -89,7 +89,8 @@ class Step:
         """
         added = self.d @ self.equations.momentum(self.w, self.mu) / self.h
         energy = self.head["energy_reference"] + 0.5 * (self.mechanism.norm(self.d) / self.h) ** 2
-        return bool(abs(added) <= self.head["tolerance"] * energy)
+        noise = 0.5 * (self.floor / self.h) ** 2  # kinetic energy of the round-off of positions
+        return bool(abs(added) <= self.head["tolerance"] * energy + noise)
 
     def newton_increment(self, lam: Array) -> float:
         """Add one Newton increment to w and mu; return its size in the mass norm."""

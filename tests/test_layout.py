@@ -1,0 +1,60 @@
+"""Python's picture of the kernel's memory against the kernel's header, name by name."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from solver.runtime import kernel
+from solver.runtime.errors import Status
+from solver.runtime.layout import ABI, HEAD, OFFSETS, SIZES, TABLES
+from solver.runtime.options import CHOICES
+
+HEADER = (Path(__file__).parents[1] / "solver" / "kernel" / "holonom.h").read_text("utf-8")
+CODE = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)
+STRUCTURE = re.search(r"typedef struct holonom_model \{(.*?)\} holonom_model;", CODE, re.DOTALL)[1]
+
+
+def test_the_sizes_are_the_integers_of_the_structure():
+    names = [
+        name.strip()
+        for line in re.findall(r"int32_t ([^*;]*);", STRUCTURE)
+        for name in line.split(",")
+    ]
+    sizes = [name for name in names if not name.endswith("_at")]
+    place = sizes.index("n_tape[3]")
+    sizes[place : place + 1] = ["n_tape_parameters", "n_tape_laws", "n_tape_outputs"]
+    assert tuple(sizes) == SIZES
+    assert tuple(name.removesuffix("_at") for name in names if name.endswith("_at")) == OFFSETS
+
+
+def test_the_tables_are_the_pointers_of_the_structure():
+    assert tuple(re.findall(r"const int32_t \*(\w+);", STRUCTURE)) == TABLES
+
+
+def test_the_head_of_a_state_is_that_of_the_header():
+    places = re.search(r"enum holonom_state_place \{(.*?)\};", CODE, re.DOTALL)[1]
+    names = [name.strip() for name in places.split(",")]
+    assert names.pop() == "S_HEAD"
+    renamed = {"newton": "newton_iterations", "uzawa": "uzawa_iterations"}
+    found = (name.removeprefix("S_").lower() for name in names)
+    assert tuple(renamed.get(name, name) for name in found) == HEAD
+
+
+def test_codes_of_status_and_formulation_are_those_of_the_header():
+    codes = dict(re.findall(r"HOLONOM_(\w+) = (\d+)", CODE))
+    assert {status.name: str(int(status)) for status in Status}.items() <= codes.items()
+    for index, word in enumerate(CHOICES["formulation"]):
+        assert codes[word.upper().replace("-", "_")] == str(index)
+
+
+def test_the_version_of_the_interface_is_that_of_the_header():
+    assert re.search(r"#define HOLONOM_ABI (\d+)", HEADER)[1] == str(ABI)
+
+
+def test_a_kernel_of_another_version_is_not_taken(monkeypatch):
+    monkeypatch.setattr(kernel, "ABI", ABI + 1)
+    with pytest.raises(kernel.KernelMissingError, match="another version"):
+        kernel.load_library()

@@ -1,0 +1,199 @@
+"""Where scales degenerate: at rest, steps of almost no length, far from the origin, at jumps."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import solver
+from tests.twins import KERNELS, PENDULUM, model_of, start
+
+ROD = """
+name = "rod"
+dimension = 2
+[inputs]
+pull = {{ start = 0.0 }}
+[points]
+A = {{ position = [0, 0], mass = 1.0 }}
+B = {{ position = [0.6, 0.8], mass = 2.0 }}
+[joints]
+rod = {{ type = "distance", points = ["A", "B"] }}
+[forces]
+{force}
+"""
+
+PULLED = ROD.format(
+    force="""a = { type = "force", point = "A", value = ["-6*sin(t)", "-8*sin(t)"] }
+b = { type = "force", point = "B", value = ["6*sin(t)", "8*sin(t)"] }"""
+)
+SWITCHED = ROD.format(
+    force="""a = { type = "force", point = "A", value = ["-0.6*pull", "-0.8*pull"] }
+b = { type = "force", point = "B", value = ["0.6*pull", "0.8*pull"] }"""
+)
+PRESTRESSED = ROD.format(
+    force="""s = { type = "spring", points = ["A", "B"], stiffness = 33.3, free_length = 0.1 }"""
+)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("paired", [True, False], ids=["pairs", "plain"])
+@pytest.mark.parametrize("source", [PULLED, SWITCHED, PRESTRESSED], ids=["pull", "jump", "spring"])
+def test_a_mechanism_at_rest_without_weight_stays_at_rest(source, paired, kernel):
+    # No energy is there to measure round-off against: positions are known to 1e-16 of a metre.
+    run = start(source, kernel, paired=paired)
+    for i in range(60 if kernel == "c" else 10):
+        run["pull"] = 10.0 if i > 3 else 0.0
+        run.advance(i * 0.05, 0.05)
+        assert run["A.x"] == pytest.approx(0.0, abs=1e-13)
+        assert run["constraint.position"] < 1e-15
+    tension = {PULLED: 10 * math.sin(run.time), SWITCHED: 10.0, PRESTRESSED: -33.3 * 0.9}[source]
+    assert run["rod.force"] == pytest.approx(tension, rel=1e-2)  # means lag by half a step at most
+    assert run["energy.error"] < 1e-9
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("tiny", [1e-7, 1e-9, 1e-10, 1e-11, 1e-12])
+def test_a_step_of_almost_no_length_changes_almost_nothing(tiny, kernel):
+    # Rounding errors enter accelerations and multipliers over h^2; the state must not keep them.
+    run = start(PENDULUM, kernel)
+    run.advance(0.0, 0.1)
+    before, energy = run["rod.force"], run["energy.total"]
+    for i in range(5):
+        run.advance(0.1 + i * tiny, tiny)
+    assert run["rod.force"] == pytest.approx(before, rel=1e-4)
+    assert run["energy.total"] == pytest.approx(energy, abs=5e-14)
+    run.advance(run.time, 0.1)
+    assert run["solver.substeps"] == 20
+    assert run["energy.error"] < 1e-14
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e3, 1e6])
+def test_a_mechanism_far_from_the_origin_loses_no_digits(offset):
+    text = PENDULUM.replace("[0, 0]", f"[{offset}, {offset}]").replace(
+        "[0.6, -0.8]", f"[{offset + 0.5}, {offset - 0.75}]"
+    )
+    run = start(text.replace("[0.8, 0.6]", "[0.75, 0.5]"))
+    run.advance(0.0, 10.0)
+    assert run["energy.error"] < 1e-13
+    assert run["constraint.position"] < 1e-15
+
+
+def test_the_force_in_a_rod_does_not_overshoot_at_a_jump_of_an_input():
+    run = start(SWITCHED)
+    run.advance(0.0, 0.1)
+    run["pull"] = 10.0
+    for _ in range(4):
+        run.advance(run.time, 0.01)
+        assert run["rod.force"] == pytest.approx(10.0, rel=1e-9)
+
+
+# ------------------------------------------------------------------- forms of two different links
+
+
+def two_links(scale: float):
+    """Double pendulum whose rows are u . w with u = x/scale and w = x scale, and not |x|^2."""
+    model = model_of(PENDULUM.replace("[joints]", "").split("rod =")[0] + DOUBLE)
+    numbers = model.numbers[:]
+    for entry in range(len(model.tables["form_node"])):
+        numbers[model.offsets["alpha"] + entry] /= scale
+        numbers[model.offsets["beta"] + entry] *= scale
+    tables = {**model.tables, "form_square": model.tables["form_square"][:]}
+    for form in range(model.sizes["n_forms"]):
+        tables["form_square"][form] = 0
+    return model._replace(numbers=numbers, tables=tables)
+
+
+DOUBLE = """
+B = { position = [1.4, -0.2], mass = 1.0 , velocity = [0.8, 0.6] }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+second = { type = "distance", points = ["A", "B"] }
+"""
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("scale", [1.0, 2.0, 3.0])
+def test_rows_of_two_links_move_as_rows_of_one(scale, kernel):
+    # u . w is the same number: to the bit if the scale is a power of two, else up to its rounding.
+    plain = solver.Integrator(two_links(1.0)._replace(tables=model_of_double().tables))
+    linked = solver.Integrator(two_links(scale), kernel=kernel)
+    for run in (plain, linked):
+        run.advance(0.0, 0.2)
+    assert linked["B.x"] == pytest.approx(plain["B.x"], abs=1e-13)
+    assert linked["energy.error"] < 1e-13
+    assert linked["constraint.position"] < 1e-15
+
+
+def model_of_double():
+    """The double pendulum of `two_links` with its square forms."""
+    return model_of(PENDULUM.replace("[joints]", "").split("rod =")[0] + DOUBLE)
+
+
+def bilinear():
+    """Two pendulums on one pivot at the origin, their product x_A . x_B held: a fixed angle."""
+    text = (
+        PENDULUM.replace("[joints]", "")
+        .split("rod =")[0]
+        .replace("velocity = [0.8, 0.6]", "velocity = [0, 0]")
+    )
+    model = model_of(
+        text
+        + """
+B = { position = [-0.6, -0.8], mass = 1.0 }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+other = { type = "distance", points = ["O", "B"] }
+angle = { type = "distance", points = ["A", "B"] }
+"""
+    )
+    numbers, offsets = model.numbers[:], model.offsets
+    form = model.tables["row_form"][2]
+    first = model.tables["form_ptr"][form]
+    for place, value in ((0, (1.0, 0.0)), (1, (0.0, 1.0))):
+        numbers[offsets["alpha"] + first + place] = value[0]
+        numbers[offsets["beta"] + first + place] = value[1]
+    numbers[offsets["row_constant"] + 2] = -0.36 + 0.64
+    numbers[offsets["row_scale"] + 2] = 1.0
+    tables = {**model.tables, "form_square": model.tables["form_square"][:]}
+    tables["form_square"][form] = 0
+    tape = model.tables["tape"][:0]
+    sizes = {**model.sizes, "n_tape_parameters": 0}
+    return model._replace(
+        numbers=numbers, tables={**tables, "tape": tape}, sizes=sizes, row_names=model.row_names
+    )
+
+
+def test_a_product_of_two_different_vectors_can_be_held():
+    # The two rods then swing as one rigid body: I phi'' = sum of the weights' moments.
+    engine = solver.Integrator(bilinear())
+    engine._assemble()
+    for i in range(10):
+        engine.advance(i * 0.1, 0.1)
+    q = np.asarray(engine.state.vectors["q"])
+    assert q[:2] @ q[2:] == pytest.approx(0.28, abs=1e-14)
+    assert engine["energy.error"] < 1e-14
+    a0, b0 = math.atan2(-0.8, 0.6), math.atan2(-0.8, -0.6)
+
+    def rates(_, y):
+        return [y[1], -9.81 * (2 * math.cos(a0 + y[0]) + math.cos(b0 + y[0])) / 3.0]
+
+    exact = solve_ivp(rates, (0, 1), [0.0, 0.0], rtol=1e-10, atol=1e-12)
+    angle = a0 + exact.y[0, -1]
+    assert q[:2] == pytest.approx([math.cos(angle), math.sin(angle)], abs=5e-4)  # order 2, h = 0.01
+
+
+def test_the_tangent_of_a_product_of_two_vectors_is_its_derivative():
+    engine = solver.Integrator(bilinear())
+    engine._assemble()
+    rng, h, n, r = np.random.default_rng(1), 0.01, 4, 3
+    w, mu, x = rng.normal(size=n) * 1e-3, rng.normal(size=r), rng.normal(size=n + r)
+    _, _, tx = engine.engine.probe(h, w, mu, x)
+    step = 1e-6
+    ahead, behind = (
+        np.array(engine.engine.probe(h, w + s * x[:n], mu + s * x[n:], x)[1]) for s in (step, -step)
+    )
+    # Central differences of a cubic residual: exact up to step^2 and rounding over step.
+    assert tx == pytest.approx((ahead - behind) / (2 * step), abs=1e-8)
