@@ -1,5 +1,5 @@
 # make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
-# make test        everything CI runs: format, lint, types, import contracts, tests
+# make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
 # make benchmark   time and accuracy, on this machine
 # make kernel      compile the C kernel and nothing else
 # make clean       back to a fresh clone
@@ -27,6 +27,7 @@ lint: $(VENV)/installed-tools
 	$(BIN)/ruff check .
 	$(BIN)/pyright --pythonpath $(BIN)/python
 	$(BIN)/lint-imports
+	CFLAGS=-Werror $(BIN)/python -m build_kernel
 
 benchmark: $(VENV)/installed-benchmarks
 	$(BIN)/python -m benchmarks

@@ -23,7 +23,7 @@ SOURCES = Path("solver/kernel")
 LIBRARIES = Path("solver/runtime/_kernel")
 FLAGS = (
     *("-std=c99", "-O3", "-ffp-contract=off", "-fPIC", "-shared", "-fvisibility=hidden"),
-    *("-Wall", "-Wextra", "-Wpedantic", "-Werror"),
+    *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
 )
 SYSTEM_COMPILERS = ("cc", "gcc", "clang")
 PROBE = "#include <math.h>\ndouble probe(double x);\ndouble probe(double x) { return sin(x); }\n"
@@ -128,6 +128,6 @@ def _run(command: list[str], where: Path, scratch: str) -> subprocess.CompletedP
 def _failure(command: list[str], output: str) -> str:
     return (
         f"the kernel does not compile\n{shlex.join(command)}\n{output.rstrip()}\n"
-        "remedy: CFLAGS=-Wno-error builds in spite of warnings; CC=... chooses another compiler,\n"
-        "for instance, after pip install ziglang, CC='python -m ziglang cc'"
+        "remedy: CC=... chooses another compiler, for instance, after pip install ziglang,\n"
+        "CC='python -m ziglang cc'; CFLAGS=... adds flags"
     )

@@ -118,7 +118,7 @@ def test_a_failed_compile_shows_the_compilers_message_and_the_remedy(
     text = str(failure.value)
     assert "holonom.c:1: error: unused variable" in text
     assert "cc -std=c99" in text
-    assert "remedy: CFLAGS=-Wno-error" in text
+    assert "remedy: CC=... chooses another compiler" in text
     assert [path.name for path in library.parent.iterdir()] == [library.name]
     assert library.read_text() == "the kernel of before"
 
@@ -138,6 +138,29 @@ def test_a_tree_without_sources_is_refused(tmp_path):
 def test_the_flags_of_the_user_come_last(monkeypatch):
     monkeypatch.setenv("CFLAGS", "-Wno-error -O1")
     assert compiler.flags()[-2:] == ["-Wno-error", "-O1"]
+
+
+def test_a_warning_stops_the_checks_of_the_project_but_no_installation(
+    tree, path_folder, monkeypatch
+):
+    # A newer compiler warns of what none did before: users must not be the ones who find out.
+    warns = """
+case "$*" in *-Werror*) echo "holonom.c:1: error: unused"; exit 1;; esac
+while [ "$1" != -o ]; do shift; done
+echo "holonom.c:1: warning: unused"
+echo library > "$2"
+"""
+    write_compiler(path_folder, "cc", warns)
+    monkeypatch.setenv("CC", "cc")
+    assert compiler.compile_kernel(tree).read_text() == "library\n"
+    monkeypatch.setenv("CFLAGS", "-Werror")
+    with pytest.raises(compiler.CompilerError, match="error: unused"):
+        compiler.compile_kernel(tree)
+
+
+def test_the_checks_of_the_project_compile_without_a_warning():
+    recipe = (ROOT / "Makefile").read_text().partition("\nlint:")[2].partition("\n\n")[0]
+    assert "CFLAGS=-Werror $(BIN)/python -m build_kernel" in recipe
 
 
 @pytest.mark.parametrize(
