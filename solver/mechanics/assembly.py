@@ -10,7 +10,7 @@ from solver.mechanics.numbers import Numbers
 from solver.mechanics.parts import Parts, collect
 from solver.mechanics.tape import Segment
 from solver.mechanics.variables import distance_between, meanings, measured, variable_table
-from solver.runtime import AssemblyError, Experiment, Integrator, Model, Rule
+from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError, Rule
 from solver.runtime.layout import SIZES
 from solver.runtime.options import DEFAULTS
 from solver.scene import Expr, Number, Scene
@@ -23,13 +23,13 @@ def assemble(scene: Scene) -> Model:
     ------
     SceneError
         When the mechanism of the scene cannot be assembled with its own numbers: every broken rule,
-        with its line.
+        with its line. A scene made by hand can also have a setting that is out of range.
     """
     parts = collect(scene)
     model = _model(scene, parts)
     try:
         Integrator(model).initialise()
-    except AssemblyError as error:
+    except (AssemblyError, OptionError) as error:
         _report(scene, str(error).splitlines())
     return model
 
@@ -41,6 +41,8 @@ def _report(scene: Scene, sentences: Iterable[str]) -> None:
         label, _, rest = sentence.partition(": ")
         kind, _, name = label.partition(" ")
         location = f"{tables[kind]}.{name.strip(chr(39))}" if kind in tables else ""
+        if label.startswith("solver."):
+            location = label
         problems.append(scene.error(location, rest if location else sentence))
     scene.fail(problems)
 

@@ -30,12 +30,14 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "step_size": (0.0, 1e6, "s", "longest internal step"),
     "tolerance": (0.0, 1e-3, "", "relative error of a step's solution in the energy norm"),
     "penalty": (0.0, 1e14, "", "dimensionless penalty alpha h^2 sigma/4 of each constraint row"),
-    "xi": (-1e-300, 1e6, "", "damping ratio of penalty-velocity"),
+    "xi": (-5e-324, 1e6, "", "damping ratio of penalty-velocity"),
     "omega": (0.0, 1e9, "rad/s", "natural frequency of penalty-velocity"),
-    "max_newton": (0.0, 1e6, "", "Newton iterations for one value of the multipliers"),
-    "max_uzawa": (0.0, 1e6, "", "Uzawa updates in a step"),
+    "max_newton": (0.0, 1e3, "", "Newton iterations for one value of the multipliers"),
+    "max_uzawa": (0.0, 1e3, "", "Uzawa updates in a step"),
 }
-"""Settings that are numbers: above the first, up to the second, unit, meaning."""
+"""Settings that are numbers: above the first, up to the second, unit, meaning.
+
+``solver.scene.settings`` has the same ranges; a test compares them."""
 
 MEANINGS = {
     "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),

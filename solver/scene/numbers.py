@@ -47,6 +47,12 @@ POSITIVE = Rule(lambda x: x > 0.0, "> 0")
 NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0")
 
 
+def up_to(highest: float, above: Rule = POSITIVE) -> Rule:
+    """Rule of a range: as low as another rule has it, and no higher than this."""
+    words = f"{above.words} and <= {highest:g}"
+    return Rule(lambda x: above.holds(x) and x <= highest, words)
+
+
 @dataclass(slots=True)
 class Known:
     """Everything an expression can mention."""

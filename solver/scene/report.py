@@ -141,10 +141,6 @@ class SceneError(Exception):
         return "\n".join(_described(problem, self.source) for problem in self.problems)
 
 
-def _order(problem: Problem) -> tuple[bool, int, int]:
-    return problem.line is None, problem.line or 0, problem.column or 0
-
-
 def _described(problem: Problem, source: Source) -> str:
     where = f"{source.name}:{problem.line}" if problem.line else source.name
     if problem.override is not None:

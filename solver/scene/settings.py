@@ -6,12 +6,25 @@ from typing import Any
 
 from solver.scene import schema
 from solver.scene.fields import BROKEN
-from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule
+from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule, up_to
 from solver.scene.vocabulary import Experiment, SolverSettings
 
+_COUNTS = ("max_newton", "max_uzawa")
+
+RANGES = {
+    "step_size": up_to(1e6),
+    "tolerance": up_to(1e-3),
+    "penalty": up_to(1e14),
+    "xi": up_to(1e6, NOT_NEGATIVE),
+    "omega": up_to(1e9),
+    **dict.fromkeys(_COUNTS, Rule(lambda x: 1 <= x <= 1000, "from 1 to 1000")),
+}
+"""Settings that are numbers; the ranges are those of ``solver.runtime.options``."""
+
+_UNITS = {"step_size": "s", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
 _CHOICES = (
-    "formulation", "algorithm", "multiplier_update", "order", "paired", "max_newton", "max_uzawa",
+    *("formulation", "algorithm", "multiplier_update", "order", "paired"), *_COUNTS,
 )  # fmt: skip
 
 
@@ -22,7 +35,7 @@ def read_settings(numbers: Numbers) -> tuple[SolverSettings, Experiment]:
     experiment = draft.part(("experiment",), schema.Experiment, draft.table("experiment"))
     outer = _seconds(numbers, "experiment", experiment, "step_size", 0.0, POSITIVE)
     usual = min(_DEFAULT.step_size, outer) if outer > 0.0 else _DEFAULT.step_size
-    inner = _seconds(numbers, "solver", solver, "step_size", usual, POSITIVE)
+    inner = _seconds(numbers, "solver", solver, "step_size", usual, RANGES["step_size"])
     if outer > 0.0 and inner > outer:
         message = f"must be at most the communication step {outer:g} s, got {inner:g} s"
         draft.error(("solver", "step_size"), message)
@@ -36,22 +49,25 @@ def _seconds(
 
 
 def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
-    for name in ("max_newton", "max_uzawa"):
+    for name in _COUNTS:
         count = getattr(solver, name)
-        if count is not BROKEN and not 1 <= count <= 1000:
-            numbers.draft.error(("solver", name), f"must be from 1 to 1000, got {count}")
+        if count is not BROKEN and not RANGES[name].holds(count):
+            message = f"must be {RANGES[name].words}, got {count}"
+            numbers.draft.error(("solver", name), message)
 
-    def setting(name: str, rule: Rule) -> float:
+    def setting(name: str) -> float:
         given, default = getattr(solver, name), getattr(_DEFAULT, name)
-        return numbers.constant(("solver", name), given, default, rule)
+        return numbers.constant(
+            ("solver", name), given, default, RANGES[name], _UNITS.get(name, "")
+        )
 
     return SolverSettings(
         **{name: getattr(solver, name) for name in _CHOICES},
         step_size=step_size,
-        tolerance=setting("tolerance", POSITIVE),
-        penalty=setting("penalty", POSITIVE),
-        xi=setting("xi", NOT_NEGATIVE),
-        omega=setting("omega", POSITIVE),
+        tolerance=setting("tolerance"),
+        penalty=setting("penalty"),
+        xi=setting("xi"),
+        omega=setting("omega"),
     )
 
 

@@ -136,7 +136,8 @@ class SolverSettings:
     step_size: float = 0.01
     """Internal step in s; at most the communication step."""
     tolerance: float = 1e-12
-    """Largest scaled constraint residual after the Uzawa iteration."""
+    """What a step must be solved to: Newton's error relative to the energy (in the energy norm),
+    constraints relative to length squared."""
     penalty: float = 1e8
     """Penalty relative to the inertia term of each row; scaled with the step by the method."""
     xi: float = 1.0

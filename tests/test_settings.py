@@ -1,0 +1,59 @@
+"""Settings of the solver have one meaning: in the scene, in the model, and in the FMU."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import get_args
+
+import pytest
+
+import solver
+from solver.runtime import options
+from solver.scene import SceneError, SolverSettings, schema, settings
+from tests.twins import PENDULUM
+
+
+def test_scene_and_runtime_have_the_same_settings_and_defaults():
+    fields = dataclasses.asdict(SolverSettings())
+    assert fields.pop("order") == 2
+    assert fields == options.DEFAULTS
+
+
+def test_what_the_scene_file_leaves_out_is_the_default():
+    assert solver.loads(PENDULUM).solver == SolverSettings()
+
+
+@pytest.mark.parametrize("name", options.CHOICES)
+def test_scene_and_runtime_offer_the_same_choices(name):
+    assert get_args(schema.Solver.model_fields[name].annotation) == options.CHOICES[name]
+
+
+def test_scene_and_runtime_limit_the_same_settings():
+    assert set(settings.RANGES) == set(options.RANGES)
+
+
+@pytest.mark.parametrize("name", options.RANGES)
+def test_scene_and_runtime_have_the_same_ranges(name):
+    low, high, _, _ = options.RANGES[name]
+    step = 1.0 if name in options.WHOLE else math.ulp(high)
+    tiny = 1.0 if name in options.WHOLE else 5e-324
+    holds = settings.RANGES[name].holds
+    for value in (high, tiny):
+        assert holds(value)
+        assert options.encode(name, value) == (name, value)
+    for value in (high + step, -tiny, math.nan):
+        assert not holds(value)
+        with pytest.raises(solver.OptionError, match=f"^solver.{name}: must be"):
+            options.encode(name, value)
+    assert holds(0.0) == (low < 0.0)
+
+
+def test_a_scene_made_by_hand_with_a_setting_out_of_range_is_reported_too():
+    scene = solver.loads(PENDULUM)
+    wrong = dataclasses.replace(scene.solver, penalty=1e20)
+    with pytest.raises(SceneError) as caught:
+        solver.assemble(dataclasses.replace(scene, solver=wrong))
+    (problem,) = caught.value.problems
+    assert problem.location == "solver.penalty"
+    assert "1e+14" in problem.message
