@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
+import os
 import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -69,3 +70,5 @@ def output_references(folder: Path) -> list[int]:
 
 if __name__ == "__main__":
     sys.stdout.write(main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), float(sys.argv[4])))
+    sys.stdout.flush()
+    os._exit(0)  # pythonfmu's exit handlers read freed memory (docs/fmu.md, section 4)
