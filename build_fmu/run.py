@@ -22,6 +22,16 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
 DISCARD, ERROR = 2, 3  # fmi2Status
+MOST_STEPS = 10_000_000
+"""Most communication steps of a run: all rows are kept in memory until its end."""
+
+_KINDS = {
+    "Real": (lambda value: _is_number(value, int, float), "a number"),
+    "Integer": (lambda value: _is_number(value, int), "a whole number"),
+    "Boolean": (lambda value: isinstance(value, bool), "true or false"),
+    "String": (lambda value: isinstance(value, str), "a text"),
+}
+"""What a value for each type of variable must be."""
 
 
 @dataclass(frozen=True)
@@ -77,14 +87,16 @@ def run_fmu(
     Raises
     ------
     UsageError
-        If the FMU has no variable of a name in `settings`, or a time makes no sense.
+        If the FMU has no variable of a name in `settings`, a value is not of its type, or a time
+        makes no sense.
     EnvironmentLackError
         If the FMU has no library for this platform.
     """
     import fmpy
 
     description = fmpy.read_model_description(fspath(path), validate=False)
-    _check(fspath(path), description, settings or {}, step_size)
+    _check_platform(fspath(path))
+    _check_settings(fspath(path), description, settings or {})
     stop_time, step_size = _times(description, stop_time, step_size)
     log: list[tuple[int, str]] = []
     begin = time.perf_counter()
@@ -136,39 +148,61 @@ def _reason(log: list[tuple[int, str]], failure: str) -> str:
     return severe[-1] if severe else failure or "the FMU ended the simulation without a message"
 
 
-def _check(
-    path: str,
-    description: ModelDescription,
-    settings: Mapping[str, object],
-    step_size: float | None,
-) -> None:
+def _is_number(value: object, *kinds: type) -> bool:
+    if isinstance(value, int):  # which True is, and which can be larger than any double
+        return not isinstance(value, bool) and abs(value) < 1 << 1023
+    return isinstance(value, kinds)
+
+
+def _check_platform(path: str) -> None:
     from fmpy import platform, supported_platforms
 
     if platform not in supported_platforms(path):
         text = f"{path} has no library for this platform, {platform}"
         raise EnvironmentLackError(text)
-    if step_size is not None and not (math.isfinite(step_size) and step_size > 0.0):
-        text = f"the communication step must be > 0 s, got {step_size!r}"
-        raise UsageError(text)
-    names = [v.name for v in description.modelVariables if v.causality in ("parameter", "input")]
-    for name in settings:
-        if name not in names:
-            near = difflib.get_close_matches(name, names, 1)
+
+
+def _check_settings(
+    path: str, description: ModelDescription, settings: Mapping[str, object]
+) -> None:
+    """Check names and types: fmpy would end in a traceback."""
+    variables = {
+        v.name: v for v in description.modelVariables if v.causality in ("parameter", "input")
+    }
+    for name, value in settings.items():
+        if name not in variables:
+            near = difflib.get_close_matches(name, variables, 1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
             text = f"{path} has no parameter or input {name!r}{hint}"
+            raise UsageError(text)
+        fits, words = _KINDS.get(variables[name].type, _KINDS["Integer"])  # an Enumeration is one
+        if not fits(value):
+            unit = f" in {variables[name].unit}" if variables[name].unit else ""
+            text = f"{name}: must be {words}{unit}, got {value!r}"
             raise UsageError(text)
 
 
 def _times(
     description: ModelDescription, stop_time: float | None, step_size: float | None
 ) -> tuple[float, float]:
+    """Stop time and communication step, checked: a run must come to an end."""
     experiment = description.defaultExperiment
     start = float(getattr(experiment, "startTime", None) or 0.0)
     if stop_time is None:
         stop_time = float(getattr(experiment, "stopTime", None) or start + 1.0)
+    if not (math.isfinite(stop_time) and stop_time > start):
+        text = f"the stop time must be after the start time {start!r} s, got {stop_time!r}"
+        raise UsageError(text)
     if step_size is None:
         step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
-    if not stop_time > start:
-        text = f"the stop time must be after the start time {start!r} s, got {stop_time!r}"
+    if not (math.isfinite(step_size) and step_size > 0.0):
+        text = f"the communication step must be > 0 s, got {step_size!r}"
+        raise UsageError(text)
+    steps = (stop_time - start) / step_size
+    if steps > MOST_STEPS:
+        text = (
+            f"{stop_time - start:g} s in steps of {step_size:g} s are {steps:.3g} communication "
+            f"steps, more than the {MOST_STEPS:g} of one run; take a longer step"
+        )
         raise UsageError(text)
     return stop_time, step_size

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import math
 import subprocess
@@ -12,12 +11,12 @@ from pathlib import Path
 
 import pytest
 
-import solver
 from build_fmu import build, demo, payload
 from build_fmu.command_line import main, setting
 from build_fmu.export import VERSION
 from build_fmu.report import progress_bar
 from build_fmu.run import run_fmu
+from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 
 ROOT = SCENES.parent
@@ -33,19 +32,6 @@ A = { position = [1, 0], mass = 1 }
 one = { type = "distance", points = ["O", "A"] }
 two = { type = "distance", points = ["O", "A"] }
 """
-
-
-def run(capsys, *arguments):
-    """Exit code, stdout and stderr of a command."""
-    code = main([str(argument) for argument in arguments])
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
-
-
-def trajectory(path: Path) -> dict[str, list[float]]:
-    with path.open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
 
 # ------------------------------------------------------------------------------------ build
@@ -134,62 +120,6 @@ def test_a_missing_kernel_ends_with_4_and_the_remedy(capsys, tmp_path, monkeypat
 def test_a_setting_is_a_number_a_truth_value_a_list_or_text(text, name, value):
     assert setting(text) == (name, value)
     assert type(setting(text)[1]) is type(value)
-
-
-# --------------------------------------------------------------------------- simulate, check
-
-
-def test_the_csv_file_has_the_numbers_of_the_run(capsys, tmp_path):
-    fmu = scene_fmu("double_pendulum")
-    arguments = ("simulate", fmu, "--stop", 1, "--step", 0.05, "--csv", tmp_path / "a.csv")
-    assert run(capsys, *arguments) == (0, "", "")
-    expected = solver.simulate(PENDULUM, stop_time=1.0, step_size=0.05)
-    columns = trajectory(tmp_path / "a.csv")
-    assert columns["B.x"] == list(expected["B.x"])
-    assert columns["time"] == pytest.approx(expected.t)
-
-
-def test_a_scene_is_simulated_as_its_fmu(capsys):
-    arguments = ("--stop", "0.5", "--csv", "-", "--set", "mass=3")
-    scene = run(capsys, "simulate", PENDULUM, *arguments)
-    fmu = run(capsys, "simulate", scene_fmu("double_pendulum"), *arguments)
-    assert scene == fmu
-    assert scene[0] == 0
-
-
-def test_a_run_that_ends_early_ends_with_3_and_the_reason(capsys):
-    arguments = ("simulate", scene_fmu("four_bar"), "--set", "drive=nan", "--json")
-    code, out, err = run(capsys, *arguments)
-    assert code == 3
-    summary = json.loads(out)
-    assert (summary["finished"], summary["end_time"], summary["steps"]) == (False, 0.0, 0)
-    assert "drive" in summary["reason"]
-    assert summary["reason"] in err
-
-
-def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
-    code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drve=1")
-    assert code == 2
-    assert "did you mean 'drive'?" in err
-
-
-def test_check_passes_where_energy_and_constraints_hold(capsys):
-    code, out, err = run(capsys, "check", scene_fmu("four_bar"), "--json")
-    assert (code, err) == (0, "")
-    assert json.loads(out)["holds"]
-
-
-def test_check_fails_where_they_do_not(capsys):
-    method = "solver.formulation=midpoint-penalty"
-    code, out, _ = run(capsys, "check", SCENES / "four_bar.toml", "--stop", 1, "--set", method)
-    assert code == 1
-    assert "NO" in out
-
-
-def test_check_ends_with_3_if_the_run_does(capsys):
-    code, out, _ = run(capsys, "check", scene_fmu("four_bar"), "--set", "drive=nan", "--json")
-    assert code == 3
-    assert not json.loads(out)["holds"]
 
 
 # --------------------------------------------------------------------------- info, validate

@@ -1,0 +1,111 @@
+"""`build-fmu simulate` and `check`: what they print, and which mistakes end them before they begin."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+import solver
+from tests.commands import run
+from tests.fmu_instance import SCENES, scene_fmu
+
+PENDULUM = str(SCENES / "double_pendulum.toml")
+
+
+def trajectory(path: Path) -> dict[str, list[float]]:
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: [float(row[name]) for row in rows] for name in rows[0]}
+
+
+def test_the_csv_file_has_the_numbers_of_the_run(capsys, tmp_path):
+    fmu = scene_fmu("double_pendulum")
+    arguments = ("simulate", fmu, "--stop", 1, "--step", 0.05, "--csv", tmp_path / "a.csv")
+    assert run(capsys, *arguments) == (0, "", "")
+    expected = solver.simulate(PENDULUM, stop_time=1.0, step_size=0.05)
+    columns = trajectory(tmp_path / "a.csv")
+    assert columns["B.x"] == list(expected["B.x"])
+    assert columns["time"] == pytest.approx(expected.t)
+
+
+def test_a_scene_is_simulated_as_its_fmu(capsys):
+    arguments = ("--stop", "0.5", "--csv", "-", "--set", "mass=3")
+    scene = run(capsys, "simulate", PENDULUM, *arguments)
+    fmu = run(capsys, "simulate", scene_fmu("double_pendulum"), *arguments)
+    assert scene == fmu
+    assert scene[0] == 0
+
+
+def test_a_run_that_ends_early_ends_with_3_and_the_reason(capsys):
+    arguments = ("simulate", scene_fmu("four_bar"), "--set", "drive=nan", "--json")
+    code, out, err = run(capsys, *arguments)
+    assert code == 3
+    summary = json.loads(out)
+    assert (summary["finished"], summary["end_time"], summary["steps"]) == (False, 0.0, 0)
+    assert "drive" in summary["reason"]
+    assert summary["reason"] in err
+
+
+def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
+    code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drve=1")
+    assert code == 2
+    assert "did you mean 'drive'?" in err
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ("drive=abc", "drive: must be a number in N.m, got 'abc'"),
+        ("drive=[1,2]", "drive: must be a number in N.m, got [1, 2]"),
+        ("drive=true", "drive: must be a number in N.m, got True"),
+        (f"drive=1{'0' * 400}", "drive: must be a number in N.m, got 1000"),
+        ("solver.paired=1", "solver.paired: must be true or false, got 1"),
+        ("solver.formulation=7", "solver.formulation: must be a text, got 7"),
+    ],
+    ids=range(6),
+)
+def test_a_value_of_another_type_ends_with_2(capsys, wrong, words):
+    code, out, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", wrong)
+    assert (code, out) == (2, "")
+    assert words in err
+    assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--stop", "inf"), "must be after the start time 0.0 s, got inf"),
+        (("--stop", "nan"), "must be after the start time 0.0 s, got nan"),
+        (("--step", "inf"), "must be > 0 s, got inf"),
+        (("--step", "1e-12"), "more than the 1e+07 of one run"),
+        (("--stop", "1e300"), "more than the 1e+07 of one run"),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("command", ["simulate", "check"])
+def test_a_run_that_would_not_end_ends_with_2(capsys, command, arguments, words):
+    code, out, err = run(capsys, command, scene_fmu("four_bar"), *arguments)
+    assert (code, out) == (2, "")
+    assert words in err
+
+
+def test_check_passes_where_energy_and_constraints_hold(capsys):
+    code, out, err = run(capsys, "check", scene_fmu("four_bar"), "--json")
+    assert (code, err) == (0, "")
+    assert json.loads(out)["holds"]
+
+
+def test_check_fails_where_they_do_not(capsys):
+    method = "solver.formulation=midpoint-penalty"
+    code, out, _ = run(capsys, "check", SCENES / "four_bar.toml", "--stop", 1, "--set", method)
+    assert code == 1
+    assert "NO" in out
+
+
+def test_check_ends_with_3_if_the_run_does(capsys):
+    code, out, _ = run(capsys, "check", scene_fmu("four_bar"), "--set", "drive=nan", "--json")
+    assert code == 3
+    assert not json.loads(out)["holds"]
