@@ -1,4 +1,4 @@
-"""`build-fmu simulate` and `check`: what they print, and which mistakes end them before they begin."""
+"""`build-fmu simulate` and `check`: what they print, and what ends them before they begin."""
 
 from __future__ import annotations
 
