@@ -6,6 +6,7 @@ any size. `start` makes an integrator of it, `move` takes plain steps and record
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 from collections.abc import Iterable, Sequence
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import solver
-from solver.runtime import Integrator, Model
+from solver.runtime import Integrator, Model, StepError
 
 Content = dict[str, Any]
 Array = NDArray[np.float64]
@@ -117,6 +118,19 @@ def observe(integrator: Integrator, h: float, n_steps: int, names: Sequence[str]
     for _ in range(n_steps):
         step(integrator, h)
         rows.append(integrator.get(places))
+    return np.array(rows, dtype=float)
+
+
+def observe_until_it_fails(
+    integrator: Integrator, h: float, n_steps: int, names: Sequence[str]
+) -> Array:
+    """Values as of `observe`, up to the last step that could be solved."""
+    places = [integrator.model.index(name) for name in names]
+    rows = [integrator.get(places)]
+    with contextlib.suppress(StepError):
+        for _ in range(n_steps):
+            step(integrator, h)
+            rows.append(integrator.get(places))
     return np.array(rows, dtype=float)
 
 

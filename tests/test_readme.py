@@ -7,7 +7,9 @@ import re
 import shlex
 import textwrap
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 
 import solver
@@ -58,9 +60,13 @@ def test_the_report_of_mistakes_is_what_a_scene_with_these_mistakes_gets():
 
 def test_the_python_example_runs(monkeypatch):
     monkeypatch.chdir(ROOT)
-    names: dict[str, object] = {}
+    names: dict[str, Any] = {}
     exec(compile(fenced("python"), "README.md", "exec"), names)
-    assert names["trajectory"]
+    trajectory = names["trajectory"]
+    assert trajectory.t.shape == trajectory["B.x"].shape == (201,)
+    assert (trajectory.t[0], trajectory.t[-1]) == (0.0, 10.0)
+    assert 0.0 < trajectory["energy.error"].max() < 1e-11  # round-off of 1000 steps
+    assert np.ptp(trajectory["energy.kinetic"]) > 10.0  # J: the bars have swung
 
 
 @pytest.mark.parametrize(("option", "text"), option_defaults().items())
