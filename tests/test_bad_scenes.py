@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from solver.mechanics import assemble
 from solver.scene import SceneError, load, loads
 
 FOLDER = Path(__file__).parent / "bad_scenes"
@@ -18,7 +19,7 @@ def _within_the_folder(monkeypatch):
 @pytest.mark.parametrize("name", NAMES)
 def test_a_bad_scene_is_reported_as_expected(name):
     with pytest.raises(SceneError) as caught:
-        load(f"{name}.toml")
+        assemble(load(f"{name}.toml"))
     assert str(caught.value) + "\n" == Path(f"{name}.txt").read_text(encoding="utf-8")
 
 

@@ -13,6 +13,7 @@ from solver.scene import (
     Bar,
     Damper,
     Distance,
+    Expr,
     Force,
     Number,
     PointReference,
@@ -69,11 +70,19 @@ class Parts:
         """Demand that a number is `relation` 0 (or finite); `text` says what and in which unit."""
         self.rules.append((number, relation, 0.0, f"{label}: {text}, got {{value!r}}"))
 
+    def finite(self, vector: Vector, label: str, what: str) -> None:
+        """Demand that what the expressions of a vector yield is a finite number."""
+        for number in vector:
+            if isinstance(number, Expr):
+                self.rule(number, "finite", label, f"{what} must be a finite number")
+
 
 def collect(scene: Scene) -> Parts:
     """Return the parts of a scene."""
     parts = Parts(dim=scene.dimension)
     for name, point in scene.points.items():
+        parts.finite(point.position, f"point '{name}'", "position")
+        parts.finite(point.velocity, f"point '{name}'", "velocity")
         if point.fixed:
             parts.support.append(point.position)
             parts.nodes[name] = -len(parts.support)
@@ -164,11 +173,13 @@ def _force(
 ) -> None:
     label = f"force '{name}'"
     if isinstance(force, Force):
+        parts.finite(force.value, label, "value")
         parts.load_node.append(parts.nodes[force.point])
         parts.load.append(force.value)
         return
     if isinstance(force, Torque):
         value = force.value if isinstance(force.value, tuple) else (force.value,)
+        parts.finite(value, label, "value")
         parts.moment_link.append(bar_links[force.body])
         parts.moment.append(value)
         return
