@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,7 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from solver.mechanics import assemble
-from solver.runtime import Integrator, Model
+from solver.runtime import Integrator, Model, OptionError
+from solver.runtime.errors import UnknownNameError
 from solver.scene import Scene, load
 
 if TYPE_CHECKING:
@@ -28,6 +30,8 @@ class Trajectory:
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Return the values of one variable."""
+        if name not in self.names:
+            raise UnknownNameError(name, self.names)
         return self.values[:, self.names.index(name)]
 
 
@@ -75,7 +79,7 @@ def simulate(
     Raises
     ------
     SceneError, AssemblyError, OptionError, StepError
-        What is wrong with the scene, the parameters, a value, or a step.
+        What is wrong with the scene, the parameters, a value or name, or a step.
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model, kernel=kernel)
@@ -84,16 +88,44 @@ def simulate(
     settings = {f"solver.{name}": value for name, value in options.items()}
     for name, value in {**(parameters or {}), **(inputs or {}), **settings}.items():
         integrator[name] = value
-    start = model.experiment.start_time
-    stop = model.experiment.stop_time if stop_time is None else stop_time
-    names = tuple(outputs or (v.name for v in model.variables if v.causality == "output"))
+    names = _collected(model, outputs)
     indices = [model.index(name) for name in names]
+    start, stop, step = _times(model, stop_time, step_size)
     times, rows = [start], [integrator.get(indices)]
-    for t, h in communication_points(start, stop, step_size or model.experiment.step_size):
+    for t, h in communication_points(start, stop, step):
         integrator.advance(t, h)
         times.append(t + h)
         rows.append(integrator.get(indices))
     return Trajectory(np.array(times), names, np.array(rows, dtype=float))
+
+
+def _times(
+    model: Model, stop_time: float | None, step_size: float | None
+) -> tuple[float, float, float]:
+    """Start, stop and communication step [s]: the experiment's where left out."""
+    start = model.experiment.start_time
+    stop = model.experiment.stop_time if stop_time is None else stop_time
+    step = model.experiment.step_size if step_size is None else step_size
+    if not (math.isfinite(stop) and stop > start):
+        message = f"stop_time: must be > start_time = {start!r} s and finite, got {stop!r}"
+        raise OptionError(message)
+    if not (math.isfinite(step) and step > 0.0):
+        message = f"step_size: must be > 0 s and finite, got {step!r}"
+        raise OptionError(message)
+    return start, stop, step
+
+
+def _collected(model: Model, outputs: Sequence[str] | None) -> tuple[str, ...]:
+    """Names of the variables to collect."""
+    if outputs is None:
+        return tuple(v.name for v in model.variables if v.causality == "output")
+    if not outputs:
+        message = "outputs: must name at least one variable; leave it out to collect all outputs"
+        raise OptionError(message)
+    if isinstance(outputs, str):
+        message = f"outputs: must be a sequence of names, got the text {outputs!r}"
+        raise OptionError(message)
+    return tuple(outputs)
 
 
 def _scene(mechanism: Scene | str | os.PathLike[str]) -> Scene:

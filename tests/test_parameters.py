@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 
 import solver
 from solver.runtime import AssemblyError, Integrator, OptionError
+from solver.runtime.assembly_checks import rules_of_laws
 from tests.problems import (
     Content,
     assemble,
@@ -211,6 +212,13 @@ def test_a_rule_is_kept_in_motion_and_a_value_that_breaks_it_changes_nothing(
     for integrator in (one, other):
         integrator.advance(0.1, 0.1)
     assert one.save() == other.save()
+
+
+def test_plain_inputs_are_not_checked_against_rules_in_motion():
+    # Setting them is part of every communication step, and copies nothing.
+    assert not rules_of_laws(assemble(turned("5.0")))
+    (rule,) = rules_of_laws(assemble(turned("k")))
+    assert "force 'tie': stiffness" in rule.message
 
 
 def test_a_rule_about_an_expression_of_inputs_is_checked_at_assembly():

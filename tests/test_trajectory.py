@@ -1,0 +1,66 @@
+"""`simulate` runs from Python: its times, its names, and what it refuses."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import solver
+from solver.runtime import OptionError
+from tests.twins import PENDULUM, model_of
+
+
+def run(**arguments):
+    return solver.simulate(model_of(PENDULUM), **arguments)
+
+
+def test_what_is_left_out_is_that_of_the_scene():
+    trajectory = run()
+    assert trajectory.t == pytest.approx(np.linspace(0.0, 1.0, 11))
+    variables = model_of(PENDULUM).variables
+    assert trajectory.names == tuple(v.name for v in variables if v.causality == "output")
+    assert trajectory.values.shape == (11, len(trajectory.names))
+
+
+def test_what_is_asked_for_is_collected_in_that_order():
+    trajectory = run(outputs=["energy.total", "A.x"], stop_time=0.25, step_size=0.1)
+    assert trajectory.names == ("energy.total", "A.x")
+    assert trajectory.t.tolist() == [0.0, 0.1, 0.2, 0.25]
+    assert trajectory["A.x"][0] == 0.6
+
+
+@pytest.mark.parametrize("step_size", [0.0, -0.1, math.nan, math.inf])
+def test_a_step_that_leads_nowhere_is_refused(step_size):
+    with pytest.raises(OptionError, match=r"^step_size: must be > 0 s"):
+        run(step_size=step_size)
+
+
+@pytest.mark.parametrize("stop_time", [0.0, -1.0, math.nan, math.inf])
+def test_an_end_that_is_not_after_the_start_is_refused(stop_time):
+    with pytest.raises(OptionError, match=r"^stop_time: must be > start_time = 0.0 s"):
+        run(stop_time=stop_time)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"outputs": []}, "^outputs: must name at least one"),
+        ({"outputs": "A.x"}, "^outputs: must be a sequence of names"),
+        ({"outputs": ["A.xx"]}, "'A.xx'; did you mean 'A.x'"),
+        ({"parameters": {"solver.penalt": 1.0}}, "'solver.penalt'; did you mean 'solver.penalty'"),
+        ({"inputs": {"A.x": 1.0}}, "A.x: is calculated"),
+        ({"formulatoin": "midpoint-al"}, "did you mean 'solver.formulation'"),
+    ],
+    ids=str,
+)
+def test_a_name_that_cannot_be_meant_is_answered(arguments, words):
+    with pytest.raises(OptionError, match=words):
+        run(**arguments)
+
+
+def test_a_trajectory_answers_a_wrong_name_too():
+    trajectory = run(outputs=["A.x"])
+    with pytest.raises(KeyError, match=r"^no variable is named 'A.z'; did you mean 'A.x'\?$"):
+        trajectory["A.z"]
