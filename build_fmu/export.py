@@ -33,8 +33,14 @@ def build_archive(
     overrides: Mapping[str, object],
 ) -> Path:
     """Write the FMU of a scene; see `build_fmu.build`."""
-    model = compile_scene(scene, overrides)
-    target = Path(path) if path is not None else Path(f"{identifier(model.name)}.fmu")
+    return write_fmu(compile_scene(scene, overrides), path)
+
+
+def write_fmu(model: Model, path: str | PathLike[str] | None = None) -> Path:
+    """Write the FMU of a model; a folder or None as path means the model's own name, there."""
+    target = Path(path or ".")
+    if target.is_dir():
+        target /= f"{identifier(model.name)}.fmu"
     write_archive(target, archive_entries(model))
     return target
 

@@ -76,11 +76,8 @@ def runnable(
         require_fmu(target)
         yield target, settings
         return
-    from build_fmu.archive import write_archive
-    from build_fmu.export import archive_entries, identifier
+    from build_fmu.export import write_fmu
 
     model = scene_model(target, settings)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        path = Path(folder, f"{identifier(model.name)}.fmu")
-        write_archive(path, archive_entries(model))
-        yield str(path), {}
+        yield str(write_fmu(model, folder)), {}

@@ -230,6 +230,31 @@ def test_an_unknown_benchmark_is_refused_by_name(capsys):
     assert "no benchmark 'stepss'; there are steps" in capsys.readouterr().err
 
 
+class Paper:
+    """Axes that remember what is drawn: matplotlib need not be installed."""
+
+    def __init__(self):
+        self.curves = {}
+
+    def loglog(self, x, y, *, label, **_):
+        self.curves[label] = (x, y)
+
+    def grid(self, **_):
+        pass
+
+
+def test_a_curve_has_all_points_that_were_measured_and_none_at_zero():
+    rows = [
+        {"solver": solver, "ms": ms, "energy": energy}
+        for solver in picture.STYLES
+        for ms, energy in [(1.0, 1e-3), (2.0, 0.0), (None, None)]
+    ]
+    paper = Paper()
+    picture._curves(paper, Table(title="T", columns={}, rows=rows), "energy")
+    expected = ([1.0, 2.0], [1e-3, picture.LEAST])
+    assert paper.curves == dict.fromkeys(picture.STYLES, expected)
+
+
 def test_the_picture_shows_all_curves(tmp_path):
     pytest.importorskip("matplotlib")
     rows = [

@@ -51,6 +51,11 @@ def test_build_names_the_file_after_the_scene(capsys, tmp_path, monkeypatch):
     assert Path("double_pendulum.fmu").is_file()
 
 
+def test_build_into_a_folder_names_the_file_after_the_scene_there(capsys, tmp_path):
+    code, out, _ = run(capsys, "build", PENDULUM, "-o", tmp_path)
+    assert (code, out) == (0, f"{tmp_path / 'double_pendulum.fmu'}\n")
+
+
 def test_set_replaces_any_number_of_the_scene(capsys, tmp_path):
     settings = {"mass": 2.0, "points.B.velocity": [0, 3], "solver.step_size": 0.02}
     arguments = [f"--set={name}={value}" for name, value in settings.items()]

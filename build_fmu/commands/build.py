@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json
@@ -13,15 +12,13 @@ from build_fmu.target import is_fmu, scene_model
 
 def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
-    from build_fmu.archive import write_archive
-    from build_fmu.export import archive_entries, identifier
+    from build_fmu.export import write_fmu
 
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)
     model = scene_model(arguments.scene, dict(arguments.settings))
-    path = Path(arguments.output or f"{identifier(model.name)}.fmu")
-    write_archive(path, archive_entries(model))
+    path = write_fmu(model, arguments.output)
     size = path.stat().st_size
     if arguments.json:
         print_json({"fmu": str(path), "name": model.name, "bytes": size})
