@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import difflib
 import math
+import tempfile
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.errors import EnvironmentLackError, UsageError
@@ -90,12 +92,14 @@ def run_fmu(
         If the FMU has no variable of a name in `settings`, a value is not of its type, or a time
         makes no sense.
     EnvironmentLackError
-        If the FMU has no library for this platform.
+        If the FMU has no library for this platform, or the folder for temporary files has a name
+        that the library cannot read.
     """
     import fmpy
 
     description = fmpy.read_model_description(fspath(path), validate=False)
     _check_platform(fspath(path))
+    check_unpack_folder(Path(tempfile.gettempdir()))
     _check_settings(fspath(path), description, settings or {})
     stop_time, step_size = _times(description, stop_time, step_size)
     log: list[tuple[int, str]] = []
@@ -117,6 +121,17 @@ def run_fmu(
     if values is None:
         raise UsageError(reason)
     return Run(values, stop_time, wall_time, messages, reason)
+
+
+def check_unpack_folder(folder: Path) -> None:
+    """Refuse a folder below which an FMU would end the process: its library decodes %20 alone."""
+    wrong = "%" in folder.absolute().as_uri().replace("%20", "")
+    if wrong:
+        text = (
+            f"the folder for temporary files, {folder}, has a character in its path that pythonfmu's "
+            "library cannot read; set TMPDIR to a folder of plain letters"
+        )
+        raise EnvironmentLackError(text)
 
 
 def _reporter(progress: Callable[[float], object] | None, stop_time: float) -> Callable | None:

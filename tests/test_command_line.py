@@ -13,9 +13,10 @@ import pytest
 
 from build_fmu import build, demo, payload
 from build_fmu.command_line import main, setting
+from build_fmu.errors import EnvironmentLackError
 from build_fmu.export import VERSION
 from build_fmu.report import progress_bar
-from build_fmu.run import run_fmu
+from build_fmu.run import check_unpack_folder, run_fmu
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 
@@ -212,3 +213,11 @@ def test_progress_is_shown_on_a_terminal_only(capsys, monkeypatch):
     out, err = capsys.readouterr()
     assert out == ""
     assert "title" in err
+
+
+@pytest.mark.parametrize("name", ["c#d", "a+b", "ü"])
+def test_a_temporary_folder_that_would_end_the_process_is_refused(name, tmp_path):
+    # pythonfmu's library decodes %20 alone and crashes where other characters are escaped.
+    check_unpack_folder(tmp_path / "with a blank")
+    with pytest.raises(EnvironmentLackError, match="set TMPDIR"):
+        check_unpack_folder(tmp_path / name)

@@ -140,8 +140,8 @@ def test_random_mechanisms_move_alike_up_to_their_conditioning(seed, formulation
         bound_w, bound_mu = np.split(bound, [len(w)])
         assert np.all(np.abs(w - theirs[0]) <= bound_w)
         if nearly_dependent(equations, w):
-            # The multipliers are then what the iteration makes of them; their forces are not: by the
-            # momentum balance they differ by the inertia of what w differs, and by rounding.
+            # The multipliers are then what the iteration makes of them; their forces are not: by
+            # the momentum balance they differ by the inertia of what w differs, and by rounding.
             G, M = equations.G_mid(w), equations.mechanism.M
             force = 2.0 / equations.h**2 * np.abs(M) @ bound_w
             force += 10.0 * EPSILON * np.abs(G).T @ np.abs(mu)

@@ -49,7 +49,8 @@ class Form:
         """Value s = u . w at coordinates x (n,), without rounding."""
         u, w = (
             [
-                Fraction(fixed) + sum(Fraction(row[k]) * x[k] for k in np.flatnonzero(row))
+                Fraction(fixed)
+                + sum(Fraction(a) * b for a, b in zip(row, x, strict=True) if a != 0.0)
                 for row, fixed in zip(matrix, support, strict=True)
             ]
             for matrix, support in ((self.U, self.u_s), (self.W, self.w_s))
