@@ -128,8 +128,8 @@ def check_unpack_folder(folder: Path) -> None:
     wrong = "%" in folder.absolute().as_uri().replace("%20", "")
     if wrong:
         text = (
-            f"the folder for temporary files, {folder}, has a character in its path that pythonfmu's "
-            "library cannot read; set TMPDIR to a folder of plain letters"
+            f"the folder for temporary files, {folder}, has a character in its path that "
+            "pythonfmu's library cannot read; set TMPDIR to a folder of plain letters"
         )
         raise EnvironmentLackError(text)
 
