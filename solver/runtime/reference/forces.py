@@ -88,7 +88,7 @@ def couple(moment: Array, u_n: Array, du: Array) -> tuple[Array, Array]:
     size2 = length(u_n) * length(u_n1)
     if not size2 > 0.0:
         raise UnsolvedError(Status.ZERO_LENGTH)
-    cross = np.cross(u_n, u_n1)
+    cross: Array = np.cross(u_n, u_n1).astype(np.float64)
     beta = float(np.arctan2(length(cross), u_n @ u_n1))
     g = 1.0 / (size2 * np.sinc(beta / np.pi))
     # dg/du_n1 from g = (beta/sin beta)/(|u_n| |u_n1|); the quotient below tends to 1/3.
@@ -97,7 +97,7 @@ def couple(moment: Array, u_n: Array, du: Array) -> tuple[Array, Array]:
     )
     dg = -g * u_n1 + quotient * np.cross(cross, u_n1) / size2**2
     dg /= u_n1 @ u_n1
-    arm = np.cross(m, 0.5 * (u_n + u_n1))
+    arm: Array = np.cross(m, 0.5 * (u_n + u_n1)).astype(np.float64)
     skew = np.cross(m, np.eye(3)).T
     tangent = np.outer(arm, dg) + 0.5 * g * skew
     return (g * arm)[:dim], tangent[:dim, :dim]

@@ -48,4 +48,4 @@ def first_multipliers(mechanism: Mechanism, motion: Motion) -> tuple[Array, Arra
     S = scale[:, None] * (G @ np.linalg.solve(M, G.T)) * scale
     b = scale * (G @ np.linalg.solve(M, Q) + mechanism.quadratic(motion.v))
     lam = scale * np.linalg.lstsq(S, b, rcond=RANK)[0]
-    return lam, np.linalg.solve(M, Q - G.T @ lam)
+    return lam, np.linalg.solve(M, Q - G.T @ lam).astype(np.float64)
