@@ -53,9 +53,9 @@ static double constraint_defect(const context *c)
 }
 
 typedef struct newton_record {
-    double theta, eta, size;      /* contraction, and in the mass norm the last increment and d [kg^1/2 m]      */
-    double target, floor; /* tolerance and round-off of increments                                             */
-    double energy, noise; /* reference energy, and kinetic energy of the round-off of positions [J]             */
+    double theta, eta, size; /* contraction; in the mass norm, the last increment and d [kg^1/2 m]               */
+    double target, floor;    /* tolerance and round-off of increments                                          */
+    double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
     int factorised, total, stiffened;
 } newton_record;
 
@@ -158,7 +158,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise) return HOLONOM_OK;
         if (simultaneous && iteration > 1 && r->theta > 0.25 && stiffen(c, &r->stiffened)) {
             update_multipliers(c);
-            status = evaluate_residual(c);
+            if ((status = evaluate_residual(c))) return status;
             r->factorised = 0;
             r->theta = 1.0;
         }
