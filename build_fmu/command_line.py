@@ -13,6 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from build_fmu.errors import LACK, USAGE, CommandError
+from build_fmu.version import VERSION
 
 INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
 EXIT_CODES = """exit codes:
@@ -83,6 +84,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog=EXIT_CODES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {VERSION}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     build = commands.add_parser("build", help="write the FMU of a scene")
     build.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")

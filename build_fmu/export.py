@@ -16,12 +16,12 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
+from build_fmu.version import VERSION
 
 if TYPE_CHECKING:
     from solver.runtime import Model
     from solver.scene import Scene
 
-VERSION = "0.1.0"
 TOOL = f"holonom {VERSION}"
 EARLIEST = 315532800  # 1980-01-01, the date of what has none: two builds must be equal
 _NAMESPACE = uuid.UUID("c5a1d8f0-6a0b-5d63-9d3e-6f1f0c0b7e21")

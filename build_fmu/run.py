@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
 DISCARD, ERROR = 2, 3  # fmi2Status
+INSTANTIATION_FAILED = "Failed to instantiate model"
 MOST_STEPS = 10_000_000
 """Most communication steps of a run: all rows are kept in memory until its end."""
 
@@ -155,6 +156,10 @@ def _simulate(path: str, **options) -> tuple[ndarray | None, str]:
         return fmpy.simulate_fmu(path, **options), ""
     except FMICallException as error:
         return None, str(error)
+    except Exception as error:
+        if str(error) != INSTANTIATION_FAILED:  # fmpy raises a bare Exception
+            raise
+        return None, f"{path} cannot be instantiated: is the archive damaged? Build it again"
 
 
 def _reason(log: list[tuple[int, str]], failure: str) -> str:

@@ -15,8 +15,10 @@ from pythonfmu import fmi2slave
 import build_fmu.fmi2slave
 from build_fmu import build
 from build_fmu.archive import write_archive
+from build_fmu.errors import UsageError
 from build_fmu.export import identifier
 from build_fmu.payload import payload, relative_imports
+from build_fmu.run import run_fmu
 from fmu_src.status import LOG_CATEGORIES
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
 
@@ -160,6 +162,8 @@ def test_two_versions_in_one_process_do_not_run_each_others_code(tmp_path):
             assert not fmu.step(0.0, -1.0)
             assert fmu.log[-1][2].endswith(words)
             assert fmu.step(0.0, 0.1)
+    with pytest.raises(UsageError, match="cannot be instantiated: is the archive damaged"):
+        run_fmu(damaged)
 
 
 def test_a_second_instance_does_not_need_the_first_ones_folder():
