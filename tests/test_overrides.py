@@ -6,20 +6,7 @@ import numpy as np
 import pytest
 
 from solver.scene import SceneError, loads, parse
-
-SHORT = """
-name = "short"
-dimension = 2
-[parameters]
-length = 1.0
-[points]
-O = { position = [0, 0], fixed = true }
-A = { position = ["length", 0], mass = 2 }
-[joints]
-rod = { type = "distance", points = ["O", "A"] }
-[inputs]
-push = { unit = "N" }
-"""
+from tests.short_scene import SHORT
 
 
 @pytest.mark.parametrize(

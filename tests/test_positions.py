@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from solver.scene.positions import lines_of_json, lines_of_toml
 from solver.scene.report import location_of, path_of
+from tests.nested_data import paths_of
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -18,15 +19,6 @@ else:
 
 ROOT = Path(__file__).parents[1]
 SCENES = sorted((ROOT / "scenes").glob("*.toml"))
-
-
-def paths_of(data, path=()):
-    """Every path of nested data."""
-    items = data.items() if isinstance(data, dict) else enumerate(data)
-    for key, value in items:
-        yield (*path, key), value
-        if isinstance(value, (dict, list)):
-            yield from paths_of(value, (*path, key))
 
 
 TRICKY = """# = [ { "

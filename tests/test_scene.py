@@ -24,6 +24,7 @@ from solver.scene import (
     loads,
     parse,
 )
+from tests.short_scene import SHORT
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -32,20 +33,6 @@ else:
 
 ROOT = Path(__file__).parents[1]
 SCENES = sorted((ROOT / "scenes").glob("*.toml"))
-
-SHORT = """
-name = "short"
-dimension = 2
-[parameters]
-length = 1.0
-[points]
-O = { position = [0, 0], fixed = true }
-A = { position = ["length", 0], mass = 2 }
-[joints]
-rod = { type = "distance", points = ["O", "A"] }
-[inputs]
-push = { unit = "N" }
-"""
 
 
 def problems_of(text, **options):

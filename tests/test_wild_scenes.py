@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.scene import SceneError, loads
+from tests.nested_data import paths_of
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -25,15 +26,6 @@ def report_of(text, **options):
     except SceneError as error:
         return str(error)
     return None
-
-
-def paths_of(data, path=()):
-    """Every path of nested data."""
-    items = data.items() if isinstance(data, dict) else enumerate(data)
-    for key, value in items:
-        yield (*path, key), value
-        if isinstance(value, (dict, list)):
-            yield from paths_of(value, (*path, key))
 
 
 wild = st.recursive(

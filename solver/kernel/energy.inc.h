@@ -80,17 +80,31 @@ static void follow_energy_reference(context *c)
     if (!(change <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = change;
 }
 
+/* Phi and dPhi/dt of row i at the state, and the length of its link u. */
+typedef struct row_state {
+    double phi, rate, length;
+} row_state;
+
+static row_state measure_row(const context *c, int32_t i)
+{
+    const int32_t f = c->m->row_form[i];
+    double u[DIM], w[DIM], vu[DIM], vw[DIM];
+    link_at_state(c, f, u, w);
+    link_of(c, f, c->s.v, vu, vw);
+    return (row_state){.phi = dot(u, w) - c->number[c->m->row_constant_at + i],
+                       .rate = dot(u, vw) + dot(w, vu),
+                       .length = sqrt(dot(u, u))};
+}
+
 void NAME(hm_residuals)(const holonom_model *m, const double *number, double *state, double *work, double *phi,
                         double *phi_dot)
 {
     context c;
     open_context(&c, m, (double *)number, state, work);
     for (int32_t i = 0; i < m->n_rows; i++) {
-        double u[DIM], w[DIM], vu[DIM], vw[DIM];
-        link_at_state(&c, m->row_form[i], u, w);
-        link_of(&c, m->row_form[i], c.s.v, vu, vw);
-        phi[i] = dot(u, w) - number[m->row_constant_at + i];
-        phi_dot[i] = dot(u, vw) + dot(w, vu);
+        const row_state row = measure_row(&c, i);
+        phi[i] = row.phi;
+        phi_dot[i] = row.rate;
     }
 }
 

@@ -96,14 +96,11 @@ static double *measure_rows(const context *c, double *y, double *position, doubl
     const double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
     *position = *velocity = 0.0;
     for (int32_t i = 0; i < m->n_rows; i++) {
-        double u[DIM], w[DIM], vu[DIM], vw[DIM];
-        link_at_state(c, m->row_form[i], u, w);
-        link_of(c, m->row_form[i], c->s.v, vu, vw);
+        const row_state row = measure_row(c, i);
         const double scale = c->number[m->row_scale_at + i];
         const double mu = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
-        y[i] = mu * 2.0 * sqrt(dot(u, u));
-        const double phi = fabs(dot(u, w) - c->number[m->row_constant_at + i]) / scale;
-        const double rate = fabs(dot(u, vw) + dot(w, vu)) / scale;
+        y[i] = mu * 2.0 * row.length;
+        const double phi = fabs(row.phi) / scale, rate = fabs(row.rate) / scale;
         if (!(phi <= *position)) *position = phi; /* not fmax, which would hide a NaN */
         if (!(rate <= *velocity)) *velocity = rate;
     }

@@ -5,10 +5,9 @@ from __future__ import annotations
 import ctypes
 import os
 import sys
-from array import array
 from collections.abc import Sequence
 
-from .layout import ABI, OFFSETS, SIZES, TABLES, state_size
+from .layout import ABI, OFFSETS, SIZES, TABLES, measured_size, state_size
 from .model import Model
 
 
@@ -91,14 +90,14 @@ class Kernel:
         self._library = library or load_library()
         self.numbers = _doubles(model.numbers)
         self.state = (ctypes.c_double * state_size(model.sizes))()
-        self._tables = {name: array("i", table) for name, table in model.tables.items()}
         self._struct = _ModelStruct(
             **model.sizes,
-            **{name: table.buffer_info()[0] for name, table in self._tables.items()},
+            **{name: table.buffer_info()[0] for name, table in model.tables.items()},
             **{f"{name}_at": offset for name, offset in model.offsets.items()},
         )
         structure = ctypes.addressof(self._struct)
         assert self._library.holonom_state_size(structure) == len(self.state)
+        assert self._library.holonom_measured_size(structure) == measured_size(model.sizes)
         self.work = (ctypes.c_double * self._library.holonom_work_size(structure))()
         self._pointers = (
             structure,

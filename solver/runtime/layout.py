@@ -98,3 +98,9 @@ def measured_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         sections[name] = (start, length)
         start += length
     return sections
+
+
+def measured_size(sizes: Mapping[str, int]) -> int:
+    """Return the number of measurements."""
+    start, length = measured_sections(sizes)["solver"]
+    return start + length
