@@ -197,3 +197,27 @@ def test_the_tangent_of_a_product_of_two_vectors_is_its_derivative():
     )
     # Central differences of a cubic residual: exact up to step^2 and rounding over step.
     assert tx == pytest.approx((ahead - behind) / (2 * step), abs=1e-8)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_an_input_that_is_set_to_what_it_is_changes_nothing(kernel):
+    # Importers set inputs before every step, changed or not: no jump, so reactions stay as sharp.
+    left, told = (start(MOVING, kernel) for _ in range(2))
+    for i in range(5):
+        for run in (left, told):
+            run.advance(i * 0.01, 0.01)
+        told["push"] = 1.0
+    assert bytes(told.engine.state) == bytes(left.engine.state)
+
+
+MOVING = (
+    PENDULUM
+    + """
+[inputs]
+push = { start = 1.0 }
+[forces.pusher]
+type = "force"
+point = "A"
+value = ["push", 0]
+"""
+)

@@ -29,11 +29,13 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
     open_context(&c, m, number, state, work);
     load_inputs(&c);
     set_laws(&c, c.t, 0);
+    const int changed = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) ||
+                        memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     load_inputs(&c);
     set_laws(&c, c.t, 1);
-    c.s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
+    if (changed) c.s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
 }
 
 static int32_t single_step(context *c, double h, int parity)

@@ -88,12 +88,15 @@ class Reference:
         mechanism, t = self._mechanism(), self._motion.head["time"]
         self._load_inputs()
         self._set_laws(mechanism, t, booked=False)
-        self._motion.vectors["inputs"][:] = inputs
-        self._motion.vectors["parameters"][:] = parameters
+        given = {"inputs": inputs, "parameters": parameters}
+        vectors = self._motion.vectors
+        changed = any(not np.array_equal(vectors[name], given[name]) for name in given)
+        for name, values in given.items():
+            vectors[name][:] = values
         self._load_inputs()
         self._set_laws(mechanism, t, booked=True)
-        # No line is drawn through means of multipliers from before and after a jump.
-        self._motion.head["mean_time"] = math.inf
+        if changed:  # no line is drawn through means of multipliers from before and after a jump
+            self._motion.head["mean_time"] = math.inf
 
     # ------------------------------------------------------------------------------- start
 
