@@ -207,3 +207,18 @@ def test_parameters_inputs_and_measurements_reach_the_outputs_of_a_scene(kernel)
     run["drive"], run["gain"] = 5.0, 0.5
     assert run["driven"] == 2.5
     assert run["moving"] == pytest.approx(2.0 * math.pi / 3.0 + 0.25, rel=1e-14)
+
+
+def test_an_output_that_uses_time_does_not_make_the_laws_run_in_every_step():
+    text = (
+        PENDULUM
+        + """
+[outputs]
+swing = { value = "A.x*sin(t)" }
+"""
+    )
+    model = model_of(text)
+    assert model.sizes["time_dependent"] == 0
+    run = start(text)
+    run.advance(0.0, 0.1)
+    assert run["swing"] == run["A.x"] * math.sin(run.time)

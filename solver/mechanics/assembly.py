@@ -170,7 +170,7 @@ def _sizes(parts: Parts, numbers: Numbers, tables: dict[str, array]) -> dict[str
         "n_tape_parameters": operations[Segment.PARAMETERS],
         "n_tape_laws": operations[Segment.LAWS],
         "n_tape_outputs": operations[Segment.OUTPUTS],
-        "time_dependent": int("t" in numbers.tape.used),
+        "time_dependent": int(numbers.time_dependent),
         "variable_potential": int(springs is Segment.LAWS),
         "n_lu_values": tables["lu_ptr"][-1],
     }

@@ -50,6 +50,8 @@ class Numbers:
                     target = self.offsets[name] + place
                     latest = max(latest, self.tape.write(target, number))
             self.segment_of[name] = latest
+        self.time_dependent = "t" in self.tape.used
+        """Whether the laws read the time; outputs are compiled later and do not count."""
 
     def place(self, number: Number) -> int:
         """Return where the value of a number lies."""
