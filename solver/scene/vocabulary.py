@@ -9,109 +9,85 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Literal, NoReturn, TypeAlias
+from typing import Literal, NoReturn
 
 from solver.scene.expression import Number
 from solver.scene.report import Problem, SceneError, Source
+from solver.scene.vocabulary_forces import (
+    Damper,
+    DistanceDriver,
+    Driver,
+    Force,
+    ForceElement,
+    Gravitation,
+    JointDriver,
+    JointTorque,
+    PositionDriver,
+    Potential,
+    Spring,
+    Torque,
+    TorsionDamper,
+    TorsionSpring,
+)
+from solver.scene.vocabulary_joints import (
+    BodyJoint,
+    ConstantAngle,
+    Constraint,
+    Distance,
+    Gear,
+    Joint,
+    PointOn,
+    Rack,
+    Rolling,
+)
+from solver.scene.vocabulary_parts import (
+    Bar,
+    Body,
+    Input,
+    Parameter,
+    Point,
+    PointReference,
+    Rigid,
+    Vector,
+)
 
-Vector: TypeAlias = tuple[Number, ...]
-"""As many numbers as the scene has dimensions."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Parameter:
-    """A number with a name, settable in the FMU."""
-
-    value: Number
-    """Default; an expression in other parameters makes it a calculated parameter."""
-    unit: str = ""
-    description: str = ""
-    minimum: float | None = None
-    maximum: float | None = None
-    variability: Literal["fixed", "tunable"] = "fixed"
-    """A tunable one may change during a run. Calculated from a tunable one means tunable."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Input:
-    """A number that arrives from outside at every communication step."""
-
-    start: float = 0.0
-    unit: str = ""
-    description: str = ""
-    minimum: float | None = None
-    maximum: float | None = None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Point:
-    """A point of the mechanism, free or fixed to the ground."""
-
-    position: Vector
-    velocity: Vector
-    mass: Number = 0.0
-    fixed: bool = False
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Bar:
-    """A uniform slender rigid bar between two points."""
-
-    points: tuple[str, str]
-    mass: Number
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PointReference:
-    """An end of a joint or force: a point, or a place on the ground."""
-
-    point: str | None
-    """Name of the point; None is the ground."""
-    at: Vector | None = None
-    """Place on the ground; None for a point."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Distance:
-    """A massless rod: two points keep their distance."""
-
-    points: tuple[PointReference, PointReference]
-    length: Number | None = None
-    """None: as drawn."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Spring:
-    """A linear spring between two points."""
-
-    points: tuple[PointReference, PointReference]
-    stiffness: Number
-    free_length: Number | None = None
-    """None: as drawn."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Damper:
-    """A linear damper between two points."""
-
-    points: tuple[PointReference, PointReference]
-    damping: Number
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Force:
-    """A force on a point, in global axes."""
-
-    point: str
-    value: Vector
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Torque:
-    """A torque on a bar: one number in 2-D, a vector in global axes in 3-D."""
-
-    body: str
-    value: Number | Vector
+__all__ = [
+    "Bar",
+    "Body",
+    "BodyJoint",
+    "ConstantAngle",
+    "Constraint",
+    "Damper",
+    "Distance",
+    "DistanceDriver",
+    "Driver",
+    "Experiment",
+    "Force",
+    "ForceElement",
+    "Gear",
+    "Gravitation",
+    "Input",
+    "Joint",
+    "JointDriver",
+    "JointTorque",
+    "Output",
+    "Parameter",
+    "Point",
+    "PointOn",
+    "PointReference",
+    "PositionDriver",
+    "Potential",
+    "Rack",
+    "Rigid",
+    "Rolling",
+    "Scene",
+    "SolverSettings",
+    "Spring",
+    "Torque",
+    "TorsionDamper",
+    "TorsionSpring",
+    "Vector",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,6 +122,10 @@ class SolverSettings:
     """Frequency in rad/s of the `penalty-velocity` formulation."""
     max_newton: int = 20
     max_uzawa: int = 20
+    assemble: bool = False
+    """Close a mechanism that is drawn inexactly, and make its velocities consistent."""
+    start: str = "drawn"
+    """"drawn", or "equilibrium": begin at rest in the static equilibrium next to it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -157,11 +137,6 @@ class Experiment:
     step_size: float = 0.1
     """Communication step in s."""
     tolerance: float | None = None
-
-
-Joint: TypeAlias = Distance
-Body: TypeAlias = Bar
-ForceElement: TypeAlias = Spring | Damper | Force | Torque
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -177,7 +152,9 @@ class Scene:
     points: dict[str, Point] = field(default_factory=dict)
     bodies: dict[str, Body] = field(default_factory=dict)
     joints: dict[str, Joint] = field(default_factory=dict)
+    constraints: dict[str, Constraint] = field(default_factory=dict)
     forces: dict[str, ForceElement] = field(default_factory=dict)
+    drivers: dict[str, Driver] = field(default_factory=dict)
     outputs: dict[str, Output] = field(default_factory=dict)
     solver: SolverSettings = field(default_factory=SolverSettings)
     experiment: Experiment = field(default_factory=Experiment)
