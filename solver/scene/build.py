@@ -8,13 +8,23 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.scene.bodies import Bodies
 from solver.scene.draft import Draft
-from solver.scene.elements import Elements
+from solver.scene.elements import read_elements
 from solver.scene.fields import BROKEN
-from solver.scene.names import check_name, check_names, kinds_of_names, quantities
-from solver.scene.numbers import GEOMETRY, OUTPUT, Known, Numbers
+from solver.scene.geometry import Geometry
+from solver.scene.names import (
+    check_body_points,
+    check_name,
+    check_names,
+    inventory_of_draft,
+    kinds_of_names,
+)
+from solver.scene.numbers import OUTPUT, Known, Numbers
+from solver.scene.quantities import quantities
+from solver.scene.references import References
 from solver.scene.report import did_you_mean
-from solver.scene.schema import TYPES, File, Heading
+from solver.scene.schema import File, Heading
 from solver.scene.settings import read_settings
 from solver.scene.values import read_inputs, read_parameters
 from solver.scene.vocabulary import Output, Scene
@@ -26,27 +36,26 @@ def build(draft: Draft) -> Scene:
     check_names(draft)
     known = Known(kinds_of_names(draft))
     numbers = Numbers(draft, known)
-    elements = Elements(numbers, heading.dimension)
-    known.quantities |= _quantities(draft, elements.dimension or 3)
+    geometry = Geometry(numbers, heading.dimension)
+    bodies = Bodies(geometry, References(geometry))
+    inventory = inventory_of_draft(draft, geometry.dimension or 3)
+    check_body_points(draft, inventory)
+    known.quantities = quantities(inventory)
+    known.ends = (*inventory.points, *known.of("body"), *inventory.body_points)
     parameters = read_parameters(numbers)
     inputs = read_inputs(numbers)
-    points, bodies, joints, forces = elements.read()
-    gravity = elements.zero()
-    if heading.gravity is not None:
-        gravity = elements.vector(("gravity",), heading.gravity, GEOMETRY)
+    elements = read_elements(bodies, inventory)
+    gravity = geometry.optional(("gravity",), heading.gravity)
     outputs = _outputs(numbers)
     solver, experiment = read_settings(numbers)
     return Scene(
         name=heading.name,
         description=heading.description,
-        dimension=2 if elements.dimension == 2 else 3,
-        gravity=gravity,
+        dimension=2 if geometry.dimension == 2 else 3,
+        gravity=geometry.zero() if gravity is None else gravity,
         parameters=parameters,
         inputs=inputs,
-        points=points,
-        bodies=bodies,
-        joints=joints,
-        forces=forces,
+        **elements,
         outputs=outputs,
         solver=solver,
         experiment=experiment,
@@ -65,22 +74,6 @@ def _heading(draft: Draft) -> Any:
     if heading.name is not BROKEN:
         check_name(draft, ("name",), heading.name)
     return heading
-
-
-def _names(draft: Draft, table: str) -> list[str]:
-    entries = draft.data.get(table)
-    return list(entries) if isinstance(entries, dict) else []
-
-
-def _quantities(draft: Draft, dimension: int) -> set[str]:
-    """Names of the mechanism's quantities; a force of unknown type may have any of them."""
-    forces = draft.data.get("forces")
-    kinds = {}
-    for name, data in forces.items() if isinstance(forces, dict) else ():
-        kind = data.get("type") if isinstance(data, dict) else None
-        kinds[name] = kind if isinstance(kind, str) and kind in TYPES["forces"] else "spring"
-    points, bodies, joints = (_names(draft, table) for table in ("points", "bodies", "joints"))
-    return set(quantities(dimension, points, bodies, joints, kinds))
 
 
 def _outputs(numbers: Numbers) -> dict[str, Output]:

@@ -13,7 +13,8 @@ from pydantic_core import ErrorDetails
 
 from solver.scene.fields import BROKEN, shown
 from solver.scene.report import Path, Problem, Source, did_you_mean
-from solver.scene.schema import PARTS, TYPES, Part
+from solver.scene.schema import ONLY_IN_SPACE, PARTS, TYPES
+from solver.scene.schema_part import Part
 
 _EXPECTED = {
     "string_type": "must be a text",
@@ -25,6 +26,9 @@ _EXPECTED = {
     "too_short": "must have two entries",
     "too_long": "must have two entries",
 }
+
+
+_BAR = 'write type = "bar"; the points of a rigid body are a table'
 
 
 class Draft:
@@ -67,10 +71,21 @@ class Draft:
         if table in PARTS:
             return PARTS[table]
         known, wanted = TYPES[table], data.get("type")
+        if wanted is None and table == "bodies":
+            if not isinstance(data.get("points"), list):
+                return known["rigid"]
+            self.error(path, "'type' is missing; a body with two points is a bar", _BAR)
+            return None
+        planar = self.data.get("dimension") == 2
+        if planar and isinstance(wanted, str) and wanted in ONLY_IN_SPACE:
+            message = f"'{wanted}' is possible only in dimension 3"
+            self.error((*path, "type"), message, ONLY_IN_SPACE[wanted])
+            return None
         if isinstance(wanted, str) and wanted in known:
             return known[wanted]
+        known = [word for word in known if not (planar and word in ONLY_IN_SPACE)]
         if wanted is None:
-            help = f"write type = {' or '.join(f'{chr(34)}{word}{chr(34)}' for word in known)}"
+            help = f"write type = one of {', '.join(known)}"
             self.error(path, "'type' is missing", help)
         else:
             help = did_you_mean(str(wanted), known, f"known types of {table}")

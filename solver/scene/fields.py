@@ -1,4 +1,4 @@
-"""Types of the fields of a scene file: numbers or expressions, vectors, pairs of names (pydantic).
+"""Types of the fields of a scene file: numbers or expressions, vectors, tables, names (pydantic).
 
 A number is a finite float or the text of an expression, and arrives as a ``Reading``. A field whose
 mistake has been reported holds ``BROKEN``.
@@ -72,7 +72,10 @@ Vector = Annotated[list[Expression], WithJsonSchema(
 )]  # fmt: skip
 
 
-def _shape(value: object) -> str:
+def shape_of(value: object) -> str:
+    """Say whether a value is a number, a vector, a list of vectors or a table."""
+    if isinstance(value, dict):
+        return "table"
     if not isinstance(value, list):
         return "number"
     return "vectors" if any(isinstance(item, list) for item in value) else "vector"
@@ -80,14 +83,33 @@ def _shape(value: object) -> str:
 
 NumberOrVector = Annotated[
     Annotated[Expression, Tag("number")]
+    | Annotated[Expression, Tag("table")]
     | Annotated[Vector, Tag("vector")]
     | Annotated[Vector, Tag("vectors")],
-    Discriminator(_shape),
+    Discriminator(shape_of),
 ]
 VectorOrVectors = Annotated[
     Annotated[Vector, Tag("number")]
+    | Annotated[Vector, Tag("table")]
     | Annotated[Vector, Tag("vector")]
     | Annotated[list[Vector], Tag("vectors")],
-    Discriminator(_shape),
+    Discriminator(shape_of),
 ]
-Two = Annotated[list[str], Field(min_length=2, max_length=2, examples=[["A", "B"]])]
+NumberToMatrix = Annotated[
+    Annotated[Expression, Tag("number")]
+    | Annotated[Expression, Tag("table")]
+    | Annotated[Vector, Tag("vector")]
+    | Annotated[list[Vector], Tag("vectors")],
+    Discriminator(shape_of),
+]
+
+
+def _two(*example: object) -> Any:
+    return Field(min_length=2, max_length=2, examples=[list(example)])
+
+
+Two = Annotated[list[str], _two("A", "B")]
+TwoBodies = Annotated[list[str], _two("ground", "rod")]
+TwoJoints = Annotated[list[str], _two("first", "second")]
+TwoNumbers = Annotated[list[Expression], _two(1.0, 1.0)]
+TwoVectors = Annotated[list[Vector], _two([1, 0, 0], [0, 1, 0])]

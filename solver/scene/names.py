@@ -1,25 +1,25 @@
-"""Names of a scene: what a name looks like, which ones are taken, what an expression may mention.
-
-The quantities of a mechanism are the variables of its FMU: ``A.x`` of a point, ``buffer.force`` of
-a spring, ``energy.total`` of the whole.
-"""
+"""Names of a scene: what a name looks like, which ones are taken, what each one stands for."""
 
 from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from solver.scene.draft import Draft
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
+from solver.scene.quantities import Inventory, quantities
 from solver.scene.report import Path
+from solver.scene.schema import TYPES
+from solver.scene.types_of_parts import SHARED_POINT
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 KINDS: dict[str, str] = {
     "parameters": "parameter", "inputs": "input", "outputs": "output", "points": "point",
-    "bodies": "bar", "joints": "joint", "forces": "force", "drivers": "driver",
+    "bodies": "body", "joints": "joint", "constraints": "constraint", "forces": "force",
+    "drivers": "driver",
 }  # fmt: skip
 """Tables whose keys are names, and what they name; one name stands for one thing in all tables."""
 
@@ -38,9 +38,6 @@ RESERVED: dict[str, str] = {
     **dict.fromkeys(keyword.kwlist, "the language of expressions"),
 }
 """Names with a meaning of their own: what each is reserved for."""
-
-_ENERGIES = ("kinetic", "potential", "total", "work", "dissipated", "balance", "error")
-_COUNTS = ("newton_iterations", "uzawa_iterations", "substeps", "status")
 
 
 def check_name(draft: Draft, path: Path, name: str) -> None:
@@ -69,36 +66,63 @@ def check_names(draft: Draft) -> None:
             taken.setdefault(name, path)
 
 
+def check_body_points(draft: Draft, inventory: Inventory) -> None:
+    """Report points of bodies whose names cannot be used after the name of their body."""
+    own = quantities(inventory)
+    for body, point in _body_points(draft):
+        path = ("bodies", body, "points", point)
+        if not NAME.fullmatch(point):
+            draft.error(path, f"'{point}' is not a name: a letter, then letters, digits or _")
+        elif keyword.iskeyword(point):
+            draft.error(path, f"the name '{point}' is reserved for {RESERVED[point]}")
+        elif f"{body}.{point}" in own:
+            draft.error(path, f"the name '{body}.{point}' is that of a quantity of the body")
+
+
 def kinds_of_names(draft: Draft) -> dict[str, str]:
-    """What each name stands for, "point", "bar", "parameter", ...; the first use counts."""
+    """What each name stands for, "point", "body", "bar", "parameter", ...; the first use counts."""
     kinds: dict[str, str] = {}
-    for table, entries in draft.data.items():
-        if table in KINDS and isinstance(entries, dict):
-            for name in entries:
-                kinds.setdefault(name, KINDS[table])
+    for table in KINDS:
+        for name in _names(draft, table):
+            bar = table == "bodies" and _type(draft, table, name) == "bar"
+            kinds.setdefault(name, "bar" if bar else KINDS[table])
     return kinds
 
 
-def quantities(
-    dimension: int, points: Iterable[str], bodies: Iterable[str], joints: Iterable[str],
-    forces: dict[str, Any],
-) -> Iterator[str]:  # fmt: skip
-    """Names of the mechanism's own quantities, which an output may use.
+def inventory_of_draft(draft: Draft, dimension: int) -> Inventory:
+    """List the parts of a scene that is being read; a part of unknown type may be any."""
+    types = {
+        table: {name: _type(draft, table, name) for name in _names(draft, table)} for table in TYPES
+    }
+    return Inventory(
+        dimension=dimension,
+        points=_names(draft, "points"),
+        constraints=_names(draft, "constraints"),
+        body_points=tuple(f"{body}.{point}" for body, point in _body_points(draft)),
+        **types,
+    )
 
-    `forces` gives the type of each force under its name.
-    """
-    axes = "xyz"[:dimension]
-    for name in points:
-        yield from (f"{name}.{prefix}{axis}" for prefix in ("", "v") for axis in axes)
-    if dimension == 2:
-        for name in bodies:
-            yield from (f"{name}.angle", f"{name}.angular_velocity")
-    yield from (f"{name}.force" for name in joints)
-    for name, kind in forces.items():
-        if kind in ("spring", "damper"):
-            yield from (f"{name}.length", f"{name}.force")
-    yield from (f"energy.{word}" for word in _ENERGIES)
-    yield from ("constraint.position", "constraint.velocity")
-    yield from (f"momentum.{axis}" for axis in axes)
-    yield from (f"angular_momentum.{axis}" for axis in ("z" if dimension == 2 else "xyz"))
-    yield from (f"solver.{word}" for word in _COUNTS)
+
+def _names(draft: Draft, table: str) -> tuple[str, ...]:
+    entries = draft.data.get(table)
+    return tuple(entries) if isinstance(entries, dict) else ()
+
+
+def _type(draft: Draft, table: str, name: str) -> str:
+    """Type of a part as the file gives it; "" where it is unknown."""
+    data = draft.data[table][name]
+    kind = data.get("type") if isinstance(data, dict) else None
+    if kind is None and table == "bodies":
+        kind = "rigid"
+    if kind in ("spherical", "revolute") and "points" in data and "bodies" not in data:
+        return SHARED_POINT
+    return kind if isinstance(kind, str) and kind in TYPES[table] else ""
+
+
+def _body_points(draft: Draft) -> Iterator[tuple[str, str]]:
+    """Name of each body and of each of its points."""
+    for body in _names(draft, "bodies"):
+        data: Any = draft.data["bodies"][body]
+        points = data.get("points") if isinstance(data, dict) else None
+        for point in points if isinstance(points, dict) else ():
+            yield body, point

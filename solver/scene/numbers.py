@@ -15,6 +15,7 @@ from solver.scene.expression import ExpressionError, Number, evaluate
 from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, Reading
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
+from solver.scene.quantities import Level
 from solver.scene.report import Path, did_you_mean
 
 
@@ -25,14 +26,23 @@ class Place:
     parameters: bool = True
     tunable: bool = True
     time: bool = False
-    mechanism: bool = False
+    levels: tuple[Level, ...] = ()
+    """Of the mechanism's own quantities."""
+    own: tuple[str, ...] = ()
+    """Symbols with a meaning at this place alone."""
 
 
 SETTING = Place(parameters=False, tunable=False)
 PARAMETER = Place()
+PROPERTY = Place()
 GEOMETRY = Place(tunable=False)
 FORCE = Place(time=True)
-OUTPUT = Place(time=True, mechanism=True)
+DRIVER = Place(time=True)
+LOAD = Place(time=True, levels=("position", "rate"))
+POTENTIAL = Place(levels=("position",))
+CONSTRAINT = Place(time=True, levels=("position",))
+VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
+OUTPUT = Place(time=True, levels=("position", "rate", "result"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +54,7 @@ class Rule:
 
 
 POSITIVE = Rule(lambda x: x > 0.0, "> 0")
+NOT_ZERO = Rule(lambda x: x != 0.0, "other than 0")
 NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0")
 
 
@@ -58,10 +69,13 @@ class Known:
     """Everything an expression can mention."""
 
     parts: Mapping[str, str]
-    """Name of each part and what it is: "point", "bar", "parameter", "input", "output", ..."""
+    """Name of each part and what it is: "point", "body", "bar", "parameter", "input", ..."""
     tunable: dict[str, str] = field(default_factory=dict)
     """Tunable parameters, and the one each of them is calculated from, or itself."""
-    quantities: set[str] = field(default_factory=set)
+    ends: tuple[str, ...] = ()
+    """Points, bodies with an origin, and points of bodies: what ``distance`` takes."""
+    quantities: Mapping[str, Level] = field(default_factory=dict)
+    """The mechanism's own quantities."""
     values: dict[str, float] = field(default_factory=dict)
     """Default values of the parameters that have one."""
 
@@ -130,52 +144,109 @@ class Numbers:
                 self.draft.error(path, *verdict, (reading.text, mention.column))
         return fine
 
+    def value(self, number: Number) -> float | None:
+        """Value with the default parameters; None where it has none, which others report."""
+        try:
+            return evaluate(number, self.known.values)
+        except (ExpressionError, KeyError):
+            return None
+
     def _call(self, mention: Mention, place: Place) -> tuple[str, str | None] | None:
         """Judge a function of the mechanism: where it stands, and which parts it names."""
         if mention.role == "function":
-            words = f"{mention.name}() is possible only in outputs"
-            return None if place.mechanism else (words, None)
-        if self.known.parts.get(mention.name) == "point":
-            return None
-        help = did_you_mean(mention.name, self.known.of("point"), "known points")
-        return f"unknown point '{mention.name}'", help
+            return None if place.levels else (f"{mention.name}() {_ELSEWHERE}", None)
+        return unknown_end(self.known, mention.name)
 
     def _symbol(self, mention: Mention, place: Place) -> tuple[str, str | None] | None:
         name, kind = mention.name, self.known.parts.get(mention.name)
+        if name in place.own:
+            if kind is None:
+                return None
+            return f"'{name}' has a meaning of its own here and is also that of a {kind}", (
+                f"rename the {kind}"
+            )
         if kind == "parameter":
             return self._parameter(name, place)
         if name == "t" or kind == "input":
             what = "the time 't'" if name == "t" else f"the input '{name}'"
-            return None if place.time else (f"{what} is possible only in forces and outputs", None)
+            words = "is possible only in forces, constraints, drivers and outputs"
+            return None if place.time else (f"{what} {words}", None)
         if name in self.known.quantities:
-            if place.mechanism:
-                return None
-            return f"the mechanism's own '{name}' is possible only in outputs", None
+            return self._quantity(name, place)
         return self._unknown(name, kind, place)
+
+    def _quantity(self, name: str, place: Place) -> tuple[str, str | None] | None:
+        """Judge a quantity of the mechanism, which not every place may mention."""
+        level = self.known.quantities[name]
+        if level in place.levels:
+            return None
+        if not place.levels:
+            return f"the mechanism's own '{name}' {_ELSEWHERE}", None
+        if level == "rate":
+            return f"'{name}' is a velocity, and only positions are possible here", None
+        words = "positions and velocities" if "rate" in place.levels else "positions"
+        help = f"here the {words} of points and joints are possible"
+        return f"'{name}' is possible only in outputs", help
 
     def _parameter(self, name: str, place: Place) -> tuple[str, str | None] | None:
         if not place.parameters:
             return f"must be a plain number, parameter '{name}' is not possible here", None
         if name in self.known.tunable and not place.tunable:
             help = f"make '{self.known.tunable[name]}' a fixed parameter"
-            return f"the tunable parameter '{name}' is possible only in forces and outputs", help
+            words = "is possible only in forces, constraints, drivers and outputs"
+            return f"the tunable parameter '{name}' {words}", help
         return None
 
     def _unknown(self, name: str, kind: str | None, place: Place) -> tuple[str, str | None]:
         if kind == "output":
             return f"'{name}' is an output, which no expression may use", None
-        owner = name.split(".")[0]
-        own = [word for word in sorted(self.known.quantities) if word.startswith(f"{owner}.")]
-        if place.mechanism and own:
-            message = f"'{name}' has no value of its own" if name == owner else None
-            return message or f"unknown quantity '{name}'", f"known: {', '.join(own)}"
+        owner, levels = name.split(".")[0], place.levels
+        possible = [word for word, level in self.known.quantities.items() if level in levels]
+        if kind != "parameter" and any(word.startswith(f"{owner}.") for word in possible):
+            return self._unknown_of(name, owner, possible)
         if name in FUNCTIONS or name in MECHANISM_FUNCTIONS:
             return f"'{name}' is a function", f"write {name}(...)"
         if kind is not None:
-            return f"'{name}' is a {kind}, not a number", None
-        words = self.known.of("parameter") if place.parameters else []
+            return f"'{name}' is {a(kind)}, not a number", None
+        words = [*place.own, *(self.known.of("parameter") if place.parameters else [])]
         if place.time:
             words += ["t", *self.known.of("input")]
-        if place.mechanism:
-            words += [word for word in sorted(self.known.quantities) if name.count(".")]
+        if name.count("."):
+            words += sorted(possible)
         return f"unknown symbol '{name}'", did_you_mean(name, words)
+
+    def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:
+        """Judge a name that begins like that of a part: list what the part has."""
+        own = [word for word in possible if word.startswith(f"{owner}.")]
+        known = f"known: {', '.join(sorted(own))}"
+        if name == owner or name in self.known.ends:
+            own = [word for word in own if word.startswith(f"{name}.")]
+            return f"'{name}' has no value of its own", f"known: {', '.join(sorted(own))}"
+        return f"unknown quantity '{name}'", known
+
+
+_ELSEWHERE = "is possible only in outputs, in constraints and in the values of forces and torques"
+
+
+def a(kind: str) -> str:
+    """Put the article in front of a kind of part."""
+    return f"{'an' if kind[0] in 'aeiou' else 'a'} {kind}"
+
+
+def unknown_end(known: Known, name: str) -> tuple[str, str | None] | None:
+    """Judge the name of a point, of a body with an origin, or of a point of a body."""
+    if name in known.ends:
+        return None
+    owner, _, point = name.partition(".")
+    kind = known.parts.get(owner)
+    if point and kind == "body":
+        own = [end.partition(".")[2] for end in known.ends if end.startswith(f"{owner}.")]
+        help = did_you_mean(point, own, f"points of '{owner}'")
+        return f"body '{owner}' has no point '{point}'", help or "write it into its table 'points'"
+    if point and kind is not None:
+        return f"'{owner}' is {a(kind)}, and only a rigid body has points of its own", None
+    if kind == "bar":
+        return f"'{name}' is a bar, not a point", "name one of its two points"
+    if kind is not None:
+        return f"'{name}' is {a(kind)}, not a point", None
+    return f"unknown point '{name}'", did_you_mean(name, known.ends, "known points")

@@ -17,7 +17,7 @@ from solver.scene.positions import Path, lines_of
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _STEP = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
 _WIDEST = 120
-_MOST = 15
+_MOST = 20
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,33 +7,16 @@ second to import, so only ``load`` imports this module.
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Any, Literal, Union
 
-from pydantic import BaseModel, ConfigDict, Field, ValidatorFunctionWrapHandler, field_validator
+from pydantic import Field
 
-from solver.scene.fields import (
-    BROKEN,
-    Expression,
-    NumberOrVector,
-    Two,
-    Vector,
-    VectorOrVectors,
-    mistake,
-)
+from solver.scene.fields import Expression, Vector
 from solver.scene.grammar import Reading
-
-
-class Part(BaseModel):
-    """A table with fixed fields."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, arbitrary_types_allowed=True)
-
-    @field_validator("*", mode="wrap")
-    @classmethod
-    def _accept_broken(cls, value: object, handler: ValidatorFunctionWrapHandler) -> object:
-        if value is None:  # JSON's null; an optional field is left out instead
-            raise mistake({"message": "must have a value, got null", "help": "leave it out"})
-        return value if value is BROKEN else handler(value)
+from solver.scene.schema_bodies import BODIES, Point
+from solver.scene.schema_forces import DRIVERS, FORCES
+from solver.scene.schema_joints import JOINTS, Constraint
+from solver.scene.schema_part import Part
 
 
 class Parameter(Part):
@@ -55,69 +38,7 @@ class Input(Part):
     description: str = ""
     min: Expression | None = None
     max: Expression | None = None
-
-
-class Point(Part):
-    """A point, free or fixed to the ground."""
-
-    position: Vector = Field(examples=[[0, 0, 0]], description="m, as drawn")
-    velocity: Vector | None = Field(None, examples=[[0, 0, 0]], description="m/s at the start")
-    mass: Expression | None = Field(None, description="kg")
-    fixed: bool = False
-
-
-class Bar(Part):
-    """A uniform slender rigid bar between two points."""
-
-    type: Literal["bar"]
-    points: Two
-    mass: Expression = Field(examples=[1.0], description="kg")
-
-
-class Distance(Part):
-    """A massless rod between two points."""
-
-    type: Literal["distance"]
-    points: Two
-    at: VectorOrVectors | None = Field(None, description="place of 'ground'")
-    length: Expression | None = Field(None, description="m; as drawn unless given")
-
-
-class Spring(Part):
-    """A linear spring between two points."""
-
-    type: Literal["spring"]
-    points: Two
-    at: VectorOrVectors | None = Field(None, description="place of 'ground'")
-    stiffness: Expression = Field(examples=[100.0], description="N/m")
-    free_length: Expression | None = Field(None, description="m; as drawn unless given")
-
-
-class Damper(Part):
-    """A linear damper between two points."""
-
-    type: Literal["damper"]
-    points: Two
-    at: VectorOrVectors | None = Field(None, description="place of 'ground'")
-    damping: Expression = Field(examples=[1.0], description="N.s/m")
-
-
-class Force(Part):
-    """A force on a point, in global axes."""
-
-    type: Literal["force"]
-    point: str = Field(examples=["A"])
-    value: Vector = Field(examples=[[0, 0, 1]], description="N")
-
-
-class Torque(Part):
-    """A torque on a bar."""
-
-    type: Literal["torque"]
-    body: str = Field(examples=["crank"])
-    value: NumberOrVector = Field(
-        examples=[1.0], description="N.m: a number in 2-D, a vector in 3-D"
-    )
+    interpolation: Literal["hold", "ramp"] = "hold"
 
 
 class Output(Part):
@@ -132,7 +53,12 @@ class Solver(Part):
     """The method and its settings."""
 
     formulation: Literal[
-        "conserving-al", "midpoint-al", "conserving-penalty", "midpoint-penalty", "penalty-velocity"
+        "conserving-al",
+        "midpoint-al",
+        "conserving-penalty",
+        "midpoint-penalty",
+        "penalty-velocity",
+        "conserving-al-beta",
     ] = "conserving-al"
     algorithm: Literal["nested", "simultaneous"] = "nested"
     multiplier_update: Literal["end", "paper"] = "end"
@@ -145,6 +71,8 @@ class Solver(Part):
     omega: Expression | None = Field(None, description="rad/s")
     max_newton: int = 20
     max_uzawa: int = 20
+    assemble: bool = False
+    start: Literal["drawn", "equilibrium"] = "drawn"
 
 
 class Experiment(Part):
@@ -167,24 +95,33 @@ class Heading(Part):
     gravity: Vector | None = Field(None, examples=[[0, 0, -9.81]], description="m/s2")
 
 
+AnyBody = Union[tuple(BODIES.values())]  # noqa: UP007
+AnyJoint = Union[tuple(JOINTS.values())]  # noqa: UP007
+AnyForce = Union[tuple(FORCES.values())]  # noqa: UP007
+AnyDriver = Union[tuple(DRIVERS.values())]  # noqa: UP007
+
+
 class File(Heading):
     """A mechanism: format version 1."""
 
-    parameters: dict[str, Expression | Parameter] = {}
-    inputs: dict[str, Input] = {}
-    points: dict[str, Point] = {}
-    bodies: dict[str, Bar] = {}
-    joints: dict[str, Distance] = {}
-    forces: dict[str, Spring | Damper | Force | Torque] = {}
-    outputs: dict[str, Output] = {}
+    parameters: dict[str, Expression | Parameter] = Field({})
+    inputs: dict[str, Input] = Field({})
+    points: dict[str, Point] = Field({})
+    bodies: dict[str, AnyBody] = Field({})  # pyright: ignore[reportInvalidTypeForm]
+    joints: dict[str, AnyJoint] = Field({})  # pyright: ignore[reportInvalidTypeForm]
+    constraints: dict[str, Constraint] = Field({})
+    forces: dict[str, AnyForce] = Field({})  # pyright: ignore[reportInvalidTypeForm]
+    drivers: dict[str, AnyDriver] = Field({})  # pyright: ignore[reportInvalidTypeForm]
+    outputs: dict[str, Output] = Field({})
     solver: Solver | None = None
     experiment: Experiment | None = None
 
 
 TYPES: dict[str, dict[str, type[Part]]] = {
-    "bodies": {"bar": Bar},
-    "joints": {"distance": Distance},
-    "forces": {"spring": Spring, "damper": Damper, "force": Force, "torque": Torque},
+    "bodies": BODIES,
+    "joints": JOINTS,
+    "forces": FORCES,
+    "drivers": DRIVERS,
 }
 """Tables whose parts have a type, and the types of this version."""
 
@@ -192,9 +129,22 @@ PARTS: dict[str, type[Part]] = {
     "parameters": Parameter,
     "inputs": Input,
     "points": Point,
+    "constraints": Constraint,
     "outputs": Output,
 }
 """Tables of parts of one kind."""
+
+
+ONLY_IN_SPACE: dict[str, str] = {
+    "spherical": "in the plane 'revolute' lets two bodies share a point",
+    "universal": "in the plane bodies turn about one axis only: 'revolute'",
+    "cylindrical": "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot",
+    "planar": "in the plane it has no effect: leave it out",
+    "point_on_plane": "in the plane write 'point_on_line'",
+    "angle": "in the plane write 'prismatic', which keeps the angle of two bodies",
+    "screw": "in the plane write 'rack'",
+}
+"""Types of joints that the plane does not have, and what it has instead."""
 
 
 def json_schema() -> dict[str, Any]:

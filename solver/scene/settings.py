@@ -24,7 +24,8 @@ RANGES = {
 _UNITS = {"step_size": "s", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
 _CHOICES = (
-    *("formulation", "algorithm", "multiplier_update", "order", "paired"), *_COUNTS,
+    *("formulation", "algorithm", "multiplier_update", "order", "paired"),
+    *("assemble", "start"), *_COUNTS,
 )  # fmt: skip
 
 

@@ -44,6 +44,7 @@ def read_inputs(numbers: Numbers) -> dict[str, Input]:
             description=part.description,
             minimum=low,
             maximum=high,
+            interpolation=part.interpolation,
         )
     return read
 

@@ -1,0 +1,187 @@
+"""Attitude and spin of a rigid body: from the ways of writing them to one matrix, one vector.
+
+    R = c I + s [n]x + (1 - c) n n',   n = axis/|axis|,  c = cos(angle),  s = sin(angle)
+
+(Rodrigues). The columns of R are the body's axes in global axes; in the plane an angle is enough.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeAlias
+
+from solver.scene.expression import Number, cos, operate, select, sin, sqrt
+from solver.scene.fields import BROKEN
+from solver.scene.geometry import Geometry, applied, dot
+from solver.scene.numbers import GEOMETRY
+from solver.scene.report import Path
+from solver.scene.schema_shapes import InBodyAxes, Orientation
+from solver.scene.vocabulary import Vector
+
+Matrix: TypeAlias = tuple[Vector, Vector, Vector]
+
+IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+ORTHONORMAL = 1e-9
+"""Largest deviation of R'R from the identity: nine digits are what a person copies."""
+
+_WAYS = "{ axis, angle }, { quaternion }, { rotation_vector } or { matrix }"
+_EXAMPLE = "write orientation = { axis = [0, 0, 1], angle = ... }"
+
+
+def read_orientation(geometry: Geometry, path: Path, given: Any) -> Number | Matrix:
+    """Read an orientation: an angle in rad in 2-D, a rotation matrix in 3-D."""
+    planar, table = geometry.dimension == 2, isinstance(given, dict)
+    if given is None or given is BROKEN:
+        return 0.0 if planar else IDENTITY
+    if planar and table:
+        geometry.draft.error(path, "must be a number in dimension 2, the angle in rad, got a table")
+        return 0.0
+    if planar:
+        return geometry.numbers.number(path, given, GEOMETRY)
+    if not table:
+        geometry.draft.error(path, "must be a table in dimension 3, got a number", _EXAMPLE)
+        return IDENTITY
+    part = geometry.draft.part(path, Orientation, given)
+    return geometry.calculated(path, lambda: _matrix(geometry, path, part), IDENTITY)
+
+
+def read_spin(
+    geometry: Geometry, path: Path, given: Any, orientation: Number | Matrix
+) -> Number | Vector | None:
+    """Read an angular velocity in rad/s: a number in 2-D, a vector in global axes in 3-D."""
+    draft = geometry.draft
+    if given is None or given is BROKEN:
+        return None
+    if geometry.dimension == 2:
+        if isinstance(given, (dict, list)):
+            what = "a table" if isinstance(given, dict) else "a vector"
+            draft.error(path, f"must be a number in dimension 2, got {what}")
+            return None
+        return geometry.numbers.number(path, given, GEOMETRY)
+    if isinstance(given, list):
+        return geometry.vector(path, given)
+    if not isinstance(given, dict):
+        help = "write angular_velocity = [0, 0, ...]"
+        draft.error(path, "must be a vector of 3 numbers in dimension 3, got a number", help)
+        return None
+    part = draft.part(path, InBodyAxes, given)
+    own = geometry.vector((*path, "body"), part.body)
+    if len(own) != 3 or not isinstance(orientation, tuple):
+        return None
+    return geometry.calculated(path, lambda: applied(orientation, own), geometry.zero())
+
+
+def _matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
+    draft = geometry.draft
+    names = ("axis", "quaternion", "rotation_vector", "matrix")
+    ways = [name for name in names if getattr(part, name) is not None]
+    if not ways and part.angle is not None:
+        draft.error(path, "'axis' is missing", _EXAMPLE)
+    elif len(ways) != 1 or (part.angle is not None and ways != ["axis"]):
+        given = [*ways, *(["angle"] if part.angle is not None and "axis" not in ways else [])]
+        draft.error(path, f"must be given in one way, got {' and '.join(given) or 'none'}", _WAYS)
+    elif ways == ["axis"] and part.angle is None:
+        draft.error(path, "'angle' is missing", _EXAMPLE)
+    elif getattr(part, ways[0]) is not BROKEN:
+        return _READERS[ways[0]](geometry, path, part)
+    return IDENTITY
+
+
+def _about_an_axis(geometry: Geometry, path: Path, part: Any) -> Matrix:
+    axis = geometry.axis((*path, "axis"), part.axis)
+    angle = geometry.numbers.number((*path, "angle"), part.angle, GEOMETRY)
+    if len(axis) != 3 or geometry.values(axis) in (None, [0.0] * 3):
+        return IDENTITY
+    length = sqrt(dot(axis, axis))
+    x, y, z = (component / length for component in axis)
+    return _rodrigues((x, y, z), sin(angle), cos(angle), 1.0 - cos(angle))
+
+
+def _rotation_vector(geometry: Geometry, path: Path, part: Any) -> Matrix:
+    """Turn by |v| about v; for v = 0 by nothing."""
+    vector = geometry.vector((*path, "rotation_vector"), part.rotation_vector)
+    if len(vector) != 3:
+        return IDENTITY
+    square = dot(vector, vector)
+    turned = operate("gt", square, 0.0)
+    angle = sqrt(select(turned, square, 1.0))
+    along = select(turned, sin(angle) / angle, 1.0)
+    half = select(turned, sin(angle / 2.0) / angle, 0.5)
+    cosine = select(turned, cos(angle), 1.0)
+    return _rodrigues(vector, along, cosine, 2.0 * half * half)  # 1 - cos a = 2 sin^2(a/2)
+
+
+def _rodrigues(vector: Vector, along: Number, cosine: Number, across: Number) -> Matrix:
+    """Return cosine I + along [v]x + across v v'."""
+    x, y, z = vector
+    cross = ((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0))
+    rows = [
+        tuple(
+            (cosine if i == j else 0.0) + along * cross[i][j] + across * vector[i] * vector[j]
+            for j in range(3)
+        )
+        for i in range(3)
+    ]
+    return rows[0], rows[1], rows[2]
+
+
+def _quaternion(geometry: Geometry, path: Path, part: Any) -> Matrix:
+    path = (*path, "quaternion")
+    given = geometry.entries(path, part.quaternion)
+    if len(given) != 4:
+        geometry.draft.error(path, f"must have 4 numbers, w first, got {len(given)}")
+        return IDENTITY
+    if geometry.values(given) in (None, [0.0] * 4):
+        if geometry.values(given) is not None:
+            geometry.draft.error(path, "a quaternion of length zero", "[1, 0, 0, 0] does not turn")
+        return IDENTITY
+    length = sqrt(dot(given, given))
+    w, x, y, z = (number / length for number in given)
+    return (
+        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
+        (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
+        (2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+    )
+
+
+def _given_matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
+    path = (*path, "matrix")
+    if [len(row) for row in part.matrix] != [3, 3, 3]:
+        geometry.draft.error(path, "must have 3 rows of 3 numbers")
+        return IDENTITY
+    rows = [geometry.vector((*path, i), row) for i, row in enumerate(part.matrix)]
+    numbers = [geometry.values(row) for row in rows]
+    if not any(row is None for row in numbers):
+        columns: list[Vector] = [tuple(row[j] for row in numbers if row) for j in range(3)]
+        _orthonormal(geometry, path, columns)
+    return rows[0], rows[1], rows[2]
+
+
+def _orthonormal(geometry: Geometry, path: Path, columns: list[Vector]) -> None:
+    """Report axes that are not of unit length, not perpendicular or left-handed."""
+    errors = []
+    for i in range(3):
+        for j in range(i, 3):
+            product = geometry.numbers.value(dot(columns[i], columns[j]))
+            errors.append(abs((product or 0.0) - (i == j)))
+    if max(errors) > ORTHONORMAL:
+        message = (
+            "must be orthonormal: the products of its columns deviate by "
+            f"{max(errors):.3g} from those of unit vectors at right angles"
+        )
+        help = f"give at least {-round(math.log10(ORTHONORMAL))} digits, or an axis and an angle"
+        geometry.draft.error(path, message, help)
+        return
+    (a, b, c), (d, e, f), (g, h, i) = columns
+    determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    if isinstance(determinant, float) and determinant < 0.0:
+        message = "a left-handed set of axes: a mirror, not a rotation"
+        geometry.draft.error(path, message, "turn the sign of one column")
+
+
+_READERS = {
+    "axis": _about_an_axis,
+    "quaternion": _quaternion,
+    "rotation_vector": _rotation_vector,
+    "matrix": _given_matrix,
+}

@@ -1,0 +1,83 @@
+"""Vectors of a scene: as many numbers as the dimension, directions of some length, products."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from solver.scene.expression import ExpressionError, Number
+from solver.scene.fields import BROKEN
+from solver.scene.numbers import GEOMETRY, Numbers, Place
+from solver.scene.report import Path
+from solver.scene.vocabulary import Vector
+
+T = TypeVar("T")
+
+
+class Geometry:
+    """Reader of the vectors of one scene."""
+
+    def __init__(self, numbers: Numbers, dimension: Any) -> None:
+        self.numbers = numbers
+        self.draft = numbers.draft
+        self.known = numbers.known
+        self.dimension: int | None = None if dimension is BROKEN else dimension
+        """None: broken, so that vectors may have two or three numbers."""
+
+    def zero(self) -> Vector:
+        """Return the zero vector of the scene's dimension."""
+        return (0.0,) * (self.dimension or 3)
+
+    def vector(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector:
+        """Read a vector of the scene's dimension."""
+        wanted = self.dimension or 3
+        if readings is BROKEN:
+            return (0.0,) * wanted
+        if len(readings) != wanted and not (self.dimension is None and len(readings) == 2):
+            message = f"must have {wanted} numbers in dimension {wanted}, got {len(readings)}"
+            self.draft.error(path, message)
+        return self.entries(path, readings, place)
+
+    def entries(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector:
+        """Read the numbers of a list."""
+        return tuple(
+            self.numbers.number((*path, i), reading, place) for i, reading in enumerate(readings)
+        )
+
+    def optional(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector | None:
+        """Read a vector that may be missing."""
+        return None if readings is None else self.vector(path, readings, place)
+
+    def axis(self, path: Path, readings: Any) -> Vector:
+        """Read a direction of any length but zero."""
+        axis = self.vector(path, readings)
+        if readings is not BROKEN and self.values(axis) == [0.0] * len(axis):
+            self.draft.error(path, "a direction of length zero", "give it any other length")
+        return axis
+
+    def values(self, vector: Vector) -> list[float] | None:
+        """Values with the default parameters; None where one of them has none."""
+        values = [self.numbers.value(number) for number in vector]
+        known = [value for value in values if value is not None]
+        return known if len(known) == len(values) else None
+
+    def calculated(self, path: Path, calculate: Callable[[], T], otherwise: T) -> T:
+        """Return what is calculated from numbers of the file, unless it has no value."""
+        try:
+            return calculate()
+        except ExpressionError as error:
+            self.draft.error(path, f"no value: {error.message}")
+            return otherwise
+
+
+def dot(a: Vector, b: Vector) -> Number:
+    """Inner product of two vectors."""
+    total: Number = 0.0
+    for x, y in zip(a, b, strict=True):
+        total = total + x * y
+    return total
+
+
+def applied(matrix: tuple[Vector, ...], vector: Vector) -> Vector:
+    """Product of a matrix, given by its rows, and a vector."""
+    return tuple(dot(row, vector) for row in matrix)

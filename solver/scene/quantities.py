@@ -1,0 +1,165 @@
+"""Quantities of a mechanism that an expression may mention: the variables of its FMU.
+
+``A.x`` of a point, ``bearing.angle`` of a joint, ``buffer.force`` of a spring, ``energy.total`` of
+the whole. Positions and rates are known before forces and multipliers are, so forces and
+constraints may mention those; everything else may stand in outputs alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+from solver.scene.types_of_parts import SHARED_POINT, type_of
+from solver.scene.vocabulary import Rigid, Scene
+
+Level: TypeAlias = Literal["position", "rate", "result"]
+"""Of the drawn and moved configuration, of its velocities, or of the solution as a whole."""
+
+WITH_ANGLE = ("revolute", "cylindrical", "screw")
+"""Joints whose second body turns about an axis of the first; given by bodies, not by points."""
+WITH_DISPLACEMENT = ("prismatic", "cylindrical", "screw")
+"""Joints whose second body slides along an axis of the first."""
+
+_BODY_JOINTS = ("universal", "cylindrical", "prismatic", "planar", "fixed", "screw")
+_WITH_TORQUE = (*_BODY_JOINTS, "revolute")
+_WITH_FORCE = (
+    *(*_BODY_JOINTS, "revolute", "spherical", SHARED_POINT, "rolling"),
+    *("point_on_line", "point_on_plane", "point_on_surface"),
+)
+_ENERGIES = ("kinetic", "potential", "total", "work", "dissipated", "balance", "error")
+_COUNTS = ("newton_iterations", "uzawa_iterations", "substeps", "status")
+_LINES = ("spring", "damper", "gravitation")
+_TWISTS = ("torsion_spring", "torsion_damper", "joint_torque")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inventory:
+    """Names of a mechanism's parts; a type "" is unknown and may be any."""
+
+    dimension: int
+    points: tuple[str, ...] = ()
+    bodies: Mapping[str, str] = field(default_factory=dict)
+    """"bar" or "rigid" by name."""
+    body_points: tuple[str, ...] = ()
+    """"rod.tip"."""
+    joints: Mapping[str, str] = field(default_factory=dict)
+    """Type by name; ``SHARED_POINT`` for one given by points."""
+    constraints: tuple[str, ...] = ()
+    forces: Mapping[str, str] = field(default_factory=dict)
+    drivers: Mapping[str, str] = field(default_factory=dict)
+
+    def axes(self, rotation: bool = False) -> str:
+        """Axes of a vector; of a torque in the plane only z."""
+        return "xyz" if self.dimension == 3 else "z" if rotation else "xy"
+
+
+def inventory_of(scene: Scene) -> Inventory:
+    """List the parts of a scene."""
+    return Inventory(
+        dimension=scene.dimension,
+        points=tuple(scene.points),
+        bodies={name: type_of(body) for name, body in scene.bodies.items()},
+        body_points=tuple(
+            f"{name}.{point}"
+            for name, body in scene.bodies.items()
+            for point in (body.points if isinstance(body, Rigid) else ())
+        ),
+        joints={name: type_of(joint) for name, joint in scene.joints.items()},
+        constraints=tuple(scene.constraints),
+        forces={name: type_of(force) for name, force in scene.forces.items()},
+        drivers={name: type_of(driver) for name, driver in scene.drivers.items()},
+    )
+
+
+def quantities(inventory: Inventory) -> dict[str, Level]:
+    """Return the names of all quantities of a mechanism, each with its level."""
+    return dict(_listed(inventory))
+
+
+def position_symbols(inventory: Inventory) -> frozenset[str]:
+    """Names of the quantities that are functions of the configuration."""
+    return frozenset(name for name, level in _listed(inventory) if level == "position")
+
+
+def rate_symbols(inventory: Inventory) -> frozenset[str]:
+    """Names of the quantities that are functions of configuration and velocities."""
+    return frozenset(name for name, level in _listed(inventory) if level == "rate")
+
+
+def _listed(inventory: Inventory) -> Iterator[tuple[str, Level]]:
+    for name in (*inventory.points, *inventory.body_points):
+        yield from _motion_of_a_point(inventory, name)
+    for name, kind in inventory.bodies.items():
+        yield from _of_a_body(inventory, name, kind)
+    for name, kind in inventory.joints.items():
+        yield from _of_a_joint(name, kind)
+        yield from _reactions(inventory, name, kind)
+    yield from ((f"{name}.multiplier", "result") for name in inventory.constraints)
+    for name, kind in inventory.forces.items():
+        yield from ((f"{name}.{word}", "result") for word in _of_a_force(kind))
+    for name, kind in inventory.drivers.items():
+        yield from ((f"{name}.{word}", "result") for word in _of_a_driver(inventory, kind))
+    yield from ((f"energy.{word}", "result") for word in _ENERGIES)
+    yield from (("constraint.position", "result"), ("constraint.velocity", "result"))
+    yield from ((f"momentum.{axis}", "result") for axis in inventory.axes())
+    yield from ((f"angular_momentum.{axis}", "result") for axis in inventory.axes(rotation=True))
+    yield from ((f"solver.{word}", "result") for word in _COUNTS)
+
+
+def _motion_of_a_point(inventory: Inventory, name: str) -> Iterator[tuple[str, Level]]:
+    yield from ((f"{name}.{axis}", "position") for axis in inventory.axes())
+    yield from ((f"{name}.v{axis}", "rate") for axis in inventory.axes())
+
+
+def _of_a_body(inventory: Inventory, name: str, kind: str) -> Iterator[tuple[str, Level]]:
+    if kind != "bar":
+        yield from _motion_of_a_point(inventory, name)
+    if inventory.dimension == 2:
+        yield f"{name}.angle", "position"
+        yield f"{name}.angular_velocity", "rate"
+    elif kind != "bar":
+        yield from ((f"{name}.q{axis}", "result") for axis in "wxyz")
+        yield from ((f"{name}.w{axis}", "result") for axis in "xyz")
+
+
+def _of_a_joint(name: str, kind: str) -> Iterator[tuple[str, Level]]:
+    if kind in (*WITH_ANGLE, ""):
+        yield f"{name}.angle", "position"
+        yield f"{name}.angular_velocity", "rate"
+    if kind in (*WITH_DISPLACEMENT, ""):
+        yield f"{name}.displacement", "position"
+        yield f"{name}.velocity", "rate"
+
+
+def _reactions(inventory: Inventory, name: str, kind: str) -> Iterator[tuple[str, Level]]:
+    if kind in (*_WITH_FORCE, ""):
+        yield from ((f"{name}.force.{axis}", "result") for axis in inventory.axes())
+    if kind in (*_WITH_TORQUE, "") and not (kind == "revolute" and inventory.dimension == 2):
+        yield from ((f"{name}.torque.{axis}", "result") for axis in inventory.axes(rotation=True))
+    if kind in ("distance", "rack", ""):
+        yield f"{name}.force", "result"
+    if kind in ("angle", "gear", ""):
+        yield f"{name}.torque", "result"
+
+
+def _of_a_force(kind: str) -> tuple[str, ...]:
+    if kind in _LINES:
+        return "length", "force"
+    if kind in _TWISTS:
+        return ("torque",)
+    if kind == "potential":
+        return ("energy",)
+    return () if kind else ("length", "force", "torque", "energy")
+
+
+def _of_a_driver(inventory: Inventory, kind: str) -> tuple[str, ...]:
+    along = tuple(f"force.{axis}" for axis in inventory.axes())
+    known = {
+        "position": (*along, "power"),
+        "distance": ("force", "power"),
+        "displacement": ("force", "power"),
+        "angle": ("torque", "power"),
+    }
+    return known.get(kind, (*along, "force", "torque", "power"))

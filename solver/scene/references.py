@@ -1,0 +1,167 @@
+"""What parts of a scene refer to: points, bodies and the ground, by name and place.
+
+A point is "A" of the table [points], "rod" for the origin of a rigid body, "rod.tip" for a point
+of it, or "ground"; `at` says where on the ground, or where on a body as it is drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from solver.scene.fields import BROKEN, shown
+from solver.scene.geometry import Geometry
+from solver.scene.numbers import a, unknown_end
+from solver.scene.report import Path, did_you_mean
+from solver.scene.vocabulary import PointReference, Vector
+
+NOWHERE = PointReference(point=None)
+"""Stands for a reference that has been reported."""
+
+
+class References:
+    """Reader of references; knows where everything is drawn once points and bodies are read."""
+
+    def __init__(self, geometry: Geometry) -> None:
+        self.geometry = geometry
+        self.draft = geometry.draft
+        self.known = geometry.known
+        self.fixed: set[str] = set()
+        """Points that are part of the ground."""
+        self.places: dict[str, Vector] = {}
+        """Where points, origins of bodies and points of bodies are drawn."""
+
+    def owner(self, name: str) -> str | None:
+        """Body that a reference belongs to; None for points and the ground."""
+        body = name.partition(".")[0]
+        return body if self.known.parts.get(body) == "body" else None
+
+    def exists(self, path: Path, name: str) -> bool:
+        """Report a name that is no point."""
+        problem = unknown_end(self.known, name)
+        if problem is not None:
+            self.draft.error(path, *problem)
+        return problem is None
+
+    def point(self, path: Path, part: Any) -> PointReference:
+        """Read the field `point`, with `at` for a place on a body."""
+        where, name = (*path, "point"), part.point
+        at = self.geometry.optional((*path, "at"), part.at)
+        if name is BROKEN:
+            return NOWHERE
+        if name == "ground":
+            self.draft.error(where, "the ground does not move: name a point or a body")
+            return NOWHERE
+        if not self.exists(where, name):
+            return NOWHERE
+        return PointReference(point=name, at=self._place((*path, "at"), name, at))
+
+    def ends(self, path: Path, part: Any) -> tuple[PointReference, PointReference]:
+        """Read the two ends of a joint, force or driver."""
+        if part.points is BROKEN:
+            return NOWHERE, NOWHERE
+        where, (first, second) = (*path, "points"), part.points
+        for i, name in enumerate(part.points):
+            if name != "ground":
+                self.exists((*where, i), name)
+        body = self.owner(first)
+        if body is not None and body == self.owner(second):
+            self.draft.error(where, f"both ends are on the body '{body}', which does not deform")
+        elif first == second:
+            self.draft.error(where, f"both ends are '{first}'")
+        elif {first, second} <= self.fixed | {"ground"}:
+            self.draft.error(where, f"both ends are fixed: '{first}' and '{second}'")
+        places = self._places(path, part)
+        return (
+            PointReference(point=None if first == "ground" else first, at=places[0]),
+            PointReference(point=None if second == "ground" else second, at=places[1]),
+        )
+
+    def _places(self, path: Path, part: Any) -> tuple[Vector | None, Vector | None]:
+        """Read `at`: one place for each end, or that of the one end that needs it."""
+        where, points = (*path, "at"), part.points
+        if part.at is BROKEN:
+            return None, None
+        if part.at is None:
+            if "ground" in points:
+                message = "'at' is missing: the place of 'ground'"
+                help = f"write at = {shown([0] * len(self.geometry.zero()))}"
+                self.draft.error(path, message, help)
+            return None, None
+        if isinstance(part.at[0] if part.at else None, list):
+            return self._place_of_each(where, part)
+        place = self.geometry.vector(where, part.at)
+        bodies = [name for name in points if self.known.parts.get(name) == "body"]
+        needs = ["ground"] if "ground" in points else bodies
+        if len(needs) == 1:
+            return (place, None) if points[0] == needs[0] else (None, place)
+        if needs:
+            self.draft.error(where, "must have one place for each end, got one vector")
+        elif all(name in self.known.ends for name in points):
+            message = "'at' is the place of 'ground' or on a body, which is no end here"
+            self.draft.error(where, message)
+        return None, None
+
+    def _place_of_each(self, where: Path, part: Any) -> tuple[Vector | None, Vector | None]:
+        if len(part.at) != 2:
+            self.draft.error(where, f"must have one place for each end, got {len(part.at)}")
+            return None, None
+        first, second = (
+            self._place((*where, i), name, self.geometry.vector((*where, i), at))
+            for i, (name, at) in enumerate(zip(part.points, part.at, strict=True))
+        )
+        return first, second
+
+    def _place(self, path: Path, name: str, at: Vector | None) -> Vector | None:
+        """Keep the place of 'ground' or on a body; a point's must be where the point is drawn."""
+        if at is None or name == "ground" or self.known.parts.get(name) == "body":
+            return at
+        drawn = self.geometry.values(self.places.get(name, ()))
+        given = self.geometry.values(at)
+        if drawn and given and len(drawn) == len(given) and not _same(drawn, given):
+            what = "point" if self.owner(name) is None else "the point"
+            message = f"{what} '{name}' is drawn at {shown(drawn)}"
+            self.draft.error(path, message, "give the place of 'ground' or of a body alone")
+        return None
+
+    def pair(self, path: Path, names: Any) -> tuple[str | None, str | None]:
+        """Read the two bodies of a joint; None is the ground."""
+        if names is BROKEN:
+            return None, None
+        first, second = names
+        fine = [self.body((*path, i), name, ground=True) for i, name in enumerate(names)]
+        if all(fine) and first == second:
+            what = "the ground" if first == "ground" else f"'{first}'"
+            self.draft.error(path, f"both bodies are {what}")
+        return (None if first == "ground" else first, None if second == "ground" else second)
+
+    def body(self, path: Path, name: str, ground: bool = False, bar: bool = False) -> bool:
+        """Report a name that is no body with axes: a rigid body, in the plane also a bar.
+
+        `ground` and `bar` say that the ground, and in space a bar, will do as well.
+        """
+        kind = self.known.parts.get(name)
+        bar = bar or self.geometry.dimension != 3
+        if kind == "body" or (kind == "bar" and bar) or (ground and name == "ground"):
+            return True
+        bodies = self.known.of("body", *(["bar"] if bar else []))
+        help = did_you_mean(name, bodies, "known bodies")
+        if name == "ground":
+            message, help = "the ground does not move: name a body", None
+        elif kind == "bar":
+            message, help = f"the bar '{name}' has no axes in space", "join its points"
+        elif name in self.known.ends and "." in name:
+            body = name.partition(".")[0]
+            message, help = f"'{name}' is a point of a body, not a body", f"write '{body}'"
+        elif kind is not None:
+            message = f"'{name}' is {a(kind)}, not a body"
+        else:
+            message = f"unknown body '{name}'"
+        self.draft.error(path, message, help)
+        return False
+
+
+def _same(a: list[float], b: list[float]) -> bool:
+    """Compare places; those of points of bodies carry the round-off of a rotation."""
+    size = max(map(abs, (*a, *b)))
+    return all(math.isclose(x, y, rel_tol=0.0, abs_tol=1e-12 * size) for x, y in zip(a, b))

@@ -1,0 +1,260 @@
+"""Mass and inertia of a rigid body: as given, or from a shape and its density.
+
+An inertia J about the centre of mass belongs to a body when no principal moment is larger than
+the sum of the other two; equality is a slender or flat body, zero a point.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeAlias
+
+from solver.scene.expression import Number
+from solver.scene.fields import BROKEN, shown
+from solver.scene.geometry import Geometry
+from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
+from solver.scene.report import Path, did_you_mean
+from solver.scene.schema_shapes import SHAPES
+from solver.scene.vocabulary import Vector
+
+Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
+
+NOTHING: tuple[Vector, Vector, Vector] = ((0.0,) * 3, (0.0,) * 3, (0.0,) * 3)
+ROUND_OFF = 1e-12
+"""By which a moment may exceed the sum of the others, relative to that sum."""
+
+_DENSITY = {"box": "kg/m3", "cylinder": "kg/m3", "sphere": "kg/m3", "disc": "kg/m2", "rod": "kg/m"}
+
+
+def read_weight(geometry: Geometry, path: Path, part: Any) -> tuple[Number, Inertia]:
+    """Read the mass in kg and the inertia in kg.m2 of a rigid body."""
+    mass = geometry.numbers.optional((*path, "mass"), part.mass, GEOMETRY, POSITIVE, "kg")
+    inertia = _inertia(geometry, (*path, "inertia"), part.inertia)
+    if part.shape is not None:
+        if part.shape is BROKEN:
+            return mass or 0.0, inertia
+        return _from_shape(geometry, path, part, mass)
+    help = "write mass and inertia, or a shape with a density"
+    if part.mass is None:
+        geometry.draft.error(path, "'mass' is missing", help)
+    if part.inertia is None:
+        geometry.draft.error(path, "'inertia' is missing", help)
+    return mass or 0.0, inertia
+
+
+def _from_shape(
+    geometry: Geometry, path: Path, part: Any, mass: Number | None
+) -> tuple[Number, Inertia]:
+    draft, where = geometry.draft, (*path, "shape")
+    otherwise: Inertia = 0.0 if geometry.dimension == 2 else NOTHING
+    if part.inertia is not None:
+        help = "leave out 'inertia' or 'shape'"
+        draft.error((*path, "inertia"), "the shape gives the inertia already", help)
+    shape = _shape(geometry, where, part.shape)
+    if shape is None:
+        return mass or 0.0, otherwise
+    density_at = (*where, "density")
+    unit = _DENSITY[shape.type]
+    density = geometry.numbers.optional(density_at, shape.density, GEOMETRY, POSITIVE, unit)
+    if part.mass is not None and shape.density is not None:
+        help = "leave out 'mass' or 'density'"
+        draft.error((*path, "mass"), "the density of the shape gives the mass already", help)
+    if part.mass is None and shape.density is None:
+        help = f"write a density in {unit} into the shape, or a mass"
+        draft.error(where, "neither 'density' nor the body's 'mass' is given", help)
+    volume, radii = _SHAPES[shape.type](_Sizes(geometry, where, shape))
+    if mass is None:
+        mass = geometry.calculated(where, lambda: (density or 0.0) * volume, 0.0)
+    weight = mass
+    return mass, geometry.calculated(where, lambda: _scaled(weight, radii), otherwise)
+
+
+def _scaled(mass: Number, radii: Vector) -> Inertia:
+    """Inertia from the squared radii of gyration: a number, or a diagonal matrix."""
+    if len(radii) == 1:
+        return mass * radii[0]
+    x, y, z = (mass * radius for radius in radii)
+    return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
+
+
+def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
+    """Check the fields of a shape; None where its type is of no use."""
+    known, kind = SHAPES[geometry.dimension or 3], data.get("type")
+    if isinstance(kind, str) and kind in known:
+        return geometry.draft.part(path, known[kind], data)
+    words = f"shapes in dimension {geometry.dimension or 3}"
+    if kind is None:
+        help = f"write type = one of {', '.join(known)}"
+        geometry.draft.error(path, "'type' is missing", help)
+    elif kind in SHAPES[2] or kind in SHAPES[3]:
+        message = f"'{kind}' is possible only in dimension {2 if kind in SHAPES[2] else 3}"
+        geometry.draft.error((*path, "type"), message, f"{words}: {', '.join(known)}")
+    else:
+        help = did_you_mean(str(kind), known, words)
+        geometry.draft.error((*path, "type"), f"unknown type {shown(kind)}", help)
+    return None
+
+
+class _Sizes:
+    """Sizes of one shape, each checked as it is asked for."""
+
+    def __init__(self, geometry: Geometry, path: Path, part: Any) -> None:
+        self.geometry = geometry
+        self.path = path
+        self.part = part
+
+    def length(self, name: str) -> Number:
+        numbers, given = self.geometry.numbers, getattr(self.part, name)
+        return numbers.number((*self.path, name), given, GEOMETRY, POSITIVE, "m")
+
+    def edges(self) -> Vector:
+        path, wanted = (*self.path, "size"), self.geometry.dimension or 3
+        if self.part.size is BROKEN:
+            return (1.0,) * wanted
+        edges = self.geometry.vector(path, self.part.size)
+        values = self.geometry.values(edges)
+        if values is not None and min(values, default=1.0) <= 0.0:
+            self.geometry.draft.error(path, f"sizes must be > 0 m, got {shown(values)}")
+        return edges if len(edges) == wanted else (1.0,) * wanted
+
+    def radii(self) -> tuple[Number, Number]:
+        """Outer and inner radius."""
+        outer, path = self.length("radius"), (*self.path, "inner_radius")
+        given, numbers = self.part.inner_radius, self.geometry.numbers
+        if given is None:
+            return outer, 0.0
+        inner = numbers.number(path, given, GEOMETRY, NOT_NEGATIVE, "m")
+        large, small = numbers.value(outer), numbers.value(inner)
+        if large is not None and small is not None and 0.0 < large <= small:
+            message = f"must be less than the radius {large:.15g} m, got {small:.15g}"
+            self.geometry.draft.error(path, message)
+            return outer, 0.0
+        return outer, inner
+
+
+def _box(sizes: _Sizes) -> tuple[Number, Vector]:
+    edges = sizes.edges()
+    if len(edges) == 2:
+        a, b = edges
+        return a * b, ((a * a + b * b) / 12.0,)
+    a, b, c = edges
+    return a * b * c, (
+        (b * b + c * c) / 12.0,
+        (a * a + c * c) / 12.0,
+        (a * a + b * b) / 12.0,
+    )
+
+
+def _cylinder(sizes: _Sizes) -> tuple[Number, Vector]:
+    outer, inner = sizes.radii()
+    length = sizes.length("length")
+    square = outer * outer + inner * inner
+    along, across = square / 2.0, (3.0 * square + length * length) / 12.0
+    axis = "z" if sizes.part.axis is BROKEN else sizes.part.axis
+    radii = tuple(along if name == axis else across for name in "xyz")
+    return math.pi * (outer * outer - inner * inner) * length, radii
+
+
+def _sphere(sizes: _Sizes) -> tuple[Number, Vector]:
+    outer, inner = sizes.radii()
+    cubes = outer**3.0 - inner**3.0
+    radius = 0.4 * (outer * outer)
+    if not isinstance(inner, float) or inner != 0.0:
+        radius = 0.4 * (outer**5.0 - inner**5.0) / cubes
+    return 4.0 / 3.0 * math.pi * cubes, (radius,) * 3
+
+
+def _disc(sizes: _Sizes) -> tuple[Number, Vector]:
+    outer, inner = sizes.radii()
+    area = math.pi * (outer * outer - inner * inner)
+    return area, ((outer * outer + inner * inner) / 2.0,)
+
+
+def _rod(sizes: _Sizes) -> tuple[Number, Vector]:
+    length = sizes.length("length")
+    return length, (length * length / 12.0,)
+
+
+_SHAPES = {"box": _box, "cylinder": _cylinder, "sphere": _sphere, "disc": _disc, "rod": _rod}
+"""Volume (2-D: area, length) and squared radii of gyration of each shape, in m."""
+
+
+def _inertia(geometry: Geometry, path: Path, given: Any) -> Inertia:
+    """Read an inertia: a number in 2-D; principal moments or a matrix in 3-D."""
+    draft, planar = geometry.draft, geometry.dimension == 2
+    if given is None or given is BROKEN:
+        return 0.0 if planar else NOTHING
+    if planar:
+        if isinstance(given, list):
+            draft.error(path, "must be a number in dimension 2, got a list")
+            return 0.0
+        return geometry.numbers.number(path, given, GEOMETRY, NOT_NEGATIVE, "kg.m2")
+    if not isinstance(given, list):
+        message = "must be [Jx, Jy, Jz] or 3 rows of 3 numbers in dimension 3, got a number"
+        draft.error(path, message)
+        return NOTHING
+    if any(isinstance(row, list) for row in given):
+        return _matrix(geometry, path, given)
+    moments = geometry.vector(path, given)
+    values = geometry.values(moments)
+    if len(moments) != 3:
+        return NOTHING
+    if values is not None:
+        names = ["Jx", "Jy", "Jz"]
+        order = sorted(range(3), key=lambda i: values[i])
+        _possible(geometry, path, [values[i] for i in order], [names[i] for i in order])
+    x, y, z = moments
+    return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
+
+
+def _matrix(geometry: Geometry, path: Path, given: Any) -> Inertia:
+    if [len(row) for row in given] != [3, 3, 3]:
+        geometry.draft.error(path, "must have 3 rows of 3 numbers")
+        return NOTHING
+    rows = [geometry.vector((*path, i), row) for i, row in enumerate(given)]
+    values = [geometry.values(row) for row in rows]
+    if not any(row is None for row in values):
+        matrix = [list(row or ()) for row in values]
+        size = max(abs(x) for row in matrix for x in row)
+        for i, j in ((0, 1), (0, 2), (1, 2)):
+            if abs(matrix[i][j] - matrix[j][i]) > 1e-9 * size:
+                names = "xyz"[i] + "xyz"[j]
+                message = f"must be symmetric: J{names} = {matrix[i][j]:.15g}, but J{names[::-1]} ="
+                geometry.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
+                return NOTHING
+        words = ["the first", "the second", "the third"]
+        _possible(geometry, path, principal_moments(matrix), [f"{w} principal one" for w in words])
+    (a, d, e), (_, b, f), (_, _, c) = rows
+    return (a, d, e), (d, b, f), (e, f, c)
+
+
+def _possible(geometry: Geometry, path: Path, moments: list[float], names: list[str]) -> None:
+    """Report moments, the largest last, that no body can have."""
+    small, middle, large = moments
+    if small < -ROUND_OFF * large or large < 0.0:
+        message = f"inertia that no body can have: {names[0]} = {small:.15g} kg.m2 < 0"
+        geometry.draft.error(path, message)
+    elif large > (small + middle) * (1.0 + ROUND_OFF):
+        message = (
+            f"inertia that no body can have: {names[2]} = {large:.15g} > "
+            f"{names[0]} + {names[1]} = {small + middle:.15g} kg.m2"
+        )
+        geometry.draft.error(path, message, "give it about the centre of mass, in kg.m2")
+
+
+def principal_moments(matrix: list[list[float]]) -> list[float]:
+    """Eigenvalues of a symmetric 3 x 3 matrix, ascending, by Jacobi's rotations."""
+    a = [row[:] for row in matrix]
+    for _ in range(30):  # quadratic convergence: 6 sweeps of 3 rotations are usual
+        i, j = max(((0, 1), (0, 2), (1, 2)), key=lambda pair: abs(a[pair[0]][pair[1]]))
+        if a[i][j] == 0.0:
+            break
+        angle = 0.5 * math.atan2(2.0 * a[i][j], a[j][j] - a[i][i])
+        c, s = math.cos(angle), math.sin(angle)
+        for row in a:
+            row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
+        a[i], a[j] = (
+            [c * x - s * y for x, y in zip(a[i], a[j], strict=True)],
+            [s * x + c * y for x, y in zip(a[i], a[j], strict=True)],
+        )
+    return sorted(a[k][k] for k in range(3))
