@@ -31,7 +31,7 @@ _EXAMPLE = "write orientation = { axis = [0, 0, 1], angle = ... }"
 def read_orientation(geometry: Geometry, path: Path, given: Any) -> Number | Matrix:
     """Read an orientation: an angle in rad in 2-D, a rotation matrix in 3-D."""
     planar, table = geometry.dimension == 2, isinstance(given, dict)
-    if given is None or given is BROKEN:
+    if given is None or given is BROKEN or geometry.dimension is None:
         return 0.0 if planar else IDENTITY
     if planar and table:
         geometry.draft.error(path, "must be a number in dimension 2, the angle in rad, got a table")
@@ -50,7 +50,7 @@ def read_spin(
 ) -> Number | Vector | None:
     """Read an angular velocity in rad/s: a number in 2-D, a vector in global axes in 3-D."""
     draft = geometry.draft
-    if given is None or given is BROKEN:
+    if given is None or given is BROKEN or geometry.dimension is None:
         return None
     if geometry.dimension == 2:
         if isinstance(given, (dict, list)):
@@ -164,7 +164,7 @@ def _orthonormal(geometry: Geometry, path: Path, columns: list[Vector]) -> None:
         for j in range(i, 3):
             product = geometry.numbers.value(dot(columns[i], columns[j]))
             errors.append(abs((product or 0.0) - (i == j)))
-    if max(errors) > ORTHONORMAL:
+    if not all(error <= ORTHONORMAL for error in errors):
         message = (
             "must be orthonormal: the products of its columns deviate by "
             f"{max(errors):.3g} from those of unit vectors at right angles"

@@ -76,7 +76,7 @@ class Draft:
                 return known["rigid"]
             self.error(path, "'type' is missing; a body with two points is a bar", _BAR)
             return None
-        planar = self.data.get("dimension") == 2
+        planar = table == "joints" and self.data.get("dimension") == 2
         if planar and isinstance(wanted, str) and wanted in ONLY_IN_SPACE:
             message = f"'{wanted}' is possible only in dimension 3"
             self.error((*path, "type"), message, ONLY_IN_SPACE[wanted])

@@ -85,11 +85,10 @@ class Drivers:
     def _constraint(self, name: str, part: Any) -> Constraint:
         path = ("constraints", name)
         if (part.value is None) == (part.velocity is None):
-            both = part.value is not None
-            message = (
-                "'value' or 'velocity' is possible, not both" if both else "'value' is missing"
-            )
-            help = 'write value = "..." for positions, or velocity = "..." for a rolling'
+            message = "'value' or 'velocity' is missing"
+            if part.value is not None:
+                message = "either 'value' or 'velocity' is possible, not both"
+            help = "write value = ... for positions, or velocity = ... for velocities"
             self.draft.error(path, message, help)
         value = self._row((*path, "value"), part.value, CONSTRAINT, "position")
         velocity = self._row((*path, "velocity"), part.velocity, VELOCITY_ROW, "rate")

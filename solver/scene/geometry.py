@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -62,12 +63,25 @@ class Geometry:
         return known if len(known) == len(values) else None
 
     def calculated(self, path: Path, calculate: Callable[[], T], otherwise: T) -> T:
-        """Return what is calculated from numbers of the file, unless it has no value."""
+        """Return what is calculated from numbers of the file, unless it has no finite value."""
         try:
-            return calculate()
+            result = calculate()
         except ExpressionError as error:
             self.draft.error(path, f"no value: {error.message}")
             return otherwise
+        except OverflowError:
+            result = math.inf
+        if _finite(result):
+            return result  # pyright: ignore[reportReturnType]
+        self.draft.error(path, "no value: larger than any floating-point number")
+        return otherwise
+
+
+def _finite(result: object) -> bool:
+    """Whether all numbers of a result that are known are finite."""
+    if isinstance(result, tuple):
+        return all(_finite(item) for item in result)
+    return not isinstance(result, float) or math.isfinite(result)
 
 
 def dot(a: Vector, b: Vector) -> Number:

@@ -7,7 +7,7 @@ constraints may mention those; everything else may stand in outputs alone.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
@@ -95,22 +95,30 @@ def _listed(inventory: Inventory) -> Iterator[tuple[str, Level]]:
         yield from _of_a_body(inventory, name, kind)
     for name, kind in inventory.joints.items():
         yield from _of_a_joint(name, kind)
-        yield from _reactions(inventory, name, kind)
-    yield from ((f"{name}.multiplier", "result") for name in inventory.constraints)
+        yield from _results(name, _reactions(inventory, kind))
+    for name in inventory.constraints:
+        yield from _results(name, ("multiplier",))
     for name, kind in inventory.forces.items():
-        yield from ((f"{name}.{word}", "result") for word in _of_a_force(kind))
+        yield from _results(name, _of_a_force(kind))
     for name, kind in inventory.drivers.items():
-        yield from ((f"{name}.{word}", "result") for word in _of_a_driver(inventory, kind))
-    yield from ((f"energy.{word}", "result") for word in _ENERGIES)
-    yield from (("constraint.position", "result"), ("constraint.velocity", "result"))
-    yield from ((f"momentum.{axis}", "result") for axis in inventory.axes())
-    yield from ((f"angular_momentum.{axis}", "result") for axis in inventory.axes(rotation=True))
-    yield from ((f"solver.{word}", "result") for word in _COUNTS)
+        yield from _results(name, _of_a_driver(inventory, kind))
+    yield from _results("energy", _ENERGIES)
+    yield from _results("constraint", ("position", "velocity"))
+    yield from _results("momentum", inventory.axes())
+    yield from _results("angular_momentum", inventory.axes(rotation=True))
+    yield from _results("solver", _COUNTS)
+
+
+def _results(name: str, words: Iterable[str]) -> Iterator[tuple[str, Level]]:
+    for word in words:
+        yield f"{name}.{word}", "result"
 
 
 def _motion_of_a_point(inventory: Inventory, name: str) -> Iterator[tuple[str, Level]]:
-    yield from ((f"{name}.{axis}", "position") for axis in inventory.axes())
-    yield from ((f"{name}.v{axis}", "rate") for axis in inventory.axes())
+    for axis in inventory.axes():
+        yield f"{name}.{axis}", "position"
+    for axis in inventory.axes():
+        yield f"{name}.v{axis}", "rate"
 
 
 def _of_a_body(inventory: Inventory, name: str, kind: str) -> Iterator[tuple[str, Level]]:
@@ -120,8 +128,7 @@ def _of_a_body(inventory: Inventory, name: str, kind: str) -> Iterator[tuple[str
         yield f"{name}.angle", "position"
         yield f"{name}.angular_velocity", "rate"
     elif kind != "bar":
-        yield from ((f"{name}.q{axis}", "result") for axis in "wxyz")
-        yield from ((f"{name}.w{axis}", "result") for axis in "xyz")
+        yield from _results(name, ("qw", "qx", "qy", "qz", "wx", "wy", "wz"))
 
 
 def _of_a_joint(name: str, kind: str) -> Iterator[tuple[str, Level]]:
@@ -133,15 +140,16 @@ def _of_a_joint(name: str, kind: str) -> Iterator[tuple[str, Level]]:
         yield f"{name}.velocity", "rate"
 
 
-def _reactions(inventory: Inventory, name: str, kind: str) -> Iterator[tuple[str, Level]]:
+def _reactions(inventory: Inventory, kind: str) -> Iterator[str]:
+    """Forces and torques on the second body, or on the point; a scalar one where one is enough."""
     if kind in (*_WITH_FORCE, ""):
-        yield from ((f"{name}.force.{axis}", "result") for axis in inventory.axes())
+        yield from (f"force.{axis}" for axis in inventory.axes())
     if kind in (*_WITH_TORQUE, "") and not (kind == "revolute" and inventory.dimension == 2):
-        yield from ((f"{name}.torque.{axis}", "result") for axis in inventory.axes(rotation=True))
+        yield from (f"torque.{axis}" for axis in inventory.axes(rotation=True))
     if kind in ("distance", "rack", ""):
-        yield f"{name}.force", "result"
+        yield "force"
     if kind in ("angle", "gear", ""):
-        yield f"{name}.torque", "result"
+        yield "torque"
 
 
 def _of_a_force(kind: str) -> tuple[str, ...]:

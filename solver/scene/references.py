@@ -6,7 +6,6 @@ of it, or "ground"; `at` says where on the ground, or where on a body as it is d
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from solver.scene.fields import BROKEN, shown
@@ -164,4 +163,4 @@ class References:
 def _same(a: list[float], b: list[float]) -> bool:
     """Compare places; those of points of bodies carry the round-off of a rotation."""
     size = max(map(abs, (*a, *b)))
-    return all(math.isclose(x, y, rel_tol=0.0, abs_tol=1e-12 * size) for x, y in zip(a, b))
+    return all(abs(x - y) <= 1e-12 * size for x, y in zip(a, b, strict=True))

@@ -15,6 +15,7 @@ from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
 from solver.scene.report import Path, did_you_mean
 from solver.scene.schema_shapes import SHAPES
+from solver.scene.shapes import GYRATION, Sizes
 from solver.scene.vocabulary import Vector
 
 Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
@@ -32,14 +33,14 @@ def read_weight(geometry: Geometry, path: Path, part: Any) -> tuple[Number, Iner
     inertia = _inertia(geometry, (*path, "inertia"), part.inertia)
     if part.shape is not None:
         if part.shape is BROKEN:
-            return mass or 0.0, inertia
+            return _known(mass), inertia
         return _from_shape(geometry, path, part, mass)
     help = "write mass and inertia, or a shape with a density"
     if part.mass is None:
         geometry.draft.error(path, "'mass' is missing", help)
     if part.inertia is None:
         geometry.draft.error(path, "'inertia' is missing", help)
-    return mass or 0.0, inertia
+    return _known(mass), inertia
 
 
 def _from_shape(
@@ -52,7 +53,7 @@ def _from_shape(
         draft.error((*path, "inertia"), "the shape gives the inertia already", help)
     shape = _shape(geometry, where, part.shape)
     if shape is None:
-        return mass or 0.0, otherwise
+        return _known(mass), otherwise
     density_at = (*where, "density")
     unit = _DENSITY[shape.type]
     density = geometry.numbers.optional(density_at, shape.density, GEOMETRY, POSITIVE, unit)
@@ -62,11 +63,19 @@ def _from_shape(
     if part.mass is None and shape.density is None:
         help = f"write a density in {unit} into the shape, or a mass"
         draft.error(where, "neither 'density' nor the body's 'mass' is given", help)
-    volume, radii = _SHAPES[shape.type](_Sizes(geometry, where, shape))
-    if mass is None:
-        mass = geometry.calculated(where, lambda: (density or 0.0) * volume, 0.0)
-    weight = mass
-    return mass, geometry.calculated(where, lambda: _scaled(weight, radii), otherwise)
+    sizes = Sizes(geometry, where, shape)
+
+    def weight() -> tuple[Number, Inertia]:
+        volume, radii = GYRATION[shape.type](sizes)
+        given = _known(density) * volume if mass is None else mass
+        return given, _scaled(given, radii)
+
+    return geometry.calculated(where, weight, (0.0, otherwise))
+
+
+def _known(number: Number | None) -> Number:
+    """Put a number in the place of one whose absence has been reported."""
+    return 0.0 if number is None else number
 
 
 def _scaled(mass: Number, radii: Vector) -> Inertia:
@@ -79,7 +88,8 @@ def _scaled(mass: Number, radii: Vector) -> Inertia:
 
 def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
     """Check the fields of a shape; None where its type is of no use."""
-    known, kind = SHAPES[geometry.dimension or 3], data.get("type")
+    kind = data.get("type")
+    known = SHAPES.get(geometry.dimension or 0, SHAPES[3] | SHAPES[2])
     if isinstance(kind, str) and kind in known:
         return geometry.draft.part(path, known[kind], data)
     words = f"shapes in dimension {geometry.dimension or 3}"
@@ -95,94 +105,10 @@ def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
     return None
 
 
-class _Sizes:
-    """Sizes of one shape, each checked as it is asked for."""
-
-    def __init__(self, geometry: Geometry, path: Path, part: Any) -> None:
-        self.geometry = geometry
-        self.path = path
-        self.part = part
-
-    def length(self, name: str) -> Number:
-        numbers, given = self.geometry.numbers, getattr(self.part, name)
-        return numbers.number((*self.path, name), given, GEOMETRY, POSITIVE, "m")
-
-    def edges(self) -> Vector:
-        path, wanted = (*self.path, "size"), self.geometry.dimension or 3
-        if self.part.size is BROKEN:
-            return (1.0,) * wanted
-        edges = self.geometry.vector(path, self.part.size)
-        values = self.geometry.values(edges)
-        if values is not None and min(values, default=1.0) <= 0.0:
-            self.geometry.draft.error(path, f"sizes must be > 0 m, got {shown(values)}")
-        return edges if len(edges) == wanted else (1.0,) * wanted
-
-    def radii(self) -> tuple[Number, Number]:
-        """Outer and inner radius."""
-        outer, path = self.length("radius"), (*self.path, "inner_radius")
-        given, numbers = self.part.inner_radius, self.geometry.numbers
-        if given is None:
-            return outer, 0.0
-        inner = numbers.number(path, given, GEOMETRY, NOT_NEGATIVE, "m")
-        large, small = numbers.value(outer), numbers.value(inner)
-        if large is not None and small is not None and 0.0 < large <= small:
-            message = f"must be less than the radius {large:.15g} m, got {small:.15g}"
-            self.geometry.draft.error(path, message)
-            return outer, 0.0
-        return outer, inner
-
-
-def _box(sizes: _Sizes) -> tuple[Number, Vector]:
-    edges = sizes.edges()
-    if len(edges) == 2:
-        a, b = edges
-        return a * b, ((a * a + b * b) / 12.0,)
-    a, b, c = edges
-    return a * b * c, (
-        (b * b + c * c) / 12.0,
-        (a * a + c * c) / 12.0,
-        (a * a + b * b) / 12.0,
-    )
-
-
-def _cylinder(sizes: _Sizes) -> tuple[Number, Vector]:
-    outer, inner = sizes.radii()
-    length = sizes.length("length")
-    square = outer * outer + inner * inner
-    along, across = square / 2.0, (3.0 * square + length * length) / 12.0
-    axis = "z" if sizes.part.axis is BROKEN else sizes.part.axis
-    radii = tuple(along if name == axis else across for name in "xyz")
-    return math.pi * (outer * outer - inner * inner) * length, radii
-
-
-def _sphere(sizes: _Sizes) -> tuple[Number, Vector]:
-    outer, inner = sizes.radii()
-    cubes = outer**3.0 - inner**3.0
-    radius = 0.4 * (outer * outer)
-    if not isinstance(inner, float) or inner != 0.0:
-        radius = 0.4 * (outer**5.0 - inner**5.0) / cubes
-    return 4.0 / 3.0 * math.pi * cubes, (radius,) * 3
-
-
-def _disc(sizes: _Sizes) -> tuple[Number, Vector]:
-    outer, inner = sizes.radii()
-    area = math.pi * (outer * outer - inner * inner)
-    return area, ((outer * outer + inner * inner) / 2.0,)
-
-
-def _rod(sizes: _Sizes) -> tuple[Number, Vector]:
-    length = sizes.length("length")
-    return length, (length * length / 12.0,)
-
-
-_SHAPES = {"box": _box, "cylinder": _cylinder, "sphere": _sphere, "disc": _disc, "rod": _rod}
-"""Volume (2-D: area, length) and squared radii of gyration of each shape, in m."""
-
-
 def _inertia(geometry: Geometry, path: Path, given: Any) -> Inertia:
     """Read an inertia: a number in 2-D; principal moments or a matrix in 3-D."""
     draft, planar = geometry.draft, geometry.dimension == 2
-    if given is None or given is BROKEN:
+    if given is None or given is BROKEN or geometry.dimension is None:
         return 0.0 if planar else NOTHING
     if planar:
         if isinstance(given, list):
