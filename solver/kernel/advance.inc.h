@@ -1,25 +1,81 @@
-/* A communication step: laws at their times, pairs of half steps, halving on failure. Included once per
-   dimension, after step.inc.h and energy.inc.h.                                                             */
+/* Laws, inputs and signals at their times, and a communication step: pairs of half steps, halving on failure.
+   Included once per dimension, after energy.inc.h.                                                             */
 
 enum { MAX_HALVINGS = 6 };
 
-/* Runs the second tape at time t. If it writes springs, their stored energy jumps: work of whoever turns them. */
+/* Inputs as they are at time t: held, or on the line from the value before to the new one. */
+static void load_inputs(const context *c, double t)
+{
+    const holonom_model *m = c->m;
+    const double part = c->span > 0.0 ? fmin(fmax((t - c->start) / c->span, 0.0), 1.0) : 0.0;
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        const double before = c->s.inputs_before[i], now = c->s.inputs[i];
+        c->number[m->input_at + i] = m->input_ramp[i] ? before + part * (now - before) : now;
+    }
+    memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+}
+
+/* Quantities and their rates in the middle of the step to come, predicted with the accelerations of the same half of
+   the last pair.                                                                                             */
+static void sense(context *c, double h, int parity)
+{
+    const holonom_model *m = c->m;
+    double *x = c->k.d, *v = c->k.w;
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
+        const double a = c->s.a[parity][k];
+        x[k] = c->s.q[k] + 0.5 * h * c->s.v[k] + 0.125 * h * h * a;
+        v[k] = c->s.v[k] + 0.5 * h * a;
+    }
+    for (int32_t j = 0; j < m->n_active; j++) {
+        const double turn = 6.283185307179586477;
+        double angle = quantity_at(c, j, x, c->s.q_low, v, c->number + m->sensor_rate_at + j);
+        if (m->quantity_kind[j] == QUANTITY_ANGLE) { /* the turn next to the state's */
+            const double now = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
+            angle -= turn * floor((angle - now) / turn + 0.5);
+        }
+        c->number[m->sensor_at + j] = angle;
+    }
+}
+
+/* Runs the tape of the laws at time t. If it writes springs, their stored energy jumps: work of whoever turns them. */
 static void set_laws(context *c, double t, int booked)
 {
     const holonom_model *m = c->m;
     if (!m->n_tape[1]) return;
-    const double before = booked && m->variable_potential ? spring_energy(c) : 0.0;
+    const double before = booked && m->variable_potential ? stored_energy(c) : 0.0;
+    load_inputs(c, t);
     c->number[m->time_at] = t;
     hm_run_tape(m, c->number, 1);
-    if (booked && m->variable_potential)
-        hm_add(c->s.head + S_WORK, c->s.head + S_WORK_LOW, spring_energy(c) - before);
+    if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
 }
 
-static void load_inputs(context *c)
+/* Signals at time t (n_signals, overwritten). */
+static void signals_at(context *c, double t, double *signal)
 {
     const holonom_model *m = c->m;
-    memcpy(c->number + m->input_at, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
-    memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+    const double law_time = c->number[m->time_at];
+    if (!m->n_signals) return;
+    load_inputs(c, t);
+    c->number[m->time_at] = t;
+    hm_run_tape(m, c->number, 2);
+    c->number[m->time_at] = law_time;
+    memcpy(signal, c->number + m->signal_at, sizeof(double) * (size_t)m->n_signals);
+}
+
+/* Rates of the signals at time t by differences of fourth order (n_signals, overwritten). */
+static void signal_rates_at(context *c, double t, double *rate)
+{
+    const holonom_model *m = c->m;
+    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], weight[4] = {-1.0, 8.0, -8.0, 1.0};
+    const double shift[4] = {2.0, 1.0, -1.0, -2.0}, law_time = c->number[m->time_at];
+    for (int32_t b = 0; b < m->n_signals; b++) rate[b] = 0.0;
+    for (int i = 0; i < 4 && m->n_signals; i++) {
+        load_inputs(c, t);
+        c->number[m->time_at] = t + shift[i] * delta;
+        hm_run_tape(m, c->number, 2);
+        for (int32_t b = 0; b < m->n_signals; b++) rate[b] += weight[i] / (12.0 * delta) * c->number[m->signal_at + b];
+    }
+    c->number[m->time_at] = law_time;
 }
 
 void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, double *work,
@@ -27,13 +83,12 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
 {
     context c;
     open_context(&c, m, number, state, work);
-    load_inputs(&c);
     set_laws(&c, c.t, 0);
     const int changed = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) ||
                         memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
-    load_inputs(&c);
+    load_inputs(&c, c.t);
     set_laws(&c, c.t, 1);
     if (changed) c.s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
 }
@@ -41,7 +96,9 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
 static int32_t single_step(context *c, double h, int parity)
 {
     c->h = h;
-    if (c->m->time_dependent) set_laws(c, c->t + 0.5 * h, 1);
+    if (c->m->sensing) sense(c, h, parity);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
+    signals_at(c, c->t + h, c->k.signal1);
     const int32_t status = solve_step(c, parity);
     if (!status) accept_step(c, parity);
     return status;
@@ -59,6 +116,10 @@ static void average_multipliers(context *c, double time)
     for (int32_t i = 0; i < c->m->n_rows; i++) {
         s->mean_before[i] = s->mean[i];
         s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
+    }
+    for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
+        s->driven_mean_before[k] = s->driven_mean[k];
+        s->driven_mean[k] = 0.5 * (s->driven[0][k] + s->driven[1][k]);
     }
 }
 
@@ -110,7 +171,7 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     const int64_t n = count < 1.0 ? 1 : (int64_t)count;
     const double start = head[S_TIME], h = step / (double)n;
     int32_t status = HOLONOM_OK;
-    if (m->n_tape[1]) load_inputs(&c);
+    c.span = step;
     set_laws(&c, start, 0);
     for (int64_t i = 0; i < n && !status; i++) {
         c.t = start + h * (double)i;
@@ -123,6 +184,7 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
         head[S_STATUS] = status;
         return status;
     }
+    memcpy(c.s.inputs_before, c.s.inputs, sizeof(double) * (size_t)m->n_inputs);
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     follow_energy_reference(&c);

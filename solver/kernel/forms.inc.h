@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define EACH(k) for (int k = 0; k < DIM; k++)
+#define TURNING (DIM == 2 ? 1 : 3) /* components of a moment */
 
 typedef struct context {
     const holonom_model *m;
@@ -17,6 +18,12 @@ typedef struct context {
     int64_t state_size;
     int formulation;
     double h, t;
+    double start, span; /* communication step: its beginning and its length, for inputs that ramp             */
+    int32_t n_moving;
+    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
+       by a step from rest whose forces and constraints act at its end.                                        */
+    double lever;
+    int forceless;      /* 1: only the rows act                                                               */
 } context;
 
 static inline double dot(const double *a, const double *b)
@@ -26,6 +33,8 @@ static inline double dot(const double *a, const double *b)
     return sum;
 }
 
+static inline int is_seeking(const context *c) { return c->lever != 0.5; }
+
 static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
 {
     c->m = m;
@@ -33,108 +42,165 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->state_size = hm_map_state(m, state, &c->s);
     hm_map_work(m, work, &c->k);
     c->formulation = (int)c->s.head[S_FORMULATION];
-    c->t = c->s.head[S_TIME];
+    c->t = c->start = c->s.head[S_TIME];
     c->h = 0.0;
+    c->span = 0.0;
+    c->n_moving = m->n_free + m->n_driven;
+    c->lever = 0.5;
+    c->forceless = 0;
 }
 
-/* u = sum alpha x, w = sum beta x over the free nodes of form f; x (DIM n_free). */
-static inline void link_of(const context *c, int32_t f, const double *x, double *u, double *w)
+/* x += factor J y, J the quarter turn; there is none in space. */
+static inline void add_turned(double factor, const double *y, double *x)
+{
+#if DIM == 2
+    x[0] -= factor * y[1];
+    x[1] += factor * y[0];
+#else
+    (void)factor, (void)y, (void)x;
+#endif
+}
+
+/* u += sum alpha x, w += sum beta x over entries begin .. end of form f; x holds the node `first` and on. */
+static inline void add_links(const context *c, int32_t f, int32_t begin, int32_t end, const double *x, int32_t first,
+                             double *u, double *w)
 {
     const holonom_model *m = c->m;
     const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
-    const int32_t begin = m->form_ptr[f], end = begin + m->form_free[f];
-    EACH(k) u[k] = 0.0;
-    if (m->form_square[f]) {
+    if (m->form_kind[f] & FORM_TURNED) {
+        const double *alpha_turn = c->number + m->alpha_turn_at, *beta_turn = c->number + m->beta_turn_at;
         for (int32_t e = begin; e < end; e++) {
-            const double *xe = x + DIM * m->form_node[e];
-            EACH(k) u[k] += alpha[e] * xe[k];
+            const double *xe = x + DIM * (m->form_node[e] - first);
+            add_turned(alpha_turn[e], xe, u);
+            add_turned(beta_turn[e], xe, w);
         }
-        EACH(k) w[k] = u[k];
-        return;
     }
-    EACH(k) w[k] = 0.0;
     for (int32_t e = begin; e < end; e++) {
-        const double *xe = x + DIM * m->form_node[e];
+        const double *xe = x + DIM * (m->form_node[e] - first);
         EACH(k) u[k] += alpha[e] * xe[k];
         EACH(k) w[k] += beta[e] * xe[k];
     }
 }
 
-/* Links of form f at the state's configuration, supports and compensation terms included. The differences of
-   the leading parts are formed first: they are exact to the last digit of the link, not of the position.      */
-static void link_at_state(const context *c, int32_t f, double *u, double *w)
+/* u = sum alpha x, w = sum beta x over the moving nodes of form f; x (DIM n_moving). */
+static inline void link_of(const context *c, int32_t f, const double *x, double *u, double *w)
 {
     const holonom_model *m = c->m;
-    const double *support = c->number + m->support_at;
+    const int32_t begin = m->form_ptr[f], end = begin + m->form_moving[f];
+    EACH(k) u[k] = w[k] = 0.0;
+    if (m->form_kind[f] == FORM_SQUARE) {
+        const double *alpha = c->number + m->alpha_at;
+        for (int32_t e = begin; e < end; e++) {
+            const double *xe = x + DIM * m->form_node[e];
+            EACH(k) u[k] += alpha[e] * xe[k];
+        }
+    } else
+        add_links(c, f, begin, end, x, 0, u, w);
+    if (m->form_kind[f] & FORM_SQUARE) EACH(k) w[k] = u[k];
+}
+
+/* Links of form f at the configuration (x, x_low), fixed nodes included. The differences of the leading parts are
+   formed first: they are exact to the last digit of the link, not of the position.                             */
+static void link_at(const context *c, int32_t f, const double *x, const double *x_low, double *u, double *w)
+{
+    const holonom_model *m = c->m;
     double u_low[DIM], w_low[DIM];
-    link_of(c, f, c->s.q, u, w);
-    for (int32_t e = m->form_ptr[f] + m->form_free[f]; e < m->form_ptr[f + 1]; e++) {
-        const double *xe = support + DIM * (m->form_node[e] - m->n_free);
-        EACH(k) u[k] += c->number[m->alpha_at + e] * xe[k];
-        EACH(k) w[k] += c->number[m->beta_at + e] * xe[k];
-    }
-    link_of(c, f, c->s.q_low, u_low, w_low);
+    link_of(c, f, x, u, w);
+    add_links(c, f, m->form_ptr[f] + m->form_moving[f], m->form_ptr[f + 1], c->number + m->support_at, c->n_moving, u,
+              w);
+    if (m->form_kind[f] & FORM_SQUARE) EACH(k) w[k] = u[k];
+    link_of(c, f, x_low, u_low, w_low);
     EACH(k) u[k] += u_low[k];
     EACH(k) w[k] += w_low[k];
 }
 
-/* Phi = u . w - c of row i at the state's configuration, to about twice the digits of a double, so that no step
-   corrects the rounding error of Phi: its impulse grows as 1/h^2, without bound near a singular configuration. */
+static inline void link_at_state(const context *c, int32_t f, double *u, double *w)
+{
+    link_at(c, f, c->s.q, c->s.q_low, u, w);
+}
+
+/* Component k of one link at the state to about twice the digits of a double; coefficients of the link begin at
+   `at`, those of its quarter turns at `turn_at`.                                                              */
+static void exact_link(const context *c, int32_t f, int k, int32_t at, int32_t turn_at, double *high, double *low)
+{
+    const holonom_model *m = c->m;
+    const int32_t begin = m->form_ptr[f], moving = begin + m->form_moving[f];
+    *high = *low = 0.0;
+    for (int32_t e = begin; e < m->form_ptr[f + 1]; e++) {
+        const int32_t node = DIM * (m->form_node[e] - (e < moving ? 0 : c->n_moving));
+        const double *x = (e < moving ? c->s.q : c->number + m->support_at) + node;
+        const double *x_low = e < moving ? c->s.q_low + node : NULL;
+        const double factor = c->number[at + e];
+        hm_add_product(high, low, factor, x[k]);
+        if (x_low) *low += factor * x_low[k];
+        if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) continue;
+        const double turn = c->number[turn_at + e] * (k == 0 ? -1.0 : 1.0);
+        hm_add_product(high, low, turn, x[1 - k]);
+        if (x_low) *low += turn * x_low[1 - k];
+    }
+}
+
+/* Phi = u . w - c of form row i at the state, to about twice the digits of a double, so that no step corrects the
+   rounding error of Phi: its impulse grows as 1/h^2, without bound near a singular configuration.              */
 static double row_at_state(const context *c, int32_t i)
 {
     const holonom_model *m = c->m;
-    const int32_t f = m->row_form[i], begin = m->form_ptr[f], free = begin + m->form_free[f];
+    const int32_t f = m->row_form[i];
     double high = -c->number[m->row_constant_at + i], low = 0.0;
     EACH(k) {
-        double u = 0.0, u_low = 0.0, w = 0.0, w_low = 0.0;
-        for (int32_t e = begin; e < m->form_ptr[f + 1]; e++) {
-            const int32_t at = DIM * (m->form_node[e] - (e < free ? 0 : m->n_free)) + k;
-            const double x = e < free ? c->s.q[at] : c->number[m->support_at + at];
-            const double x_low = e < free ? c->s.q_low[at] : 0.0;
-            const double alpha = c->number[m->alpha_at + e], beta = c->number[m->beta_at + e];
-            hm_add_product(&u, &u_low, alpha, x);
-            u_low += alpha * x_low;
-            if (m->form_square[f]) continue;
-            hm_add_product(&w, &w_low, beta, x);
-            w_low += beta * x_low;
-        }
-        if (m->form_square[f]) {
-            w = u;
-            w_low = u_low;
-        }
+        double u, u_low, w, w_low;
+        exact_link(c, f, k, m->alpha_at, m->alpha_turn_at, &u, &u_low);
+        w = u;
+        w_low = u_low;
+        if (!(m->form_kind[f] & FORM_SQUARE)) exact_link(c, f, k, m->beta_at, m->beta_turn_at, &w, &w_low);
         hm_add_product(&high, &low, u, w);
         low += u * w_low + u_low * w;
     }
     return high + low;
 }
 
-/* target[node] += factor (alpha W + beta U): adds a multiple of the gradient of form f built from links U, W. */
+/* Gradient of form f with respect to entry e, from the links U, W: alpha W + beta U, turned back. */
+static inline void entry_gradient(const context *c, int32_t f, int32_t e, const double *u, const double *w, double *g)
+{
+    const holonom_model *m = c->m;
+    const double a = c->number[m->alpha_at + e], b = c->number[m->beta_at + e];
+    EACH(k) g[k] = a * w[k] + b * u[k];
+    if (m->form_kind[f] & FORM_TURNED) {
+        add_turned(-c->number[m->alpha_turn_at + e], w, g);
+        add_turned(-c->number[m->beta_turn_at + e], u, g);
+    }
+}
+
+/* target[node] += factor times the gradient of form f built from links U, W, over its moving nodes. A square form
+   lists alpha = beta.                                                                                        */
 static inline void add_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
                                 double *target)
 {
     const holonom_model *m = c->m;
-    const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
-    const int32_t begin = m->form_ptr[f], end = begin + m->form_free[f];
+    const int32_t begin = m->form_ptr[f], end = begin + m->form_moving[f];
     for (int32_t e = begin; e < end; e++) {
-        double *node = target + DIM * m->form_node[e];
-        const double a = factor * alpha[e], b = factor * beta[e];
-        EACH(k) node[k] += a * w[k] + b * u[k];
+        double *node = target + DIM * m->form_node[e], g[DIM];
+        entry_gradient(c, f, e, u, w, g);
+        EACH(k) node[k] += factor * g[k];
     }
 }
 
-/* A form within a step: links at the beginning, their increments, and links at the midpoint. */
+/* A form within a step: links at the beginning, their increments, links where gradients are taken, change of s. */
 typedef struct motion {
     const double *u0, *w0;
-    double du[DIM], dw[DIM], um[DIM], wm[DIM];
+    double du[DIM], dw[DIM], um[DIM], wm[DIM], ds;
 } motion;
 
 static inline void form_motion(const context *c, int32_t f, motion *g)
 {
+    const double lever = c->lever;
     g->u0 = c->k.u0 + DIM * f;
     g->w0 = c->k.w0 + DIM * f;
     link_of(c, f, c->k.d, g->du, g->dw);
-    EACH(k) g->um[k] = g->u0[k] + 0.5 * g->du[k];
-    EACH(k) g->wm[k] = g->w0[k] + 0.5 * g->dw[k];
+    EACH(k) g->um[k] = g->u0[k] + lever * g->du[k];
+    EACH(k) g->wm[k] = g->w0[k] + lever * g->dw[k];
+    g->ds = dot(g->um, g->dw) + dot(g->wm, g->du);
+    if (lever != 0.5) g->ds -= (2.0 * lever - 1.0) * dot(g->du, g->dw);
 }
 
 /* Compliance of row i in its equation C(d) - epsilon (mu - lambda) = 0. Conserving rows are written for
@@ -147,7 +213,8 @@ static double row_compliance(const context *c, int32_t i)
     const double chi = head[S_PENALTY], sigma = c->number[c->m->row_sigma_at + i];
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {
-    case HOLONOM_CONSERVING_AL: return c->h * c->h * sigma / (2.0 * chi);
+    case HOLONOM_CONSERVING_AL:
+    case HOLONOM_CONSERVING_BETA: return c->h * c->h * sigma / (2.0 * chi);
     case HOLONOM_MIDPOINT_AL: return c->h * c->h * sigma / (4.0 * chi);
     case HOLONOM_CONSERVING_PENALTY: return configured * configured * sigma / (2.0 * chi);
     case HOLONOM_MIDPOINT_PENALTY: return configured * configured * sigma / (4.0 * chi);
@@ -155,11 +222,15 @@ static double row_compliance(const context *c, int32_t i)
     }
 }
 
-static inline int is_penalty(const context *c) { return c->formulation >= HOLONOM_CONSERVING_PENALTY; }
+static inline int is_penalty(const context *c)
+{
+    return c->formulation >= HOLONOM_CONSERVING_PENALTY && c->formulation <= HOLONOM_PENALTY_VELOCITY;
+}
 
 static inline int is_conserving(const context *c)
 {
-    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_PENALTY;
+    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_BETA ||
+           c->formulation == HOLONOM_CONSERVING_PENALTY || is_seeking(c);
 }
 
 /* Row function of eq 3 under the midpoint rule, Phi'' + 2 xi omega Phi' + omega^2 Phi, with the accelerations
@@ -176,19 +247,41 @@ static double velocity_row(const context *c, int32_t i, const motion *g, double 
                    0.5 * stiff * g->wm[k];
     const double middle = c->k.phi0[i] + 0.5 * (dot(g->u0, g->dw) + dot(g->w0, g->du)) + 0.25 * dot(g->du, g->dw);
     return inertia * (dot(g->um, ww) + dot(g->wm, wu) + dot(g->du, g->dw)) +
-           rate * (dot(g->um, g->dw) + dot(g->wm, g->du)) + stiff * middle;
+           rate * g->ds + stiff * middle;
 }
 
-/* Row function C(d) of row i and the links U, W of its gradient alpha W + beta U. */
+/* Row function C(d) of form row i and the links U, W of its gradient alpha W + beta U. */
 static inline double row_function(const context *c, int32_t i, const motion *g, double *u, double *w)
 {
     if (is_conserving(c)) { /* Phi_1 */
         EACH(k) u[k] = g->u0[k] + g->du[k];
         EACH(k) w[k] = g->w0[k] + g->dw[k];
-        return c->k.phi0[i] + (dot(g->um, g->dw) + dot(g->wm, g->du));
+        return c->k.phi0[i] + g->ds;
     }
     if (c->formulation == HOLONOM_PENALTY_VELOCITY) return velocity_row(c, i, g, u, w);
     EACH(k) u[k] = 0.5 * g->um[k]; /* Phi at the midpoint */
     EACH(k) w[k] = 0.5 * g->wm[k];
     return c->k.phi0[i] + 0.5 * (dot(g->u0, g->dw) + dot(g->w0, g->du)) + 0.25 * dot(g->du, g->dw);
+}
+
+/* Coincidence j, dim rows u(d), written to `row`; returns the factor of its gradient alpha. */
+static double coincidence_function(const context *c, int32_t j, const double *phi0, double *row)
+{
+    const int32_t f = c->m->coincidence_form[j];
+    double du[DIM], unused[DIM];
+    link_of(c, f, c->k.d, du, unused);
+    if (is_conserving(c)) {
+        EACH(k) row[k] = phi0[k] + du[k];
+        return 1.0;
+    }
+    if (c->formulation != HOLONOM_PENALTY_VELOCITY) {
+        EACH(k) row[k] = phi0[k] + 0.5 * du[k];
+        return 0.5;
+    }
+    const double rate = 2.0 * c->s.head[S_XI] * c->s.head[S_OMEGA] / c->h;
+    const double stiff = c->s.head[S_OMEGA] * c->s.head[S_OMEGA], inertia = 2.0 / (c->h * c->h);
+    double wu[DIM];
+    link_of(c, f, c->k.w, wu, unused);
+    EACH(k) row[k] = inertia * wu[k] + rate * du[k] + stiff * (phi0[k] + 0.5 * du[k]);
+    return inertia + rate + 0.5 * stiff;
 }

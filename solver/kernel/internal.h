@@ -4,6 +4,13 @@
 
 #include "holonom.h"
 
+/* Operations, in the order of solver/mechanics/tape.py. */
+enum tape_code {
+    T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
+    T_SQRT, T_EXP, T_LOG, T_ABS, T_MIN, T_MAX, T_SIGN, T_LT, T_LE, T_GT, T_GE, T_EQ, T_NE, T_AND, T_OR, T_NOT,
+    T_SELECT
+};
+
 void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);
 
 int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, double *value);
@@ -34,28 +41,57 @@ static inline void hm_add_product(double *high, double *low, double a, double b)
     *low += ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
-/* Vectors of a state behind its head. */
+/* A function of a composite over a step, by the discrete chain rule: each operation has a slope that is symmetric
+   in the two ends and exact, f_1 - f_0 = sum slope dx, so that the slopes of the whole give a discrete gradient.
+   r0, r1, dr hold the leaves at both ends and their differences on entry, all registers on return; adjoint
+   (overwritten) the slopes of the value with respect to every register. All as long as leaves + operations;
+   slope twice that. Returns the register of the value.                                                      */
+typedef struct hm_registers {
+    double *r0, *r1, *dr, *adjoint, *slope;
+} hm_registers;
+
+int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
+                             const hm_registers *r);
+
+/* One operation of the tape. */
+double hm_operate(int32_t code, double a, double b, double c);
+
+/* Vectors of a state behind its head; n = dim (n_free + n_driven). */
 typedef struct hm_state {
     double *head;
     double *q, *q_low, *v, *v_low; /* n each: coordinates and velocities, with what rounding left over       */
     double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
     double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
     double *mean, *mean_before;    /* n_rows each: means of the last two multipliers, and those before them    */
-    double *turns;                 /* n_angles: full turns so far                                             */
-    double *inputs, *parameters;
+    double *driven[2];             /* dim n_driven each: forces that move the driven nodes, likewise           */
+    double *driven_mean, *driven_mean_before;
+    double *turns;                 /* n_quantities: full turns of angles so far                               */
+    double *signal;                /* n_signals: prescribed values at the present time                        */
+    double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
+    double *inputs, *inputs_before, *parameters;
 } hm_state;
 
 /* Scratch of one step: nothing in it survives the step. */
 typedef struct hm_work {
     double *u0, *w0;      /* dim n_forms each: links at the beginning of the step                           */
+    double *sigma0;       /* n_active: quantities at the beginning                                          */
+    double *signal1;      /* n_signals: prescribed values at the end                                        */
+    double *signal_rate;  /* n_signals                                                                      */
     double *phi0, *phi;   /* n_rows: rows at the beginning, and the row function that shall vanish            */
     double *lambda, *mu;  /* n_rows: multiplier held fixed, total multiplier                                */
     double *epsilon;      /* n_rows: compliance 2/alpha or 1/alpha                                          */
     double *hv, *w, *d;   /* n: h v, unknown d - h v, increment d                                           */
     double *momentum;     /* n: residual of the momentum balance                                            */
     double *constraint;   /* n_rows: residual of the rows                                                   */
-    double *rhs;          /* n + n_rows, elimination order                                                  */
+    double *rhs;          /* dim n_free + n_rows, elimination order                                         */
     double *value;        /* n_lu_values: tangent and its factors                                           */
+    double *local;        /* per form of a composite: links and values, see composite.inc.h                  */
+    double *slope, *end;  /* n_local_forms: slopes of a composite over the step, and at its end              */
+    double *curve;        /* n_local_forms squared: change of the slopes with the forms at the end           */
+    double *gradient, *gradient_end; /* n_local_forms x dim n_local_nodes: of the forms                      */
+    double *block;        /* (dim n_local_nodes) squared                                                    */
+    double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.inc.h            */
+    hm_registers r;       /* of one function                                                                */
     double *step_backup, *pair_backup; /* state size each                                                   */
 } hm_work;
 

@@ -1,35 +1,9 @@
-/* Forces besides the constraints: springs, dampers, moments and loads, each with the discrete form whose work
-   is exact. Included once per dimension, after forms.inc.h.                                                 */
-
-/* Spring and damper along a link of length l: tension N = k (lbar - l_free) + c dl/h acts along
-   2 u_m/(l_0 + l_1), so that its work is exactly -dV - c dl^2/h (Gonzalez 2000; paper, eq 11).                */
-typedef struct line_state {
-    double kappa;    /* N/(l_0 + l_1) [N/m]: force on node a is -kappa 2 alpha_a u_m                          */
-    double slope;    /* d kappa / d l_1                                                                      */
-    double l1, rate; /* length at the end [m], elongation in the step [m]                                    */
-} line_state;
-
-static int32_t line_law(const context *c, int32_t j, const motion *g, line_state *law)
-{
-    const double k = c->number[c->m->stiffness_at + j], free_length = c->number[c->m->free_length_at + j];
-    const double damping = c->number[c->m->damping_at + j];
-    if (!(k >= 0.0 && free_length >= 0.0 && damping >= 0.0)) return HOLONOM_BAD_LAW;
-    double u1[DIM];
-    EACH(i) u1[i] = g->u0[i] + g->du[i];
-    const double l0 = sqrt(dot(g->u0, g->u0)), sum = l0 + (law->l1 = sqrt(dot(u1, u1)));
-    law->kappa = 0.5 * k;
-    law->slope = law->rate = 0.0;
-    if (free_length == 0.0 && damping == 0.0) return HOLONOM_OK; /* V = k s/2: no direction is needed         */
-    if (!(l0 > 0.0) || !(law->l1 > 0.0)) return HOLONOM_ZERO_LENGTH;
-    law->rate = 2.0 * dot(g->um, g->du) / sum; /* not l_1 - l_0: that would cancel                            */
-    law->kappa += (damping * law->rate / c->h - k * free_length) / sum;
-    law->slope = (k * free_length + damping * (sum - law->rate) / c->h) / (sum * sum);
-    return HOLONOM_OK;
-}
+/* Forces besides those along quantities: moments on links and on bodies, forces on links, weights; each with the
+   discrete form whose work is exact. Included once per dimension, after function.inc.h.                       */
 
 /* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between u_0 and u_1.
    In the plane its work is exactly m beta. f (DIM) and, if wanted, its tangent in du (DIM x DIM), overwritten. */
-static void moment_tangent(const double *moment, const motion *g, const double *cross, double size2, double y,
+static void moment_tangent(const double *moment, const double *u0, const double *cross, double size2, double y,
                            double factor, const double *f, double *tangent)
 {
     const double z2 = size2 / (y * y), radius2 = size2 + y * y;
@@ -38,12 +12,12 @@ static void moment_tangent(const double *moment, const motion *g, const double *
     double direction[DIM], axis[3] = {0.0, 0.0, 0.0};
 #if DIM == 2
     axis[2] = moment[0];
-    direction[0] = -c1 * cross[0] * g->u0[1] - g->u0[0] / radius2;
-    direction[1] = c1 * cross[0] * g->u0[0] - g->u0[1] / radius2;
+    direction[0] = -c1 * cross[0] * u0[1] - u0[0] / radius2;
+    direction[1] = c1 * cross[0] * u0[0] - u0[1] / radius2;
 #else
     EACH(i) axis[i] = moment[i];
-    EACH(i) direction[i] = c1 * (cross[(i + 1) % 3] * g->u0[(i + 2) % 3] - cross[(i + 2) % 3] * g->u0[(i + 1) % 3]) -
-                           g->u0[i] / radius2;
+    EACH(i) direction[i] = c1 * (cross[(i + 1) % 3] * u0[(i + 2) % 3] - cross[(i + 2) % 3] * u0[(i + 1) % 3]) -
+                           u0[i] / radius2;
 #endif
     const double skew[3][3] = {{0.0, -axis[2], axis[1]}, {axis[2], 0.0, -axis[0]}, {-axis[1], axis[0], 0.0}};
     EACH(i) EACH(j) tangent[DIM * i + j] = 0.5 * factor * skew[i][j] + f[i] / factor * direction[j];
@@ -53,17 +27,18 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
 {
     double u1[DIM];
     EACH(i) u1[i] = g->u0[i] + g->du[i];
-    const double y = dot(g->u0, u1);
+    const double *u0 = is_seeking(c) ? u1 : g->u0;
+    const double y = dot(u0, u1);
 #if DIM == 2
     const double *moment = c->number + c->m->moment_at + j;
-    const double cross[1] = {g->u0[0] * u1[1] - g->u0[1] * u1[0]};
+    const double cross[1] = {u0[0] * u1[1] - u0[1] * u1[0]};
     const double size2 = cross[0] * cross[0];
     f[0] = -moment[0] * g->um[1];
     f[1] = moment[0] * g->um[0];
 #else
     const double *moment = c->number + c->m->moment_at + 3 * j;
     double cross[3];
-    EACH(i) cross[i] = g->u0[(i + 1) % 3] * u1[(i + 2) % 3] - g->u0[(i + 2) % 3] * u1[(i + 1) % 3];
+    EACH(i) cross[i] = u0[(i + 1) % 3] * u1[(i + 2) % 3] - u0[(i + 2) % 3] * u1[(i + 1) % 3];
     const double size2 = dot(cross, cross);
     EACH(i) f[i] = moment[(i + 1) % 3] * g->um[(i + 2) % 3] - moment[(i + 2) % 3] * g->um[(i + 1) % 3];
 #endif
@@ -72,29 +47,132 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
     const double factor = y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y
                                                : atan2(size, y) / size;
     EACH(i) f[i] *= factor;
-    if (tangent) moment_tangent(moment, g, cross, size2, y, factor, f, tangent);
+    if (tangent) {
+        moment_tangent(moment, u0, cross, size2, y, factor, f, tangent);
+        if (is_seeking(c)) EACH(i) EACH(k) tangent[DIM * i + k] *= 2.0;
+    }
     return HOLONOM_OK;
 }
 
-/* momentum -= h Q for loads, gravity, springs, dampers and moments, all at the present increment d. */
+/* Moment on a spatial body: f_i = m x d^i/2 on the directors, d^i the dual ones at the midpoint, since
+   sum d_i x (m x d^i)/2 = m whatever their lengths and angles. `dual` (9) and `f` (9) overwritten.              */
+#if DIM == 3
+static void cross_product(const double *a, const double *b, double *x)
+{
+    EACH(k) x[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static int32_t body_moment_law(const context *c, int32_t j, double *moment, double *dual, double *f)
+{
+    const holonom_model *m = c->m;
+    const int32_t node = m->body_moment[2 * j];
+    const double *given = c->number + m->body_moment_at + 3 * j;
+    double d[9];
+    for (int k = 0; k < 9; k++) d[k] = c->s.q[3 * node + k] + c->lever * c->k.d[3 * node + k];
+    for (int i = 0; i < 3; i++) cross_product(d + 3 * ((i + 1) % 3), d + 3 * ((i + 2) % 3), dual + 3 * i);
+    const double volume = dot(d, dual);
+    if (!(fabs(volume) > 0.0)) return HOLONOM_ZERO_LENGTH;
+    for (int k = 0; k < 9; k++) dual[k] /= volume;
+    EACH(k) moment[k] = m->body_moment[2 * j + 1] ? given[0] * d[k] + given[1] * d[3 + k] + given[2] * d[6 + k] : given[k];
+    for (int i = 0; i < 3; i++) {
+        cross_product(moment, dual + 3 * i, f + 3 * i);
+        EACH(k) f[3 * i + k] *= 0.5;
+    }
+    return HOLONOM_OK;
+}
+
+static void skew_of(const double *a, double *matrix)
+{
+    const double s[9] = {0.0, -a[2], a[1], a[2], 0.0, -a[0], -a[1], a[0], 0.0};
+    memcpy(matrix, s, sizeof(s));
+}
+
+/* value -= h df_i/dd_j: the dual directors change by -(d^i . dd_j) d^j. */
+static int32_t body_moment_tangent(const context *c, int32_t b, const int32_t *slot, double *value)
+{
+    double moment[3], dual[9], f[9], skew[9];
+    const int32_t status = body_moment_law(c, b, moment, dual, f);
+    if (status) return status;
+    const double *given = c->number + c->m->body_moment_at + 3 * b, factor = -0.5 * c->h * c->lever;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double turned[3];
+            cross_product(moment, dual + 3 * j, turned);
+            skew_of(dual + 3 * i, skew);
+            EACH(k) EACH(l) {
+                double x = -turned[k] * dual[3 * i + l];
+                if (c->m->body_moment[2 * b + 1]) x -= given[j] * skew[3 * k + l];
+                value[slot[9 * (3 * i + k) + 3 * j + l]] += factor * x;
+            }
+        }
+    return HOLONOM_OK;
+}
+#endif
+
+/* Force of load j at the midpoint, in global axes. */
+static void load_force(const context *c, int32_t j, double *force)
+{
+    const double *given = c->number + c->m->load_at + DIM * j;
+    const int32_t axes = c->m->load_axes[j];
+    EACH(k) force[k] = given[k];
+    if (axes < 0) return;
+    double d[DIM == 2 ? 2 : 9];
+    for (int k = 0; k < (DIM == 2 ? 2 : 9); k++) d[k] = c->s.q[DIM * axes + k] + c->lever * c->k.d[DIM * axes + k];
+#if DIM == 2
+    EACH(k) force[k] = given[0] * d[k];
+    add_turned(given[1], d, force);
+#else
+    EACH(k) force[k] = given[0] * d[k] + given[1] * d[3 + k] + given[2] * d[6 + k];
+#endif
+}
+
+/* target += factor times the force of load j on the nodes of its link. */
+static void add_load(const context *c, int32_t j, double factor, double *target)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = m->load_form[j];
+    double force[DIM];
+    load_force(c, j, force);
+    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_moving[f]; e++) {
+        double *node = target + DIM * m->form_node[e];
+        EACH(k) node[k] += factor * c->number[m->alpha_at + e] * force[k];
+        if (m->form_kind[f] & FORM_TURNED) add_turned(-factor * c->number[m->alpha_turn_at + e], force, node);
+    }
+}
+
+/* value -= h dF/dd of a load that a body carries; returns the slots behind its own. */
+static const int32_t *load_tangent(const context *c, int32_t j, const int32_t *slot, double *value)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = m->load_form[j];
+    const double *given = c->number + m->load_at + DIM * j, factor = -c->h * c->lever;
+    if (m->load_axes[j] < 0) return slot;
+    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++)
+        for (int q = 0; q < (DIM == 2 ? 1 : 3); q++) {
+            const double alpha = factor * c->number[m->alpha_at + e];
+#if DIM == 2
+            const double turn = m->form_kind[f] & FORM_TURNED ? factor * c->number[m->alpha_turn_at + e] : 0.0;
+            const double same = alpha * given[0] + turn * given[1], quarter = alpha * given[1] - turn * given[0];
+            const double block[4] = {same, -quarter, quarter, same};
+#else
+            const double block[9] = {alpha * given[q], 0, 0, 0, alpha * given[q], 0, 0, 0, alpha * given[q]};
+#endif
+            for (int k = 0; k < DIM * DIM; k++) value[*slot++] += block[k];
+        }
+    return slot;
+}
+
+/* momentum -= h Q for weights, loads and moments, all at the present increment d. */
 static int32_t subtract_forces(context *c, double *momentum)
 {
     const holonom_model *m = c->m;
     const double h = c->h, *gravity = c->number + m->gravity_at;
     motion g;
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double mass = h * c->number[m->node_mass_at + a];
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double mass = h * c->number[m->node_weight_at + a];
         EACH(k) momentum[DIM * a + k] -= mass * gravity[k];
     }
-    for (int32_t j = 0; j < m->n_loads; j++)
-        EACH(k) momentum[DIM * m->load_node[j] + k] -= h * c->number[m->load_at + DIM * j + k];
-    for (int32_t j = 0; j < m->n_lines; j++) {
-        line_state law;
-        form_motion(c, m->line_form[j], &g);
-        const int32_t status = line_law(c, j, &g, &law);
-        if (status) return status;
-        add_gradient(c, m->line_form[j], h * law.kappa, g.um, g.wm, momentum);
-    }
+    for (int32_t j = 0; j < m->n_loads; j++) add_load(c, j, -h, momentum);
     for (int32_t j = 0; j < m->n_moments; j++) {
         double f[DIM];
         form_motion(c, m->moment_form[j], &g);
@@ -103,5 +181,13 @@ static int32_t subtract_forces(context *c, double *momentum)
         /* alpha = beta on a square form: the couple acts with alpha at each end */
         add_gradient(c, m->moment_form[j], -0.5 * h, f, f, momentum);
     }
+#if DIM == 3
+    for (int32_t j = 0; j < m->n_body_moments; j++) {
+        double moment[3], dual[9], f[9];
+        const int32_t status = body_moment_law(c, j, moment, dual, f);
+        if (status) return status;
+        for (int k = 0; k < 9; k++) momentum[3 * m->body_moment[2 * j] + k] -= h * f[k];
+    }
+#endif
     return HOLONOM_OK;
 }

@@ -1,123 +1,112 @@
-/* Start of a run, measurements, and a look into one step. Included once per dimension.                       */
+/* Residuals, measurements, and a look into one step. Included once per dimension, after seek.inc.h.           */
 
-static int all_finite(const double *x, int64_t n)
-{
-    for (int64_t k = 0; k < n; k++)
-        if (!(fabs(x[k]) < INFINITY)) return 0;
-    return 1;
-}
-
-/* Forces at rest in the step: momentum = -Q with the dampers' forces taken from the velocities. */
-static int32_t forces_at_state(context *c)
-{
-    const holonom_model *m = c->m;
-    const size_t bytes = sizeof(double) * (size_t)(DIM * m->n_free);
-    memset(c->k.d, 0, bytes);
-    memset(c->k.momentum, 0, bytes);
-    c->h = 1.0;
-    const int32_t status = subtract_forces(c, c->k.momentum);
-    for (int32_t j = 0; j < m->n_lines && !status; j++) {
-        const double *u = c->k.u0 + DIM * m->line_form[j], damping = c->number[m->damping_at + j];
-        double vu[DIM], vw[DIM];
-        if (damping == 0.0) continue;
-        link_of(c, m->line_form[j], c->s.v, vu, vw);
-        add_gradient(c, m->line_form[j], 0.5 * damping * dot(u, vu) / dot(u, u), u, u, c->k.momentum);
-    }
-    return status;
-}
-
-int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *state, double *work)
+void NAME(hm_residuals)(const holonom_model *m, const double *number, double *state, double *work, double *phi,
+                        double *phi_dot)
 {
     context c;
-    const size_t bytes = sizeof(double) * (size_t)(DIM * m->n_free);
-    open_context(&c, m, number, state, work);
-    double *head = c.s.head;
-    memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
-    memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
-    memcpy(c.s.q, number + m->initial_position_at, bytes);
-    memcpy(c.s.v, number + m->initial_velocity_at, bytes);
-    load_inputs(&c);
-    set_laws(&c, head[S_TIME], 0);
-    derive_numbers(&c);
-    if (!all_finite(number, m->measured_at)) return HOLONOM_NOT_FINITE;
-    for (int32_t f = 0; f < m->n_forms; f++) link_at_state(&c, f, c.k.u0 + DIM * f, c.k.w0 + DIM * f);
-    int32_t status = forces_at_state(&c);
-    if (!status) status = first_multipliers(&c);
-    if (status) return status;
-    const double kinetic = kinetic_energy(&c, c.k.momentum);
-    double mass = 0.0;
-    for (int32_t a = 0; a < m->n_free; a++) mass += number[m->node_mass_at + a];
-    head[S_KINETIC_START] = kinetic;
-    head[S_STORED_START] = spring_energy(&c) + penalty_energy(&c);
-    head[S_POTENTIAL_START] = head[S_STORED_START];
-    for (int32_t a = 0; a < m->n_free; a++)
-        head[S_POTENTIAL_START] -= number[m->node_mass_at + a] * dot(number + m->gravity_at, c.s.q + DIM * a);
-    /* A floor, so that a mechanism at rest has a finite relative error. */
-    const double gravity = sqrt(dot(number + m->gravity_at, number + m->gravity_at));
-    const double floor = 1e-3 * (mass * gravity * number[m->extent_at] + head[S_STORED_START]);
-    head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
-    return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
+    open_context(&c, m, (double *)number, state, work);
+    signal_rates_at(&c, c.t, c.k.signal_rate);
+    row_values(&c, phi);
+    row_rates(&c, c.s.q, c.s.q_low, c.s.v, c.s.signal, c.k.signal_rate, phi_dot);
 }
 
+/* Motion: nodes, places, quantities; returns the place behind. */
 static double *measure_motion(const context *c, double *y)
 {
     const holonom_model *m = c->m;
-    const int32_t n = DIM * m->n_free;
-    double u[DIM], w[DIM], vu[DIM], vw[DIM];
+    const int32_t n = DIM * c->n_moving;
+    double w[DIM];
     memcpy(y, c->s.q, sizeof(double) * (size_t)n);
     memcpy(y + n, c->s.v, sizeof(double) * (size_t)n);
     y += 2 * n;
-#if DIM == 2
-    for (int32_t j = 0; j < m->n_angles; j++) {
-        link_at_state(c, m->angle_form[j], u, w);
-        link_of(c, m->angle_form[j], c->s.v, vu, vw);
-        y[j] = atan2(u[1] + 0.0, u[0]) + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
-        y[m->n_angles + j] = (u[0] * vu[1] - u[1] * vu[0]) / dot(u, u);
+    for (int32_t j = 0; j < m->n_places; j++) {
+        link_at_state(c, m->place_form[j], y + DIM * j, w);
+        link_of(c, m->place_form[j], c->s.v, y + DIM * (m->n_places + j), w);
     }
-#endif
-    y += 2 * m->n_angles;
-    for (int32_t j = 0; j < m->n_lines; j++) {
-        link_at_state(c, m->line_form[j], u, w);
-        link_of(c, m->line_form[j], c->s.v, vu, vw);
-        const double length = sqrt(dot(u, u)), rate = length > 0.0 ? dot(u, vu) / length : 0.0;
-        y[j] = length;
-        y[m->n_lines + j] = c->number[m->stiffness_at + j] * (length - c->number[m->free_length_at + j]) +
-                            c->number[m->damping_at + j] * rate;
+    y += 2 * DIM * m->n_places;
+    for (int32_t j = 0; j < m->n_quantities; j++)
+        y[j] = quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, y + m->n_quantities + j);
+    for (int32_t j = 0; j < m->n_elements; j++) {
+        const int32_t quantity = m->leaf[4 * m->leaf_ptr[j] + 1];
+        y[2 * m->n_quantities + j] = c->number[m->stiffness_at + j] * (y[quantity] - c->number[m->rest_at + j]) +
+                                     c->number[m->damping_at + j] * y[m->n_quantities + quantity] -
+                                     c->number[m->drive_at + j];
     }
-    return y + 2 * m->n_lines;
+    return y + 2 * m->n_quantities + m->n_elements;
 }
 
-/* Force along each rod, positive in tension, from the multiplier at the present time: the line through the means
-   of the last steps.                                                                                         */
-static double *measure_rows(const context *c, double *y, double *position, double *velocity)
+/* Value at the present time on the line through the means of the last steps; returns the place behind. */
+static double *extrapolate(const context *c, int32_t n, const double *mean, const double *before, double *y)
 {
-    const holonom_model *m = c->m;
     const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
-    *position = *velocity = 0.0;
-    for (int32_t i = 0; i < m->n_rows; i++) {
-        const row_state row = measure_row(c, i);
-        const double scale = c->number[m->row_scale_at + i];
-        const double mu = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
-        y[i] = mu * 2.0 * row.length;
-        const double phi = fabs(row.phi) / scale, rate = fabs(row.rate) / scale;
-        if (!(phi <= *position)) *position = phi; /* not fmax, which would hide a NaN */
-        if (!(rate <= *velocity)) *velocity = rate;
-    }
-    return y + m->n_rows;
+    for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
+    return y + n;
 }
 
-void NAME(hm_measure)(const holonom_model *m, double *number, double *state, double *work)
+/* Forces along rods, 2 mu |u|, positive in tension, and all multipliers. */
+static double *measure_rows(const context *c, double *y)
 {
-    context c;
-    open_context(&c, m, number, state, work);
-    const double *head = c.s.head;
-    double *y = number + m->measured_at, *p = c.k.momentum, position, velocity;
-    if (m->n_tape[1] || m->n_tape[2]) load_inputs(&c);
-    set_laws(&c, head[S_TIME], 0);
-    number[m->time_at] = head[S_TIME];
-    y = measure_rows(&c, measure_motion(&c, y), &position, &velocity);
-    const double kinetic = kinetic_energy(&c, p), change = potential_change(&c);
+    const holonom_model *m = c->m;
+    double *mu = y + m->n_form_rows, u[DIM], w[DIM];
+    double *after = extrapolate(c, m->n_rows, c->s.mean, c->s.mean_before, mu);
+    for (int32_t i = 0; i < m->n_form_rows; i++) {
+        link_at_state(c, m->row_form[i], u, w);
+        y[i] = mu[i] * 2.0 * sqrt(dot(u, u));
+    }
+    return after;
+}
+
+static double *measure_bodies(const context *c, double *y)
+{
+    const holonom_model *m = c->m;
+    memcpy(y, c->s.quaternion, sizeof(double) * (size_t)(4 * m->n_bodies));
+    y += 4 * m->n_bodies;
+#if DIM == 3
+    for (int32_t j = 0; j < m->n_bodies; j++, y += 3) {
+        const double *d = c->s.q + 3 * m->body_node[j], *v = c->s.v + 3 * m->body_node[j];
+        EACH(k) y[k] = 0.0;
+        for (int i = 0; i < 9; i += 3)
+            EACH(k) y[k] += 0.5 * (d[i + (k + 1) % 3] * v[i + (k + 2) % 3] - d[i + (k + 2) % 3] * v[i + (k + 1) % 3]);
+    }
+#endif
+    return y;
+}
+
+/* Reactions on the second body of each joint, from the multipliers `mu` at the present time. */
+static double *measure_reactions(const context *c, const double *mu, double *y)
+{
+    const holonom_model *m = c->m;
+    double *torques = y + DIM * m->n_reactions, u[DIM], w[DIM];
+    memset(y, 0, sizeof(double) * (size_t)((DIM + TURNING) * m->n_reactions));
+    for (int32_t e = 0; e < m->n_reaction_entries; e++) {
+        const int32_t *entry = m->reaction_entry + 4 * e;
+        double *force = y + DIM * entry[0], *torque = torques + TURNING * entry[0];
+        if (entry[1] == REACTION_COINCIDENCE) {
+            EACH(k) force[k] += entry[3] * mu[m->n_form_rows + DIM * entry[2] + k];
+            continue;
+        }
+        link_at_state(c, m->row_form[entry[2]], u, w);
+        const double factor = -entry[3] * mu[entry[2]];
+        if (entry[1] == REACTION_FORCE) EACH(k) force[k] += factor * w[k];
+        else {
+#if DIM == 2
+            torque[0] += factor * (w[0] * u[1] - w[1] * u[0]);
+#else
+            EACH(k) torque[k] += factor * (w[(k + 1) % 3] * u[(k + 2) % 3] - w[(k + 2) % 3] * u[(k + 1) % 3]);
+#endif
+        }
+    }
+    y += (DIM + TURNING) * m->n_reactions;
+    return extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y);
+}
+
+/* Energies, and the largest scaled residuals of the rows. */
+static double *measure_energies(context *c, double *y)
+{
+    const holonom_model *m = c->m;
+    const double *head = c->s.head;
+    const double kinetic = kinetic_energy(c, c->k.momentum), change = potential_change(c);
     const double spent = head[S_WORK] - head[S_DISSIPATED];
     y[0] = kinetic;
     y[1] = head[S_POTENTIAL_START] + change;
@@ -126,27 +115,55 @@ void NAME(hm_measure)(const holonom_model *m, double *number, double *state, dou
     y[4] = head[S_DISSIPATED];
     y[5] = ((kinetic - head[S_KINETIC_START]) + change) - spent;
     y[6] = head[S_ENERGY_REFERENCE] > 0.0 ? fabs(y[5]) / head[S_ENERGY_REFERENCE] : fabs(y[5]);
-    y[7] = position;
-    y[8] = velocity;
-    y += 9;
-    EACH(k) y[k] = 0.0;
-    for (int32_t a = 0; a < m->n_free; a++) EACH(k) y[k] += p[DIM * a + k];
-    y += DIM;
-    memset(y, 0, sizeof(double) * (DIM == 2 ? 1 : 3));
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = c.s.q + DIM * a, *pa = p + DIM * a;
+    y[7] = y[8] = 0.0;
+    signal_rates_at(c, head[S_TIME], c->k.signal_rate);
+    row_values(c, c->k.phi);
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi0);
+    for (int32_t i = 0; i < m->n_rows; i++) {
+        const double scale = c->number[m->row_scale_at + i];
+        const double phi = fabs(c->k.phi[i]) / scale, rate = fabs(c->k.phi0[i]) / scale;
+        if (!(phi <= y[7])) y[7] = phi; /* not fmax, which would hide a NaN */
+        if (!(rate <= y[8])) y[8] = rate;
+    }
+    return y + 9;
+}
+
+/* Momentum of the points, and angular momentum about the origin: directions carry only the latter. */
+static double *measure_momenta(const context *c, double *y)
+{
+    const holonom_model *m = c->m;
+    const double *p = c->k.momentum;
+    for (int k = 0; k < DIM + TURNING; k++) y[k] = 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++, p += DIM) {
+        const double *x = c->s.q + DIM * a;
+        if (!m->node_kind[a]) EACH(k) y[k] += p[k];
 #if DIM == 2
-        y[0] += x[0] * pa[1] - x[1] * pa[0];
+        y[2] += x[0] * p[1] - x[1] * p[0];
 #else
-        EACH(k) y[k] += x[(k + 1) % 3] * pa[(k + 2) % 3] - x[(k + 2) % 3] * pa[(k + 1) % 3];
+        EACH(k) y[3 + k] += x[(k + 1) % 3] * p[(k + 2) % 3] - x[(k + 2) % 3] * p[(k + 1) % 3];
 #endif
     }
-    y += DIM == 2 ? 1 : 3;
+    return y + DIM + TURNING;
+}
+
+void NAME(hm_measure)(const holonom_model *m, double *number, double *state, double *work)
+{
+    context c;
+    open_context(&c, m, number, state, work);
+    const double *head = c.s.head;
+    load_inputs(&c, head[S_TIME]);
+    if (m->sensing) sense(&c, 0.0, 0);
+    set_laws(&c, head[S_TIME], 0);
+    number[m->time_at] = head[S_TIME];
+    double *mu = measure_motion(&c, number + m->measured_at);
+    double *y = measure_bodies(&c, measure_rows(&c, mu));
+    y = measure_reactions(&c, mu + m->n_form_rows, y);
+    y = measure_momenta(&c, measure_energies(&c, y));
     y[0] = head[S_NEWTON];
     y[1] = head[S_UZAWA];
     y[2] = head[S_SUBSTEPS];
     y[3] = head[S_STATUS];
-    hm_run_tape(m, number, 2);
+    hm_run_tape(m, number, 3);
 }
 
 int32_t NAME(hm_probe)(const holonom_model *m, double *number, double *state, double *work, double h,
@@ -156,6 +173,7 @@ int32_t NAME(hm_probe)(const holonom_model *m, double *number, double *state, do
     const int32_t n = DIM * m->n_free, size = n + m->n_rows;
     open_context(&c, m, number, state, work);
     c.h = h;
+    signals_at(&c, c.t + h, c.k.signal1);
     prepare_step(&c, 0);
     for (int32_t k = 0; k < n; k++) {
         c.k.w[k] = w[k];

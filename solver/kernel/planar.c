@@ -3,9 +3,14 @@
 #define NAME(function) function##_planar
 
 #include "forms.inc.h"
+#include "composite.inc.h"
+#include "function.inc.h"
 #include "laws.inc.h"
 #include "tangent.inc.h"
 #include "step.inc.h"
+#include "ledger.inc.h"
 #include "energy.inc.h"
 #include "advance.inc.h"
+#include "start.inc.h"
+#include "seek.inc.h"
 #include "measure.inc.h"

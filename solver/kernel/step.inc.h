@@ -4,22 +4,43 @@
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
 static inline int is_telling(const context *c) { return c->h >= 1e-5 * c->s.head[S_STEP_SIZE]; }
 
+/* Rows at the beginning of the step, to the last digit where they are quadratic. */
+static void rows_at_start(context *c)
+{
+    const holonom_model *m = c->m;
+    const int exact = is_telling(c) || is_penalty(c);
+    for (int32_t i = 0; i < m->n_form_rows; i++) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
+    for (int32_t j = 0; j < m->n_coincidences; j++)
+        EACH(k) {
+            double high = 0.0, low = 0.0;
+            if (exact) exact_link(c, m->coincidence_form[j], k, m->alpha_at, m->alpha_turn_at, &high, &low);
+            c->k.phi0[m->n_form_rows + DIM * j + k] = high + low;
+        }
+    for (int32_t j = first_function(c); j < first_velocity_row(c); j++)
+        c->k.phi0[row_of(c, j)] = exact ? function_value(c, j) : 0.0;
+    for (int32_t j = first_velocity_row(c); j < first_potential(c); j++) c->k.phi0[row_of(c, j)] = 0.0;
+}
+
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const double h = c->h;
-    const int32_t n = DIM * m->n_free;
     for (int32_t f = 0; f < m->n_forms; f++) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    for (int32_t j = 0; j < m->n_active; j++) c->k.sigma0[j] = quantity_at_start(c, j);
     /* w is h^2/2 times an acceleration: predict that of the same half of the last pair, since v and mu have a
        component that changes sign from half to half. */
-    for (int32_t k = 0; k < n; k++) {
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
         c->k.hv[k] = h * c->s.v[k] + h * c->s.v_low[k];
         c->k.w[k] = 0.5 * h * h * c->s.a[parity][k];
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
+    for (int32_t k = DIM * m->n_free, b = 0; k < DIM * c->n_moving; k++, b++) { /* driven nodes go where they must */
+        c->k.d[k] = (c->k.signal1[b] - c->s.q[k]) - c->s.q_low[k];
+        c->k.w[k] = c->k.d[k] - c->k.hv[k];
+    }
+    rows_at_start(c);
     for (int32_t i = 0; i < m->n_rows; i++) {
-        c->k.phi0[i] = is_telling(c) || is_penalty(c) ? row_at_state(c, i) : 0.0;
         c->k.epsilon[i] = row_compliance(c, i);
         c->k.mu[i] = c->s.mu[parity][i];
     }
@@ -66,12 +87,15 @@ static int32_t newton_update(context *c, newton_record *r)
     double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
     hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, rhs);
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = rhs + m->node_position[a], mass = c->number[m->node_mass_at + a];
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
-        EACH(k) w[k] += x[k];
-        EACH(k) d[k] = c->k.hv[DIM * a + k] + w[k];
-        increment2 += mass * dot(x, x);
+        if (a < m->n_free) {
+            const double *x = rhs + m->node_position[a];
+            EACH(k) w[k] += x[k];
+            EACH(k) d[k] = c->k.hv[DIM * a + k] + w[k];
+            increment2 += mass * dot(x, x);
+        }
         size2 += mass * dot(d, d);
     }
     for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] += rhs[m->row_position[i]];
@@ -207,69 +231,3 @@ static int32_t solve_step(context *c, int parity)
     return status;
 }
 
-/* Books the step in the ledger: Delta T = -dPhi'mu - Delta U + work - dissipation + v'R, term by term. */
-static void book_step(context *c)
-{
-    const holonom_model *m = c->m;
-    double *head = c->s.head;
-    motion g;
-    for (int32_t i = 0; i < m->n_rows; i++) {
-        form_motion(c, m->row_form[i], &g);
-        hm_add(head + S_DEFECT, head + S_DEFECT_LOW, c->k.mu[i] * (dot(g.um, g.dw) + dot(g.wm, g.du)));
-    }
-    for (int32_t k = 0; k < DIM * m->n_free; k++)
-        hm_add(head + S_RESIDUAL, head + S_RESIDUAL_LOW, c->k.d[k] * c->k.momentum[k] / c->h);
-    for (int32_t j = 0; j < m->n_loads; j++)
-        hm_add(head + S_WORK, head + S_WORK_LOW,
-               dot(c->number + m->load_at + DIM * j, c->k.d + DIM * m->load_node[j]));
-    for (int32_t j = 0; j < m->n_moments; j++) {
-        double f[DIM];
-        form_motion(c, m->moment_form[j], &g);
-        moment_law(c, j, &g, f, NULL);
-        hm_add(head + S_WORK, head + S_WORK_LOW, dot(f, g.du));
-    }
-    for (int32_t j = 0; j < m->n_lines; j++) {
-        if (c->number[m->damping_at + j] == 0.0) continue;
-        line_state law;
-        form_motion(c, m->line_form[j], &g);
-        line_law(c, j, &g, &law);
-        hm_add(head + S_DISSIPATED, head + S_DISSIPATED_LOW,
-               c->number[m->damping_at + j] * law.rate * law.rate / c->h);
-    }
-}
-
-/* Counts full turns of planar links: a link that crosses the negative first axis leaves (-pi, pi]. */
-static void follow_angles(context *c)
-{
-#if DIM == 2
-    for (int32_t j = 0; j < c->m->n_angles; j++) {
-        const double *u0 = c->k.u0 + DIM * c->m->angle_form[j];
-        double u1[DIM], w1[DIM];
-        link_at_state(c, c->m->angle_form[j], u1, w1);
-        const double sense = u0[0] * u1[1] - u0[1] * u1[0];
-        if (u0[1] >= 0.0 && u1[1] < 0.0 && sense > 0.0) c->s.turns[j] += 1.0;
-        if (u0[1] < 0.0 && u1[1] >= 0.0 && sense < 0.0) c->s.turns[j] -= 1.0;
-    }
-#else
-    (void)c;
-#endif
-}
-
-/* Takes the solved step over into the state. */
-static void accept_step(context *c, int parity)
-{
-    const int32_t n = DIM * c->m->n_free;
-    book_step(c);
-    for (int32_t k = 0; k < n; k++) {
-        hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
-        hm_add(c->s.v + k, c->s.v_low + k, 2.0 / c->h * c->k.w[k]);
-    }
-    if (is_telling(c)) {
-        for (int32_t k = 0; k < n; k++) c->s.a[parity][k] = 2.0 / (c->h * c->h) * c->k.w[k];
-        memcpy(c->s.mu[parity], c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
-    }
-    follow_angles(c);
-    c->s.head[S_PARITY] = 1 - parity;
-    c->s.head[S_SUBSTEPS] += 1.0;
-    c->t += c->h;
-}

@@ -7,25 +7,69 @@
    q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and keeps its digits.
    Included once per dimension, after laws.inc.h.                                                            */
 
-static void row_stiffness(const context *c, int32_t f, double factor, const int32_t *slot, double *value)
+/* Second derivative of form f with respect to entries p and q: same I + quarter J. */
+static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)
 {
     const holonom_model *m = c->m;
-    const double *alpha = c->number + m->alpha_at + m->form_ptr[f], *beta = c->number + m->beta_at + m->form_ptr[f];
-    const int32_t free = m->form_free[f];
-    for (int32_t p = 0; p < free; p++)
-        for (int32_t q = 0; q < free; q++) {
-            const double x = factor * (alpha[p] * beta[q] + beta[p] * alpha[q]);
-            EACH(k) value[*slot++] += x;
-        }
+    const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
+    *same = alpha[p] * beta[q] + beta[p] * alpha[q];
+    *quarter = 0.0;
+    if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) return;
+    const double *alpha_turn = c->number + m->alpha_turn_at, *beta_turn = c->number + m->beta_turn_at;
+    *same += alpha_turn[p] * beta_turn[q] + beta_turn[p] * alpha_turn[q];
+    *quarter = alpha[p] * beta_turn[q] - alpha_turn[p] * beta[q] + beta[p] * alpha_turn[q] - beta_turn[p] * alpha[q];
 }
 
-static void scatter_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
-                             const int32_t *slot, double *value)
+static const int32_t *row_stiffness(const context *c, int32_t f, double factor, const int32_t *slot, double *value)
 {
     const holonom_model *m = c->m;
-    const double *alpha = c->number + m->alpha_at + m->form_ptr[f], *beta = c->number + m->beta_at + m->form_ptr[f];
-    for (int32_t p = 0; p < m->form_free[f]; p++)
-        EACH(k) value[*slot++] += factor * (alpha[p] * w[k] + beta[p] * u[k]);
+    const int32_t begin = m->form_ptr[f], end = begin + m->form_free[f];
+    if (m->form_kind[f] & FORM_LINEAR) return slot;
+    for (int32_t p = begin; p < end; p++)
+        for (int32_t q = begin; q < end; q++) {
+            double same, quarter;
+            pair_stiffness(c, f, p, q, &same, &quarter);
+            if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) {
+                EACH(k) value[*slot++] += factor * same;
+                continue;
+            }
+            const double block[4] = {same, -quarter, quarter, same};
+            for (int k = 0; k < 4; k++) value[*slot++] += factor * block[k];
+        }
+    return slot;
+}
+
+static const int32_t *scatter_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
+                                       const int32_t *slot, double *value)
+{
+    const holonom_model *m = c->m;
+    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+        double g[DIM];
+        entry_gradient(c, f, e, u, w, g);
+        EACH(k) value[*slot++] += factor * g[k];
+    }
+    return slot;
+}
+
+/* Gradients of coincidence j: alpha I + alpha_turn J, `upper` and `lower` times. */
+static const int32_t *scatter_coincidence(const context *c, int32_t j, double upper, double lower, const int32_t *slot,
+                                          double *value)
+{
+    const holonom_model *m = c->m;
+    const int32_t f = m->coincidence_form[j];
+    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+        const double alpha = c->number[m->alpha_at + e];
+        if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) {
+            EACH(k) value[*slot++] += upper * alpha;
+            EACH(k) value[*slot++] += lower * alpha;
+            continue;
+        }
+        const double turn = c->number[m->alpha_turn_at + e];
+        const double block[4] = {alpha, -turn, turn, alpha}; /* d row/d node, row by row */
+        EACH(i) EACH(k) value[*slot++] += upper * block[DIM * k + i];
+        EACH(i) EACH(k) value[*slot++] += lower * block[DIM * i + k];
+    }
+    return slot;
 }
 
 /* Adds factor alpha_p alpha_q B for all pairs of free entries of form f, B (DIM x DIM). */
@@ -40,22 +84,91 @@ static const int32_t *scatter_block(const context *c, int32_t f, double factor, 
     return slot;
 }
 
-static int32_t law_tangent(const context *c, double *value)
+/* Gradients of the composite's forms over its free nodes, at the lever and at the end; `local` are the places of
+   the entries among these nodes. Returns the places behind.                                                  */
+static const int32_t *local_gradients(const context *c, int32_t j, const int32_t *local)
 {
     const holonom_model *m = c->m;
-    const int32_t *slot = m->line_slot;
+    const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+    const local_form *motion = (const local_form *)c->k.local;
+    memset(c->k.gradient, 0, sizeof(double) * (size_t)(forms * size));
+    memset(c->k.gradient_end, 0, sizeof(double) * (size_t)(forms * size));
+    for (int32_t i = 0; i < forms; i++, motion++) {
+        const int32_t f = m->composite_form[m->composite_form_ptr[j] + i];
+        for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+            const int32_t at = size * i + DIM * *local++;
+            double g[DIM];
+            entry_gradient(c, f, e, motion->um, motion->wm, g);
+            EACH(k) c->k.gradient[at + k] += g[k];
+            entry_gradient(c, f, e, motion->u1, motion->w1, g);
+            EACH(k) c->k.gradient_end[at + k] += g[k];
+        }
+    }
+    return local;
+}
+
+/* block = sum curve_fg grad s_f(lever) grad s_g(end)' + lever sum slope_f H_f. */
+static void composite_stiffness(const context *c, int32_t j, const int32_t *local)
+{
+    const holonom_model *m = c->m;
+    const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+    memset(c->k.block, 0, sizeof(double) * (size_t)(size * size));
+    for (int32_t i = 0; i < forms; i++) {
+        const int32_t f = m->composite_form[m->composite_form_ptr[j] + i], begin = m->form_ptr[f];
+        for (int32_t k = 0; k < forms; k++) {
+            const double curve = c->k.curve[forms * i + k];
+            if (curve == 0.0) continue;
+            for (int32_t a = 0; a < size; a++) {
+                const double x = curve * c->k.gradient[size * i + a];
+                for (int32_t b = 0; b < size; b++) c->k.block[size * a + b] += x * c->k.gradient_end[size * k + b];
+            }
+        }
+        const double factor = c->lever * c->k.slope[i];
+        for (int32_t p = 0; p < m->form_free[f] && !(m->form_kind[f] & FORM_LINEAR); p++)
+            for (int32_t q = 0; q < m->form_free[f]; q++) {
+                double same, quarter, *corner = c->k.block + size * DIM * local[p] + DIM * local[q];
+                pair_stiffness(c, f, begin + p, begin + q, &same, &quarter);
+                EACH(k) corner[size * k + k] += factor * same;
+#if DIM == 2
+                corner[1] -= factor * quarter;
+                corner[size] += factor * quarter;
+#endif
+            }
+        local += m->form_free[f];
+    }
+}
+
+static int32_t composite_tangent(context *c, double *value)
+{
+    const holonom_model *m = c->m;
+    const int32_t *slot = m->composite_slot, *local = m->composite_local;
+    for (int32_t j = 0; j < n_composites(c); j++) {
+        const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+        const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
+        composite_result result;
+        const int32_t status = composite_slopes(c, j, 1, &result);
+        if (status) return status;
+        const int32_t *after = local_gradients(c, j, local);
+        const double factor = !row ? c->forceless ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
+        composite_stiffness(c, j, local);
+        for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * c->k.block[k];
+        for (int32_t k = 0; k < size && row; k++, slot++)
+            for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
+        for (int32_t k = 0; k < size && row; k++, slot++)
+            for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
+        local = after;
+    }
+    return HOLONOM_OK;
+}
+
+static int32_t law_tangent(context *c, double *value)
+{
+    const holonom_model *m = c->m;
+    const int32_t *slot = m->moment_slot;
     double block[DIM * DIM];
     motion g;
-    for (int32_t j = 0; j < m->n_lines; j++) {
-        line_state law;
-        form_motion(c, m->line_form[j], &g);
-        const int32_t status = line_law(c, j, &g, &law);
-        if (status) return status;
-        const double rank = law.slope != 0.0 ? 2.0 * law.slope / law.l1 : 0.0;
-        EACH(i) EACH(k) block[DIM * i + k] = rank * g.um[i] * (g.u0[k] + g.du[k]) + (i == k ? law.kappa : 0.0);
-        slot = scatter_block(c, m->line_form[j], c->h, block, slot, value);
-    }
-    slot = m->moment_slot;
     for (int32_t j = 0; j < m->n_moments; j++) {
         double f[DIM];
         form_motion(c, m->moment_form[j], &g);
@@ -63,6 +176,14 @@ static int32_t law_tangent(const context *c, double *value)
         if (status) return status;
         slot = scatter_block(c, m->moment_form[j], -c->h, block, slot, value);
     }
+    slot = m->load_slot;
+    for (int32_t j = 0; j < m->n_loads; j++) slot = load_tangent(c, j, slot, value);
+#if DIM == 3
+    for (int32_t j = 0; j < m->n_body_moments; j++) {
+        const int32_t status = body_moment_tangent(c, j, m->body_moment_slot + 81 * j, value);
+        if (status) return status;
+    }
+#endif
     return HOLONOM_OK;
 }
 
@@ -73,31 +194,35 @@ static int32_t assemble_tangent(context *c)
     double *value = c->k.value;
     const double h = c->h;
     memset(value, 0, sizeof(double) * (size_t)m->n_lu_values);
-    for (int32_t e = 0; e < m->n_mass; e++)
+    for (int32_t e = 0; e < m->n_mass_free; e++)
         EACH(k) value[m->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
     const int32_t *slot = m->row_slot;
-    for (int32_t i = 0; i < m->n_rows; i++) {
-        const int32_t f = m->row_form[i], free = m->form_free[f];
+    for (int32_t i = 0; i < m->n_form_rows; i++) {
+        const int32_t f = m->row_form[i];
         motion g;
         double u[DIM], w[DIM];
         form_motion(c, f, &g);
         row_function(c, i, &g, u, w);
-        row_stiffness(c, f, 0.5 * h * c->k.mu[i], slot, value);
-        slot += DIM * free * free;
-        scatter_gradient(c, f, h, g.um, g.wm, slot, value);
-        slot += DIM * free;
-        scatter_gradient(c, f, 1.0, u, w, slot, value);
-        slot += DIM * free;
-        value[m->lu_ptr[m->row_position[i]]] -= c->k.epsilon[i];
+        slot = row_stiffness(c, f, c->lever * h * c->k.mu[i], slot, value);
+        slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
+        slot = scatter_gradient(c, f, 1.0, u, w, slot, value);
     }
-    return m->n_lines || m->n_moments ? law_tangent(c, value) : HOLONOM_OK;
+    slot = m->coincidence_slot;
+    for (int32_t j = 0; j < m->n_coincidences; j++) {
+        double ignored[DIM];
+        const int32_t row = m->n_form_rows + DIM * j;
+        slot = scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
+    }
+    for (int32_t i = 0; i < m->n_rows; i++) value[m->lu_ptr[m->row_position[i]]] -= c->k.epsilon[i];
+    const int32_t status = n_composites(c) ? composite_tangent(c, value) : HOLONOM_OK;
+    return status || c->forceless ? status : law_tangent(c, value);
 }
 
-/* momentum = (2/h) M x, the inertia term of the residual. */
+/* momentum = (2/h) M x over the moving nodes, the inertia term of the residual. */
 static void inertia(const context *c, const double *x, double *momentum)
 {
     const holonom_model *m = c->m;
-    memset(momentum, 0, sizeof(double) * (size_t)(DIM * m->n_free));
+    memset(momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t e = 0; e < m->n_mass; e++) {
         const double mass = 2.0 / c->h * c->number[m->mass_at + e];
         const double *column = x + DIM * m->mass_node[2 * e + 1];
@@ -105,20 +230,52 @@ static void inertia(const context *c, const double *x, double *momentum)
     }
 }
 
+/* Composites' part of the residual. */
+static int32_t add_composites(context *c)
+{
+    const holonom_model *m = c->m;
+    for (int32_t j = 0; j < n_composites(c); j++) {
+        const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
+        composite_result result;
+        if (row < 0 && c->forceless) continue;
+        const int32_t status = composite_slopes(c, j, 0, &result);
+        if (status) return status;
+        double factor = c->h;
+        if (row >= 0) {
+            c->k.phi[row] = result.row + (is_seeking(c) || j >= first_velocity_row(c) ? 0.0 : c->k.phi0[row]);
+            factor *= c->k.mu[row];
+        }
+        const local_form *local = (const local_form *)c->k.local;
+        for (int32_t at = m->composite_form_ptr[j], f = 0; at < m->composite_form_ptr[j + 1]; at++, f++)
+            add_gradient(c, m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+    }
+    return HOLONOM_OK;
+}
+
 /* Evaluates both residuals at the present (w, d, mu): momentum, phi = C(d), constraint. */
 static int32_t evaluate_residual(context *c)
 {
     const holonom_model *m = c->m;
     inertia(c, c->k.w, c->k.momentum);
-    for (int32_t i = 0; i < m->n_rows; i++) {
+    for (int32_t i = 0; i < m->n_form_rows; i++) {
         motion g;
         double u[DIM], w[DIM];
         form_motion(c, m->row_form[i], &g);
         c->k.phi[i] = row_function(c, i, &g, u, w);
         add_gradient(c, m->row_form[i], c->h * c->k.mu[i], g.um, g.wm, c->k.momentum);
-        c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
     }
-    return subtract_forces(c, c->k.momentum);
+    for (int32_t j = 0; j < m->n_coincidences; j++) {
+        const int32_t row = m->n_form_rows + DIM * j;
+        double force[DIM], none[DIM] = {0.0};
+        coincidence_function(c, j, c->k.phi0 + row, c->k.phi + row);
+        EACH(k) force[k] = c->h * c->k.mu[row + k];
+        add_gradient(c, m->coincidence_form[j], 1.0, none, force, c->k.momentum); /* alpha w with w = force */
+    }
+    const int32_t status = n_composites(c) ? add_composites(c) : HOLONOM_OK;
+    if (status) return status;
+    for (int32_t i = 0; i < m->n_rows; i++)
+        c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
+    return c->forceless ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
 }
 
 /* Right-hand side -(momentum, constraint) in elimination order. */

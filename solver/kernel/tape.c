@@ -5,13 +5,7 @@
 
 #include <math.h>
 
-enum tape_code {
-    T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
-    T_SQRT, T_EXP, T_LOG, T_ABS, T_MIN, T_MAX, T_SIGN, T_LT, T_LE, T_GT, T_GE, T_EQ, T_NE, T_AND, T_OR, T_NOT,
-    T_SELECT
-};
-
-static double operate(int32_t code, double a, double b, double c)
+double hm_operate(int32_t code, double a, double b, double c)
 {
     switch (code) {
     case T_COPY: return a;
@@ -55,5 +49,5 @@ void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment)
     const int32_t *op = model->tape;
     for (int32_t before = 0; before < segment; before++) op += 5 * (int64_t)model->n_tape[before];
     for (int32_t i = 0; i < model->n_tape[segment]; i++, op += 5)
-        numbers[op[1]] = operate(op[0], numbers[op[2]], numbers[op[3]], numbers[op[4]]);
+        numbers[op[1]] = hm_operate(op[0], numbers[op[2]], numbers[op[3]], numbers[op[4]]);
 }

@@ -9,27 +9,36 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 2
+ABI = 3
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
-    "dim", "n_free", "n_support", "n_forms", "n_rows", "n_lines", "n_moments", "n_loads", "n_mass",
-    "n_angles", "n_parameters", "n_inputs", "n_numbers", "n_tape_parameters", "n_tape_laws",
-    "n_tape_outputs", "time_dependent", "variable_potential", "n_lu_values",
+    "dim", "n_free", "n_driven", "n_support", "n_forms", "n_entries", "n_quantities", "n_active",
+    "n_form_rows", "n_coincidences", "n_function_rows", "n_velocity_rows", "n_rows", "n_elements",
+    "n_potentials", "n_loads", "n_moments", "n_body_moments", "n_mass", "n_mass_free", "n_bodies",
+    "n_places", "n_reactions", "n_reaction_entries", "n_signals", "n_parameters", "n_inputs",
+    "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals", "n_tape_outputs",
+    "time_dependent", "variable_potential", "sensing", "n_registers", "n_local_forms",
+    "n_local_nodes", "n_lu_values",
 )  # fmt: skip
 """Integers of a model, each a 32-bit field."""
 
 TABLES = (
-    "form_ptr", "form_free", "form_node", "form_square", "row_form", "line_form", "moment_form",
-    "load_node", "angle_form", "mass_node", "tape", "node_position", "row_position", "lu_ptr",
-    "lu_column", "lu_target", "mass_slot", "row_slot", "line_slot", "moment_slot",
+    "node_kind", "form_ptr", "form_free", "form_moving", "form_node", "form_kind", "quantity_kind",
+    "quantity_form", "row_form", "row_power", "coincidence_form", "composite_form_ptr",
+    "composite_form", "composite_node_ptr", "composite_node", "composite_local", "leaf_ptr", "leaf",
+    "function_ptr", "operation", "load_form", "load_axes", "moment_form", "body_moment",
+    "body_node", "place_form", "reaction_entry", "mass_node", "input_ramp", "tape",
+    "node_position", "row_position", "lu_ptr", "lu_column", "lu_target", "mass_slot", "row_slot",
+    "coincidence_slot", "composite_slot", "load_slot", "moment_slot", "body_moment_slot",
 )  # fmt: skip
 """Integer arrays of a model, each a pointer."""
 
 OFFSETS = (
-    "mass", "alpha", "beta", "row_constant", "row_scale", "row_sigma", "stiffness", "free_length",
-    "damping", "gravity", "support", "initial_position", "initial_velocity", "load", "moment",
-    "parameter", "input", "time", "node_mass", "extent", "measured",
+    "mass", "alpha", "beta", "alpha_turn", "beta_turn", "row_constant", "row_base", "row_scale",
+    "row_sigma", "stiffness", "rest", "damping", "drive", "gravity", "support", "initial_position",
+    "initial_velocity", "load", "moment", "body_moment", "parameter", "input", "time", "signal",
+    "sensor", "sensor_rate", "node_mass", "node_weight", "velocity_weight", "extent", "measured",
 )  # fmt: skip
 """Sections of the vector of numbers, each a 32-bit offset."""
 
@@ -39,7 +48,7 @@ HEAD = (
     "mean_time", "mean_time_before", "parity",
     "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation", "simultaneous",
     "paper_update", "paired", "step_size", "tolerance", "penalty", "xi", "omega", "max_newton",
-    "max_uzawa",
+    "max_uzawa", "assemble", "equilibrium",
 )  # fmt: skip
 """Scalars at the head of a state."""
 
@@ -50,20 +59,33 @@ PLACE = {name: place for place, name in enumerate(HEAD)}
 def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     """Return the offset and length of each vector of a state behind its head.
 
-    ``q, q_low, v, v_low`` (n each): coordinates [m], velocities [m/s], and what rounding left over;
-    ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first,
-    mu_second`` (n_rows each): last multipliers; ``mean, mean_before``: means of two neighbours;
-    ``turns``: full turns of planar links; ``inputs, parameters``.
+    ``q, q_low, v, v_low`` (n each, free and driven nodes): coordinates [m], velocities [m/s], and
+    what rounding left over; ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a
+    pair; ``mu_first, mu_second`` (n_rows each): last multipliers; ``mean, mean_before``: means of two
+    neighbours; ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of
+    angles; ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of
+    continuous sign; ``inputs, inputs_before, parameters``.
     """
-    n = sizes["dim"] * sizes["n_free"]
+    n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
         **dict.fromkeys(("q", "q_low", "v", "v_low", "a_first", "a_second"), n),
         **dict.fromkeys(("mu_first", "mu_second", "mean", "mean_before"), sizes["n_rows"]),
-        "turns": sizes["n_angles"],
+        **dict.fromkeys(
+            ("driven_first", "driven_second", "driven_mean", "driven_mean_before"),
+            sizes["dim"] * n_driven,
+        ),
+        "turns": sizes["n_quantities"],
+        "signal": sizes["n_signals"],
+        "quaternion": 4 * sizes["n_bodies"],
         "inputs": sizes["n_inputs"],
+        "inputs_before": sizes["n_inputs"],
         "parameters": sizes["n_parameters"],
     }
-    sections, start = {}, len(HEAD)
+    return _consecutive(lengths, len(HEAD))
+
+
+def _consecutive(lengths: Mapping[str, int], start: int) -> dict[str, tuple[int, int]]:
+    sections = {}
     for name, length in lengths.items():
         sections[name] = (start, length)
         start += length
@@ -78,26 +100,30 @@ def state_size(sizes: Mapping[str, int]) -> int:
 
 def measured_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     """Return the offset and length of each group of measurements (``holonom_measure``)."""
-    n, momenta = sizes["dim"] * sizes["n_free"], 1 if sizes["dim"] == 2 else 3
+    dim, turning = sizes["dim"], 1 if sizes["dim"] == 2 else 3
+    n = dim * (sizes["n_free"] + sizes["n_driven"])
     lengths = {
         "position": n,
         "velocity": n,
-        "angle": sizes["n_angles"],
-        "angular_velocity": sizes["n_angles"],
-        "line_length": sizes["n_lines"],
-        "line_force": sizes["n_lines"],
-        "rod_force": sizes["n_rows"],
+        "place": dim * sizes["n_places"],
+        "place_velocity": dim * sizes["n_places"],
+        "quantity": sizes["n_quantities"],
+        "quantity_rate": sizes["n_quantities"],
+        "element_force": sizes["n_elements"],
+        "rod_force": sizes["n_form_rows"],
+        "multiplier": sizes["n_rows"],
+        "quaternion": 4 * sizes["n_bodies"],
+        "body_rate": 3 * sizes["n_bodies"],
+        "reaction_force": dim * sizes["n_reactions"],
+        "reaction_torque": turning * sizes["n_reactions"],
+        "driven_force": dim * sizes["n_driven"],
         "energy": 7,
         "residual": 2,
-        "momentum": sizes["dim"],
-        "angular_momentum": momenta,
+        "momentum": dim,
+        "angular_momentum": turning,
         "solver": 4,
     }
-    sections, start = {}, 0
-    for name, length in lengths.items():
-        sections[name] = (start, length)
-        start += length
-    return sections
+    return _consecutive(lengths, 0)
 
 
 def measured_size(sizes: Mapping[str, int]) -> int:

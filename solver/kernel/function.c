@@ -1,0 +1,155 @@
+/* Functions of a mechanism's quantities, and their discrete gradients by the chain rule (numerics 2.5). */
+#include "holonom.h"
+#include "internal.h"
+
+#include <math.h>
+
+/* sin(x)/x and sinh(x)/x, whose 0/0 is removable; below 1e-2 the series is exact to the last digit. */
+static double sinc(double x)
+{
+    const double x2 = x * x;
+    return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : sin(x) / x;
+}
+
+static double sinhc(double x)
+{
+    const double x2 = x * x;
+    return x2 < 1e-4 ? 1.0 + x2 / 6.0 * (1.0 + x2 / 20.0 * (1.0 + x2 / 42.0)) : sinh(x) / x;
+}
+
+/* atan2(x, y)/x for y near a positive number or x far from zero. */
+static double angle_over(double x, double y)
+{
+    const double z2 = x * x / (y * y);
+    return y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y : atan2(x, y) / x;
+}
+
+/* (log x1 - log x0)/(x1 - x0), both positive: 2 atanh(z)/dx with z = dx/(x0 + x1). */
+static double log_slope(double x0, double x1, double dx)
+{
+    const double sum = x0 + x1, z = dx / sum, z2 = z * z;
+    const double ratio = z2 < 1e-4 ? 1.0 + z2 * (1.0 / 3.0 + z2 * (0.2 + z2 / 7.0)) : atanh(z) / z;
+    return 2.0 * ratio / sum;
+}
+
+/* (asin x1 - asin x0)/(x1 - x0): the sine of the difference, x1 c0 - x0 c1, is dx times `ratio`, since
+   c1 - c0 = -dx (x0 + x1)/(c0 + c1).                                                                         */
+static double asin_slope(double x0, double x1, double dx)
+{
+    const double c0 = sqrt((1.0 - x0) * (1.0 + x0)), c1 = sqrt((1.0 - x1) * (1.0 + x1));
+    const double ratio = 0.5 * (c0 + c1) + 0.5 * (x0 + x1) * (x0 + x1) / (c0 + c1);
+    return angle_over(dx * ratio, c0 * c1 + x0 * x1) * ratio;
+}
+
+/* (x1^n - x0^n)/(x1 - x0) for a whole number n: a sum of products, or of 1/x. */
+static double whole_power_slope(double x0, double x1, int n)
+{
+    if (n < 0) return -whole_power_slope(x0, x1, -n) / (pow(x0, -n) * pow(x1, -n));
+    double sum = 0.0, power = 1.0; /* Horner's rule for sum_k x1^k x0^(n-1-k) */
+    for (int k = 0; k < n; k++) {
+        sum = sum * x1 + power;
+        power *= x0;
+    }
+    return sum;
+}
+
+/* Slopes of pow with respect to base and exponent: x^y = exp(y log x). */
+static void power_slopes(double x0, double x1, double dx, double y0, double y1, double dy, double *slope)
+{
+    if (dy == 0.0 && y0 == floor(y0) && fabs(y0) <= 16.0) {
+        slope[0] = whole_power_slope(x0, x1, (int)y0);
+        slope[1] = x0 > 0.0 ? pow(x0, y0) * log(x0) : 0.0;
+        return;
+    }
+    const double l0 = log(x0), l1 = log(x1), per_x = log_slope(x0, x1, dx), dl = per_x * dx;
+    const double middle = 0.5 * (y0 * l0 + y1 * l1), change = 0.5 * ((y0 + y1) * dl + (l0 + l1) * dy);
+    const double outer = exp(middle) * sinhc(0.5 * change);
+    slope[0] = outer * 0.5 * (y0 + y1) * per_x;
+    slope[1] = outer * 0.5 * (l0 + l1);
+}
+
+static double abs_slope(double x0, double x1)
+{
+    const double sum = fabs(x0) + fabs(x1);
+    return sum > 0.0 ? (x0 + x1) / sum : 0.0;
+}
+
+typedef struct argument {
+    double x0, x1, dx, mean;
+} argument;
+
+static argument argument_of(int32_t place, const double *numbers, const hm_registers *r)
+{
+    if (place < 0) return (argument){numbers[-1 - place], numbers[-1 - place], 0.0, numbers[-1 - place]};
+    return (argument){r->r0[place], r->r1[place], r->dr[place], 0.5 * (r->r0[place] + r->r1[place])};
+}
+
+/* Slopes of one operation with respect to its first two arguments. Comparisons, sign and conditions have none: the
+   reader keeps them away from what moves.                                                                   */
+static void operation_slopes(int32_t code, argument a, argument b, double f0, double f1, double *slope)
+{
+    slope[0] = slope[1] = 0.0;
+    switch (code) {
+    case T_COPY: slope[0] = 1.0; break;
+    case T_NEG: slope[0] = -1.0; break;
+    case T_ADD: slope[0] = slope[1] = 1.0; break;
+    case T_SUB: slope[0] = 1.0; slope[1] = -1.0; break;
+    case T_MUL: slope[0] = b.mean; slope[1] = a.mean; break;
+    case T_DIV: slope[0] = b.mean / (b.x0 * b.x1); slope[1] = -a.mean / (b.x0 * b.x1); break;
+    case T_POW: power_slopes(a.x0, a.x1, a.dx, b.x0, b.x1, b.dx, slope); break;
+    case T_SIN: slope[0] = cos(a.mean) * sinc(0.5 * a.dx); break;
+    case T_COS: slope[0] = -sin(a.mean) * sinc(0.5 * a.dx); break;
+    case T_TAN: slope[0] = sinc(a.dx) / (cos(a.x0) * cos(a.x1)); break;
+    case T_ASIN: slope[0] = asin_slope(a.x0, a.x1, a.dx); break;
+    case T_ACOS: slope[0] = -asin_slope(a.x0, a.x1, a.dx); break;
+    case T_ATAN: slope[0] = angle_over(a.dx, 1.0 + a.x0 * a.x1); break;
+    case T_ATAN2: {
+        const double factor = angle_over(b.mean * a.dx - a.mean * b.dx, b.x0 * b.x1 + a.x0 * a.x1);
+        slope[0] = factor * b.mean;
+        slope[1] = -factor * a.mean;
+        break;
+    }
+    case T_SQRT: slope[0] = 1.0 / (f0 + f1); break;
+    case T_EXP: slope[0] = exp(a.mean) * sinhc(0.5 * a.dx); break;
+    case T_LOG: slope[0] = log_slope(a.x0, a.x1, a.dx); break;
+    case T_ABS: slope[0] = abs_slope(a.x0, a.x1); break;
+    case T_MIN: case T_MAX: {
+        const double half = 0.5 * abs_slope(a.x0 - b.x0, a.x1 - b.x1), sign = code == T_MAX ? 1.0 : -1.0;
+        slope[0] = 0.5 + sign * half;
+        slope[1] = 0.5 - sign * half;
+        break;
+    }
+    default: break;
+    }
+}
+
+int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
+                             const hm_registers *r)
+{
+    const int32_t count = n_leaves + n_operations, last = count - 1;
+    for (int32_t i = 0; i < n_operations; i++) {
+        const int32_t *op = operation + 4 * i, at = n_leaves + i;
+        const argument a = argument_of(op[1], numbers, r), b = argument_of(op[2], numbers, r);
+        const argument c = argument_of(op[3], numbers, r);
+        double *slope = r->slope + 2 * at;
+        r->r0[at] = hm_operate(op[0], a.x0, b.x0, c.x0);
+        r->r1[at] = hm_operate(op[0], a.x1, b.x1, c.x1);
+        if (op[0] == T_SELECT) { /* its condition does not move: the branch taken is linear */
+            slope[0] = a.x0 != 0.0 ? 1.0 : 0.0;
+            slope[1] = 1.0 - slope[0];
+            r->dr[at] = a.x0 != 0.0 ? b.dx : c.dx;
+            continue;
+        }
+        operation_slopes(op[0], a, b, r->r0[at], r->r1[at], slope);
+        r->dr[at] = (op[1] >= 0 ? slope[0] * a.dx : 0.0) + (op[2] >= 0 ? slope[1] * b.dx : 0.0);
+    }
+    for (int32_t i = 0; i < count; i++) r->adjoint[i] = 0.0;
+    r->adjoint[last] = 1.0;
+    for (int32_t i = n_operations - 1; i >= 0; i--) {
+        const int32_t *op = operation + 4 * i, at = n_leaves + i;
+        const int32_t first = op[0] == T_SELECT ? op[2] : op[1], second = op[0] == T_SELECT ? op[3] : op[2];
+        if (first >= 0) r->adjoint[first] += r->adjoint[at] * r->slope[2 * at];
+        if (second >= 0) r->adjoint[second] += r->adjoint[at] * r->slope[2 * at + 1];
+    }
+    return last;
+}

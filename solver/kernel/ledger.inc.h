@@ -1,0 +1,137 @@
+/* What a solved step leaves behind: the ledger, the angles' turns, the state. Included once per dimension, after
+   step.inc.h.                                                                                                */
+
+static void book(context *c, int account, double amount)
+{
+    hm_add(c->s.head + account, c->s.head + account + 1, amount); /* high and low part */
+}
+
+/* Work of the elements' drives, what dampers take, and the work of drivers: a row of multiplier mu works
+   -mu (its part by quantities) = -mu dphi + mu (its part by signals).                                           */
+static void book_composites(context *c)
+{
+    const holonom_model *m = c->m;
+    composite_result result;
+    for (int32_t j = 0; j < m->n_elements; j++) {
+        const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
+        if (damping == 0.0 && drive == 0.0) continue;
+        composite_slopes(c, j, 0, &result);
+        book(c, S_DISSIPATED, damping * result.mechanical * result.mechanical / c->h);
+        book(c, S_WORK, drive * result.mechanical);
+    }
+    for (int32_t j = first_function(c); j < first_potential(c); j++) {
+        const double mu = c->k.mu[row_of(c, j)];
+        composite_slopes(c, j, 0, &result);
+        book(c, S_DEFECT, mu * result.change);
+        book(c, S_WORK, mu * (result.change - result.mechanical));
+    }
+}
+
+/* Books the step: Delta T = -dPhi'mu - Delta U + work - dissipation + v'R, term by term. */
+static void book_step(context *c)
+{
+    const holonom_model *m = c->m;
+    double force[DIM], du[DIM], unused[DIM];
+    motion g;
+    for (int32_t i = 0; i < m->n_form_rows; i++) {
+        form_motion(c, m->row_form[i], &g);
+        book(c, S_DEFECT, c->k.mu[i] * g.ds);
+    }
+    for (int32_t j = 0; j < m->n_coincidences; j++) {
+        link_of(c, m->coincidence_form[j], c->k.d, du, unused);
+        book(c, S_DEFECT, dot(c->k.mu + m->n_form_rows + DIM * j, du));
+    }
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) /* of driven nodes it is what moves them */
+        book(c, k < DIM * m->n_free ? S_RESIDUAL : S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
+    for (int32_t j = 0; j < m->n_loads; j++) {
+        load_force(c, j, force);
+        link_of(c, m->load_form[j], c->k.d, du, unused);
+        book(c, S_WORK, dot(force, du));
+    }
+    for (int32_t j = 0; j < m->n_moments; j++) {
+        form_motion(c, m->moment_form[j], &g);
+        moment_law(c, j, &g, force, NULL);
+        book(c, S_WORK, dot(force, g.du));
+    }
+#if DIM == 3
+    for (int32_t j = 0; j < m->n_body_moments; j++) {
+        double moment[3], dual[9], f[9];
+        body_moment_law(c, j, moment, dual, f);
+        for (int k = 0; k < 9; k++) book(c, S_WORK, f[k] * c->k.d[3 * m->body_moment[2 * j] + k]);
+    }
+#endif
+    book_composites(c);
+}
+
+/* Counts full turns of angles: a direction (c, s) that crosses the negative first axis leaves (-pi, pi]. */
+static void follow_angles(context *c)
+{
+    const holonom_model *m = c->m;
+    for (int32_t j = 0; j < m->n_quantities; j++) {
+        const int32_t *form = m->quantity_form + 2 * j;
+        double u[DIM], w[DIM], first[2], second[2];
+        if (m->quantity_kind[j] != QUANTITY_ANGLE) continue;
+        for (int i = 0; i < 2; i++) {
+            first[i] = dot(c->k.u0 + DIM * form[i], c->k.w0 + DIM * form[i]);
+            link_at_state(c, form[i], u, w);
+            second[i] = dot(u, w);
+        }
+        const double sense = first[0] * second[1] - first[1] * second[0];
+        if (first[1] >= 0.0 && second[1] < 0.0 && sense > 0.0) c->s.turns[j] += 1.0;
+        if (first[1] < 0.0 && second[1] >= 0.0 && sense < 0.0) c->s.turns[j] -= 1.0;
+    }
+}
+
+/* Quaternion of spatial body j from its directors, of the sign next to the last one (-q is the same rotation). */
+static void follow_orientation(context *c, int32_t j)
+{
+#if DIM == 3
+    const double *d = c->s.q + 3 * c->m->body_node[j]; /* d[3 i + k]: component k of director i */
+    double *last = c->s.quaternion + 4 * j, p[4];
+    const double trace = d[0] + d[4] + d[8];
+    int largest = 3;
+    if (d[0] >= d[4] && d[0] >= d[8]) largest = 0;
+    else if (d[4] >= d[8]) largest = 1;
+    if (trace >= d[4 * largest]) {
+        p[0] = 1.0 + trace;
+        EACH(k) p[1 + k] = d[3 * ((k + 1) % 3) + (k + 2) % 3] - d[3 * ((k + 2) % 3) + (k + 1) % 3];
+    } else {
+        const int i = largest, k = (i + 1) % 3, l = (i + 2) % 3;
+        p[0] = d[3 * k + l] - d[3 * l + k];
+        p[1 + i] = 1.0 + 2.0 * d[4 * i] - trace;
+        p[1 + k] = d[3 * k + i] + d[3 * i + k];
+        p[1 + l] = d[3 * l + i] + d[3 * i + l];
+    }
+    double size2 = 0.0, along = 0.0;
+    for (int i = 0; i < 4; i++) size2 += p[i] * p[i];
+    for (int i = 0; i < 4; i++) along += p[i] * last[i];
+    if (along == 0.0) along = p[0] != 0.0 ? p[0] : 1.0;
+    for (int i = 0; i < 4; i++) last[i] = p[i] / (along < 0.0 ? -sqrt(size2) : sqrt(size2));
+#else
+    (void)c, (void)j;
+#endif
+}
+
+/* Takes the solved step over into the state. */
+static void accept_step(context *c, int parity)
+{
+    const holonom_model *m = c->m;
+    const int32_t n = DIM * c->n_moving;
+    book_step(c);
+    for (int32_t k = 0; k < n; k++) {
+        hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
+        hm_add(c->s.v + k, c->s.v_low + k, 2.0 / c->h * c->k.w[k]);
+    }
+    if (is_telling(c)) {
+        for (int32_t k = 0; k < n; k++) c->s.a[parity][k] = 2.0 / (c->h * c->h) * c->k.w[k];
+        memcpy(c->s.mu[parity], c->k.mu, sizeof(double) * (size_t)m->n_rows);
+        for (int32_t k = 0; k < DIM * m->n_driven; k++)
+            c->s.driven[parity][k] = c->k.momentum[DIM * m->n_free + k] / c->h;
+    }
+    memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)m->n_signals);
+    follow_angles(c);
+    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(c, j);
+    c->s.head[S_PARITY] = 1 - parity;
+    c->s.head[S_SUBSTEPS] += 1.0;
+    c->t += c->h;
+}

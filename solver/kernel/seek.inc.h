@@ -1,0 +1,164 @@
+/* Seeks an initial configuration: closes a mechanism that is drawn inexactly, or lets it settle. Both are steps from
+   rest whose forces and constraints act at their end, (2/h) M d + h (G_1' mu + dU_1 - Q_1) = 0, Phi(q + d) = 0:
+   without forces the smallest displacement in the mass metric, with forces a descent, since the energy at the end
+   is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium.
+   Included once per dimension, after start.inc.h.                                                              */
+
+/* One such step of length h; its size in the mass norm. Multipliers start from c->s.mu[0]. */
+static int32_t seek_step(context *c, double h, double *size)
+{
+    const holonom_model *m = c->m;
+    const double tolerance = c->s.head[S_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
+    double last = INFINITY;
+    stand_still(c);
+    c->lever = 1.0;
+    c->h = h;
+    for (int32_t i = 0; i < m->n_rows; i++) {
+        c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
+        c->k.epsilon[i] = h * h * c->number[m->row_sigma_at + i] / (2.0 * c->s.head[S_PENALTY]);
+    }
+    int32_t status = evaluate_residual(c);
+    for (int iteration = 0; !status && iteration < 60; iteration++) {
+        double increment2 = 0.0, size2 = 0.0;
+        if ((status = factorise(c))) break;
+        gather_rhs(c);
+        hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
+        for (int32_t a = 0; a < m->n_free; a++) {
+            const double mass = c->number[m->node_mass_at + a];
+            const double *x = c->k.rhs + m->node_position[a];
+            EACH(k) c->k.w[DIM * a + k] = c->k.d[DIM * a + k] += x[k];
+            increment2 += mass * dot(x, x);
+            size2 += mass * dot(c->k.d + DIM * a, c->k.d + DIM * a);
+        }
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.lambda[i] = c->k.mu[i] += c->k.rhs[m->row_position[i]];
+        *size = sqrt(size2);
+        if (!(increment2 < 1e300)) status = HOLONOM_NOT_FINITE;
+        else status = evaluate_residual(c);
+        const double increment = sqrt(increment2), defect = constraint_defect(c);
+        if (!status && defect <= tolerance && (increment <= floor || (increment > 0.5 * last && increment <= 100.0 * floor)))
+            break;
+        last = increment;
+        if (iteration == 59) status = HOLONOM_NEWTON_DIVERGED;
+    }
+    c->lever = 0.5;
+    return status;
+}
+
+static void take_over(context *c)
+{
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
+        hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
+        c->number[c->m->initial_position_at + k] = c->s.q[k];
+    }
+    memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
+}
+
+/* Velocities next to those given, in the mass metric, that the rows allow; given ones weigh so much that they stay. */
+static int32_t make_velocities_consistent(context *c)
+{
+    const holonom_model *m = c->m;
+    const double *weight = c->number + m->velocity_weight_at, *given = c->number + m->initial_velocity_at;
+    for (int round = 0; round < 3; round++) {
+        for (int32_t k = 0; k < DIM * m->n_free; k++)
+            if (weight[k / DIM] > 1.0) c->s.v[k] = given[k];
+        stand_still(c);
+        memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+        signal_rates_at(c, c->t, c->k.signal_rate);
+        row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+        const int32_t status = solve_at_state(c, weight);
+        if (status) return status;
+        for (int32_t a = 0; a < m->n_free; a++)
+            EACH(k) c->s.v[DIM * a + k] += c->k.rhs[m->node_position[a] + k];
+    }
+    return HOLONOM_OK;
+}
+
+/* Closes the mechanism. Where that fails the rows say so: the caller looks at their residuals. */
+static int32_t close_mechanism(context *c)
+{
+    double size;
+    c->forceless = 1;
+    const int32_t status = seek_step(c, 1.0, &size);
+    c->forceless = 0;
+    if (status == HOLONOM_NEWTON_DIVERGED || !status) take_over(c);
+    else return status;
+    return make_velocities_consistent(c);
+}
+
+static int32_t settle(context *c)
+{
+    const holonom_model *m = c->m;
+    double h = c->s.head[S_STEP_SIZE], size = INFINITY;
+    int small = 0;
+    memset(c->s.v, 0, sizeof(double) * (size_t)(DIM * m->n_free));
+    memset(c->s.mu[0], 0, sizeof(double) * (size_t)m->n_rows);
+    for (int step = 0; step < 100 && small < 2; step++) {
+        if (seek_step(c, h, &size)) {
+            h *= 0.25;
+            continue;
+        }
+        take_over(c);
+        /* Once every motion is slower than a step, its size says how far the equilibrium is. */
+        small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * c->s.head[S_STEP_SIZE] ? small + 1 : 0;
+        if (h < 1e6 * c->s.head[S_STEP_SIZE]) h *= 4.0;
+    }
+    return small < 2 ? HOLONOM_NEWTON_DIVERGED : HOLONOM_OK;
+}
+
+/* Configuration, signals and velocities at the beginning, before anything is derived from them. */
+static void take_initial(context *c)
+{
+    const holonom_model *m = c->m;
+    const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving), driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    memcpy(c->s.q, c->number + m->initial_position_at, bytes);
+    memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
+    memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
+    load_inputs(c, c->t);
+    signals_at(c, c->t, c->s.signal);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    memcpy(c->s.q + DIM * m->n_free, c->s.signal, driven);
+    memcpy(c->s.v + DIM * m->n_free, c->k.signal_rate, driven);
+    memcpy(c->number + m->initial_position_at + DIM * m->n_free, c->s.signal, driven);
+}
+
+/* Energies at the start, and the scale they are measured by. */
+static void open_ledger(context *c)
+{
+    const holonom_model *m = c->m;
+    double *head = c->s.head, mass = 0.0;
+    const double *gravity = c->number + m->gravity_at;
+    const double kinetic = kinetic_energy(c, c->k.momentum);
+    for (int32_t a = 0; a < c->n_moving; a++) mass += c->number[m->node_weight_at + a];
+    head[S_KINETIC_START] = kinetic;
+    head[S_STORED_START] = stored_energy(c) + penalty_energy(c);
+    head[S_POTENTIAL_START] = head[S_STORED_START];
+    for (int32_t a = 0; a < c->n_moving; a++)
+        head[S_POTENTIAL_START] -= c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);
+    /* A floor, so that a mechanism at rest has a finite relative error. */
+    const double floor = 1e-3 * (mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at] + fabs(head[S_STORED_START]));
+    head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
+}
+
+int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *state, double *work)
+{
+    context c;
+    open_context(&c, m, number, state, work);
+    double *head = c.s.head;
+    memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
+    memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
+    take_initial(&c);
+    derive_extent(&c);
+    if (m->sensing) sense(&c, 0.0, 0);
+    set_laws(&c, head[S_TIME], 0);
+    if (!all_finite(number, m->measured_at)) return HOLONOM_NOT_FINITE;
+    c.h = 1.0;
+    stand_still(&c);
+    int32_t status = derive_scales(&c);
+    if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
+    if (!status && head[S_EQUILIBRIUM] != 0.0) status = settle(&c);
+    if (!status) status = first_multipliers(&c);
+    if (status) return status;
+    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
+    open_ledger(&c);
+    return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
+}

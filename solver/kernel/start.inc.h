@@ -1,0 +1,210 @@
+/* Start of a run: scales of the rows, first accelerations and multipliers, closing a mechanism, its equilibrium.
+   Included once per dimension, after advance.inc.h.                                                             */
+
+static int all_finite(const double *x, int64_t n)
+{
+    for (int64_t k = 0; k < n; k++)
+        if (!(fabs(x[k]) < INFINITY)) return 0;
+    return 1;
+}
+
+/* Links, quantities, rows and signals at the state, for a step that has not begun: d = w = mu = lambda = 0. */
+static void stand_still(context *c)
+{
+    const holonom_model *m = c->m;
+    const size_t n = (size_t)(DIM * c->n_moving), rows = (size_t)m->n_rows;
+    for (int32_t f = 0; f < m->n_forms; f++) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    for (int32_t j = 0; j < m->n_active; j++) c->k.sigma0[j] = quantity_at_start(c, j);
+    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
+    memset(c->k.hv, 0, sizeof(double) * n);
+    memset(c->k.w, 0, sizeof(double) * n);
+    memset(c->k.d, 0, sizeof(double) * n);
+    memset(c->k.mu, 0, sizeof(double) * rows);
+    memset(c->k.lambda, 0, sizeof(double) * rows);
+    rows_at_start(c);
+}
+
+/* Size of the mechanism, from its points and the radii of gyration of its bodies. */
+static void derive_extent(context *c)
+{
+    const holonom_model *m = c->m;
+    double low[DIM], high[DIM], mass = 0.0, gyration = 0.0, extent2 = 0.0;
+    EACH(k) low[k] = INFINITY;
+    EACH(k) high[k] = -INFINITY;
+    for (int32_t a = 0; a < c->n_moving + m->n_support; a++) {
+        const int moving = a < c->n_moving;
+        const double *x = moving ? c->s.q + DIM * a : c->number + m->support_at + DIM * (a - c->n_moving);
+        if (moving) *(m->node_kind[a] ? &gyration : &mass) += c->number[m->node_mass_at + a];
+        if (m->node_kind[a]) continue;
+        EACH(k) low[k] = fmin(low[k], x[k]);
+        EACH(k) high[k] = fmax(high[k], x[k]);
+    }
+    EACH(k) extent2 += high[k] > low[k] ? pow(high[k] - low[k], 2) : 0.0;
+    if (mass > 0.0) extent2 += gyration / mass;
+    else if (gyration > 0.0) mass = gyration; /* pivoted bodies alone: their inertia, with unit arms */
+    c->number[m->extent_at] = sqrt(extent2);
+    c->number[m->extent_at + 1] = sqrt(mass * extent2);
+}
+
+/* sigma_i = (G M^-1 G')_ii with the nodes' shares of the mass, for the scaling of the penalties; scales. */
+static int32_t derive_scales(context *c)
+{
+    const holonom_model *m = c->m;
+    double *sigma = c->number + m->row_sigma_at, *scale = c->number + m->row_scale_at;
+    const double *node_mass = c->number + m->node_mass_at, extent = c->number[m->extent_at];
+    const int32_t *local = m->composite_local;
+    for (int32_t i = 0; i < m->n_rows; i++) {
+        sigma[i] = 0.0;
+        scale[i] = c->number[m->row_base_at + i];
+        for (int32_t k = 0; k < m->row_power[i]; k++) scale[i] *= extent;
+    }
+    for (int32_t i = 0; i < m->n_form_rows + m->n_coincidences; i++) {
+        const int32_t j = i - m->n_form_rows, f = j < 0 ? m->row_form[i] : m->coincidence_form[j];
+        for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+            const double inverse = 1.0 / node_mass[m->form_node[e]];
+            double g[DIM], square = pow(c->number[m->alpha_at + e], 2);
+            if (m->form_kind[f] & FORM_TURNED) square += pow(c->number[m->alpha_turn_at + e], 2);
+            entry_gradient(c, f, e, c->k.u0 + DIM * f, c->k.w0 + DIM * f, g);
+            if (j < 0) sigma[i] += dot(g, g) * inverse;
+            else EACH(k) sigma[m->n_form_rows + DIM * j + k] += square * inverse;
+        }
+    }
+    for (int32_t j = 0; j < first_potential(c); j++) {
+        const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
+        const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+        composite_result result;
+        const int32_t status = is_row(c, j) ? composite_slopes(c, j, 1, &result) : HOLONOM_OK;
+        if (status) return status;
+        local = local_gradients(c, j, local);
+        for (int32_t k = 0; k < DIM * size && is_row(c, j); k++) {
+            double g = 0.0;
+            for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
+            sigma[row_of(c, j)] += g * g / node_mass[m->composite_node[m->composite_node_ptr[j] + k / DIM]];
+        }
+    }
+    for (int32_t i = 0; i < m->n_rows; i++)
+        if (!(sigma[i] > 0.0)) { /* a gradient that vanishes here need not do so later */
+            const double size2 = pow(c->number[m->extent_at + 1], 2);
+            sigma[i] = scale[i] * scale[i] / (size2 > 0.0 ? size2 : 1.0);
+        }
+    return HOLONOM_OK;
+}
+
+/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix, times node weights if given; G at the present links.
+   f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
+   iterated so that dependent rows do no harm. A step of h = sqrt 2 without forces has this very tangent.        */
+static int32_t solve_at_state(context *c, const double *weight)
+{
+    const holonom_model *m = c->m;
+    const int32_t size = DIM * m->n_free + m->n_rows;
+    const int formulation = c->formulation;
+    c->h = sqrt(2.0);
+    c->forceless = 1;
+    c->formulation = HOLONOM_CONSERVING_AL;
+    memset(c->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * c->number[m->row_sigma_at + i];
+    const int32_t status = assemble_tangent(c);
+    c->formulation = formulation;
+    c->forceless = 0;
+    if (status) return status;
+    for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
+        const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
+        EACH(k) c->k.value[m->mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
+    }
+    if (hm_lu_factor(size, m->lu_ptr, m->lu_target, c->k.value)) return HOLONOM_SINGULAR_TANGENT;
+    for (int repeat = 0; repeat < 4; repeat++) {
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.constraint[i] = c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i];
+        gather_rhs(c);
+        hm_lu_solve(size, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] = c->k.rhs[m->row_position[i]];
+    }
+    return HOLONOM_OK;
+}
+
+/* momentum = -h Q (and M a of driven nodes, in w) at the state, with the dampers' forces from the velocities. */
+static int32_t forces_at_state(context *c)
+{
+    const holonom_model *m = c->m;
+    int32_t status = evaluate_residual(c);
+    for (int32_t j = 0; j < m->n_elements && !status; j++) {
+        const double damping = c->number[m->damping_at + j];
+        const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+        leaf_state leaf;
+        double rate;
+        if (damping == 0.0) continue;
+        set_local_forms(c, j, 0.5);
+        if ((status = set_leaf(c, entry, 0, &leaf))) break;
+        quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &rate);
+        for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
+            const local_form *local = (const local_form *)c->k.local + entry[2 + i];
+            add_gradient(c, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]],
+                         c->h * damping * rate * leaf.p[i], local->um, local->wm, c->k.momentum);
+        }
+    }
+    return status;
+}
+
+/* Second derivatives of the rows at constant velocities, -G a = bias, into phi; accelerations of driven nodes in w. */
+static void row_biases(context *c)
+{
+    const holonom_model *m = c->m;
+    const double tau = 1e-3 * c->s.head[S_STEP_SIZE];
+    double *x = c->k.pair_backup, *ahead = c->k.rhs, vu[DIM], vw[DIM];
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = 0.0;
+    for (int side = 1; side >= -1 && first_potential(c) > first_function(c); side -= 2) {
+        for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + side * tau * c->s.v[k];
+        signals_at(c, c->t + side * tau, c->k.signal1);
+        signal_rates_at(c, c->t + side * tau, c->k.signal_rate);
+        row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, ahead);
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] += side * ahead[i] / (2.0 * tau);
+    }
+    for (int32_t i = 0; i < m->n_form_rows; i++) {
+        link_of(c, m->row_form[i], c->s.v, vu, vw);
+        c->k.phi[i] = 2.0 * dot(vu, vw); /* v'Hv */
+    }
+    for (int32_t k = m->n_form_rows; k < m->n_form_rows + DIM * m->n_coincidences; k++) c->k.phi[k] = 0.0;
+    if (m->n_driven) { /* what the driven nodes' accelerations add */
+        const double delta = 1e-2 * c->s.head[S_STEP_SIZE], zero = 0.0;
+        for (int side = 1; side >= -1; side -= 2) {
+            signal_rates_at(c, c->t + side * delta, c->k.signal_rate);
+            for (int32_t b = 0; b < DIM * m->n_driven; b++)
+                c->k.w[DIM * m->n_free + b] += side * c->k.signal_rate[b] / (2.0 * delta);
+        }
+        for (int32_t b = 0; b < m->n_signals; b++) c->k.signal_rate[b] = zero;
+        row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, ahead);
+        for (int32_t i = 0; i < m->n_form_rows + DIM * m->n_coincidences + m->n_function_rows; i++)
+            c->k.phi[i] += ahead[i];
+    }
+    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
+}
+
+/* First multipliers and accelerations from  M a + G' lambda = Q,  G a = -bias. */
+static int32_t first_multipliers(context *c)
+{
+    const holonom_model *m = c->m;
+    const size_t rows = sizeof(double) * (size_t)m->n_rows, driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    stand_still(c);
+    row_biases(c);
+    memcpy(c->k.lambda, c->k.phi, rows); /* kept while the residual is evaluated */
+    c->h = sqrt(2.0);
+    int32_t status = forces_at_state(c);
+    memcpy(c->k.phi, c->k.lambda, rows);
+    memset(c->k.lambda, 0, rows);
+    if (!status) status = solve_at_state(c, NULL);
+    if (status) return status;
+    for (int32_t a = 0; a < m->n_free; a++)
+        EACH(k) c->k.w[DIM * a + k] = c->k.rhs[m->node_position[a] + k];
+    if (m->n_driven && (status = forces_at_state(c))) return status;
+    memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
+    memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k] / c->h;
+    memcpy(c->s.driven[1], c->s.driven[0], driven);
+    memcpy(c->s.driven_mean, c->s.driven[0], driven);
+    memcpy(c->s.driven_mean_before, c->s.driven[0], driven);
+    memcpy(c->s.mu[0], c->k.mu, rows);
+    memcpy(c->s.mu[1], c->k.mu, rows);
+    memcpy(c->s.mean, c->k.mu, rows);
+    memcpy(c->s.mean_before, c->k.mu, rows);
+    c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
+    return HOLONOM_OK;
+}
