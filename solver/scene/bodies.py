@@ -84,6 +84,8 @@ class Bodies:
         elif {first, second} <= self.references.fixed:
             message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
             self.draft.error((*path, "points"), message)
+        if first in self.references.places:
+            self.references.places[name] = self.references.places[first]
         return Bar(points=(first, second), mass=mass)
 
     def _end_of_a_bar(self, path: tuple[str | int, ...], point: str) -> None:

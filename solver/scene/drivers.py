@@ -8,7 +8,7 @@ from solver.scene import schema_forces as schema
 from solver.scene.expression import Expr, Number
 from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
-from solver.scene.joints import Joints
+from solver.scene.joint_names import JointNames
 from solver.scene.numbers import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW
 from solver.scene.quantities import Level
 from solver.scene.references import References
@@ -25,7 +25,7 @@ from solver.scene.vocabulary import (
 class Drivers:
     """Reader of the tables [drivers] and [constraints]."""
 
-    def __init__(self, geometry: Geometry, references: References, joints: Joints) -> None:
+    def __init__(self, geometry: Geometry, references: References, joints: JointNames) -> None:
         self.geometry = geometry
         self.references = references
         self.joints = joints

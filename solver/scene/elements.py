@@ -9,6 +9,7 @@ from solver.scene.draft import Draft
 from solver.scene.drivers import Drivers
 from solver.scene.fields import BROKEN
 from solver.scene.forces import Forces
+from solver.scene.joint_names import JointNames
 from solver.scene.joints import Joints
 from solver.scene.numbers import Known
 from solver.scene.quantities import Inventory
@@ -20,11 +21,11 @@ def read_elements(bodies_reader: Bodies, inventory: Inventory) -> dict[str, Any]
     """Read all mechanical tables; they are returned under the names of their tables."""
     geometry, references = bodies_reader.geometry, bodies_reader.references
     points, bodies = bodies_reader.read()
-    joints_reader = Joints(geometry, references, inventory)
-    joints = joints_reader.read()
-    drivers_reader = Drivers(geometry, references, joints_reader)
+    names = JointNames(geometry, inventory.joints)
+    joints = Joints(geometry, references, names).read()
+    drivers_reader = Drivers(geometry, references, names)
     constraints = drivers_reader.constraints()
-    forces = Forces(geometry, references, joints_reader).read(points, bodies)
+    forces = Forces(geometry, references, names).read(points, bodies)
     drivers = drivers_reader.read()
     _something_moves(geometry.draft, points)
     _free_points_have_mass(geometry.draft, bodies_reader.parts["points"], geometry.known)

@@ -8,7 +8,7 @@ from solver.scene import schema_forces as schema
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
-from solver.scene.joints import Joints
+from solver.scene.joint_names import JointNames
 from solver.scene.numbers import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
 from solver.scene.references import References
 from solver.scene.report import Path
@@ -36,7 +36,7 @@ STORED = Place(own=("length",))
 class Forces:
     """Reader of the table [forces]."""
 
-    def __init__(self, geometry: Geometry, references: References, joints: Joints) -> None:
+    def __init__(self, geometry: Geometry, references: References, joints: JointNames) -> None:
         self.geometry = geometry
         self.references = references
         self.joints = joints

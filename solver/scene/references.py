@@ -28,7 +28,7 @@ class References:
         self.fixed: set[str] = set()
         """Points that are part of the ground."""
         self.places: dict[str, Vector] = {}
-        """Where points, origins of bodies and points of bodies are drawn."""
+        """Where points, origins of bodies, points of bodies and first ends of bars are drawn."""
 
     def owner(self, name: str) -> str | None:
         """Body that a reference belongs to; None for points and the ground."""
