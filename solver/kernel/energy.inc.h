@@ -40,7 +40,7 @@ static double penalty_energy(const context *c)
 static double potential_change(const context *c)
 {
     const holonom_model *m = c->m;
-    const double *gravity = c->number + m->gravity_at, *start = c->number + m->initial_position_at;
+    const double *gravity = c->number + m->gravity_at, *start = c->s.start;
     double high = 0.0, low = 0.0;
     for (int32_t a = 0; a < c->n_moving; a++) {
         double moved[DIM];

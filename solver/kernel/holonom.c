@@ -20,6 +20,7 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->q_low = take(block, &used, n);
     s->v = take(block, &used, n);
     s->v_low = take(block, &used, n);
+    s->start = take(block, &used, n);
     s->a[0] = take(block, &used, n);
     s->a[1] = take(block, &used, n);
     s->mu[0] = take(block, &used, m->n_rows);

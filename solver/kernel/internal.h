@@ -60,6 +60,7 @@ double hm_operate(int32_t code, double a, double b, double c);
 typedef struct hm_state {
     double *head;
     double *q, *q_low, *v, *v_low; /* n each: coordinates and velocities, with what rounding left over       */
+    double *start;                 /* n: coordinates at the start, which energies are measured from           */
     double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
     double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
     double *mean, *mean_before;    /* n_rows each: means of the last two multipliers, and those before them    */

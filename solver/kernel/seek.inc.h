@@ -46,10 +46,7 @@ static int32_t seek_step(context *c, double h, double *size)
 
 static void take_over(context *c)
 {
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
-        hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
-        c->number[c->m->initial_position_at + k] = c->s.q[k];
-    }
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
     memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
 }
 
@@ -118,7 +115,6 @@ static void take_initial(context *c)
     signal_rates_at(c, c->t, c->k.signal_rate);
     memcpy(c->s.q + DIM * m->n_free, c->s.signal, driven);
     memcpy(c->s.v + DIM * m->n_free, c->k.signal_rate, driven);
-    memcpy(c->number + m->initial_position_at + DIM * m->n_free, c->s.signal, driven);
 }
 
 /* Energies at the start, and the scale they are measured by. */
@@ -128,6 +124,7 @@ static void open_ledger(context *c)
     double *head = c->s.head, mass = 0.0;
     const double *gravity = c->number + m->gravity_at;
     const double kinetic = kinetic_energy(c, c->k.momentum);
+    memcpy(c->s.start, c->s.q, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t a = 0; a < c->n_moving; a++) mass += c->number[m->node_weight_at + a];
     head[S_KINETIC_START] = kinetic;
     head[S_STORED_START] = stored_energy(c) + penalty_energy(c);

@@ -13,9 +13,11 @@ CHOICES = {
         "conserving-penalty",
         "midpoint-penalty",
         "penalty-velocity",
+        "conserving-al-beta",
     ),
     "algorithm": ("nested", "simultaneous"),
     "multiplier_update": ("end", "paper"),
+    "start": ("drawn", "equilibrium"),
 }
 """Settings that choose one of several words; the first is the default."""
 
@@ -23,8 +25,12 @@ STORED_AS = {
     "formulation": "formulation",
     "algorithm": "simultaneous",
     "multiplier_update": "paper_update",
+    "start": "equilibrium",
 }
 """Scalar of the state's head that holds the index of the chosen word."""
+
+SWITCHES = ("paired", "assemble")
+"""Settings that are true or false."""
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
     "step_size": (0.0, 1e6, "s", "longest internal step"),
@@ -43,6 +49,8 @@ MEANINGS = {
     "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),
     "algorithm": "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
     "multiplier_update": "with the constraint at the end of the step (end) or its mean (paper)",
+    "start": "begin as drawn, or at rest in the static equilibrium next to it",
+    "assemble": "close a mechanism that is drawn inexactly, and make its velocities consistent",
     "paired": "advance by pairs of half steps, which makes velocities smooth",
     **{name: text for name, (_, _, _, text) in RANGES.items()},
 }
@@ -62,6 +70,8 @@ DEFAULTS: dict[str, str | bool | float] = {
     "omega": 10.0,
     "max_newton": 20.0,
     "max_uzawa": 20.0,
+    "assemble": False,
+    "start": "drawn",
 }
 
 
@@ -78,9 +88,9 @@ def encode(name: str, value: object) -> tuple[str, float]:
             message = f"solver.{name}: must be one of {', '.join(CHOICES[name])}, got {value!r}"
             raise OptionError(message)
         return STORED_AS[name], float(CHOICES[name].index(value))  # type: ignore[arg-type]
-    if name == "paired":
+    if name in SWITCHES:
         if value not in (True, False):
-            message = f"solver.paired: must be true or false, got {value!r}"
+            message = f"solver.{name}: must be true or false, got {value!r}"
             raise OptionError(message)
         return name, float(bool(value))
     if name not in RANGES:
@@ -104,4 +114,4 @@ def decode(name: str, head: Mapping[str, float]) -> str | bool | float:
     """Return a setting from the scalars of a state's head."""
     if name in CHOICES:
         return CHOICES[name][int(head[STORED_AS[name]])]
-    return bool(head[name]) if name == "paired" else head[name]
+    return bool(head[name]) if name in SWITCHES else head[name]
