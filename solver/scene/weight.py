@@ -96,7 +96,7 @@ def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
     if kind is None:
         help = f"write type = one of {', '.join(known)}"
         geometry.draft.error(path, "'type' is missing", help)
-    elif kind in SHAPES[2] or kind in SHAPES[3]:
+    elif isinstance(kind, str) and kind in SHAPES[2] | SHAPES[3]:
         message = f"'{kind}' is possible only in dimension {2 if kind in SHAPES[2] else 3}"
         geometry.draft.error((*path, "type"), message, f"{words}: {', '.join(known)}")
     else:
