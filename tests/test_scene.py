@@ -82,7 +82,9 @@ def test_springs_dampers_and_forces_arrive_as_written():
     ends = (PointReference(point=None, at=(0.0, 0.0, 0.0)), PointReference(point="A"))
     assert forces["spring"] == Spring(points=ends, stiffness=parse("stiffness"), free_length=0.9)
     assert forces["damper"] == Damper(points=ends, damping=parse("damping"))
-    assert forces["pusher"] == Force(point="A", value=(parse("push"), 0.0, 0.0))
+    assert forces["pusher"] == Force(
+        point=PointReference(point="A"), value=(parse("push"), 0.0, 0.0)
+    )
 
 
 def test_a_parameter_calculated_from_a_tunable_one_is_tunable():

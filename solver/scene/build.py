@@ -29,6 +29,8 @@ from solver.scene.settings import read_settings
 from solver.scene.values import read_inputs, read_parameters
 from solver.scene.vocabulary import Output, Scene
 
+_LATER = {"contacts": "contacts are not available in this version"}
+
 
 def build(draft: Draft) -> Scene:
     """Check a draft and turn it into a scene; the draft collects the mistakes."""
@@ -67,7 +69,8 @@ def _heading(draft: Draft) -> Any:
     """Read what the file says about the scene as a whole, and report unknown tables."""
     for name in draft.data:
         if name not in File.model_fields:
-            help = did_you_mean(name, File.model_fields, "known tables and fields")
+            help = _LATER.get(name)
+            help = help or did_you_mean(name, File.model_fields, "known tables and fields")
             draft.error((name,), "unknown table or field", help)
     fields = {name: value for name, value in draft.data.items() if name in Heading.model_fields}
     heading = draft.part((), Heading, fields)

@@ -13,7 +13,7 @@ from pydantic_core import ErrorDetails
 
 from solver.scene.fields import BROKEN, shown
 from solver.scene.report import Path, Problem, Source, did_you_mean
-from solver.scene.schema import ONLY_IN_SPACE, PARTS, TYPES
+from solver.scene.schema import ONLY_IN_SPACE, OTHER_WORDS, PARTS, TYPES
 from solver.scene.schema_part import Part
 
 _EXPECTED = {
@@ -85,10 +85,11 @@ class Draft:
             return known[wanted]
         known = [word for word in known if not (planar and word in ONLY_IN_SPACE)]
         if wanted is None:
-            help = f"write type = one of {', '.join(known)}"
+            help = f"write type = ...; known types of {table}: {', '.join(known)}"
             self.error(path, "'type' is missing", help)
         else:
-            help = did_you_mean(str(wanted), known, f"known types of {table}")
+            other = OTHER_WORDS.get(str(wanted)) if table == "joints" else None
+            help = did_you_mean(other or str(wanted), known, f"known types of {table}")
             self.error((*path, "type"), f"unknown type {shown(wanted)}", help)
         return None
 

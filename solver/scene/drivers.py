@@ -85,7 +85,7 @@ class Drivers:
     def _constraint(self, name: str, part: Any) -> Constraint:
         path = ("constraints", name)
         if (part.value is None) == (part.velocity is None):
-            message = "'value' or 'velocity' is missing"
+            message = "neither 'value' nor 'velocity' is given"
             if part.value is not None:
                 message = "either 'value' or 'velocity' is possible, not both"
             help = "write value = ... for positions, or velocity = ... for velocities"

@@ -68,11 +68,11 @@ class Forces:
         if part.energy not in (None, BROKEN) and "length" not in _mentioned(part.energy):
             message = "mentions no 'length', the length of the spring in m"
             self.draft.error(energy, message, 'such as "50*(length - 1)**2"')
-        free = optional((*path, "free_length"), part.free_length, FORCE, NOT_NEGATIVE, "m")
+        free = (*path, "free_length")
         return Spring(
             points=self.references.ends(path, part),
             stiffness=optional((*path, "stiffness"), part.stiffness, FORCE, NOT_NEGATIVE, "N/m"),
-            free_length=free,
+            free_length=optional(free, part.free_length, FORCE, NOT_NEGATIVE, "m"),
             energy=optional(energy, part.energy, STORED),
         )
 
@@ -82,11 +82,13 @@ class Forces:
         return Damper(points=self.references.ends(path, part), damping=damping)
 
     def _torsion_spring(self, path: Path, part: schema.TorsionSpring) -> TorsionSpring:
-        where = (*path, "stiffness")
+        where, number = (*path, "stiffness"), self.numbers.number
+        joint = self._joint(path, part)
+        stiffness = number(where, part.stiffness, FORCE, NOT_NEGATIVE, "N.m/rad")
         free = self.numbers.optional((*path, "free_angle"), part.free_angle, FORCE)
         return TorsionSpring(
-            joint=self._joint(path, part),
-            stiffness=self.numbers.number(where, part.stiffness, FORCE, NOT_NEGATIVE, "N.m/rad"),
+            joint=joint,
+            stiffness=stiffness,
             free_angle=0.0 if free is None else free,
         )
 
@@ -110,7 +112,7 @@ class Forces:
         axes = "global" if part.axes is BROKEN else part.axes
         if axes == "body" and point.point and self.references.owner(point.point) is None:
             message = f"'{point.point}' is a point, which has no axes of a body"
-            self.draft.error((*path, "axes"), message, "name a point of a rigid body, or leave out")
+            self.draft.error((*path, "axes"), message, "name a point of a rigid body")
         value = self.geometry.vector((*path, "value"), part.value, LOAD)
         return Force(point=point, value=value, axes=axes)
 

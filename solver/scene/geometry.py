@@ -52,8 +52,8 @@ class Geometry:
     def axis(self, path: Path, readings: Any) -> Vector:
         """Read a direction of any length but zero."""
         axis = self.vector(path, readings)
-        if readings is not BROKEN and self.values(axis) == [0.0] * len(axis):
-            self.draft.error(path, "a direction of length zero", "give it any other length")
+        if readings is not BROKEN and self.values(axis) == list(self.zero()):
+            self.draft.error(path, "a direction of length zero", "any other length will do")
         return axis
 
     def values(self, vector: Vector) -> list[float] | None:

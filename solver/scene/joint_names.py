@@ -55,5 +55,5 @@ class JointNames:
             return f"'{name}' joins points, and has no angle", help
         planar = self.geometry.dimension == 2
         possible = [word for word in kinds if not (planar and word in ONLY_IN_SPACE)]
-        help = f"joints with {a(what)} are {' and '.join(possible)}"
+        help = f"types of joints with {a(what)}: {', '.join(possible)}"
         return f"'{name}' is a {kind.replace('_', ' ')} joint, which has no {what}", help

@@ -162,15 +162,17 @@ class Numbers:
         if name in place.own:
             if kind is None:
                 return None
-            return f"'{name}' has a meaning of its own here and is also that of a {kind}", (
-                f"rename the {kind}"
-            )
+            message = f"'{name}' has a meaning of its own here, and is the name of {a(kind)}"
+            return message, f"rename the {kind}"
         if kind == "parameter":
             return self._parameter(name, place)
         if name == "t" or kind == "input":
             what = "the time 't'" if name == "t" else f"the input '{name}'"
-            words = "is possible only in forces, constraints, drivers and outputs"
-            return None if place.time else (f"{what} {words}", None)
+            if place.time:
+                return None
+            if place.levels or place.own:
+                return f"{what} is not possible here", None
+            return f"{what} is possible only in forces, constraints, drivers and outputs", None
         if name in self.known.quantities:
             return self._quantity(name, place)
         return self._unknown(name, kind, place)
@@ -217,12 +219,17 @@ class Numbers:
 
     def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:
         """Judge a name that begins like that of a part: list what the part has."""
-        own = [word for word in possible if word.startswith(f"{owner}.")]
-        known = f"known: {', '.join(sorted(own))}"
-        if name == owner or name in self.known.ends:
-            own = [word for word in own if word.startswith(f"{name}.")]
-            return f"'{name}' has no value of its own", f"known: {', '.join(sorted(own))}"
-        return f"unknown quantity '{name}'", known
+        within = [word for word in possible if word.startswith(f"{name}.")]
+        message = f"'{name}' has no value of its own" if within else f"unknown quantity '{name}'"
+        above = name.rpartition(".")[0]
+        whole = name if within else above if above in self.known.ends else owner
+        points = [f"{end}." for end in self.known.ends if end.startswith(f"{whole}.")]
+        own = [
+            word
+            for word in possible
+            if word.startswith(f"{whole}.") and not word.startswith(tuple(points))
+        ]
+        return message, f"known: {', '.join(sorted(own))}"
 
 
 _ELSEWHERE = "is possible only in outputs, in constraints and in the values of forces and torques"

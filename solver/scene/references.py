@@ -53,7 +53,8 @@ class References:
             return NOWHERE
         if not self.exists(where, name):
             return NOWHERE
-        return PointReference(point=name, at=self._place((*path, "at"), name, at))
+        place = self._place((*path, "at"), name, at, "leave it out")
+        return PointReference(point=name, at=place)
 
     def ends(self, path: Path, part: Any) -> tuple[PointReference, PointReference]:
         """Read the two ends of a joint, force or driver."""
@@ -95,7 +96,8 @@ class References:
         if len(needs) == 1:
             return (place, None) if points[0] == needs[0] else (None, place)
         if needs:
-            self.draft.error(where, "must have one place for each end, got one vector")
+            message = "must have one place for each end, got one vector"
+            self.draft.error(where, message, "write at = [[...], [...]]")
         elif all(name in self.known.ends for name in points):
             message = "'at' is the place of 'ground' or on a body, which is no end here"
             self.draft.error(where, message)
@@ -105,13 +107,14 @@ class References:
         if len(part.at) != 2:
             self.draft.error(where, f"must have one place for each end, got {len(part.at)}")
             return None, None
+        help = "give the place of 'ground' or of a body alone"
         first, second = (
-            self._place((*where, i), name, self.geometry.vector((*where, i), at))
+            self._place((*where, i), name, self.geometry.vector((*where, i), at), help)
             for i, (name, at) in enumerate(zip(part.points, part.at, strict=True))
         )
         return first, second
 
-    def _place(self, path: Path, name: str, at: Vector | None) -> Vector | None:
+    def _place(self, path: Path, name: str, at: Vector | None, help: str) -> Vector | None:
         """Keep the place of 'ground' or on a body; a point's must be where the point is drawn."""
         if at is None or name == "ground" or self.known.parts.get(name) == "body":
             return at
@@ -120,7 +123,7 @@ class References:
         if drawn and given and len(drawn) == len(given) and not _same(drawn, given):
             what = "point" if self.owner(name) is None else "the point"
             message = f"{what} '{name}' is drawn at {shown(drawn)}"
-            self.draft.error(path, message, "give the place of 'ground' or of a body alone")
+            self.draft.error(path, message, help)
         return None
 
     def pair(self, path: Path, names: Any) -> tuple[str | None, str | None]:
@@ -148,7 +151,8 @@ class References:
         if name == "ground":
             message, help = "the ground does not move: name a body", None
         elif kind == "bar":
-            message, help = f"the bar '{name}' has no axes in space", "join its points"
+            message = f"the bar '{name}' has no axes in space"
+            help = 'join one of its points: type = "spherical" with points = [...]'
         elif name in self.known.ends and "." in name:
             body = name.partition(".")[0]
             message, help = f"'{name}' is a point of a body, not a body", f"write '{body}'"

@@ -35,11 +35,11 @@ def read_weight(geometry: Geometry, path: Path, part: Any) -> tuple[Number, Iner
         if part.shape is BROKEN:
             return _known(mass), inertia
         return _from_shape(geometry, path, part, mass)
-    help = "write mass and inertia, or a shape with a density"
-    if part.mass is None:
-        geometry.draft.error(path, "'mass' is missing", help)
-    if part.inertia is None:
-        geometry.draft.error(path, "'inertia' is missing", help)
+    missing = [f"'{name}'" for name in ("mass", "inertia") if getattr(part, name) is None]
+    if missing:
+        message = f"{' and '.join(missing)} {'are' if len(missing) == 2 else 'is'} missing"
+        help = "write mass and inertia, or a shape with a density"
+        geometry.draft.error(path, message, help)
     return _known(mass), inertia
 
 
@@ -94,7 +94,7 @@ def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
         return geometry.draft.part(path, known[kind], data)
     words = f"shapes in dimension {geometry.dimension or 3}"
     if kind is None:
-        help = f"write type = one of {', '.join(known)}"
+        help = f"write type = ...; {words}: {', '.join(known)}"
         geometry.draft.error(path, "'type' is missing", help)
     elif isinstance(kind, str) and kind in SHAPES[2] | SHAPES[3]:
         message = f"'{kind}' is possible only in dimension {2 if kind in SHAPES[2] else 3}"
@@ -148,8 +148,8 @@ def _matrix(geometry: Geometry, path: Path, given: Any) -> Inertia:
                 message = f"must be symmetric: J{names} = {matrix[i][j]:.15g}, but J{names[::-1]} ="
                 geometry.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
                 return NOTHING
-        words = ["the first", "the second", "the third"]
-        _possible(geometry, path, principal_moments(matrix), [f"{w} principal one" for w in words])
+        names = ["J1", "J2", "J3"]
+        _possible(geometry, path, principal_moments(matrix), names)
     (a, d, e), (_, b, f), (_, _, c) = rows
     return (a, d, e), (d, b, f), (e, f, c)
 
@@ -157,13 +157,14 @@ def _matrix(geometry: Geometry, path: Path, given: Any) -> Inertia:
 def _possible(geometry: Geometry, path: Path, moments: list[float], names: list[str]) -> None:
     """Report moments, the largest last, that no body can have."""
     small, middle, large = moments
+    principal = "" if "Jx" in names else " (principal moments)"
     if small < -ROUND_OFF * large or large < 0.0:
-        message = f"inertia that no body can have: {names[0]} = {small:.15g} kg.m2 < 0"
+        message = f"inertia that no body can have: {names[0]} = {small:.12g} < 0 kg.m2{principal}"
         geometry.draft.error(path, message)
     elif large > (small + middle) * (1.0 + ROUND_OFF):
         message = (
-            f"inertia that no body can have: {names[2]} = {large:.15g} > "
-            f"{names[0]} + {names[1]} = {small + middle:.15g} kg.m2"
+            f"inertia that no body can have: {names[2]} = {large:.12g} > "
+            f"{names[0]} + {names[1]} = {small + middle:.12g} kg.m2{principal}"
         )
         geometry.draft.error(path, message, "give it about the centre of mass, in kg.m2")
 
