@@ -92,10 +92,10 @@ def main() -> None:
     """Print the scene that the command line asks for."""
     parser = argparse.ArgumentParser(description="Print a scene of any size.")
     parser.add_argument("scene", choices=GENERATORS)
-    parser.add_argument("n", type=int, help="number of loops or links, from 1")
+    parser.add_argument("n", type=int, help="number of loops or links, from 2")
     asked = parser.parse_args()
-    if asked.n < 1:
-        parser.error(f"n must be at least 1, got {asked.n}")
+    if asked.n < 2:
+        parser.error(f"n must be at least 2, got {asked.n}")
     print(GENERATORS[asked.scene](asked.n), end="")  # noqa: T201
 
 
