@@ -12,22 +12,19 @@ from numpy.typing import NDArray
 from ..errors import Status
 from ..layout import HEAD, PLACE, state_size
 from ..model import Model
-from .energy import (
-    Measurement,
-    book_step,
-    crossings,
-    follow_energy_reference,
-    kinetic_energy,
-    penalty_energy,
-    spring_energy,
-)
-from .equations import Equations
-from .forces import UnsolvedError
+from .bodies import directors, quaternion
+from .clock import Clock
+from .course import ANGLE, Present, crossings
+from .energy import book_step, follow_energy_reference, start_ledger
+from .equations import Equations, rows_at
 from .mechanism import Mechanism
-from .start import derive_scales, first_multipliers
+from .measurement import Measurement
+from .projection import assemble_positions, assemble_velocities, find_equilibrium
+from .start import derive_scales, first_multipliers, row_rates
 from .state import Motion, add
 from .step import Step
 from .tape import run_tape
+from .unsolved import UnsolvedError
 
 Array = NDArray[np.float64]
 
@@ -54,7 +51,7 @@ class Reference:
         self.work = (ctypes.c_double * 1)()
         self._numbers = np.asarray(memoryview(self.numbers).cast("B").cast("d"))
         self._motion = Motion(model, self.state)
-        self._lawful = bool(model.sizes["n_tape_laws"])
+        self._clock = Clock(model, self._numbers, self._motion)
 
     def _mechanism(self) -> Mechanism:
         return Mechanism(self.model, self._numbers)
@@ -66,35 +63,17 @@ class Reference:
         """Run one segment of the tape on the numbers."""
         run_tape(self.model, self._numbers, segment)
 
-    def _load_inputs(self) -> None:
-        """Copy inputs and parameters of the state to where the tape reads them."""
-        for name in ("input", "parameter"):
-            start, values = self.model.offsets[name], self._motion.vectors[f"{name}s"]
-            self._numbers[start : start + len(values)] = values
-
-    def _set_laws(self, mechanism: Mechanism, t: float, *, booked: bool) -> None:
-        """Run the tape of the laws at time t; a jump of the springs' energy is booked as work."""
-        if not self._lawful:
-            return
-        before = spring_energy(mechanism, self._motion)
-        self._numbers[self.model.offsets["time"]] = t
-        run_tape(self.model, self._numbers, 1)
-        if booked and self.model.sizes["variable_potential"]:
-            self._motion.book("work", spring_energy(mechanism, self._motion) - before)
-
     @_quiet
     def set_inputs(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
         """Change inputs and tunable parameters; a jump of stored energy is booked as work."""
         mechanism, t = self._mechanism(), self._motion.head["time"]
-        self._load_inputs()
-        self._set_laws(mechanism, t, booked=False)
+        self._clock.set_laws(mechanism, t)
         given = {"inputs": inputs, "parameters": parameters}
         vectors = self._motion.vectors
         changed = any(not np.array_equal(vectors[name], given[name]) for name in given)
         for name, values in given.items():
             vectors[name][:] = values
-        self._load_inputs()
-        self._set_laws(mechanism, t, booked=True)
+        self._clock.set_laws(mechanism, t, booked=True)
         if changed:  # no line is drawn through means of multipliers from before and after a jump
             self._motion.head["mean_time"] = math.inf
 
@@ -113,32 +92,45 @@ class Reference:
         mechanism, motion, head = self._mechanism(), self._motion, self._motion.head
         for name in HEAD[PLACE["kinetic_start"] : PLACE["formulation"]]:
             head[name] = 0.0
-        for vector in (motion.q_low, motion.v_low, motion.turns):
-            vector[:] = 0.0
-        motion.q[:] = mechanism.section["initial_position"]
-        motion.v[:] = mechanism.section["initial_velocity"]
-        self._load_inputs()
-        self._set_laws(mechanism, head["time"], booked=False)
+        signal_rates = self._take_initial(mechanism)
+        self._clock.set_laws(mechanism, head["time"])
         derive_scales(mechanism, motion)
         if not np.all(np.isfinite(self._numbers[: self.model.offsets["measured"]])):
             raise UnsolvedError(Status.NOT_FINITE)
-        lam, a = first_multipliers(mechanism, motion)
+        if head["assemble"]:
+            assemble_positions(mechanism, motion)
+            assemble_velocities(mechanism, motion, signal_rates)
+        if head["equilibrium"]:
+            find_equilibrium(mechanism, motion)
+        lam, a, driven_force = first_multipliers(mechanism, motion, self._clock)
         for half in (0, 1):
             motion.mu[half][:], motion.a[half][:] = lam, a
-        motion.vectors["mean"][:] = motion.vectors["mean_before"][:] = lam
+            motion.driven_force[half][:] = driven_force
+        for name, values in (("mean", lam), ("driven_mean", driven_force)):
+            motion.vectors[name][:] = motion.vectors[f"{name}_before"][:] = values
         head["mean_time"] = head["mean_time_before"] = head["time"]
-        kinetic = kinetic_energy(mechanism, motion)
-        weight = mechanism.m_node * np.tile(mechanism.gravity, mechanism.n_free)
-        head["kinetic_start"] = kinetic
-        head["stored_start"] = spring_energy(mechanism, motion) + penalty_energy(mechanism, motion)
-        head["potential_start"] = head["stored_start"] - float(weight @ motion.q)
-        # A floor, so that a mechanism at rest has a finite relative error.
-        mass = float(np.sum(mechanism.section["node_mass"]))
-        weight_times_size = mass * math.hypot(*mechanism.gravity) * mechanism.section["extent"][0]
-        floor = 1e-3 * (weight_times_size + head["stored_start"])
-        head["energy_reference"] = max(kinetic, floor)
+        motion.quaternion[:] = [1.0, 0.0, 0.0, 0.0]
+        self._follow_bodies()
+        start_ledger(mechanism, motion)
         if not np.all(np.isfinite(motion.block)):
             raise UnsolvedError(Status.NOT_FINITE)
+
+    def _take_initial(self, mechanism: Mechanism) -> Array:
+        """Take positions, velocities and signals into the state; return the signals' rates."""
+        motion, t = self._motion, self._motion.head["time"]
+        for name, vector in motion.vectors.items():
+            if name not in ("inputs", "inputs_before", "parameters"):
+                vector[:] = 0.0
+        motion.q[:] = mechanism.section["initial_position"]
+        motion.v[:] = mechanism.section["initial_velocity"]
+        motion.vectors["inputs_before"][:] = motion.vectors["inputs"]
+        self._clock.rest()
+        motion.signal[:] = self._clock.signals(t)
+        rates = self._clock.signal_rates(t)
+        driven = slice(mechanism.n_free, None)
+        motion.q[driven] = motion.signal[: len(motion.q[driven])]
+        motion.v[driven] = rates[: len(motion.v[driven])]
+        return rates
 
     # ------------------------------------------------------------------------------- motion
 
@@ -151,27 +143,33 @@ class Reference:
         count = np.ceil(step / head["step_size"] * (1.0 - 1e-10))  # robust against the last digit
         if not count < 1e9:
             return Status.BAD_STEP
-        backup = motion.block.copy()
+        backup, start = motion.block.copy(), head["time"]
         for name in ("newton_iterations", "uzawa_iterations", "substeps"):
             head[name] = 0.0
-        n, start = max(1, int(count)), head["time"]
-        h = step / n
-        self._load_inputs()
-        self._set_laws(mechanism, start, booked=False)
+        self._clock.begin(start, step)
         try:
-            for i in range(n):
-                self._interval(mechanism, start + h * i, h, 0)
-            if self.model.sizes["time_dependent"]:
-                self._set_laws(mechanism, start + step, booked=True)
-            if not math.isfinite(head["work"]):
-                raise UnsolvedError(Status.BAD_LAW)
+            self._cover(mechanism, start, step, max(1, int(count)))
         except UnsolvedError as failure:
             motion.block[:] = backup
             head["status"] = float(failure.status)
             return failure.status
+        finally:
+            self._clock.rest()
+        motion.vectors["inputs_before"][:] = motion.vectors["inputs"]
         head["time"], head["status"] = start + step, 0.0
         follow_energy_reference(mechanism, motion)
         return Status.OK
+
+    def _cover(self, mechanism: Mechanism, start: float, step: float, n: int) -> None:
+        """Cover a communication step by n internal ones."""
+        h = step / n
+        self._clock.set_laws(mechanism, start)
+        for i in range(n):
+            self._interval(mechanism, start + h * i, h, 0)
+        if self.model.sizes["time_dependent"]:
+            self._clock.set_laws(mechanism, start + step, booked=True)
+        if not math.isfinite(self._motion.head["work"]):
+            raise UnsolvedError(Status.BAD_LAW)
 
     def _interval(self, mechanism: Mechanism, t: float, h: float, halvings: int) -> None:
         """Cover [t, t + h] by one internal step, or by two of half the length if it fails."""
@@ -200,49 +198,63 @@ class Reference:
             self._average_multipliers(t, h)
 
     def _average_multipliers(self, time: float, h: float) -> None:
-        """Keep the mean of the last two multipliers, which belongs to the time between them."""
-        vectors, head = self._motion.vectors, self._motion.head
-        if not self._motion.is_telling(h):
+        """Keep the means of the last two multipliers and forces, of the time between them."""
+        vectors, head, motion = self._motion.vectors, self._motion.head, self._motion
+        if not motion.is_telling(h):
             return
-        vectors["mean_before"][:] = vectors["mean"]
-        vectors["mean"][:] = 0.5 * (self._motion.mu[0] + self._motion.mu[1])
+        for name, (first, second) in (("mean", motion.mu), ("driven_mean", motion.driven_force)):
+            vectors[f"{name}_before"][:] = vectors[name]
+            vectors[name][:] = 0.5 * (first + second)
         head["mean_time_before"], head["mean_time"] = head["mean_time"], time
 
     def _single_step(self, mechanism: Mechanism, t: float, h: float, half: int) -> None:
-        """Solve one step with the laws at its midpoint and take it over into the state."""
+        """Solve one step, laws at its middle and signals at its end, and take it over."""
         motion, head = self._motion, self._motion.head
-        if self.model.sizes["time_dependent"]:
-            self._set_laws(mechanism, t + 0.5 * h, booked=True)
-        step = Step(mechanism, motion, h, half)
+        if self._clock.follows:
+            self._clock.set_laws_of_step(mechanism, t, h, half)
+        step = Step(mechanism, motion, h, half, self._clock.signals(t + h))
         step.solve()
-        book_step(step)
-        u_n = [form.links(motion.q, motion.q_low)[0] for form in mechanism.angle_links]
+        balance = book_step(step)
+        s_n, w = Present(mechanism, motion).s, step.equations.w_moving(step.w)
         add(motion.q, motion.q_low, step.d)
-        add(motion.v, motion.v_low, 2.0 / h * step.w)
-        u_n1 = [form.links(motion.q, motion.q_low)[0] for form in mechanism.angle_links]
-        motion.turns[:] += [crossings(*links) for links in zip(u_n, u_n1, strict=True)]
+        add(motion.v, motion.v_low, 2.0 / h * w)
+        motion.signal[:] = step.equations.signal_n1
+        s_n1 = Present(mechanism, motion).s
+        for index, (kind, forms) in enumerate(mechanism.quantities):
+            if kind == ANGLE:
+                motion.turns[index] += crossings(*s_n[forms], *s_n1[forms])
+        self._follow_bodies()
         if motion.is_telling(h):
-            motion.a[half][:], motion.mu[half][:] = 2.0 / h**2 * step.w, step.mu
+            motion.a[half][:], motion.mu[half][:] = 2.0 / h**2 * w, step.mu
+            motion.driven_force[half][:] = balance[mechanism.n_free :] / h
         head["parity"] = 1.0 - half
         motion.count("substeps")
+
+    def _follow_bodies(self) -> None:
+        """Let the quaternions follow the directors."""
+        motion = self._motion
+        for near, node in zip(motion.quaternion, self.model.tables["body_node"], strict=True):
+            near[:] = quaternion(directors(motion.q, node).T, near)
 
     # ------------------------------------------------------------------------------- looks
 
     @_quiet
     def measure(self) -> None:
         """Fill the measurements in the numbers from the state and run their tape."""
-        mechanism, t = self._mechanism(), self._motion.head["time"]
-        self._load_inputs()
-        self._set_laws(mechanism, t, booked=False)
-        self._numbers[self.model.offsets["time"]] = t
-        Measurement(mechanism, self._motion).write(self.model, mechanism.section["measured"])
-        run_tape(self.model, self._numbers, 2)
+        mechanism, motion, t = self._mechanism(), self._motion, self._motion.head["time"]
+        self._clock.set_laws(mechanism, t)
+        mechanism.section["signal"][:] = motion.signal
+        measurement = Measurement(mechanism, motion, self._clock.signal_rates(t))
+        measurement.write(self.model, mechanism.section["measured"])
+        run_tape(self.model, self._numbers, "outputs")
 
+    @_quiet
     def residuals(self) -> tuple[list[float], list[float]]:
-        """Return Phi [m^2] and G v [m^2/s] of each row."""
+        """Return Phi and dPhi/dt of each row; of velocity rows 0 and Psi."""
         mechanism, motion = self._mechanism(), self._motion
-        phi = mechanism.phi(motion.q, motion.q_low)
-        return phi.tolist(), (mechanism.G(motion.q, motion.q_low) @ motion.v).tolist()
+        phi = rows_at(mechanism, motion, Present(mechanism, motion))
+        rates = row_rates(mechanism, motion, self._clock.signal_rates(motion.head["time"]))
+        return phi.tolist(), rates.tolist()
 
     @_quiet
     def probe(
@@ -253,12 +265,9 @@ class Reference:
         As in the kernel, rows of conserving formulations are Phi_n1 - (2/alpha) mu here, which is
         eq 15 with lam = -alpha Phi_n/2, and those of the others C - mu/alpha.
         """
-        mechanism = self._mechanism()
-        equations, unknown_w, unknown_mu = (
-            Equations(mechanism, self._motion, h),
-            np.array(w),
-            np.array(mu),
-        )
+        signal_n1 = self._clock.signals(self._motion.head["time"] + h)
+        equations = Equations(self._mechanism(), self._motion, h, signal_n1)
+        unknown_w, unknown_mu = np.array(w), np.array(mu)
         scale, lam = 1.0, np.zeros(len(mu))
         if equations.conserving:
             scale, lam = 2.0, -0.5 * equations.alpha * equations.phi_n
@@ -267,6 +276,6 @@ class Reference:
             product = equations.tangent(unknown_w, unknown_mu) @ np.array(x)
         except UnsolvedError as failure:
             return failure.status, [], []
-        residual[mechanism.n :] *= scale
-        product[mechanism.n :] *= scale
+        residual[len(w) :] *= scale
+        product[len(w) :] *= scale
         return Status.OK, residual.tolist(), product.tolist()

@@ -1,74 +1,30 @@
 """Forces besides the constraints, each in the discrete form whose work over a step is exact.
 
-For a step d = q_n1 - q_n every function returns Q (n,) and, where it depends on d, its tangent
-dQ/dd (n, n). A tension N along a link is taken along e = (u_n + u_n1)/(l_n + l_n1), because then
-
-    N e . du = N (l_n1^2 - l_n^2)/(l_n + l_n1) = N dl
-
-(paper, eq 11 for a potential V(l); Gonzalez 1996).
+For a step d = q_n1 - q_n they are Q (n,) with the tangent dQ/dd (n, n), over all moving nodes:
+weight, loads on places, moments on links and on directors, springs, dampers and potentials.
 """
 
 from __future__ import annotations
-
-from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import Status
-from .mechanism import Form, Mechanism
+from .course import View
+from .forms import QUARTER
+from .laws import elements, forms_of, over_step, tangent
+from .mechanism import Mechanism
+from .unsolved import UnsolvedError
 
 Array = NDArray[np.float64]
 
-
-class UnsolvedError(Exception):
-    """A step or the assembly cannot be solved, for the reason `status`."""
-
-    def __init__(self, status: Status) -> None:
-        super().__init__(status.name)
-        self.status = status
+BODY_AXES = 1
+"""Frame of a moment: that of the body, not the global one."""
 
 
 def length(u: Array) -> float:
     """Euclidean length of a link."""
     return float(np.sqrt(u @ u))
-
-
-def constant_force(mechanism: Mechanism) -> Array:
-    """Weight and loads, Q = sum m g + F."""
-    Q = mechanism.m_node * np.tile(mechanism.gravity, mechanism.n_free)
-    dim = mechanism.dim
-    for node, load in zip(mechanism.load_nodes, mechanism.load, strict=True):
-        Q[dim * node : dim * (node + 1)] += load
-    return Q
-
-
-def elongation(u_n: Array, du: Array) -> float:
-    """Elongation l_n1 - l_n = (u_n + u_n1) . du/(l_n + l_n1), without cancellation."""
-    return float((2.0 * u_n + du) @ du) / (length(u_n) + length(u_n + du))
-
-
-def tension(
-    u_n: Array, du: Array, h: float, stiffness: float, free_length: float, damping: float
-) -> tuple[Array, Array]:
-    """Force N e [N] in a link from spring and damper, and its derivative in du = u_n1 - u_n.
-
-    N = k [(l_n + l_n1)/2 - l_free] + c (l_n1 - l_n)/h: the mean slope of V = k (l - l_free)^2/2, so
-    that the work is exactly -dV - c (l_n1 - l_n)^2/h.
-    """
-    if not (stiffness >= 0.0 and free_length >= 0.0 and damping >= 0.0):
-        raise UnsolvedError(Status.BAD_LAW)
-    identity, u_n1, u_sum = np.eye(len(u_n)), u_n + du, 2.0 * u_n + du
-    if free_length == 0.0 and damping == 0.0:  # V = k u.u/2: no direction is needed
-        return 0.5 * stiffness * u_sum, 0.5 * stiffness * identity
-    l_n, l_n1 = length(u_n), length(u_n1)
-    if not (l_n > 0.0 and l_n1 > 0.0):
-        raise UnsolvedError(Status.ZERO_LENGTH)
-    l_sum, e_n1 = l_n + l_n1, u_n1 / l_n1
-    N = stiffness * (0.5 * l_sum - free_length) + damping * elongation(u_n, du) / h
-    dN = (0.5 * stiffness + damping / h) * e_n1
-    e, de = u_sum / l_sum, identity / l_sum - np.outer(u_sum, e_n1) / l_sum**2
-    return N * e, np.outer(e, dN) + N * de
 
 
 def in_space(x: Array) -> Array:
@@ -103,20 +59,88 @@ def couple(moment: Array, u_n: Array, du: Array) -> tuple[Array, Array]:
     return (g * arm)[:dim], tangent[:dim, :dim]
 
 
-def step_force(
-    mechanism: Mechanism, links: Mapping[Form, Array], d: Array, h: float
-) -> tuple[Array, Array]:
-    """Q (n,) of all forces over a step by d from links u_n, given by form, and dQ/dd (n, n)."""
-    Q, Q_d = constant_force(mechanism), np.zeros((mechanism.n, mechanism.n))
-    laws = zip(mechanism.stiffness, mechanism.free_length, mechanism.damping, strict=True)
-    for form, law in zip(mechanism.lines, laws, strict=True):
-        u_n = links[form]
-        f, f_u = tension(u_n, form.U @ d, h, *law)
-        Q -= form.U.T @ f
-        Q_d -= form.U.T @ f_u @ form.U
-    for form, moment in zip(mechanism.moment_links, mechanism.moment, strict=True):
-        u_n = links[form]
-        f, f_u = couple(moment, u_n, form.U @ d)
-        Q += form.U.T @ f
-        Q_d += form.U.T @ f_u @ form.U
+def carried(axes: Array, load: Array) -> Array:
+    """Load given in the axes of a body, from the coordinates of its directors."""
+    if len(load) == 2:  # the second axis is J d
+        return load[0] * axes + load[1] * QUARTER @ axes
+    return load @ axes.reshape(3, 3)
+
+
+def directors_moved(directors: Array, moment: Array, frame: int) -> Array:
+    """Forces (9,) on the directors of a body by a moment.
+
+    f_i = m x d^i/2 with the dual directors d^i; with those, sum d_i x f_i = m also where a step
+    has left d_i at its middle shorter than 1 (numerics 9.1).
+    """
+    D = directors.reshape(3, 3)
+    m = moment @ D if frame == BODY_AXES else moment
+    try:
+        dual = np.linalg.inv(D).T
+    except np.linalg.LinAlgError:
+        raise UnsolvedError(Status.NOT_FINITE) from None
+    return 0.5 * np.cross(m, dual).ravel()
+
+
+def loads(mechanism: Mechanism, view: View) -> tuple[Array, Array]:
+    """Forces at places, and their tangent: a load in body axes turns with the body."""
+    Q, Q_d = np.zeros(mechanism.n), np.zeros((mechanism.n, mechanism.n))
+    for form, first, load in zip(
+        mechanism.load_form, mechanism.load_axes, mechanism.load, strict=True
+    ):
+        U = mechanism.forms.U[form]
+        if first < 0:
+            Q += U.T @ load
+            continue
+        width = 1 if mechanism.dim == 2 else 3
+        axes = slice(mechanism.dim * first, mechanism.dim * (first + width))
+        Q += U.T @ carried(view.coordinates()[axes], load)
+        turned = np.transpose([carried(unit, load) for unit in np.eye(mechanism.dim * width)])
+        Q_d[:, axes] += view.part * U.T @ turned
     return Q, Q_d
+
+
+def moments(mechanism: Mechanism, view: View) -> tuple[Array, Array]:
+    """Moments on links and on directors, and their tangent."""
+    Q, Q_d = np.zeros(mechanism.n), np.zeros((mechanism.n, mechanism.n))
+    for form, moment in zip(mechanism.moment_form, mechanism.moment, strict=True):
+        U = mechanism.forms.U[form]
+        f, f_u = couple(moment, *view.link(form))
+        Q += U.T @ f
+        Q_d += view.of_end * U.T @ f_u @ U
+    for (first, frame), moment in zip(mechanism.body_moments, mechanism.couples, strict=True):
+        directors = slice(3 * first, 3 * first + 9)
+        x, small = view.coordinates()[directors], 1e-5 * np.eye(9)
+        Q[directors] += directors_moved(x, moment, frame)
+        columns = [
+            directors_moved(x + e, moment, frame) - directors_moved(x - e, moment, frame)
+            for e in small
+        ]
+        Q_d[directors, directors] += view.part * np.transpose(columns) / 2e-5
+    return Q, Q_d
+
+
+def stored_forces(mechanism: Mechanism, view: View) -> tuple[Array, Array]:
+    """Springs, dampers, drives and potentials, and their tangent."""
+    Q, Q_d = np.zeros(mechanism.n), np.zeros((mechanism.n, mechanism.n))
+    laws = [
+        (element.slopes, mechanism.quantities[element.quantity][1])
+        for element in elements(mechanism)
+    ]
+    for potential in mechanism.potentials:
+        laws.append(
+            (
+                lambda values, function=potential: over_step(mechanism, function, values).g,
+                forms_of(mechanism, potential[0]),
+            )
+        )
+    for slopes, forms in laws:
+        Q -= slopes(view.values) @ view.gradients
+        Q_d -= tangent(view, slopes, forms)
+    return Q, Q_d
+
+
+def step_force(mechanism: Mechanism, view: View) -> tuple[Array, Array]:
+    """Q (n,) of all forces over a step, and dQ/dd (n, n)."""
+    parts = [law(mechanism, view) for law in (loads, moments, stored_forces)]
+    Q = mechanism.weight + sum(Q for Q, _ in parts)
+    return Q, np.asarray(sum(Q_d for _, Q_d in parts))

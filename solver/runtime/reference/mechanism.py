@@ -1,18 +1,12 @@
-"""A mechanism as dense matrices: mass matrix, quadratic forms, constraint rows and their scaling.
+"""A mechanism as dense matrices: mass matrix, forms, and the tables that say what is made of them.
 
-Everything is a function of forms s(q) = u . w with links u = U q + u_s, w = W q + w_s, where u_s
-and w_s come from the supports, so that
-
-    ds/dq = u' W + w' U,      d2s/dq2 = H = U' W + W' U.
-
-A constraint row is Phi = s - c. U and W hold +1 and -1 for the link between two points, so that
-links are differences and lose no digits far from the origin.
+Nodes are points and directions, `n_free` of them unknown, then `n_driven` prescribed ones: all that
+has `n` in its shape covers the coordinates of both; the first `n_free` coordinates are unknown.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
@@ -20,46 +14,25 @@ from numpy.typing import NDArray
 
 from ..layout import OFFSETS
 from ..model import Model
+from .forms import Forms, exact_coordinates
 
 Array = NDArray[np.float64]
 
-
-def dot(a: Array, b: Array) -> float:
-    """Sum of products, term by term, so that equal links give equal bits everywhere."""
-    return float(sum(x * y for x, y in zip(a, b, strict=True)))
+POINT, DIRECTION = 0, 1
+"""Kinds of a node: a place [m], or a unit vector of a body [1]."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Form:
-    """Form s(q) = u . w of one pair of links; U, W (dim, n), u_s, w_s (dim,), H (n, n)."""
+Integers = NDArray[np.int_]
 
-    U: Array
-    W: Array
-    u_s: Array
-    w_s: Array
-    H: Array
 
-    def links(self, q: Array, q_low: Array) -> tuple[Array, Array]:
-        """Links u, w at the configuration q + q_low."""
-        u = self.U @ q + self.u_s + self.U @ q_low
-        w = self.W @ q + self.w_s + self.W @ q_low
-        return u, w
+def pieces(rows: Integers, ends: Sequence[int]) -> list[Integers]:
+    """Rows between each two neighbours of `ends`."""
+    return [rows[begin:end] for begin, end in zip(ends[:-1], ends[1:], strict=True)]
 
-    def exact(self, x: Sequence[Fraction]) -> Fraction:
-        """Value s = u . w at coordinates x (n,), without rounding."""
-        u, w = (
-            [
-                Fraction(fixed)
-                + sum(Fraction(a) * b for a, b in zip(row, x, strict=True) if a != 0.0)
-                for row, fixed in zip(matrix, support, strict=True)
-            ]
-            for matrix, support in ((self.U, self.u_s), (self.W, self.w_s))
-        )
-        return sum((a * b for a, b in zip(u, w, strict=True)), Fraction(0))
 
-    def gradient(self, u: Array, w: Array) -> Array:
-        """Gradient ds/dq, shape (n,), for given links."""
-        return u @ self.W + w @ self.U
+def table(model: Model, name: str, width: int) -> Integers:
+    """An integer array of the model in rows of `width`."""
+    return np.array(model.tables[name], dtype=int).reshape(-1, width)
 
 
 class Mechanism:
@@ -74,79 +47,99 @@ class Mechanism:
     """
 
     def __init__(self, model: Model, numbers: Array) -> None:
+        self.model, self.numbers = model, numbers
         ends = [*list(model.offsets.values())[1:], len(numbers)]
-        section = {
+        self.section = {
             name: numbers[model.offsets[name] : end]
             for name, end in zip(OFFSETS, ends, strict=True)
         }
-        self.section = section
-        self.dim = model.sizes["dim"]
-        self.n_free = model.sizes["n_free"]
-        self.n = self.dim * self.n_free
+        section, sizes = self.section, model.sizes
+        self.dim = sizes["dim"]
+        self.n_moving = sizes["n_free"] + sizes["n_driven"]
+        self.n_free = self.dim * sizes["n_free"]
+        self.n = self.dim * self.n_moving
+        self.node_kind = np.array(model.tables["node_kind"], dtype=int)
         self.m_node = np.repeat(section["node_mass"], self.dim)
-        """Each coordinate's share of the mass [kg], for norms, weight and scaling of penalties."""
-        self.M = self._mass_matrix(model)
-        forms = [self._form(model, index) for index in range(model.sizes["n_forms"])]
-        tables = model.tables
-        self.rows = [forms[index] for index in tables["row_form"]]
-        self.lines = [forms[index] for index in tables["line_form"]]
-        self.moment_links = [forms[index] for index in tables["moment_form"]]
-        self.angle_links = [forms[index] for index in tables["angle_form"]]
-        self.load_nodes = list(tables["load_node"])
+        """Each coordinate's share of the mass [kg], for norms and the scaling of penalties."""
+        self.weight = np.repeat(section["node_weight"], self.dim)
+        """Each coordinate's share of the mass that gravity acts on [kg]."""
+        self.weight = self.weight * np.tile(section["gravity"], self.n_moving)
+        self.mass_node = table(model, "mass_node", 2)
+        self.M = self.mass_matrix(section["mass"])
+        self.forms = Forms(model, section)
+        self._read_tables(model)
         self.c = section["row_constant"]
-        self.row_scale = section["row_scale"]
-        self.sigma = section["row_sigma"]
-        """Diagonal of G m^-1 G' at the start, with the nodes' shares of the mass [m^2/kg]."""
-        self.gravity = section["gravity"]
-        self.stiffness, self.free_length = section["stiffness"], section["free_length"]
-        self.damping = section["damping"]
+        self.row_scale, self.sigma = section["row_scale"], section["row_sigma"]
         self.load = section["load"].reshape(-1, self.dim)
         self.moment = section["moment"].reshape(-1, 1 if self.dim == 2 else 3)
+        self.couples = section["body_moment"].reshape(-1, 3)
 
-    def _mass_matrix(self, model: Model) -> Array:
+    def _read_tables(self, model: Model) -> None:
+        tables, sizes = model.tables, model.sizes
+        self.row_form = np.array(tables["row_form"], dtype=int)
+        self.coincidence_form = np.array(tables["coincidence_form"], dtype=int)
+        self.quantities = [
+            (int(kind), [int(form) for form in forms if form >= 0])
+            for kind, forms in zip(
+                tables["quantity_kind"], table(model, "quantity_form", 2), strict=True
+            )
+        ]
+        leaves = pieces(table(model, "leaf", 4)[:, :2], tables["leaf_ptr"])
+        operations = pieces(table(model, "operation", 4), tables["function_ptr"])
+        n_elements, n_rows = sizes["n_elements"], sizes["n_function_rows"]
+        self.elements = [int(leaf[0, 1]) for leaf in leaves[:n_elements]]
+        functions = list(zip(leaves[n_elements:], operations, strict=True))
+        self.function_rows = functions[:n_rows]
+        self.velocity_rows = functions[n_rows : n_rows + sizes["n_velocity_rows"]]
+        self.potentials = functions[n_rows + sizes["n_velocity_rows"] :]
+        self.load_form, self.load_axes = list(tables["load_form"]), list(tables["load_axes"])
+        self.moment_form = list(tables["moment_form"])
+        self.body_moments = table(model, "body_moment", 2)
+
+    def mass_matrix(self, masses: Array) -> Array:
         """Mass matrix (n, n): each entry between two nodes acts on all their coordinates alike."""
-        M = np.zeros((self.n_free, self.n_free))
-        nodes = np.asarray(model.tables["mass_node"]).reshape(-1, 2)
-        for (a, b), mass in zip(nodes, self.section["mass"], strict=True):
-            M[a, b] += mass
+        M = np.zeros((self.n_moving, self.n_moving))
+        np.add.at(M, (self.mass_node[:, 0], self.mass_node[:, 1]), masses)
         return np.kron(M, np.eye(self.dim)).astype(np.float64)
 
-    def _form(self, model: Model, index: int) -> Form:
-        """Form number `index`; its entries say with which factors each node enters u and w."""
-        dim, eye = self.dim, np.eye(self.dim)
-        U, W = np.zeros((dim, self.n)), np.zeros((dim, self.n))
-        u_s, w_s = np.zeros(dim), np.zeros(dim)
-        support = self.section["support"].reshape(-1, dim)
-        for entry in range(*model.tables["form_ptr"][index : index + 2]):
-            node = model.tables["form_node"][entry]
-            in_u, in_w = self.section["alpha"][entry], self.section["beta"][entry]
-            if node < self.n_free:
-                U[:, dim * node : dim * (node + 1)] += in_u * eye
-                W[:, dim * node : dim * (node + 1)] += in_w * eye
-            else:
-                u_s += in_u * support[node - self.n_free]
-                w_s += in_w * support[node - self.n_free]
-        return Form(U, W, u_s, w_s, U.T @ W + W.T @ U)
+    @property
+    def row_kinds(self) -> tuple[slice, slice, slice, slice]:
+        """Where form rows, coincidences, function rows and velocity rows are among all rows."""
+        sizes = self.model.sizes
+        counts = (
+            sizes["n_form_rows"], self.dim * sizes["n_coincidences"],
+            sizes["n_function_rows"], sizes["n_velocity_rows"],
+        )  # fmt: skip
+        ends = np.cumsum([0, *counts]).tolist()
+        form, coincidence, function, velocity = map(slice, ends[:-1], ends[1:])
+        return form, coincidence, function, velocity
 
-    def phi(self, q: Array, q_low: Array) -> Array:
-        """Constraint rows Phi(q) [m^2], shape (r,), in exact arithmetic.
+    @property
+    def n_rows(self) -> int:
+        """Number of multipliers."""
+        return self.model.sizes["n_rows"]
+
+    def quadratic_phi(self, q: Array, q_low: Array) -> Array:
+        """Form rows and coincidences Phi(q) in exact arithmetic, shape (r,).
 
         A step would correct the rounding error of Phi by an impulse that grows as 1/h^2.
         """
-        x = [Fraction(high) + Fraction(low) for high, low in zip(q, q_low, strict=True)]
-        return np.array(
-            [float(row.exact(x) - Fraction(c)) for row, c in zip(self.rows, self.c, strict=True)]
-        )
+        x = exact_coordinates(q, q_low)
+        rows = zip(self.row_form, self.c, strict=True)
+        phi = [float(self.forms.exact(form, x) - Fraction(c)) for form, c in rows]
+        for form in self.coincidence_form:
+            phi.extend(float(component) for component in self.forms.exact_link(form, x))
+        return np.array(phi, dtype=np.float64)
 
-    def G(self, q: Array, q_low: Array) -> Array:  # noqa: N802
-        """Jacobian of the rows dPhi/dq [m], shape (r, n)."""
-        rows = [row.gradient(*row.links(q, q_low)) for row in self.rows]
-        return np.reshape(rows, (len(rows), self.n))
+    @property
+    def coincidences(self) -> Array:
+        """Gradients of the coincidences, shape (dim n_coincidences, n)."""
+        return self.forms.U[self.coincidence_form].reshape(-1, self.n)
 
-    def quadratic(self, x: Array) -> Array:
-        """Second-order terms x' H_i x of each row i, shape (r,)."""
-        return np.array([x @ row.H @ x for row in self.rows])
+    def node(self, index: int) -> slice:
+        """Coordinates of a moving node."""
+        return slice(self.dim * index, self.dim * (index + 1))
 
     def norm(self, x: Array) -> float:
-        """Size of an increment in the mass norm [kg^1/2 m]."""
-        return float(np.sqrt(np.sum(self.m_node * x**2)))
+        """Size of an increment of the unknown coordinates in the mass norm [kg^1/2 m]."""
+        return float(np.sqrt(np.sum(self.m_node[: self.n_free] * x[: self.n_free] ** 2)))

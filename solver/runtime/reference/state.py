@@ -24,7 +24,7 @@ def add(high: Array, low: Array, x: Array | float) -> None:
 
 
 class Motion:
-    """Views of a state: q, q_low, v, v_low (n,), a and mu of either half of a pair, turns.
+    """Views of a state: q, q_low, v, v_low of moving nodes, a, mu, forces of either half of a pair.
 
     Writing to them writes the state.
     """
@@ -39,7 +39,9 @@ class Motion:
         self.v, self.v_low = vectors["v"], vectors["v_low"]
         self.a = (vectors["a_first"], vectors["a_second"])
         self.mu = (vectors["mu_first"], vectors["mu_second"])
-        self.turns = vectors["turns"]
+        self.driven_force = (vectors["driven_first"], vectors["driven_second"])
+        self.turns, self.signal = vectors["turns"], vectors["signal"]
+        self.quaternion = vectors["quaternion"].reshape(-1, 4)
 
     @property
     def formulation(self) -> str:
@@ -53,6 +55,17 @@ class Motion:
         round-off of the constraints as it is.
         """
         return h >= 1e-5 * self.head["step_size"]
+
+    def at_present(self, name: str) -> Array:
+        """Multipliers ("") or forces on driven nodes ("driven_") at the present time.
+
+        Those of a step are constant over it and have a component of alternating sign, which the
+        mean of two neighbours removes; the line through the last two means leads to the present.
+        """
+        mean, before = self.vectors[f"{name}mean"], self.vectors[f"{name}mean_before"]
+        gap = self.head["mean_time"] - self.head["mean_time_before"]
+        beyond = self.head["time"] - self.head["mean_time"]
+        return mean + (beyond / gap if 0.0 < gap < np.inf else 0.0) * (mean - before)
 
     def count(self, name: str, number: int = 1) -> None:
         """Add to a counter of the head."""

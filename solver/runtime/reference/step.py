@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ..errors import Status
 from .equations import Equations
-from .forces import UnsolvedError
 from .mechanism import Mechanism
 from .state import Motion
+from .unsolved import UnsolvedError
 
 Array = NDArray[np.float64]
 
@@ -29,12 +29,19 @@ MARGIN = 1e-5
 class Step:
     """One step of length h from the present state; `solve` leaves w, mu and `equations`."""
 
-    def __init__(self, mechanism: Mechanism, motion: Motion, h: float, half: int) -> None:
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        motion: Motion,
+        h: float,
+        half: int,
+        signal_n1: Array | None = None,
+    ) -> None:
         self.mechanism, self.motion, self.h, self.half = mechanism, motion, h, half
         self.head = motion.head
-        self.equations = Equations(mechanism, motion, h)
+        self.equations = Equations(mechanism, motion, h, signal_n1)
         # v and mu have a part of alternating sign: predict from the same half of the last pair.
-        self.w = 0.5 * h**2 * motion.a[half]
+        self.w = 0.5 * h**2 * motion.a[half][: mechanism.n_free]
         self.mu = motion.mu[half].copy()
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
@@ -74,7 +81,7 @@ class Step:
         return lam + 0.5 * equations.alpha * equations.phi_n1(self.w)
 
     def defect(self) -> float:
-        """Largest |Phi|/l^2 of the rows that the update drives to zero."""
+        """Largest |Phi| over the scale of the rows that the update drives to zero."""
         equations = self.equations
         if equations.conserving and not self.paper_update:
             phi = equations.phi_n1(self.w)
@@ -87,7 +94,7 @@ class Step:
 
         Increments alone do not tell: they also become small where mu grows beyond all bounds.
         """
-        added = self.d @ self.equations.momentum(self.w, self.mu) / self.h
+        added = self.d[: len(self.w)] @ self.equations.momentum(self.w, self.mu) / self.h
         energy = self.head["energy_reference"] + 0.5 * (self.mechanism.norm(self.d) / self.h) ** 2
         noise = 0.5 * (self.floor / self.h) ** 2  # kinetic energy of the round-off of positions
         return bool(abs(added) <= self.head["tolerance"] * energy + noise)
@@ -102,10 +109,10 @@ class Step:
             increment: Array = np.linalg.solve(tangent, -residual).astype(np.float64)
         except np.linalg.LinAlgError:
             raise UnsolvedError(Status.SINGULAR_TANGENT) from None
-        self.w = self.w + increment[: self.mechanism.n]
-        self.mu = self.mu + increment[self.mechanism.n :]
+        n = len(self.w)
+        self.w, self.mu = self.w + increment[:n], self.mu + increment[n:]
         self.motion.count("newton_iterations")
-        size = self.mechanism.norm(increment[: self.mechanism.n])
+        size = self.mechanism.norm(increment[:n])
         if not size < 1e150:
             raise UnsolvedError(Status.NOT_FINITE)
         return size

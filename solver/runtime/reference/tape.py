@@ -42,47 +42,56 @@ def _maximum(a: float, b: float) -> float:
     return a if a >= b or a != a else b
 
 
-OPERATIONS: tuple[tuple[int, Callable[..., float]], ...] = (
-    (1, lambda a: a),
-    (2, np.add),
-    (2, np.subtract),
-    (2, np.multiply),
-    (2, np.divide),
-    (2, _library(math.pow, np.power)),
-    (1, np.negative),
-    (1, _library(math.sin, np.sin)),
-    (1, _library(math.cos, np.cos)),
-    (1, _library(math.tan, np.tan)),
-    (1, _library(math.asin, np.arcsin)),
-    (1, _library(math.acos, np.arccos)),
-    (1, _library(math.atan, np.arctan)),
-    (2, _library(math.atan2, np.arctan2)),
-    (1, np.sqrt),
-    (1, _library(math.exp, np.exp)),
-    (1, _library(math.log, np.log)),
-    (1, np.abs),
-    (2, _minimum),
-    (2, _maximum),
-    (1, np.sign),
-    (2, _truth(lambda a, b: a < b)),
-    (2, _truth(lambda a, b: a <= b)),
-    (2, _truth(lambda a, b: a > b)),
-    (2, _truth(lambda a, b: a >= b)),
-    (2, _truth(lambda a, b: a == b)),
-    (2, _truth(lambda a, b: a != b)),
-    (2, _truth(lambda a, b: a != 0.0 and b != 0.0)),
-    (2, _truth(lambda a, b: a != 0.0 or b != 0.0)),
-    (1, _truth(lambda a: a == 0.0)),
-    (3, lambda condition, a, b: a if condition != 0.0 else b),
-)
-"""Number of arguments and meaning of each code, in the order of the codes."""
+OPERATIONS: dict[str, tuple[int, Callable[..., float]]] = {
+    "copy": (1, lambda a: a),
+    "add": (2, np.add),
+    "sub": (2, np.subtract),
+    "mul": (2, np.multiply),
+    "div": (2, np.divide),
+    "pow": (2, _library(math.pow, np.power)),
+    "neg": (1, np.negative),
+    "sin": (1, _library(math.sin, np.sin)),
+    "cos": (1, _library(math.cos, np.cos)),
+    "tan": (1, _library(math.tan, np.tan)),
+    "asin": (1, _library(math.asin, np.arcsin)),
+    "acos": (1, _library(math.acos, np.arccos)),
+    "atan": (1, _library(math.atan, np.arctan)),
+    "atan2": (2, _library(math.atan2, np.arctan2)),
+    "sqrt": (1, np.sqrt),
+    "exp": (1, _library(math.exp, np.exp)),
+    "log": (1, _library(math.log, np.log)),
+    "abs": (1, np.abs),
+    "min": (2, _minimum),
+    "max": (2, _maximum),
+    "sign": (1, np.sign),
+    "lt": (2, _truth(lambda a, b: a < b)),
+    "le": (2, _truth(lambda a, b: a <= b)),
+    "gt": (2, _truth(lambda a, b: a > b)),
+    "ge": (2, _truth(lambda a, b: a >= b)),
+    "eq": (2, _truth(lambda a, b: a == b)),
+    "ne": (2, _truth(lambda a, b: a != b)),
+    "and": (2, _truth(lambda a, b: a != 0.0 and b != 0.0)),
+    "or": (2, _truth(lambda a, b: a != 0.0 or b != 0.0)),
+    "not": (1, _truth(lambda a: a == 0.0)),
+    "select": (3, lambda condition, a, b: a if condition != 0.0 else b),
+}
+"""Number of arguments and meaning of each operation, in the order of the codes."""
+
+NAMES = tuple(OPERATIONS)
+"""Operation of each code, as in ``solver/mechanics/tape.py``."""
 
 
-def run_tape(model: Model, numbers: Array, segment: int) -> None:
-    """Run one segment on `numbers` (modified): 0 parameters, 1 time and inputs, 2 measurements."""
-    lengths = [model.sizes[f"n_tape_{name}"] for name in ("parameters", "laws", "outputs")]
-    first = sum(lengths[:segment])
+SEGMENTS = PARAMETERS, LAWS, SIGNALS, OUTPUTS = "parameters", "laws", "signals", "outputs"
+"""Parts of a tape, in their order: what depends on parameters alone; forces, on the time, inputs and
+sensors; prescribed values, on time and inputs; what is made of measurements."""
+
+
+def run_tape(model: Model, numbers: Array, segment: int | str) -> None:
+    """Run one segment, by name or place, on `numbers` (modified)."""
+    place = SEGMENTS.index(segment) if isinstance(segment, str) else segment
+    lengths = [model.sizes[f"n_tape_{name}"] for name in SEGMENTS]
+    first = sum(lengths[:place])
     tape = np.asarray(model.tables["tape"]).reshape(-1, 5)
-    for code, target, *arguments in tape[first : first + lengths[segment]]:
-        count, operation = OPERATIONS[code]
+    for code, target, *arguments in tape[first : first + lengths[place]]:
+        count, operation = OPERATIONS[NAMES[code]]
         numbers[target] = operation(*(numbers[place] for place in arguments[:count]))

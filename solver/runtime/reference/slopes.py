@@ -1,0 +1,203 @@
+"""The discrete chain rule: a function's change over a step as slopes times changes of its leaves.
+
+    sum_j N_j dx_j = f(x_n1) - f(x_n)   exactly,
+
+for a function made of the tape's operations. Each operation has slopes that are symmetric in the
+two ends and become its derivative where they coincide; composed backwards they give a discrete
+gradient N of the whole. Differences are carried forward and never formed from values, so that a
+small step loses no digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .tape import NAMES, OPERATIONS
+
+Array = NDArray[np.float64]
+
+SMALL = 1e-4
+"""Below it two terms of a series are exact to the last digit, and 0/0 is not met."""
+
+WHOLE = 16.0
+"""Largest whole exponent that is a product; others are exp(y log x)."""
+
+NONE = np.float64(0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A number over a step: values at the beginning and the end, and their difference."""
+
+    n: np.float64
+    n1: np.float64
+    d: np.float64
+
+    @property
+    def mid(self) -> np.float64:
+        """Mean of the two ends."""
+        return 0.5 * (self.n + self.n1)
+
+
+def still(value: float) -> Change:
+    """A number that does not change; slopes are then derivatives."""
+    return Change(np.float64(value), np.float64(value), NONE)
+
+
+def moving(value: float, difference: float) -> Change:
+    """A number that changes by `difference`."""
+    return Change(np.float64(value), np.float64(value) + difference, np.float64(difference))
+
+
+def sinc(x: np.float64) -> np.float64:
+    """Quotient sin(x)/x."""
+    return 1.0 - x * x / 6.0 if abs(x) < SMALL else np.sin(x) / x
+
+
+def sinhc(x: np.float64) -> np.float64:
+    """Quotient sinh(x)/x."""
+    return 1.0 + x * x / 6.0 if abs(x) < SMALL else np.sinh(x) / x
+
+
+def angle_over(cross: np.float64, dot: np.float64) -> np.float64:
+    """Quotient atan2(cross, dot)/cross: the angle between two links over their cross product."""
+    if dot > 0.0 and abs(cross) < SMALL * dot:
+        return (1.0 - (cross / dot) ** 2 / 3.0) / dot
+    return np.arctan2(cross, dot) / cross
+
+
+def log_slope(x: Change) -> np.float64:
+    """Slope of the logarithm, 2 atanh(z)/dx with z = dx/(x_n + x_n1)."""
+    total = x.n + x.n1
+    z = x.d / total
+    return 2.0 / total * (1.0 + z * z / 3.0 if abs(z) < SMALL else np.arctanh(z) / z)
+
+
+def exp_slope(x: Change) -> np.float64:
+    """Slope of the exponential function."""
+    return np.exp(x.mid) * sinhc(0.5 * x.d)
+
+
+def abs_slope(x: Change) -> np.float64:
+    """Slope of |x|; 0 where it stays 0."""
+    total = abs(x.n) + abs(x.n1)
+    return (x.n + x.n1) / total if total != 0.0 else NONE
+
+
+def asin_slope(x: Change) -> np.float64:
+    """Slope of the arcsine; sin(d asin) = x_n1 c_n - x_n c_n1 = dx ratio."""
+    c_n, c_n1 = (np.sqrt((1.0 - end) * (1.0 + end)) for end in (x.n, x.n1))
+    ratio = 0.5 * (c_n + c_n1) + 0.5 * (x.n + x.n1) ** 2 / (c_n + c_n1)
+    return angle_over(x.d * ratio, c_n * c_n1 + x.n * x.n1) * ratio
+
+
+def whole_power_slope(x: Change, n: int) -> np.float64:
+    """Slope of x^n: sum of x_n1^k x_n^(n-1-k), for negative n that of 1/x^|n|."""
+    if n < 0:
+        return -whole_power_slope(x, -n) / (x.n**-n * x.n1**-n)
+    return np.float64(sum(x.n1**k * x.n ** (n - 1 - k) for k in range(n)))
+
+
+def power_slopes(x: Change, y: Change) -> tuple[np.float64, np.float64]:
+    """Slopes of x^y: a product for a constant whole exponent, else those of exp(y log x)."""
+    if y.d == 0.0 and y.n == np.floor(y.n) and abs(y.n) <= WHOLE:
+        return whole_power_slope(x, int(y.n)), NONE
+    per_x = log_slope(x)
+    log = Change(np.log(x.n), np.log(x.n1), per_x * x.d)
+    product = Change(y.n * log.n, y.n1 * log.n1, y.mid * log.d + log.mid * y.d)
+    outer = exp_slope(product)
+    return outer * y.mid * per_x, outer * log.mid
+
+
+def atan2_slopes(y: Change, x: Change) -> tuple[np.float64, np.float64]:
+    """Slopes of the angle of (x, y)."""
+    factor = angle_over(x.mid * y.d - y.mid * x.d, x.n * x.n1 + y.n * y.n1)
+    return factor * x.mid, -factor * y.mid
+
+
+def extreme_slopes(x: Change, y: Change, sign: float) -> tuple[np.float64, np.float64]:
+    """Slopes of (x + y + sign |x - y|)/2: the maximum for sign 1, the minimum for -1."""
+    half = 0.5 * sign * abs_slope(Change(x.n - y.n, x.n1 - y.n1, x.d - y.d))
+    return 0.5 + half, 0.5 - half
+
+
+def _unary(slope: Callable[[Change], np.float64 | float]) -> Callable[..., tuple[float, ...]]:
+    return lambda x, *_: (float(slope(x)),)
+
+
+def _flat(*arguments: Change) -> tuple[float, ...]:
+    """No slope: the scene's reader keeps such operations away from all that moves."""
+    return (0.0,) * len(arguments)
+
+
+def _select(condition: Change, *_: Change) -> tuple[float, ...]:
+    return (0.0, 1.0, 0.0) if condition.mid != 0.0 else (0.0, 0.0, 1.0)
+
+
+SLOPES: dict[str, Callable[..., tuple[float, ...]]] = {
+    "copy": _unary(lambda _: 1.0),
+    "add": lambda x, y: (1.0, 1.0),  # noqa: ARG005
+    "sub": lambda x, y: (1.0, -1.0),  # noqa: ARG005
+    "mul": lambda x, y: (y.mid, x.mid),
+    "div": lambda x, y: (y.mid / (y.n * y.n1), -x.mid / (y.n * y.n1)),
+    "pow": power_slopes,
+    "neg": _unary(lambda _: -1.0),
+    "sin": _unary(lambda x: np.cos(x.mid) * sinc(0.5 * x.d)),
+    "cos": _unary(lambda x: -np.sin(x.mid) * sinc(0.5 * x.d)),
+    "tan": _unary(lambda x: sinc(x.d) / (np.cos(x.n) * np.cos(x.n1))),
+    "asin": _unary(asin_slope),
+    "acos": _unary(lambda x: -asin_slope(x)),
+    "atan": _unary(lambda x: angle_over(x.d, 1.0 + x.n * x.n1)),
+    "atan2": atan2_slopes,
+    "sqrt": _unary(lambda x: 1.0 / (np.sqrt(x.n) + np.sqrt(x.n1))),
+    "exp": _unary(exp_slope),
+    "log": _unary(log_slope),
+    "abs": _unary(abs_slope),
+    "min": lambda x, y: extreme_slopes(x, y, -1.0),
+    "max": lambda x, y: extreme_slopes(x, y, 1.0),
+    "select": _select,
+}
+"""Slopes of each operation with respect to its arguments; the others have none."""
+
+
+def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[float, ...]]:
+    """Change of one operation's value, and its slopes."""
+    count, function = OPERATIONS[NAMES[code]]
+    used = arguments[:count]
+    slopes = SLOPES.get(NAMES[code], _flat)(*used)
+    ends = (np.float64(function(*(getattr(x, end) for x in used))) for end in ("n", "n1"))
+    terms = (slope * x.d for slope, x in zip(slopes, used, strict=True) if x.d != 0.0)
+    return Change(*ends, np.float64(sum(terms))), slopes
+
+
+def discrete_gradient(
+    operations: Sequence[Sequence[int]], constants: Array, leaves: Sequence[Change]
+) -> tuple[Change, Array]:
+    """Change of a function over a step and the slopes N of its leaves.
+
+    Parameters
+    ----------
+    operations : sequence of (code, a, b, c)
+        Arguments a >= 0 are registers, leaves first, then one an operation; a < 0 is
+        ``constants[-1 - a]``. The value is the last register.
+    constants : ndarray
+    leaves : sequence of Change
+    """
+    registers, slopes = list(leaves), []
+    for code, *places in operations:
+        given = [registers[a] if a >= 0 else still(constants[-1 - a]) for a in places]
+        value, slope = operate(code, given)
+        registers.append(value)
+        slopes.append(slope)
+    adjoint = np.zeros(len(registers))
+    adjoint[-1] = 1.0
+    for register in range(len(registers) - 1, len(leaves) - 1, -1):
+        place = register - len(leaves)
+        for a, slope in zip(operations[place][1:], slopes[place], strict=False):
+            if a >= 0:
+                adjoint[a] += adjoint[register] * slope
+    return registers[-1], adjoint[: len(leaves)]
