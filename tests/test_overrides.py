@@ -1,6 +1,7 @@
 """Overrides: any number of a scene can be replaced, and mistakes name the override."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -31,6 +32,22 @@ from tests.short_scene import SHORT
 )
 def test_any_number_can_be_replaced(name, value, read, expected):
     assert read(loads(SHORT, overrides={name: value})) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "read", "expected"),
+    [
+        ("bodies.b1.points.tip[0]", 2, lambda s: s.bodies["b1"].points["tip"], (2.0, 0.0)),
+        ("bodies.b4.shape.density", 5, lambda s: s.bodies["b4"].mass, 10.0),
+        ("bodies.b1.orientation", "pi", lambda s: s.bodies["b1"].orientation, math.pi),
+        ("joints.j3.axis", "[0, 1]", lambda s: s.joints["j3"].axis, (0.0, 1.0)),
+        ("joints.j7.radius", -1, lambda s: s.joints["j7"].radius, -1.0),
+        ("solver.assemble", True, lambda s: s.solver.assemble, True),
+    ],
+)
+def test_numbers_of_bodies_and_joints_can_be_replaced(name, value, read, expected):
+    text = (Path(__file__).parent / "whole_scenes" / "plane.toml").read_text(encoding="utf-8")
+    assert read(loads(text, overrides={name: value})) == expected
 
 
 @pytest.mark.parametrize(
