@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 
-from solver.mechanics.tape import Segment, Tape
+from solver.mechanics.tape import CODE, Segment, Tape, padded
 from solver.runtime.layout import OFFSETS
 from solver.scene import Expr, Number
 
@@ -16,6 +16,8 @@ class Numbers:
     ----------
     sections : mapping of str to sequence of Number
         Contents of each section. Those that the kernel or the caller fills hold zeros.
+    signals : sequence of Number
+        Prescribed values, written to the section ``signal``.
     symbols : mapping of str to (section, place, Segment) or Number
         What each symbol of an expression means.
     calls : callable
@@ -25,6 +27,7 @@ class Numbers:
     def __init__(
         self,
         sections: Mapping[str, Sequence[Number]],
+        signals: Sequence[Number],
         symbols: Mapping[str, tuple[str, int, Segment] | Number],
         calls: Callable[[Expr], Number],
     ) -> None:
@@ -50,12 +53,58 @@ class Numbers:
                     target = self.offsets[name] + place
                     latest = max(latest, self.tape.write(target, number))
             self.segment_of[name] = latest
-        self.time_dependent = "t" in self.tape.used
-        """Whether the laws read the time; outputs are compiled later and do not count."""
+        self.formulas_vary = False
+        """Whether a formula contains a number of the laws."""
+        for place, number in enumerate(signals):
+            target = self.offsets["signal"] + place
+            if isinstance(number, Expr):
+                self.tape.write(target, number, Segment.SIGNALS)
+            else:
+                self.values[target] = float(number)
 
-    def place(self, number: Number) -> int:
-        """Return where the value of a number lies."""
-        return self.tape.compile(number)[0]
+    def place(self, number: Number, segment: Segment = Segment.LAWS) -> int:
+        """Return where the value of a number lies; `segment` is when it is needed."""
+        return self.tape.compile(number, segment)[0]
+
+    def operations(self, value: Number, n_leaves: int) -> list[int]:
+        """Return the operations of a formula over leaves ``#0``, ``#1``, ..., four integers each.
+
+        Registers hold the leaves, then one result each; -1 - place stands for a number.
+        """
+        register = {f"#{k}": k for k in range(n_leaves)}
+        known: dict[Expr, int] = {}
+        operations: list[int] = []
+
+        def compiled(part: Number | str) -> int | None:
+            """Register of a part; None for one without leaves."""
+            if not isinstance(part, Expr):
+                return None
+            if part.op == "symbol":
+                return register.get(str(part.args[0]))
+            if part in known:
+                return known[part]
+            found = [compiled(arg) for arg in part.args]
+            if all(argument is None for argument in found):
+                return None
+            arguments = [
+                -1 - self._constant(arg) if at is None else at
+                for arg, at in zip(part.args, found, strict=True)
+            ]
+            operations.extend((CODE[part.op], *padded(arguments)))
+            known[part] = n_leaves + len(operations) // 4 - 1
+            return known[part]
+
+        last = compiled(value)
+        assert last is not None
+        if last != n_leaves + len(operations) // 4 - 1:  # a leaf with the others folded away
+            operations.extend((CODE["copy"], last, last, last))
+        return operations
+
+    def _constant(self, number: Number | str) -> int:
+        assert not isinstance(number, str)
+        place, segment = self.tape.compile(number)
+        self.formulas_vary = self.formulas_vary or segment is Segment.LAWS
+        return place
 
     def finish(self) -> list[float]:
         """Return all numbers, with the tape's constants in place."""

@@ -1,7 +1,9 @@
 """Compiles expressions to the kernel's tape: scalar operations on one vector of numbers.
 
-Three segments: what depends on fixed parameters alone, what also depends on time, inputs or tunable
-parameters, and what depends on measurements. Equal subexpressions are computed once.
+Four segments: what depends on fixed parameters alone; what forces also need of time, inputs, tunable
+parameters and sensors in the middle of a step; the signals at its end; and what outputs need of the
+measurements. All may use the results of the first one and none those of another. Equal
+subexpressions of a segment are computed once.
 """
 
 from __future__ import annotations
@@ -26,7 +28,8 @@ class Segment(IntEnum):
 
     PARAMETERS = 0
     LAWS = 1
-    OUTPUTS = 2
+    SIGNALS = 2
+    OUTPUTS = 3
 
 
 class Tape:
@@ -35,7 +38,8 @@ class Tape:
     Parameters
     ----------
     symbols : mapping of str to (int, Segment) or Number
-        Where each symbol lies in the vector of numbers and when it is known, or what it stands for.
+        Where each symbol lies in the vector of numbers, and PARAMETERS if it is fixed; or what it
+        stands for.
     calls : callable
         Returns the expression of a mechanism function such as ``distance(A, B)``.
     first : int
@@ -51,12 +55,12 @@ class Tape:
         self._symbols = symbols
         self._calls = calls
         self._first = first
-        self._known: dict[Number, tuple[int, Segment]] = {}
+        self._known: dict[tuple[Number, Segment], tuple[int, Segment]] = {}
         self.operations: dict[Segment, list[int]] = {segment: [] for segment in Segment}
         self.constants: dict[int, float] = {}
         """Constants by their place."""
-        self.used: set[str] = set()
-        """Symbols that were met."""
+        self.used: dict[Segment, set[str]] = {segment: set() for segment in Segment}
+        """Symbols that were met for each segment."""
 
     @property
     def end(self) -> int:
@@ -67,25 +71,34 @@ class Tape:
         self._first += 1
         return self._first - 1
 
-    def compile(self, number: Number) -> tuple[int, Segment]:
-        """Return where a number's value will lie, and the segment that computes it."""
-        if number not in self._known:
-            self._known[number] = self._compile(number)
-        return self._known[number]
+    def compile(self, number: Number, wanted: Segment = Segment.LAWS) -> tuple[int, Segment]:
+        """Return where a number's value will lie, and the segment that computes it.
 
-    def _compile(self, number: Number) -> tuple[int, Segment]:
+        That is PARAMETERS for what depends on fixed parameters alone, else the segment `wanted`.
+        """
+        for segment in (Segment.PARAMETERS, wanted):
+            if (number, segment) in self._known:
+                return self._known[number, segment]
+        found = self._compile(number, wanted)
+        self._known[number, found[1]] = found
+        return found
+
+    def _compile(self, number: Number, wanted: Segment) -> tuple[int, Segment]:
         if not isinstance(number, Expr):
             place = self._new()
             self.constants[place] = float(number)
             return place, Segment.PARAMETERS
         if number.op == "call":
-            return self.compile(self._calls(number))
+            return self.compile(self._calls(number), wanted)
         if number.op == "symbol":
             name = str(number.args[0])
-            self.used.add(name)
+            self.used[wanted].add(name)
             found = self._symbols[name]
-            return found if isinstance(found, tuple) else self.compile(found)
-        arguments = [self.compile(arg) for arg in number.args if not isinstance(arg, str)]
+            if not isinstance(found, tuple):
+                return self.compile(found, wanted)
+            fixed = found[1] is Segment.PARAMETERS
+            return found if fixed else (found[0], wanted)
+        arguments = [self.compile(arg, wanted) for arg in number.args if not isinstance(arg, str)]
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
         target = self._new()
@@ -93,11 +106,15 @@ class Tape:
         return target, segment
 
     def _emit(self, segment: Segment, op: str, target: int, places: list[int]) -> None:
-        padded = (places * 3)[:3] if len(places) < 2 else (places + places[-1:])[:3]
-        self.operations[segment].extend((CODE[op], target, *padded))
+        self.operations[segment].extend((CODE[op], target, *padded(places)))
 
-    def write(self, target: int, number: Number) -> Segment:
+    def write(self, target: int, number: Number, wanted: Segment = Segment.LAWS) -> Segment:
         """Compile a number and have it copied to `target`; return the segment."""
-        place, segment = self.compile(number)
+        place, segment = self.compile(number, wanted)
         self._emit(segment, "copy", target, [place])
         return segment
+
+
+def padded(arguments: list[int]) -> list[int]:
+    """Return three arguments of an operation; those it has no use for repeat the last one."""
+    return (arguments + 2 * arguments[-1:])[:3]

@@ -5,7 +5,7 @@ Imports the standard library alone. Its buffers are ctypes arrays, so that an FM
 
 from .errors import AssemblyError, OptionError, Status, StepError
 from .integrator import Integrator
-from .model import Experiment, Model, Rule, Variable
+from .model import Experiment, Model, Row, Rule, Variable
 from .state import State
 
 __all__ = [
@@ -14,6 +14,7 @@ __all__ = [
     "Integrator",
     "Model",
     "OptionError",
+    "Row",
     "Rule",
     "State",
     "Status",

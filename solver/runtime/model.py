@@ -3,7 +3,7 @@
     M (v_1 - v_n) + h [ Gm' mu + dU - Q ] = 0,   (v_n + v_1)/2 = (q_1 - q_n)/h,   Phi(q_1) = 0
 
 Every term is a function of forms s = u . w of the nodes (``solver/kernel/holonom.h``). Names appear
-only in `variables`, `rules` and `row_names`: they were turned into indices when the model was
+only in `variables`, `rules` and `rows`: they were turned into indices when the model was
 assembled. A model is the only thing that assembly and kernel share, and what travels in an FMU.
 
 Symbols: q coordinates, v velocities, M mass matrix, Phi constraint rows, G their Jacobian, lambda
@@ -23,7 +23,7 @@ from functools import cached_property
 from .errors import UnknownNameError
 from .layout import OFFSETS, SIZES, TABLES
 
-FORMAT = 1
+FORMAT = 2
 """Version of the byte format of a model."""
 
 
@@ -53,7 +53,7 @@ class Variable(
     __slots__ = ()
 
 
-class Rule(namedtuple("Rule", "number relation bound message")):
+class Rule(namedtuple("Rule", "number relation bound location name message")):
     """A condition that is checked whenever the mechanism is assembled.
 
     Attributes
@@ -63,6 +63,8 @@ class Rule(namedtuple("Rule", "number relation bound message")):
     relation : {">", ">=", "finite"}
         Against `bound`.
     bound : float
+    location, name : str
+        Where it stands in the scene, ``bodies.rod``, and what it is called in a sentence.
     message : str
         What is said when it does not hold, with ``{value}``.
     """
@@ -74,6 +76,20 @@ class Rule(namedtuple("Rule", "number relation bound message")):
         if self.relation == "finite":
             return abs(value) < float("inf")
         return value > self.bound if self.relation == ">" else value >= self.bound
+
+
+class Row(namedtuple("Row", "location name kind detail", defaults=("",))):
+    """What a constraint row belongs to, for what is said when the drawn mechanism contradicts it.
+
+    Attributes
+    ----------
+    location, name : str
+        Where the part stands in the scene, ``joints.bearing``, and what it is called in a sentence.
+    kind, detail : str
+        Which of the sentences of ``assembly_checks``, and what stands in it, such as the bodies.
+    """
+
+    __slots__ = ()
 
 
 class Experiment(
@@ -89,8 +105,7 @@ class Experiment(
 class Model(
     namedtuple(
         "Model",
-        "name description sizes tables offsets numbers variables rules row_names settings "
-        "experiment",
+        "name description sizes tables offsets numbers variables rules rows settings experiment",
     )
 ):
     """Structure and numbers of a mechanism; never modified.
@@ -107,8 +122,8 @@ class Model(
     numbers : array of float
     variables : tuple of Variable
     rules : tuple of Rule
-    row_names : tuple of str
-        What each constraint row belongs to, for messages.
+    rows : tuple of Row
+        What each constraint row belongs to, in the order of the multipliers.
     settings : mapping of str to float, str or bool
         Of the solver, as in ``options.DEFAULTS``.
     experiment : Experiment
@@ -120,6 +135,11 @@ class Model(
         import hashlib  # only where states are saved or archives built: it loads OpenSSL
 
         return hashlib.sha256(self.to_bytes()).hexdigest()[:32]
+
+    @property
+    def row_names(self) -> tuple[str, ...]:
+        """What each constraint row is called in a sentence, ``joint 'bearing'``."""
+        return tuple(row.name for row in self.rows)
 
     @cached_property
     def _places(self) -> dict[str, int]:
@@ -172,7 +192,7 @@ class Model(
             raise ValueError(message)
         header["variables"] = tuple(Variable(*row) for row in header["variables"])
         header["rules"] = tuple(Rule(*row) for row in header["rules"])
-        header["row_names"] = tuple(header["row_names"])
+        header["rows"] = tuple(Row(*row) for row in header["rows"])
         header["experiment"] = Experiment(*header["experiment"])
         return Model(**header)
 

@@ -1,0 +1,213 @@
+"""Points, bars and rigid bodies: nodes, masses and rows.
+
+A uniform slender bar of mass m between two points has the mass matrix (m/6) [[2, 1], [1, 2]] x I,
+one row |X_2 - X_1|^2 = L^2, and half its weight at either end. A rigid body is r, its centre of
+mass, and directors: d_1, d_2, d_3 with d_i . d_k = delta_ik in space, one d with |d| = 1 in the
+plane; its mass matrix is diag(m, E) or diag(m, J). (numerics 9)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from solver.mechanics.combination import Combination, node
+from solver.mechanics.frames import BarFrame, RigidFrame
+from solver.mechanics.inertia import FLOOR, euler_tensor, floored, minors
+from solver.mechanics.mechanism import (
+    DIRECTION,
+    DRIVEN,
+    FIXED,
+    FREE,
+    GIVEN,
+    POINT,
+    FormRow,
+    Mechanism,
+    Node,
+    Scale,
+)
+from solver.mechanics.vectors import (
+    Matrix,
+    Vector,
+    add,
+    columns,
+    cross,
+    dot,
+    identity,
+    scale,
+    subtract,
+    times,
+    turned,
+)
+from solver.runtime.model import Row
+from solver.scene import Bar, Number, Point, Rigid
+from solver.scene.expression import cos, sin, sqrt
+
+
+def add_point(mechanism: Mechanism, name: str, point: Point, path: Vector | None) -> int:
+    """Add a point, whose coordinates follow `path` unless that is None; return its node."""
+    part = (f"points.{name}", f"point '{name}'")
+    mechanism.finite(point.position, part, "position")
+    mechanism.finite(point.velocity, part, "velocity")
+    motion = FIXED if point.fixed else FREE if path is None else DRIVEN
+    index = mechanism.add_node(
+        Node(
+            motion, POINT, point.position, point.velocity, point.mass, point.mass,
+            GIVEN if point.velocity_given else 1.0,
+        )
+    )  # fmt: skip
+    if motion == FIXED:
+        return index
+    mechanism.rule(point.mass, ">=", part, "mass must be >= 0 kg")
+    mechanism.masses[index, index] = point.mass
+    if path is not None:
+        mechanism.driven_signals.extend(path)
+    return index
+
+
+def demand_masses(mechanism: Mechanism, points: dict[str, int]) -> None:
+    """Demand that every free point has a mass, its own or that of bars."""
+    for name, index in points.items():
+        if mechanism.nodes[index].motion == FREE:
+            part = (f"points.{name}", f"point '{name}'")
+            text = "mass must be > 0 kg, with the bars that end at it"
+            mechanism.rule(mechanism.nodes[index].mass, ">", part, text)
+
+
+def add_bar(mechanism: Mechanism, name: str, bar: Bar, points: dict[str, int]) -> BarFrame:
+    """Add a uniform slender bar; return its frame."""
+    part = (f"bodies.{name}", f"body '{name}'")
+    first, second = (points[point] for point in bar.points)
+    mechanism.rule(bar.mass, ">", part, "mass must be > 0 kg")
+    link = node(second) - node(first)
+    length2 = add_distance(mechanism, link, None, Row(*part, "length"))
+    for a in (first, second):
+        mechanism.nodes[a].mass = mechanism.nodes[a].mass + bar.mass / 2.0
+        mechanism.nodes[a].weight = mechanism.nodes[a].weight + bar.mass / 2.0
+        mechanism.add_mass(a, a, bar.mass / 3.0)
+    mechanism.add_mass(first, second, bar.mass / 6.0)
+    drawn = (mechanism.nodes[first].position, mechanism.nodes[second].position)
+    return BarFrame(mechanism, (first, second), sqrt(length2), drawn)
+
+
+def add_distance(
+    mechanism: Mechanism, link: Combination, length: Number | None, row: Row
+) -> Number:
+    """Add the row |u|^2 = L^2, as drawn unless `length` is given; return L^2."""
+    form, _ = mechanism.form(link, link)
+    length2 = mechanism.value(form) if length is None else length * length
+    if length is None:
+        text = "its points coincide; draw them apart (squared distance {value!r} m^2)"
+        mechanism.rule(length2, ">", (row.location, row.name), text)
+    else:
+        mechanism.rule(length, ">", (row.location, row.name), "length must be > 0 m")
+    mechanism.form_rows.append(FormRow(form, length2, Scale(length2, 0), row))
+    return length2
+
+
+def _spun(spin: Number | Vector | None, arm: Vector) -> Vector:
+    """Return omega x arm."""
+    if spin is None:
+        return (0.0,) * len(arm)
+    return cross(spin, arm) if isinstance(spin, tuple) else scale(spin, turned(arm))
+
+
+def _rotation(body: Rigid) -> Matrix:
+    angle = body.orientation
+    if isinstance(angle, tuple):
+        return angle
+    return ((cos(angle), -sin(angle)), (sin(angle), cos(angle)))
+
+
+def add_rigid(mechanism: Mechanism, name: str, body: Rigid, places: Iterable[Vector]) -> RigidFrame:
+    """Add a rigid body; return its frame.
+
+    `places` are the global positions of what joins it to others, as drawn: they give a point-like
+    body its size.
+    """
+    part = (f"bodies.{name}", f"body '{name}'")
+    rotation = _rotation(body)
+    arm = times(rotation, body.center_of_mass)
+    for what in ("position", "velocity"):
+        mechanism.finite(getattr(body, what) or (), part, what)
+    mechanism.rule(body.mass, ">", part, "mass must be > 0 kg")
+    origin = body.velocity or (0.0,) * mechanism.dim
+    centre = mechanism.add_node(
+        Node(
+            FREE, POINT, add(body.position, arm), add(origin, _spun(body.angular_velocity, arm)),
+            body.mass, body.mass, 1.0 if body.velocity is None else GIVEN,
+        )
+    )  # fmt: skip
+    mechanism.add_mass(centre, centre, body.mass)
+    weight = 1.0 if body.angular_velocity is None else GIVEN
+    directors = tuple(
+        mechanism.add_node(
+            Node(FREE, DIRECTION, axis, _spun(body.angular_velocity, axis), velocity_weight=weight)
+        )
+        for axis in columns(rotation)[: 1 if mechanism.dim == 2 else 3]
+    )
+    frame = RigidFrame(
+        mechanism, centre, directors, rotation, mechanism.nodes[centre].position,
+        body.center_of_mass, body.points,
+    )  # fmt: skip
+    _add_inertia(mechanism, frame, body, places, part)
+    _add_unit_rows(mechanism, frame, part)
+    if mechanism.dim == 3:
+        mechanism.bodies.append(directors[0])
+    return frame
+
+
+def _add_unit_rows(mechanism: Mechanism, frame: RigidFrame, part: tuple[str, str]) -> None:
+    for i, first in enumerate(frame.directors):
+        for second in frame.directors[i:]:
+            form, _ = mechanism.form(node(first), node(second))
+            constant = 1.0 if first == second else 0.0
+            row = Row(*part, "axes")
+            mechanism.form_rows.append(FormRow(form, constant, Scale(1.0, 0), row))
+
+
+def _add_inertia(
+    mechanism: Mechanism, frame: RigidFrame, body: Rigid, places: Iterable[Vector],
+    part: tuple[str, str],
+) -> None:  # fmt: skip
+    """Give the directors their masses."""
+    if not isinstance(body.inertia, tuple):
+        J = body.inertia
+        mechanism.rule(J, ">=", part, "inertia must be >= 0 kg.m2")
+        if mechanism.default(J) == 0.0:
+            J = _least_inertia(mechanism, frame, body, places, part)
+        mechanism.add_mass(frame.directors[0], frame.directors[0], J)
+        mechanism.nodes[frame.directors[0]].mass = J
+        return
+    E = euler_tensor(body.inertia)
+    for minor in minors(E):
+        text = "inertia breaks the triangle inequality J1 + J2 >= J3, which every body keeps"
+        mechanism.rule(minor, ">=", part, text)
+    if max(abs(mechanism.default(x)) for row in E for x in row) == 0.0:
+        least = _least_inertia(mechanism, frame, body, places, part)
+        E = tuple(scale(least, row) for row in identity(3))
+    E = floored(E, mechanism.default)
+    for i, first in enumerate(frame.directors):
+        mechanism.nodes[first].mass = E[i][i]
+        for k in range(i, 3):
+            mechanism.add_mass(first, frame.directors[k], E[i][k])
+
+
+def _least_inertia(
+    mechanism: Mechanism, frame: RigidFrame, body: Rigid, places: Iterable[Vector],
+    part: tuple[str, str],
+) -> Number:  # fmt: skip
+    """Return FLOOR m l^2 for a body without inertia, l the largest offset of its places.
+
+    Forces at these places then turn it as they turn a point mass on massless arms: not at all, but
+    for a part in 10^6.
+    """
+    arms = [subtract(point, body.center_of_mass) for point in body.points.values()]
+    arms += [subtract(place, frame.position) for place in places]
+    squares = [dot(arm, arm) for arm in (*arms, body.center_of_mass)]
+    largest = max(squares, key=mechanism.default)
+    text = (
+        "has no inertia and nothing off its centre of mass that would tell its size; "
+        "give it an inertia, or write a point instead of a body ({value!r} m^2)"
+    )
+    mechanism.rule(largest, ">", part, text)
+    return FLOOR * body.mass * largest

@@ -1,0 +1,59 @@
+"""Symbolic derivatives of expressions: the forces that belong to formulas, for outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from solver.scene import Expr, Number, symbols
+from solver.scene.expression import cos, log, operate, select, sign, sin, sqrt
+
+SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
+    "add": (lambda x, y: 1.0, lambda x, y: 1.0),
+    "sub": (lambda x, y: 1.0, lambda x, y: -1.0),
+    "mul": (lambda x, y: y, lambda x, y: x),
+    "div": (lambda x, y: 1.0 / y, lambda x, y: -1.0 * x / (y * y)),
+    "pow": (lambda x, y: y * x ** (y - 1.0), lambda x, y: x**y * log(x)),
+    "neg": (lambda x: -1.0,),
+    "sin": (cos,),
+    "cos": (lambda x: -1.0 * sin(x),),
+    "tan": (lambda x: 1.0 / (cos(x) * cos(x)),),
+    "asin": (lambda x: 1.0 / sqrt(1.0 - x * x),),
+    "acos": (lambda x: -1.0 / sqrt(1.0 - x * x),),
+    "atan": (lambda x: 1.0 / (1.0 + x * x),),
+    "atan2": (lambda y, x: x / (x * x + y * y), lambda y, x: -1.0 * y / (x * x + y * y)),
+    "sqrt": (lambda x: 0.5 / sqrt(x),),
+    "exp": (lambda x: operate("exp", x),),
+    "log": (lambda x: 1.0 / x,),
+    "abs": (sign,),
+    "min": (lambda x, y: operate("le", x, y), lambda x, y: operate("gt", x, y)),
+    "max": (lambda x, y: operate("ge", x, y), lambda x, y: operate("lt", x, y)),
+}  # fmt: skip
+"""Partial derivatives of the operations; those that are not listed are constant in pieces."""
+
+
+def derivative(number: Number, name: str) -> Number:
+    """Return the derivative of a number with respect to the symbol `name`.
+
+    Where a function has a kink, it is that of one side.
+    """
+    known: dict[Expr, Number] = {}
+
+    def walk(part: Number | str) -> Number:
+        if not isinstance(part, Expr) or name not in symbols(part):
+            return 0.0
+        if part not in known:
+            known[part] = 1.0 if part.op == "symbol" else chain(part)
+        return known[part]
+
+    def chain(part: Expr) -> Number:
+        args = [arg for arg in part.args if not isinstance(arg, str)]
+        if part.op == "select":
+            return select(args[0], walk(args[1]), walk(args[2]))
+        total: Number = 0.0
+        for arg, slope in zip(args, SLOPES.get(part.op, ()), strict=False):
+            inner = walk(arg)
+            if inner != 0.0:
+                total = total + slope(*args) * inner
+        return total
+
+    return walk(number)

@@ -1,0 +1,198 @@
+"""Formulas of a scene: an expression becomes a function of quantities, rates and signals.
+
+    phi(sigma_1, ..., b_1(t), ...),      b a part that depends on time, inputs or tunable parameters
+
+Parts without any quantity are evaluated apart: in rows, which hold at the end of a step, they are
+signals; in potentials and velocity rows, which act in its middle, numbers of the laws.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from random import Random
+
+from solver.mechanics.mechanism import RATE, SIGNAL, VALUE, Formula, Leaf, Mechanism, Scale
+from solver.mechanics.parts import Meaning, Parts
+from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
+from solver.scene.expression import calls, operate, symbol
+
+
+def leaf_symbol(k: int) -> Expr:
+    """Return the symbol that stands for leaf k of a formula; no name of a scene looks like it."""
+    return symbol(f"#{k}")
+
+
+def rewritten(number: Number, replace: Callable[[Expr], Number | None]) -> Number:
+    """Return a number in which `replace` stands for what it does not return None for."""
+    known: dict[Expr, Number] = {}
+
+    def walk(part: Number | str) -> Number:
+        if not isinstance(part, Expr):
+            assert not isinstance(part, str)
+            return part
+        if part not in known:
+            new = replace(part)
+            if new is None:
+                new = operate(part.op, *(walk(arg) for arg in part.args))
+            known[part] = new
+        return known[part]
+
+    return walk(number)
+
+
+class Compiler:
+    """Makes formulas of the expressions of one mechanism."""
+
+    def __init__(self, parts: Parts) -> None:
+        self.parts = parts
+        self.mechanism: Mechanism = parts.mechanism
+
+    def meaning(self, part: Expr, own: Mapping[str, Meaning]) -> Meaning | None:
+        """Return what a symbol or a call stands for; None for parameters, inputs and the time."""
+        if part.op == "call":
+            return self.parts.distance(part)
+        name = str(part.args[0])
+        if name in own:
+            return own[name]
+        if name in self.mechanism.varying or name in self.parts.scene.parameters:
+            return None
+        found = self.parts.meaning(name)
+        if found is None:
+            message = f"'{name}' is known only after the step, and possible only in outputs"
+            raise ExpressionError(message)
+        return found
+
+    def formula(
+        self, number: Number, *, signals: bool, own: Mapping[str, Meaning] | None = None
+    ) -> Formula:
+        """Return the formula of an expression; its quantities take part in the motion.
+
+        Parameters
+        ----------
+        number : Number
+        signals : bool
+            Whether parts that change with the time alone become signals.
+        own : mapping, optional
+            Symbols with a meaning of their own, such as ``length``.
+
+        Raises
+        ------
+        ExpressionError
+            When it contains what cannot be part of a formula, or nothing that moves.
+        """
+        leaves: dict[Leaf, int] = {}
+
+        def leaf(found: Meaning) -> Number:
+            if not isinstance(found, Leaf):
+                return found
+            if found.kind != SIGNAL:
+                self.mechanism.use(found.index)
+            return leaf_symbol(leaves.setdefault(found, len(leaves)))
+
+        def replace(part: Expr) -> Number | None:
+            if part.op not in ("symbol", "call") and self._has_quantity(part, own or {}):
+                return None
+            found = self.meaning(part, own or {}) if part.op in ("symbol", "call") else None
+            if found is not None:
+                return leaf(found)
+            if signals and symbols(part) & self.mechanism.varying:
+                return leaf(Leaf(SIGNAL, self.mechanism.signal(part)))
+            return part
+
+        value = rewritten(number, replace)
+        if not any(leaf.kind != SIGNAL for leaf in leaves):
+            message = "it depends on nothing that moves"
+            raise ExpressionError(message)
+        return Formula(value, tuple(leaves))
+
+    def _has_quantity(self, part: Expr, own: Mapping[str, Meaning]) -> bool:
+        known = self.mechanism.varying | self.parts.scene.parameters.keys()
+        return bool(calls(part)) or any(name in own or name not in known for name in symbols(part))
+
+    def sensed(self, number: Number) -> Number:
+        """Return an expression whose quantities are read from the sensors, as ``#value 3``."""
+
+        def replace(part: Expr) -> Number | None:
+            if part.op not in ("symbol", "call"):
+                return None
+            found = self.meaning(part, {})
+            if not isinstance(found, Leaf):
+                return part if found is None else found
+            self.mechanism.use(found.index)
+            self.mechanism.sensing = True
+            return symbol(f"#{'value' if found.kind == VALUE else 'rate'} {found.index}")
+
+        return rewritten(number, replace)
+
+    # ----------------------------------------------------------------------------- judgement
+
+    def scale(self, formula: Formula) -> Scale:
+        """Return the size of a formula: its largest slope times the size of what it belongs to."""
+        mechanism = self.mechanism
+        point = [self._drawn(leaf) for leaf in formula.leaves]
+        best = Scale(1.0, 0)
+        largest = 0.0
+        extent = drawn_extent(mechanism)
+        for k, leaf in enumerate(formula.leaves):
+            power = self._power(leaf)
+            size = extent**power
+            try:
+                slope = abs(self._slope(formula, point, k, 1e-6 * size))
+            except ExpressionError:
+                continue
+            if slope * size > largest:
+                largest, best = slope * size, Scale(slope, power)
+        return best
+
+    def _slope(self, formula: Formula, point: Sequence[float], k: int, d: float) -> float:
+        ends = [[x + sign * d * (i == k) for i, x in enumerate(point)] for sign in (-1.0, 1.0)]
+        first, second = (self.value(formula, end) for end in ends)
+        return (second - first) / (2.0 * d)
+
+    def value(self, formula: Formula, leaves: Sequence[float]) -> float:
+        """Value of a formula with default parameters for given values of its leaves."""
+        known = {str(leaf_symbol(k)): x for k, x in enumerate(leaves)}
+        if not isinstance(formula.value, Expr):
+            return float(formula.value)
+        return evaluate(formula.value, {**self.mechanism.defaults, **known})
+
+    def _drawn(self, leaf: Leaf) -> float:
+        mechanism = self.mechanism
+        if leaf.kind == SIGNAL:
+            return mechanism.default(mechanism.signals[leaf.index])
+        return 0.0 if leaf.kind == RATE else mechanism.default(mechanism.drawn_value(leaf.index))
+
+    def _power(self, leaf: Leaf) -> int:
+        """Power of length in a leaf's unit; that of a signal is unknown and taken for none."""
+        if leaf.kind == SIGNAL:
+            return 0
+        return self.mechanism.length_power(leaf.index)
+
+    def is_linear_in_rates(self, formula: Formula) -> bool:
+        """Whether psi(sigma, a + b) = psi(sigma, a) + psi(sigma, b), at points near the drawn one.
+
+        Rounding of the sum against a difference that a product of rates would make.
+        """
+        random = Random(1)
+        rates = [leaf.kind == RATE for leaf in formula.leaves]
+        if not any(rates):
+            return False
+        for _ in range(3):
+            at = [self._drawn(leaf) + random.uniform(0.0, 0.1) for leaf in formula.leaves]
+            a, b = ([random.uniform(-1.0, 1.0) for _ in rates] for _ in range(2))
+            psi = [
+                self.value(formula, [x if rate else s for rate, x, s in zip(rates, v, at, strict=True)])
+                for v in (a, b, [x + 3.0 * y for x, y in zip(a, b, strict=True)])
+            ]  # fmt: skip
+            if abs(psi[0] + 3.0 * psi[1] - psi[2]) > 1e-9 * max(abs(x) for x in psi):
+                return False
+        return True
+
+
+def drawn_extent(mechanism: Mechanism) -> float:
+    """Diagonal of the box around all points as drawn [m]; 1 for a mechanism of one place."""
+    positions = [
+        [mechanism.default(x) for x in node.position] for node in mechanism.nodes if node.kind == 0
+    ]
+    sides = [max(column) - min(column) for column in zip(*positions, strict=True)]
+    return sum(side * side for side in sides) ** 0.5 or 1.0

@@ -1,0 +1,80 @@
+"""Inertia of a rigid body as the masses of its directors: the Euler tensor.
+
+    E = tr(J)/2 I - J,      J_perp of an axis a = tr(E) - a' E a,      (numerics 9.1)
+
+E is zero along what has no extent: a rod, a plate, a point. A direction without inertia would have
+no equation of motion, so such a body gets the smallest one that computes safely.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from solver.mechanics.vectors import Matrix, Vector, dot, times
+from solver.scene import Number
+
+FLOOR = 1e-6
+"""Least inertia of a director, relative to the largest; of a point-like body, to m l^2."""
+ROUNDING = 1e-9
+"""By how much the moments of inertia of a plate may miss the triangle inequality."""
+
+
+def euler_tensor(inertia: Matrix) -> Matrix:
+    """Return E [kg m^2] of an inertia matrix J about the same place."""
+    half = (inertia[0][0] + inertia[1][1] + inertia[2][2]) / 2.0
+    return tuple(
+        tuple(half - x if i == k else -1.0 * x for k, x in enumerate(row))
+        for i, row in enumerate(inertia)
+    )
+
+
+def minors(E: Matrix) -> tuple[Number, Number, Number]:
+    """Return what is positive for every body: E + ROUNDING tr(E) I has positive minors.
+
+    For principal moments this is the triangle inequality, J_i + J_j >= J_k.
+    """
+    trace = E[0][0] + E[1][1] + E[2][2]
+    a, b, c = (E[i][i] + ROUNDING * trace for i in range(3))
+    d, e, f = E[0][1], E[0][2], E[1][2]
+    plane = a * b - d * d
+    return a, plane, c * plane - a * f * f - b * e * e + 2.0 * d * e * f
+
+
+def floored(E: Matrix, default: Callable[[Number], float]) -> Matrix:
+    """Return E with enough inertia along each of its axes.
+
+    Along an axis v_k with less, FLOOR times the largest is given, and the axes that have enough
+    give as much: the transverse inertias of a rod, the sums of two of E's eigenvalues, stay exact
+    and only its spin inertia is biased. Axes and cases are those of the default values.
+    """
+    values, axes = _principal([[default(x) for x in row] for row in E])
+    largest = max(range(3), key=lambda k: values[k])
+    thin = [k for k in range(3) if values[k] < FLOOR * values[largest]]
+    if not thin:
+        return E
+    floor = FLOOR * dot(axes[largest], times(E, axes[largest]))
+    lacking = {k: floor - dot(axes[k], times(E, axes[k])) for k in thin}
+    mean: Number = 0.0
+    for lack in lacking.values():
+        mean = mean + lack / float(len(thin))
+    for k in range(3):
+        E = _added(E, lacking.get(k, -1.0 * mean), axes[k])
+    return E
+
+
+def _principal(E: list[list[float]]) -> tuple[Sequence[float], list[Vector]]:
+    """Eigenvalues and axes of E; those of a diagonal matrix are exact."""
+    if all(E[i][k] == 0.0 for i in range(3) for k in range(3) if i != k):
+        return [E[k][k] for k in range(3)], [tuple(np.eye(3)[k].tolist()) for k in range(3)]
+    values, vectors = np.linalg.eigh(np.array(E))
+    return values.tolist(), [tuple(vectors[:, k].tolist()) for k in range(3)]
+
+
+def _added(E: Matrix, amount: Number, axis: Vector) -> Matrix:
+    """Return E + amount axis axis'."""
+    return tuple(
+        tuple(x + amount * (axis[i] * axis[k]) for k, x in enumerate(row))
+        for i, row in enumerate(E)
+    )

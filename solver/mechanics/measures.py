@@ -1,0 +1,129 @@
+"""Measurements: where the kernel puts them, and how expressions of outputs are made of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from solver.mechanics.combination import Combination
+from solver.mechanics.formulas import rewritten
+from solver.mechanics.mechanism import FIXED
+from solver.mechanics.parts import JointParts, Parts
+from solver.mechanics.structure import Structure
+from solver.mechanics.vectors import Vector, add, scale, turned
+from solver.scene import Expr, Number
+from solver.scene.expression import symbol
+
+
+@dataclass(frozen=True, slots=True)
+class Ref:
+    """A measurement: component k of an item of a section, the item by its index before ordering."""
+
+    section: str
+    item: int
+    k: int = 0
+
+    def place(self, structure: Structure, sections: dict[str, tuple[int, int]]) -> int:
+        """Return its place among the measurements."""
+        mechanism = structure.mechanism
+        dim, turning = mechanism.dim, 1 if mechanism.dim == 2 else 3
+        item = self.item
+        if self.section in ("position", "velocity"):
+            item = structure.node_of[item]
+        elif self.section == "driven_force":
+            item = structure.node_of[item] - structure.n_free
+        elif self.section in ("quantity", "quantity_rate"):
+            item = structure.quantity_of[item]
+        width = {
+            "quaternion": 4, "body_rate": 3, "reaction_torque": turning,
+            **dict.fromkeys(("position", "velocity", "place", "place_velocity"), dim),
+            **dict.fromkeys(("reaction_force", "driven_force"), dim),
+        }.get(self.section, 1)  # fmt: skip
+        return sections[self.section][0] + width * item + self.k
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A quantity with a name; one that is `listed` is a variable of the model."""
+
+    name: str
+    unit: str
+    text: str
+    meaning: Ref | Number
+    listed: bool = True
+
+
+@dataclass(slots=True)
+class Measures:
+    """Measurements of a mechanism, as they stand in expressions of outputs."""
+
+    parts: Parts
+    refs: dict[str, Ref] = field(default_factory=dict)
+    """Measurements in expressions, by their symbols."""
+    _places: dict[int, int] = field(default_factory=dict)
+
+    def value(self, ref: Ref) -> Expr:
+        """Return the symbol of a measurement, to be used in expressions."""
+        name = f"#{ref.section} {ref.item} {ref.k}"
+        self.refs[name] = ref
+        return symbol(name)
+
+    def multiplier(self, row: tuple[str, int]) -> Expr:
+        """Return the symbol of mu of a row."""
+        return self.value(self.ref(row))
+
+    def ref(self, row: tuple[str, int]) -> Ref:
+        """Return mu of a row, given by its kind and its index among those."""
+        mechanism = self.parts.mechanism
+        first = {"form": 0, "function": len(mechanism.form_rows)}
+        first["function"] += mechanism.dim * len(mechanism.coincidences)
+        first["velocity"] = first["function"] + len(mechanism.function_rows)
+        return Ref("multiplier", first[row[0]] + row[1])
+
+    def vector(self, combination: Combination) -> Vector:
+        """Return a direction at the time of the measurement."""
+        mechanism = self.parts.mechanism
+        total: Vector = (0.0,) * mechanism.dim
+        for n, straight, turn in combination.terms:
+            node = mechanism.nodes[n]
+            x: Vector = node.position
+            if node.motion != FIXED:
+                x = tuple(self.value(Ref("position", n, k)) for k in range(mechanism.dim))
+            total = add(total, scale(straight, x))
+            if turn != 0.0:
+                total = add(total, scale(turn, turned(x)))
+        return total
+
+    def pushed(self, found: JointParts) -> Vector:
+        """Return the force -sum mu slope direction of the rows of a joint."""
+        total: Vector = (0.0,) * self.parts.mechanism.dim
+        for row, slope, direction in found.pushes:
+            seen = rewritten(slope, lambda x: self._own(x, found)) if found.own else slope
+            force = -1.0 * self.multiplier(row) * seen
+            total = add(total, scale(force, self.vector(direction)))
+        return total
+
+    def _own(self, part: Expr, found: JointParts) -> Number | None:
+        if part.op != "symbol":
+            return None
+        leaf = found.own.get(str(part.args[0]))
+        return part if leaf is None else self.value(Ref("quantity", leaf.index))
+
+    def motion(self, place: Combination) -> tuple[list[Ref] | Vector, list[Ref] | Vector]:
+        """Return position and velocity of a place: measurements, or numbers where it stays."""
+        mechanism = self.parts.mechanism
+        dim = mechanism.dim
+        if not mechanism.moves(place):
+            return mechanism.drawn(place), (0.0,) * dim
+        if place.single is not None:
+            return tuple(references(s, place.single, dim) for s in ("position", "velocity"))
+        form = mechanism.link(place)
+        if form not in self._places:
+            self._places[form] = len(mechanism.places)
+            mechanism.places.append(form)
+        sections = ("place", "place_velocity")
+        return tuple(references(s, self._places[form], dim) for s in sections)
+
+
+def references(section: str, item: int, count: int) -> list[Ref]:
+    """Return the components of a measured vector."""
+    return [Ref(section, item, k) for k in range(count)]

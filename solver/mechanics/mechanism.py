@@ -1,0 +1,329 @@
+"""A mechanism as equations: nodes, masses, forms, quantities, rows, forces - all by index.
+
+    s = u . w,      sigma = s, sqrt(s) or atan2(s_2, s_1),      Phi(sigma, b(t)) = 0
+
+Bodies, joints, forces and drivers add to it; ``tables`` turns it into the arrays of a model. Nodes
+are counted as they come; the order of a model (free, driven, fixed) is made at the end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from solver.mechanics.combination import Combination, node
+from solver.mechanics.vectors import Vector, add, dot, scale, turned
+from solver.runtime.model import Row, Rule
+from solver.scene import Expr, Number, evaluate
+from solver.scene.expression import atan2, sqrt
+
+FREE, DRIVEN, FIXED = 0, 1, 2
+"""How a node moves."""
+POINT, DIRECTION = 0, 1
+"""What a node is."""
+FORM, LENGTH, ANGLE = 0, 1, 2
+"""Kinds of quantities."""
+VALUE, RATE, SIGNAL = 0, 1, 2
+"""Kinds of leaves."""
+GIVEN = 1e8
+"""Weight of a velocity that the scene gives, against 1, when velocities are made consistent."""
+
+
+@dataclass(slots=True)
+class Node:
+    """A point or direction: position as drawn [m or 1], velocity, shares of mass [kg]."""
+
+    motion: int
+    kind: int
+    position: Vector
+    velocity: Vector
+    mass: Number = 0.0
+    """Share in norms."""
+    weight: Number = 0.0
+    """Mass that gravity acts on."""
+    velocity_weight: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """s = u . w."""
+
+    u: Combination
+    w: Combination
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A form, the length of one, or the angle of two (cosine, sine)."""
+
+    kind: int
+    forms: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """What a formula depends on: a quantity's value or rate, or a signal."""
+
+    kind: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A number over leaves, which stand in it as the symbols of `leaf_symbol`."""
+
+    value: Number
+    leaves: tuple[Leaf, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """A row's size, base extent^power: what its residual is compared with."""
+
+    base: Number
+    power: int
+
+
+@dataclass(frozen=True, slots=True)
+class FormRow:
+    """s - constant = 0."""
+
+    form: int
+    constant: Number
+    scale: Scale
+    row: Row
+
+
+@dataclass(frozen=True, slots=True)
+class Coincidence:
+    """u = 0."""
+
+    form: int
+    row: Row
+
+
+@dataclass(frozen=True, slots=True)
+class FunctionRow:
+    """A formula that is zero."""
+
+    formula: Formula
+    scale: Scale
+    row: Row
+    driver: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """Force k (sigma - rest) + c dsigma/dt - drive along a quantity."""
+
+    quantity: int
+    stiffness: Number = 0.0
+    rest: Number = 0.0
+    damping: Number = 0.0
+    drive: Number = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """A force on a link, in global axes (None) or in those of the body with this first director."""
+
+    form: int
+    value: Vector
+    axes: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """A moment that turns a link (a bar or a planar body), or a spatial body's directors."""
+
+    place: int
+    """Form of the link, or node of the first director."""
+    value: Vector
+    body_axes: bool = False
+
+
+@dataclass(slots=True)
+class Mechanism:
+    """Everything a model consists of, by index."""
+
+    dim: int
+    defaults: Mapping[str, float]
+    """Values of the parameters and inputs, and the time, as the scene gives them."""
+    varying: frozenset[str] = frozenset()
+    """Symbols of formulas that change while it moves: time, inputs, tunable parameters."""
+    nodes: list[Node] = field(default_factory=list)
+    masses: dict[tuple[int, int], Number] = field(default_factory=dict)
+    forms: list[Form] = field(default_factory=list)
+    quantities: list[Quantity] = field(default_factory=list)
+    active: dict[int, None] = field(default_factory=dict)
+    """Quantities that rows, forces and sensors use, in the order of their use."""
+    driven_signals: list[Number] = field(default_factory=list)
+    """Coordinates of the driven nodes."""
+    signals: list[Number] = field(default_factory=list)
+    """Other prescribed values that rows contain."""
+    form_rows: list[FormRow] = field(default_factory=list)
+    coincidences: list[Coincidence] = field(default_factory=list)
+    function_rows: list[FunctionRow] = field(default_factory=list)
+    velocity_rows: list[FunctionRow] = field(default_factory=list)
+    potentials: list[Formula] = field(default_factory=list)
+    elements: list[Element] = field(default_factory=list)
+    loads: list[Load] = field(default_factory=list)
+    moments: list[Moment] = field(default_factory=list)
+    body_moments: list[Moment] = field(default_factory=list)
+    bodies: list[int] = field(default_factory=list)
+    """First directors of spatial bodies."""
+    places: list[int] = field(default_factory=list)
+    """Forms of measured places."""
+    reactions: list[list[tuple[int, int, int]]] = field(default_factory=list)
+    """Entries (kind, row, sign) of each joint."""
+    rules: list[Rule] = field(default_factory=list)
+    rule_numbers: list[Number] = field(default_factory=list)
+    sensing: bool = False
+    _forms: dict[tuple[Combination, Combination], int] = field(default_factory=dict)
+    _quantities: dict[Quantity, int] = field(default_factory=dict)
+    _fixed: dict[tuple[int, Vector], int] = field(default_factory=dict)
+    _signals: dict[Number, int] = field(default_factory=dict)
+
+    # -------------------------------------------------------------------------------- nodes
+
+    def default(self, number: Number) -> float:
+        """Value of a number with the default parameters; branches are decided with these."""
+        return evaluate(number, self.defaults) if isinstance(number, Expr) else float(number)
+
+    def add_node(self, new: Node) -> int:
+        """Add a node and return its index."""
+        self.nodes.append(new)
+        return len(self.nodes) - 1
+
+    def fixed(self, kind: int, position: Vector) -> Combination:
+        """Return a place or direction that does not move."""
+        if (kind, position) not in self._fixed:
+            rest = (0.0,) * self.dim
+            self._fixed[kind, position] = self.add_node(Node(FIXED, kind, position, rest))
+        return node(self._fixed[kind, position])
+
+    def moves(self, combination: Combination) -> bool:
+        """Whether any node of a combination moves."""
+        return any(self.nodes[n].motion != FIXED for n in combination.nodes)
+
+    def is_free(self, combination: Combination) -> bool:
+        """Whether any node of a combination is unknown."""
+        return any(self.nodes[n].motion == FREE for n in combination.nodes)
+
+    def add_mass(self, a: int, b: int, mass: Number) -> None:
+        """Couple two nodes by a mass, in both triangles; to nodes that stay it does nothing."""
+        if FIXED in (self.nodes[a].motion, self.nodes[b].motion) or mass == 0.0:
+            return
+        for pair in {(a, b): None, (b, a): None}:
+            self.masses[pair] = self.masses.get(pair, 0.0) + mass
+
+    def drawn(self, combination: Combination) -> Vector:
+        """Return the vector of a combination as drawn."""
+        return self._sum((self.nodes[n].position, c, t) for n, c, t in combination.terms)
+
+    def moving(self, combination: Combination) -> Vector:
+        """Return the velocity of a combination as drawn."""
+        return self._sum((self.nodes[n].velocity, c, t) for n, c, t in combination.terms)
+
+    def _sum(self, terms: Iterable[tuple[Vector, Number, Number]]) -> Vector:
+        total: Vector = (0.0,) * self.dim
+        for vector, straight, turn in terms:
+            total = add(total, scale(straight, vector))
+            if turn != 0.0:
+                total = add(total, scale(turn, turned(vector)))
+        return total
+
+    # ------------------------------------------------------------------- forms and quantities
+
+    def form(self, u: Combination, w: Combination) -> tuple[int, int]:
+        """Return the index of the form u . w, and -1 if u and w changed places, else 1.
+
+        A side that does not move is w, so that the form is linear.
+        """
+        swapped = self.moves(w) and not self.moves(u)
+        key = (w, u) if swapped else (u, w)
+        if key not in self._forms:
+            self._forms[key] = len(self.forms)
+            self.forms.append(Form(*key))
+        return self._forms[key], -1 if swapped else 1
+
+    def link(self, u: Combination) -> int:
+        """Return the form whose link is u: where a force acts, or what is measured."""
+        return self.form(u, Combination())[0]
+
+    def value(self, form: int) -> Number:
+        """Return a form as drawn."""
+        return dot(self.drawn(self.forms[form].u), self.drawn(self.forms[form].w))
+
+    def quantity(self, kind: int, *forms: int) -> int:
+        """Return the index of a quantity."""
+        key = Quantity(kind, forms)
+        if key not in self._quantities:
+            self._quantities[key] = len(self.quantities)
+            self.quantities.append(key)
+        return self._quantities[key]
+
+    def length(self, u: Combination) -> int:
+        """Return the quantity |u|."""
+        return self.quantity(LENGTH, self.form(u, u)[0])
+
+    def component(self, u: Combination, w: Combination) -> int:
+        """Return the quantity u . w."""
+        return self.quantity(FORM, self.form(u, w)[0])
+
+    def angle(
+        self, cosine: tuple[Combination, Combination], sine: tuple[Combination, Combination]
+    ) -> int:
+        """Return the angle whose cosine and sine are proportional to two forms."""
+        return self.quantity(ANGLE, self.form(*cosine)[0], self.form(*sine)[0])
+
+    def drawn_value(self, quantity: int) -> Number:
+        """Return a quantity as drawn."""
+        kind, forms = self.quantities[quantity].kind, self.quantities[quantity].forms
+        values = [self.value(form) for form in forms]
+        if kind == ANGLE:
+            return atan2(values[1], values[0])
+        return sqrt(values[0]) if kind == LENGTH else values[0]
+
+    def length_power(self, quantity: int) -> int:
+        """Return the power of length in a quantity's unit: 1 for m, 0 for rad."""
+        kind, forms = self.quantities[quantity].kind, self.quantities[quantity].forms
+        if kind != FORM:
+            return int(kind == LENGTH)
+        form = self.forms[forms[0]]
+        return sum(
+            any(self.nodes[n].kind == POINT for n in side.nodes) for side in (form.u, form.w)
+        )
+
+    def use(self, quantity: int) -> int:
+        """Say that a quantity takes part in the motion; return it."""
+        self.active.setdefault(quantity)
+        return quantity
+
+    def signal(self, number: Number) -> int:
+        """Return the index of a prescribed value among `signals`."""
+        if number not in self._signals:
+            self._signals[number] = len(self.signals)
+            self.signals.append(number)
+        return self._signals[number]
+
+    # ---------------------------------------------------------------------------------- rules
+
+    def rule(
+        self, number: Number, relation: Literal[">", ">=", "finite"], part: tuple[str, str],
+        text: str,
+    ) -> None:  # fmt: skip
+        """Demand that a number is `relation` 0 (or finite); `text` says what, with its value.
+
+        `part` is where in the scene the number stands and what it is called there.
+        """
+        message = text if "{value" in text else f"{text}, got {{value!r}}"
+        self.rule_numbers.append(number)
+        self.rules.append(Rule(-1, relation, 0.0, *part, message))
+
+    def finite(self, vector: Vector, part: tuple[str, str], what: str) -> None:
+        """Demand that what the expressions of a vector yield is a finite number."""
+        for number in vector:
+            if isinstance(number, Expr):
+                self.rule(number, "finite", part, f"{what} must be a finite number")
