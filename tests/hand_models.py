@@ -1,8 +1,4 @@
-"""Models written by hand, entry by entry, for tests of the NumPy reference alone.
-
-They hold what no scene has at once and what assembly would refuse; they have no places in factors
-and cannot run on the kernel.
-"""
+"""Models written by hand, entry by entry: what no scene has at once, and what it would refuse."""
 
 from __future__ import annotations
 
@@ -12,10 +8,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from solver.runtime.reference.tape import NAMES
+from tests.hand_factors import Factors, composites, write_sizes
 from solver.runtime import Model, State, Status
 from solver.runtime.layout import OFFSETS, SIZES, TABLES, measured_sections, measured_size
 from solver.runtime.model import Experiment, Row
 from solver.runtime.options import DEFAULTS, encode
+from solver.runtime.kernel import Kernel
 from solver.runtime.reference import Reference
 
 Node = tuple[str, int]
@@ -168,13 +166,13 @@ class Hand:
 
         self._write_nodes(at)
         self._write_forms(at, first)
-        composites = [[(0, quantity)] for quantity in self.elements]
+        groups = [[(0, quantity)] for quantity in self.elements]
         tables, counts = self.tables, {name: len(given) for name, given in self.functions.items()}
         programs = [function for given in self.functions.values() for function in given]
-        composites += [leaves for leaves, _ in programs]
-        ends = np.cumsum([0, *map(len, composites)])
+        groups += [leaves for leaves, _ in programs]
+        ends = np.cumsum([0, *map(len, groups)])
         tables["leaf_ptr"] = ends.tolist()
-        tables["leaf"] = [x for leaves in composites for leaf in leaves for x in (*leaf, -1, -1)]
+        tables["leaf"] = [x for leaves in groups for leaf in leaves for x in (*leaf, -1, -1)]
         tables["load_axes"] = [-1 if axes is None else at(axes) for axes in tables["load_axes"]]
         tables["body_node"] = [at(node) for node in tables["body_node"]]
         tables["body_moment"] = [x if isinstance(x, int) else at(x) for x in tables["body_moment"]]
@@ -203,6 +201,9 @@ class Hand:
             for name, target, args in self.operations[segment]
             for x in (NAMES.index(name), place(target), *_three([place(a) for a in args]))
         ]
+        composites(tables, sizes["n_free"])
+        write_sizes(tables, sizes)
+        Factors(tables, sizes).write(sizes)
         sizes["n_numbers"] = start + len(self.constants)
         numbers = [x for name in OFFSETS for x in self.numbers[name]] + self.constants
         return Model(
@@ -225,9 +226,14 @@ class Hand:
         for position, *_ in self.nodes["fixed"]:
             numbers["support"].extend(position)
         tables["node_kind"] = [int(node[3]) for node in moving + self.nodes["fixed"]]
-        for (a, b), mass in self.masses.items():
+        free = {pair: mass for pair, mass in self.masses.items() if self._are_free(pair)}
+        for (a, b), mass in (free | self.masses).items():
             tables["mass_node"].extend((at(a), at(b)))
             numbers["mass"].append(mass)
+
+    @staticmethod
+    def _are_free(pair: tuple[Node, Node]) -> bool:
+        return all(kind == "free" for kind, _ in pair)
 
     def _write_forms(self, at, first) -> None:
         tables, numbers = self.tables, self.numbers
@@ -267,6 +273,7 @@ class Hand:
             "n_potentials": counts["potential"], "n_loads": len(tables["load_form"]),
             "n_moments": len(tables["moment_form"]),
             "n_body_moments": len(tables["body_moment"]) // 2, "n_mass": len(self.masses),
+            "n_mass_free": sum(map(self._are_free, self.masses)),
             "n_bodies": len(tables["body_node"]), "n_places": len(tables["place_form"]),
             "n_reactions": self.flags.get("n_reactions", 0),
             "n_reaction_entries": len(tables["reaction_entry"]) // 4,
@@ -298,14 +305,14 @@ def _three(places: list[int]) -> list[int]:
 
 
 class Run:
-    """A model on the reference, from its start; the integrator's checks of scenes are left out."""
+    """A model in motion; the integrator's checks of scenes are left out."""
 
-    def __init__(self, hand: Hand, **settings: float | str | bool) -> None:
+    def __init__(self, hand: Hand, engine="numpy", **settings: float | str | bool) -> None:
         self.model = hand.model()
-        self.engine = Reference(self.model)
+        self.engine = Kernel(self.model) if engine == "c" else Reference(self.model)
         self.state = State(self.model, self.engine.state)
         self.head, self.vectors = self.state.head, self.state.vectors
-        for name, default in DEFAULTS.items():
+        for name, default in (DEFAULTS | {"assemble": False}).items():
             place, number = encode(name, settings.get(name, default))
             self.head[place] = number
         self.vectors["inputs"][:] = array("d", hand.inputs)

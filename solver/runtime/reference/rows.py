@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 CLOSED, BETA, END = "closed", "beta", "end"
 """Where rows have their gradients: over the step, functions at q_n + beta d, all at the end."""
 
-PARTS = 0.5 + np.arange(1, 33) / 64.0
+PARTS = 0.5 + np.arange(1, 17) / 32.0
 """Where a sign change is looked for beyond 1/2; by symmetry below it too."""
 
 
@@ -50,7 +50,7 @@ def intermediate(
         return 0.5
     low, off_low = {1: 0.5, -1: 0.5}, {1: middle, -1: middle}
     for part in PARTS:
-        for side in (1, -1):
+        for side in (-1, 1):  # of two roots as near, that of the first half
             high = 0.5 + side * (part - 0.5)
             off_high = off(high)
             if off_low[side] * off_high <= 0.0:

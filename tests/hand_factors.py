@@ -1,0 +1,162 @@
+"""Places in dense factors for models written by hand, so that they run on the kernel too.
+
+Nodes come first in the elimination, then rows; every pivot is coupled to all later ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+
+TURNED, LINEAR = 4, 2
+
+Tables = dict[str, list]
+
+
+def unique(values: Sequence[int]) -> list[int]:
+    """Values in the order in which they first appear."""
+    return list(dict.fromkeys(values))
+
+
+def composites(tables: Tables, n_free: int) -> None:
+    """Write forms and nodes of the composites, and the leaves' local forms."""
+    ptr, nodes = tables["form_ptr"], tables["form_node"]
+    for name in ("composite_form_ptr", "composite_node_ptr"):
+        tables[name] = [0]
+    for begin, end in zip(tables["leaf_ptr"], tables["leaf_ptr"][1:], strict=False):
+        quantities = [
+            tables["leaf"][4 * i + 1] for i in range(begin, end) if tables["leaf"][4 * i] != 2
+        ]
+        made_of = {q: tables["quantity_form"][2 * q : 2 * q + 2] for q in quantities}
+        forms = unique([form for q in quantities for form in made_of[q] if form >= 0])
+        for i in range(begin, end):
+            if tables["leaf"][4 * i] != 2:
+                local = [forms.index(f) if f >= 0 else -1 for f in made_of[tables["leaf"][4 * i + 1]]]
+                tables["leaf"][4 * i + 2 : 4 * i + 4] = local
+        free = [[n for n in nodes[ptr[f] : ptr[f + 1]] if n < n_free] for f in forms]
+        union = unique([node for entries in free for node in entries])
+        tables["composite_form"] += forms
+        tables["composite_form_ptr"].append(len(tables["composite_form"]))
+        tables["composite_node"] += union
+        tables["composite_node_ptr"].append(len(tables["composite_node"]))
+        tables["composite_local"] += [union.index(node) for entries in free for node in entries]
+
+
+class Factors:
+    """Dense factors of `size` unknowns: slots of matrix elements."""
+
+    def __init__(self, tables: Tables, sizes: dict[str, int]) -> None:
+        self.tables, self.dim = tables, sizes["dim"]
+        self.n = self.dim * sizes["n_free"]
+        self.size = self.n + sizes["n_rows"]
+        self.ptr = [0]
+        for k in range(self.size):
+            self.ptr.append(self.ptr[-1] + 1 + 2 * (self.size - 1 - k))
+
+    def slot(self, i: int, j: int) -> int:
+        """Stored entry of matrix element (i, j)."""
+        first, second = min(i, j), max(i, j)
+        upper = self.ptr[first] + second - first
+        return upper + self.size - 1 - first if i > j else upper
+
+    def free(self, form: int) -> list[int]:
+        """Free nodes of a form's entries."""
+        begin = self.tables["form_ptr"][form]
+        return self.tables["form_node"][begin : begin + self.tables["form_free"][form]]
+
+    def block(self, a: int, b: int) -> Iterator[int]:
+        """Slots of the block between two nodes."""
+        for i, k in product(range(self.dim), repeat=2):
+            yield self.slot(self.dim * a + i, self.dim * b + k)
+
+    def pairs(self, nodes: Sequence[int]) -> list[int]:
+        """Slots of all blocks between some nodes."""
+        return [slot for a, b in product(nodes, repeat=2) for slot in self.block(a, b)]
+
+    def border(self, nodes: Sequence[int], row: int) -> list[int]:
+        """Slots of a row's column, then of its row."""
+        places = [self.dim * a + k for a in nodes for k in range(self.dim)]
+        upper = [self.slot(place, self.n + row) for place in places]
+        return upper + [self.slot(self.n + row, place) for place in places]
+
+    def form_row(self, row: int, form: int) -> list[int]:
+        """Slots of a form row."""
+        kind, nodes = self.tables["form_kind"][form], self.free(form)
+        stiffness: list[int] = []
+        if kind & TURNED and not kind & LINEAR:
+            stiffness = self.pairs(nodes)
+        elif not kind & LINEAR:
+            stiffness = [
+                self.slot(self.dim * a + k, self.dim * b + k)
+                for a, b in product(nodes, repeat=2)
+                for k in range(self.dim)
+            ]
+        return stiffness + self.border(nodes, row)
+
+    def coincidence(self, first: int, form: int) -> list[int]:
+        """Slots of a coincidence whose first row is `first`."""
+        slots, rows = [], [self.n + first + k for k in range(self.dim)]
+        for node in self.free(form):
+            places = [self.dim * node + k for k in range(self.dim)]
+            if self.tables["form_kind"][form] & TURNED:
+                slots += [self.slot(i, j) for i, j in product(places, rows)]
+                slots += [self.slot(j, i) for j, i in product(rows, places)]
+            else:
+                slots += [self.slot(i, j) for i, j in zip(places, rows, strict=True)]
+                slots += [self.slot(j, i) for i, j in zip(places, rows, strict=True)]
+        return slots
+
+    def write(self, sizes: dict[str, int]) -> None:
+        """Write all tables of the factors."""
+        t, size, dim = self.tables, self.size, self.dim
+        t["node_position"] = list(range(0, self.n, dim))
+        t["row_position"] = list(range(self.n, size))
+        t["lu_ptr"] = self.ptr
+        t["lu_column"] = [later for k in range(size) for later in range(k + 1, size)]
+        t["lu_target"] = [
+            self.slot(i, j) for k in range(size) for i, j in product(range(k + 1, size), repeat=2)
+        ]
+        masses = zip(t["mass_node"][::2], t["mass_node"][1::2], strict=True)
+        t["mass_slot"] = [
+            self.slot(dim * a + k, dim * b + k)
+            for a, b in list(masses)[: sizes["n_mass_free"]]
+            for k in range(dim)
+        ]
+        for row, form in enumerate(t["row_form"]):
+            t["row_slot"] += self.form_row(row, form)
+        for j, form in enumerate(t["coincidence_form"]):
+            t["coincidence_slot"] += self.coincidence(sizes["n_form_rows"] + dim * j, form)
+        t["moment_slot"] = [s for form in t["moment_form"] for s in self.pairs(self.free(form))]
+        self._composites(sizes)
+        width = 1 if dim == 2 else 3
+        for form, axes in zip(t["load_form"], t["load_axes"], strict=True):
+            directors = range(axes, axes + width) if axes >= 0 else ()
+            for a, b in product(self.free(form), directors):
+                t["load_slot"] += self.block(a, b)
+        for first in t["body_moment"][::2]:
+            places = range(dim * first, dim * first + 9)
+            t["body_moment_slot"] += [self.slot(i, j) for i, j in product(places, repeat=2)]
+        sizes["n_lu_values"] = self.ptr[-1]
+
+    def _composites(self, sizes: dict[str, int]) -> None:
+        t = self.tables
+        first_row = sizes["n_form_rows"] + self.dim * sizes["n_coincidences"]
+        n_rows = sizes["n_function_rows"] + sizes["n_velocity_rows"]
+        ends = t["composite_node_ptr"]
+        for j, (begin, end) in enumerate(zip(ends, ends[1:], strict=False)):
+            nodes, row = t["composite_node"][begin:end], j - sizes["n_elements"]
+            places = [self.dim * a + k for a in nodes for k in range(self.dim)]
+            t["composite_slot"] += [self.slot(i, k) for i, k in product(places, repeat=2)]
+            if 0 <= row < n_rows:
+                t["composite_slot"] += self.border(nodes, first_row + row)
+
+
+def write_sizes(tables: Tables, sizes: dict[str, int]) -> None:
+    """Write the sizes of scratch that composites need."""
+    def most(name: str) -> int:
+        ends = tables[name]
+        return max((b - a for a, b in zip(ends, ends[1:], strict=False)), default=0)
+
+    sizes["n_local_forms"] = max(most("composite_form_ptr"), 1)
+    sizes["n_local_nodes"] = max(most("composite_node_ptr"), 1)
+    sizes["n_registers"] = max(most("leaf_ptr") + most("function_ptr"), 1)
