@@ -79,6 +79,14 @@ class Hand:
                 self.row(self.form({a: 1.0}, None if a == b else {b: 1.0}), float(a == b), 1.0)
         return [center, *directors]
 
+    def disturb(self, size: float) -> None:
+        """Change drawn positions at random, and velocities ten times as much."""
+        random = np.random.default_rng(1)
+        for i, (position, velocity, *rest) in enumerate(self.nodes["free"]):
+            moved = np.array(position) + size * random.normal(size=self.dim)
+            pushed = np.array(velocity) + 10.0 * size * random.normal(size=self.dim)
+            self.nodes["free"][i] = (moved.tolist(), pushed.tolist(), *rest)
+
     # ------------------------------------------------------------------------------- forms, rows
 
     def form(self, u: Mapping[Node, Entry], w: Mapping[Node, Entry] | None = None) -> int:
