@@ -9,52 +9,64 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.mechanics.elimination import Pattern, eliminate
+from solver.mechanics.elimination import Graph, Pattern, eliminate
 from tests.problems import Array, assemble, chain, four_bar, free_system, observe, start, tree
-
-Graph = tuple[int, int, list[list[int]], list[list[int]]]
 
 
 @st.composite
 def graphs(draw: st.DrawFn) -> Graph:
-    """Nodes, dimension, the nodes of each row (one to three) and couplings, loops and all."""
+    """Nodes, rows of one multiplier and coincidences of `dim`, loops and all.
+
+    A row couples one to three nodes and all of their components, a coincidence equal components of
+    two; other couplings are of either kind. No node carries more rows than it has coordinates.
+    """
     n, dim = draw(st.integers(1, 12)), draw(st.sampled_from([2, 3]))
     nodes = st.lists(st.integers(0, n - 1), min_size=1, max_size=min(3, n), unique=True)
     rows = draw(st.lists(nodes, max_size=2 * n))
-    couplings = draw(st.lists(nodes, max_size=n))
-    return n, dim, rows, couplings
+    vectors = draw(st.lists(st.booleans(), min_size=len(rows), max_size=len(rows)))
+    sizes = [dim] * n + [dim if vector else 1 for vector in vectors]
+    couplings = {}
+    for near, full in draw(st.lists(st.tuples(nodes, st.booleans()), max_size=n)):
+        couplings |= {(a, b): full for a in near for b in near if a < b}
+    for k, near in enumerate(rows):
+        couplings |= {(a, b): couplings.get((a, b), False) for a in near for b in near if a < b}
+        couplings |= {(a, n + k): not vectors[k] for a in near}
+    return Graph(sizes, n, couplings, {n + k: near for k, near in enumerate(rows)})
+
+
+def first_of(graph: Graph) -> list[int]:
+    """First unknown of each block, in the order of the blocks; the last one is their number."""
+    return [0, *np.cumsum(graph.sizes).tolist()]
 
 
 def kkt_matrix(graph: Graph, random: np.random.Generator) -> Array:
-    """Random [A, B; C, -eps] with the sparsity of a graph, in the order nodes, rows.
+    """Random [A, B; C, -eps] with the sparsity of a graph, in the order of its blocks.
 
     A is positive definite by its diagonal, B and C differ a little, as the gradients at the middle
     and at the end of a step do; -eps is the compliance of a penalty of 1e8.
     """
-    n, dim, rows, couplings = graph
-    size = n * dim + len(rows)
-    K = np.zeros((size, size))
-    for nodes in (*rows, *couplings):
-        for a in nodes:
-            for b in nodes:
-                block = random.uniform(-1, 1, (dim, dim))
-                K[a * dim : a * dim + dim, b * dim : b * dim + dim] += 0.02 * block
-    K[range(n * dim), range(n * dim)] += 4.0 + 2 * len(rows)
-    for row, nodes in enumerate(rows):
-        place = n * dim + row
-        for a in nodes:
-            gradient = random.normal(size=dim)
-            K[a * dim : a * dim + dim, place] = gradient
-            K[place, a * dim : a * dim + dim] = gradient + 0.01 * random.normal(size=dim)
-        K[place, place] = -1e-2
+    first = first_of(graph)
+    K = np.zeros((first[-1], first[-1]))
+    n = first[graph.n_nodes]
+    K[range(n), range(n)] = 4.0 + 2 * len(graph.anchors)
+    K[range(n, len(K)), range(n, len(K))] = -1e-2
+    for (a, b), full in graph.couplings.items():
+        shape = (graph.sizes[a], graph.sizes[b])
+        row = b >= graph.n_nodes
+        block = random.normal(size=shape) if row else random.uniform(-0.02, 0.02, shape)
+        other = block + random.uniform(-0.01, 0.01, shape)
+        if not full:
+            block, other = (np.diag(np.diag(x)) for x in (block, other))
+        rows, columns = slice(first[a], first[a + 1]), slice(first[b], first[b + 1])
+        K[rows, columns] += block
+        K[columns, rows] += other.T
     return K
 
 
 def places(graph: Graph, pattern: Pattern) -> list[int]:
-    """Place in the elimination of each unknown, nodes first, then rows."""
-    n, dim, rows, _ = graph
-    nodes = [pattern.node_position[a] + k for a in range(n) for k in range(dim)]
-    return [*nodes, *(pattern.row_position[row] for row in range(len(rows)))]
+    """Place in the elimination of each unknown, in the order of the blocks."""
+    blocks = zip(pattern.position, graph.sizes, strict=True)
+    return [place + k for place, size in blocks for k in range(size)]
 
 
 def scatter(K: Array, place: Sequence[int], pattern: Pattern) -> Array:
@@ -90,11 +102,11 @@ def factor_and_solve(pattern: Pattern, values: Array, right: Array) -> Array:
 @given(graphs(), st.integers(0, 2**32 - 1))
 def test_the_factors_on_the_pattern_solve_what_dense_algebra_solves(graph, seed):
     # No pivoting: growth is bounded by the condition of these matrices, some 1e4 at the worst.
-    n, dim, rows, couplings = graph
     random = np.random.default_rng(seed)
-    pattern = eliminate(n, dim, rows, couplings)
+    pattern = eliminate(graph)
     place = places(graph, pattern)
-    K, right = kkt_matrix(graph, random), random.normal(size=n * dim + len(rows))
+    K = kkt_matrix(graph, random)
+    right = random.normal(size=len(K))
     ordered = np.empty_like(right)
     ordered[place] = right
     solved = factor_and_solve(pattern, scatter(K, place, pattern), ordered)[place]
@@ -104,27 +116,46 @@ def test_the_factors_on_the_pattern_solve_what_dense_algebra_solves(graph, seed)
 
 @given(graphs())
 def test_every_unknown_has_one_place_and_blocks_stay_together(graph):
-    n, dim, rows, couplings = graph
-    pattern = eliminate(n, dim, rows, couplings)
-    assert sorted(places(graph, pattern)) == list(range(n * dim + len(rows)))
+    assert sorted(places(graph, eliminate(graph))) == list(range(sum(graph.sizes)))
 
 
 @given(graphs())
 def test_a_row_comes_after_one_of_its_nodes(graph):
     # Else its pivot would be the bare compliance, which is as good as zero.
-    n, dim, rows, couplings = graph
-    pattern = eliminate(n, dim, rows, couplings)
-    for row, nodes in enumerate(rows):
-        assert pattern.row_position[row] > min(pattern.node_position[a] for a in nodes)
+    position = eliminate(graph).position
+    for row, nodes in graph.anchors.items():
+        assert position[row] > min(position[a] for a in nodes)
+
+
+@given(graphs())
+def test_eliminated_rows_find_coordinates_of_their_own_as_long_as_there_are_any(graph):
+    # A row that is carried by coordinates which other rows have used up has no pivot: only rows
+    # that no order could carry may come so, and these after all nodes.
+    position = eliminate(graph).position
+    last_node = max(position[: graph.n_nodes])
+    for row in graph.anchors:
+        gone = [other for other in graph.anchors if position[other] <= position[row]]
+        if position[row] > last_node:
+            continue
+        multipliers = sum(graph.sizes[other] for other in gone)
+        nodes = {a for other in gone for a in graph.anchors[other] if position[a] < position[row]}
+        assert multipliers <= sum(graph.sizes[a] for a in nodes)
+
+
+def test_a_row_waits_for_the_node_that_carries_it():
+    # The gradient of an offset with respect to the director is zero where the places coincide.
+    couplings = {(0, 2): True, (1, 2): True}
+    for anchor in (0, 1):
+        position = eliminate(Graph([3, 3, 1], 2, couplings, {2: [anchor]})).position
+        assert position[2] > position[anchor]
 
 
 @given(graphs())
 def test_the_order_depends_on_the_graph_alone(graph):
-    n, dim, rows, couplings = graph
-    first = eliminate(n, dim, rows, couplings)
-    second = eliminate(n, dim, [nodes[::-1] for nodes in rows], couplings[::-1])
-    assert first.node_position == second.node_position
-    assert first.row_position == second.row_position
+    first = eliminate(graph)
+    mirrored = dict(reversed(graph.couplings.items()))
+    second = eliminate(Graph(graph.sizes, graph.n_nodes, mirrored, graph.anchors))
+    assert first.position == second.position
     assert first.target == second.target
 
 

@@ -218,7 +218,8 @@ def test_plain_inputs_are_not_checked_against_rules_in_motion():
     # Setting them is part of every communication step, and copies nothing.
     assert not rules_of_laws(assemble(turned("5.0")))
     (rule,) = rules_of_laws(assemble(turned("k")))
-    assert "force 'tie': stiffness" in rule.message
+    assert (rule.location, rule.name) == ("forces.tie", "force 'tie'")
+    assert rule.message.startswith("stiffness must be")
 
 
 def test_a_rule_about_an_expression_of_inputs_is_checked_at_assembly():

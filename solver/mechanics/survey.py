@@ -1,4 +1,10 @@
-"""What a mechanism consists of: coordinates, rows, redundant rows, degrees of freedom."""
+"""What a mechanism consists of: coordinates, rows, redundant rows, mobility.
+
+Kutzbach's mobility is the number of coordinates less that of rows: 6 of each spatial body and 3 of
+each planar one, less the constraints of the joints. By rank it is what can really move as drawn,
+for rows may depend on each other. Drivers take freedom away afterwards; velocity rows, which are
+not holonomic, take it from velocities and not from positions.
+"""
 
 from __future__ import annotations
 
@@ -10,17 +16,23 @@ import numpy as np
 from solver.runtime import Integrator, Model
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
 LARGEST_RANKED = 2000
 """Rows up to which the rank is computed: the decomposition is dense."""
+SMALL = 1e-9
+"""Singular values below this part of the largest count as zero."""
+SHARE = 1e-6
+"""Least share of a row in a dependence."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Survey:
     """Counts of a mechanism in its drawn configuration.
 
-    `redundant_rows` and `degrees_of_freedom` are None for more than `LARGEST_RANKED` rows.
+    Whatever follows from ranks is None for more than `LARGEST_RANKED` rows.
     """
 
     moving_points: int
@@ -28,7 +40,18 @@ class Survey:
     coordinates: int
     rows: int
     redundant_rows: int | None
+    redundant_parts: tuple[str, ...] | None
+    """Joints and other parts whose rows depend on each other; reactions in them are not unique."""
+    mobility_by_count: int
+    """Kutzbach's: without drivers, as if no row depended on others."""
+    mobility: int | None
+    """By rank, without drivers."""
+    drivers: int
+    """Prescribed motions, one for each coordinate, distance, angle or displacement."""
     degrees_of_freedom: int | None
+    """Of positions, with drivers."""
+    velocity_freedom: int | None
+    """Of velocities, with drivers and velocity rows."""
     springs_and_dampers: int
     loads_and_torques: int
     stored_entries: int
@@ -36,57 +59,80 @@ class Survey:
 
 
 def constraint_jacobian(integrator: Integrator) -> NDArray[np.float64]:
-    """Return G at the present configuration: ndarray, shape (n_rows, n), in m.
+    """Return G at the present configuration: ndarray, shape (n_rows, n), n of all moving nodes.
 
-    Row i of a form s = u . w is the sum of alpha_e w + beta_e u over its entries e.
+    Column k is the rate of the rows at unit velocity of coordinate k, less that at rest, which
+    signals have. Of velocity rows it is the row of C in C v = 0.
     """
-    model, numbers = (
-        integrator.model,
-        np.asarray(memoryview(integrator.engine.numbers).cast("B").cast("d")),
-    )
-    dim, n_free = model.sizes["dim"], model.sizes["n_free"]
-    tables, offsets = model.tables, model.offsets
-    support = numbers[offsets["support"] :][: dim * model.sizes["n_support"]].reshape(-1, dim)
-    moving = np.asarray(integrator.state.vectors["q"]).reshape(-1, dim)
-    nodes = np.vstack([moving, support])
-    jacobian = np.zeros((model.sizes["n_rows"], n_free, dim))
-    for row, form in enumerate(tables["row_form"]):
-        begin, end = tables["form_ptr"][form], tables["form_ptr"][form + 1]
-        entry_nodes = np.array(tables["form_node"][begin:end])
-        alpha = numbers[offsets["alpha"] + begin : offsets["alpha"] + end]
-        beta = numbers[offsets["beta"] + begin : offsets["beta"] + end]
-        u, w = alpha @ nodes[entry_nodes], beta @ nodes[entry_nodes]
-        for node, a, b in zip(entry_nodes, alpha, beta, strict=True):
-            if node < n_free:
-                jacobian[row, node] += a * w + b * u
-    return jacobian.reshape(len(jacobian), dim * n_free)
+    v = integrator.state.vectors["v"]
+    kept = list(v)
+    columns = []
+    try:
+        v[:] = _doubles(0.0, len(v))
+        rest = np.array(integrator.engine.residuals()[1])
+        for k in range(len(v)):
+            v[k] = 1.0
+            columns.append(np.array(integrator.engine.residuals()[1]) - rest)
+            v[k] = 0.0
+    finally:
+        v[:] = _doubles(kept, len(v))
+    return np.array(columns).T.reshape(len(integrator.model.rows), len(v))
+
+
+def _doubles(values: float | Sequence[float], count: int) -> memoryview:
+    return memoryview(np.broadcast_to(np.asarray(values, dtype=float), count).copy())
+
+
+def _rank(rows: NDArray[np.float64]) -> int:
+    """Rank of rows scaled to unit length; rows of zeros count nothing."""
+    size = np.linalg.norm(rows, axis=1)
+    kept = rows[size > 0.0] / size[size > 0.0, None]
+    return int(np.linalg.matrix_rank(kept, rtol=SMALL)) if kept.size else 0
+
+
+def _dependent(rows: NDArray[np.float64], names: Sequence[str]) -> tuple[str, ...]:
+    """Names of the rows that take part in linear dependences; a body's own rows are not to blame."""
+    size = np.linalg.norm(rows, axis=1, keepdims=True)
+    U, values, _ = np.linalg.svd(rows / np.where(size > 0.0, size, 1.0))
+    rank = int((values > SMALL * values[0]).sum()) if values.size else 0
+    shares = np.linalg.norm(U[:, rank:], axis=1)
+    found = (name for name, share in zip(names, shares, strict=True) if share > SHARE)
+    return tuple(dict.fromkeys(name for name in found if not name.startswith("body ")))
 
 
 def survey(model: Model) -> Survey:
-    """Count what a mechanism consists of, with its default parameters.
-
-    The rank of the constraint Jacobian is that of its rows scaled to unit length, with singular
-    values below 1e-9 of the largest taken for zero.
-    """
+    """Count what a mechanism consists of, with its default parameters."""
     integrator = Integrator(model)
     integrator.initialise()
     sizes = model.sizes
-    coordinates, rows = sizes["dim"] * sizes["n_free"], sizes["n_rows"]
-    redundant = None
-    if rows == 0:
-        redundant = 0
-    elif rows <= LARGEST_RANKED:
-        jacobian = constraint_jacobian(integrator)
-        jacobian /= np.linalg.norm(jacobian, axis=1, keepdims=True)
-        redundant = rows - int(np.linalg.matrix_rank(jacobian, rtol=1e-9))
+    dim, n_free, n_driven = sizes["dim"], sizes["n_free"], sizes["n_driven"]
+    driver = np.array([row.kind == "driver" for row in model.rows], dtype=bool)
+    velocity = np.arange(sizes["n_rows"]) >= sizes["n_rows"] - sizes["n_velocity_rows"]
+    drivers = int(driver.sum()) + dim * n_driven
+    n_joint_rows = int((~driver & ~velocity).sum())
+    redundant = parts = mobility = freedom = velocity_freedom = None
+    if sizes["n_rows"] <= LARGEST_RANKED:
+        G = constraint_jacobian(integrator)
+        free = G[:, : dim * n_free]
+        redundant = sizes["n_rows"] - _rank(free)
+        parts = _dependent(free, model.row_names) if redundant else ()
+        mobility = dim * (n_free + n_driven) - _rank(G[~driver & ~velocity])
+        freedom = dim * n_free - _rank(free[~velocity])
+        velocity_freedom = dim * n_free - _rank(free)
+    points = [kind == 0 for kind in model.tables["node_kind"]]
     return Survey(
-        moving_points=sizes["n_free"],
-        supports=sizes["n_support"],
-        coordinates=coordinates,
-        rows=rows,
+        moving_points=sum(points[: n_free + n_driven]),
+        supports=sum(points[n_free + n_driven :]),
+        coordinates=dim * n_free,
+        rows=sizes["n_rows"],
         redundant_rows=redundant,
-        degrees_of_freedom=None if redundant is None else coordinates - rows + redundant,
-        springs_and_dampers=sizes["n_lines"],
-        loads_and_torques=sizes["n_loads"] + sizes["n_moments"],
+        redundant_parts=parts,
+        mobility_by_count=dim * (n_free + n_driven) - n_joint_rows,
+        mobility=mobility,
+        drivers=drivers,
+        degrees_of_freedom=freedom,
+        velocity_freedom=velocity_freedom,
+        springs_and_dampers=sizes["n_elements"],
+        loads_and_torques=sizes["n_loads"] + sizes["n_moments"] + sizes["n_body_moments"],
         stored_entries=sizes["n_lu_values"],
     )
