@@ -41,6 +41,7 @@ class Hand:
         self.constants: list[float] = []
         self.inputs: list[float] = []
         self.flags: dict[str, int] = {}
+        self.given: set[Node] = set()
 
     # ------------------------------------------------------------------------------- nodes
 
@@ -230,9 +231,10 @@ class Hand:
             numbers["initial_velocity"].extend(velocity)
             numbers["node_mass"].append(mass)
             numbers["node_weight"].append(0.0 if light else mass)
-            numbers["velocity_weight"].append(1.0)
         for position, *_ in self.nodes["fixed"]:
             numbers["support"].extend(position)
+        names = [(kind, i) for kind in ("free", "driven") for i in range(len(self.nodes[kind]))]
+        numbers["velocity_weight"] = [1e8 if name in self.given else 1.0 for name in names]
         tables["node_kind"] = [int(node[3]) for node in moving + self.nodes["fixed"]]
         free = {pair: mass for pair, mass in self.masses.items() if self._are_free(pair)}
         for (a, b), mass in (free | self.masses).items():
