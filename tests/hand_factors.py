@@ -6,9 +6,14 @@ Nodes come first in the elimination, then rows; every pivot is coupled to all la
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import product
+from itertools import pairwise, product
+from typing import Any
+
+from solver.runtime.layout import SIZES
 
 TURNED, LINEAR = 4, 2
+
+SEGMENTS = ("parameters", "laws", "signals", "outputs")
 
 Tables = dict[str, list]
 
@@ -31,7 +36,9 @@ def composites(tables: Tables, n_free: int) -> None:
         forms = unique([form for q in quantities for form in made_of[q] if form >= 0])
         for i in range(begin, end):
             if tables["leaf"][4 * i] != 2:
-                local = [forms.index(f) if f >= 0 else -1 for f in made_of[tables["leaf"][4 * i + 1]]]
+                local = [
+                    forms.index(f) if f >= 0 else -1 for f in made_of[tables["leaf"][4 * i + 1]]
+                ]
                 tables["leaf"][4 * i + 2 : 4 * i + 4] = local
         free = [[n for n in nodes[ptr[f] : ptr[f + 1]] if n < n_free] for f in forms]
         union = unique([node for entries in free for node in entries])
@@ -143,7 +150,7 @@ class Factors:
         first_row = sizes["n_form_rows"] + self.dim * sizes["n_coincidences"]
         n_rows = sizes["n_function_rows"] + sizes["n_velocity_rows"]
         ends = t["composite_node_ptr"]
-        for j, (begin, end) in enumerate(zip(ends, ends[1:], strict=False)):
+        for j, (begin, end) in enumerate(pairwise(ends)):
             nodes, row = t["composite_node"][begin:end], j - sizes["n_elements"]
             places = [self.dim * a + k for a in nodes for k in range(self.dim)]
             t["composite_slot"] += [self.slot(i, k) for i, k in product(places, repeat=2)]
@@ -153,10 +160,48 @@ class Factors:
 
 def write_sizes(tables: Tables, sizes: dict[str, int]) -> None:
     """Write the sizes of scratch that composites need."""
+
     def most(name: str) -> int:
         ends = tables[name]
-        return max((b - a for a, b in zip(ends, ends[1:], strict=False)), default=0)
+        return max((b - a for a, b in pairwise(ends)), default=0)
 
     sizes["n_local_forms"] = max(most("composite_form_ptr"), 1)
     sizes["n_local_nodes"] = max(most("composite_node_ptr"), 1)
     sizes["n_registers"] = max(most("leaf_ptr") + most("function_ptr"), 1)
+
+
+def sizes_of(hand: Any, counts: dict[str, int]) -> dict[str, int]:
+    """Sizes of a model, but for those of its factors."""
+    tables, nodes = hand.tables, hand.nodes
+    rows = {
+        "n_form_rows": len(tables["row_form"]),
+        "n_coincidences": len(tables["coincidence_form"]),
+        "n_function_rows": counts["row"],
+        "n_velocity_rows": counts["velocity"],
+    }
+    sizes = dict.fromkeys(SIZES, 0) | rows
+    sizes |= {f"n_tape_{segment}": len(hand.operations[segment]) for segment in SEGMENTS}
+    sizes |= {
+        "dim": hand.dim, "n_free": len(nodes["free"]), "n_driven": len(nodes["driven"]),
+        "n_support": len(nodes["fixed"]), "n_forms": len(hand.forms),
+        "n_entries": len(tables["form_node"]), "n_quantities": len(tables["quantity_kind"]),
+        "n_active": len(tables["quantity_kind"]), "n_elements": len(hand.elements),
+        "n_rows": sum(rows.values()) + (hand.dim - 1) * rows["n_coincidences"],
+        "n_potentials": counts["potential"], "n_loads": len(tables["load_form"]),
+        "n_moments": len(tables["moment_form"]),
+        "n_body_moments": len(tables["body_moment"]) // 2, "n_mass": len(hand.masses),
+        "n_mass_free": sum(map(are_free, hand.masses)),
+        "n_bodies": len(tables["body_node"]), "n_places": len(tables["place_form"]),
+        "n_reactions": hand.flags.get("n_reactions", 0),
+        "n_reaction_entries": len(tables["reaction_entry"]) // 4,
+        "n_signals": len(hand.numbers["signal"]), "n_inputs": len(hand.inputs),
+        "time_dependent": hand.flags.get("time_dependent", 0),
+        "variable_potential": hand.flags.get("variable_potential", 0),
+        "sensing": hand.flags.get("sensing", 0),
+    }  # fmt: skip
+    return sizes
+
+
+def are_free(pair: tuple[tuple[str, int], tuple[str, int]]) -> bool:
+    """Whether both nodes are unknown."""
+    return all(kind == "free" for kind, _ in pair)

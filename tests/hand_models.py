@@ -7,21 +7,17 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from solver.runtime.reference.tape import NAMES
-from tests.hand_factors import Factors, composites, write_sizes
-from solver.runtime import Model, State, Status
-from solver.runtime.layout import OFFSETS, SIZES, TABLES, measured_sections, measured_size
+from solver.runtime import Model
+from solver.runtime.layout import OFFSETS, SIZES, TABLES, measured_size
 from solver.runtime.model import Experiment, Row
-from solver.runtime.options import DEFAULTS, encode
-from solver.runtime.kernel import Kernel
-from solver.runtime.reference import Reference
+from solver.runtime.options import DEFAULTS
+from solver.runtime.reference.tape import NAMES
+from tests.hand_factors import SEGMENTS, Factors, are_free, composites, sizes_of, write_sizes
 
 Node = tuple[str, int]
 Place = tuple[str, int]
 Entry = float | tuple[float, float]
 """Factor of a node in a link, or that and the factor of its quarter turn."""
-
-SEGMENTS = ("parameters", "laws", "signals", "outputs")
 
 
 class Hand:
@@ -174,7 +170,7 @@ class Hand:
             return first[node[0]] + node[1]
 
         self._write_nodes(at)
-        self._write_forms(at, first)
+        self._write_forms(at)
         groups = [[(0, quantity)] for quantity in self.elements]
         tables, counts = self.tables, {name: len(given) for name, given in self.functions.items()}
         programs = [function for given in self.functions.values() for function in given]
@@ -186,7 +182,7 @@ class Hand:
         tables["body_node"] = [at(node) for node in tables["body_node"]]
         tables["body_moment"] = [x if isinstance(x, int) else at(x) for x in tables["body_moment"]]
         tables["input_ramp"] = tables["input_ramp"] or [0] * len(self.inputs)
-        sizes = self._sizes(counts, len(tables["quantity_kind"]))
+        sizes = sizes_of(self, counts)
         self._fill(sizes)
         offsets, start = {}, 0
         for name in OFFSETS:
@@ -202,7 +198,10 @@ class Hand:
             x
             for _, operations in programs
             for name, *args in operations
-            for x in (NAMES.index(name), *_three([a if isinstance(a, int) else -1 - place(a) for a in args]))
+            for x in (
+                NAMES.index(name),
+                *_three([a if isinstance(a, int) else -1 - place(a) for a in args]),
+            )
         ]
         tables["tape"] = [
             x
@@ -236,16 +235,12 @@ class Hand:
         names = [(kind, i) for kind in ("free", "driven") for i in range(len(self.nodes[kind]))]
         numbers["velocity_weight"] = [1e8 if name in self.given else 1.0 for name in names]
         tables["node_kind"] = [int(node[3]) for node in moving + self.nodes["fixed"]]
-        free = {pair: mass for pair, mass in self.masses.items() if self._are_free(pair)}
+        free = {pair: mass for pair, mass in self.masses.items() if are_free(pair)}
         for (a, b), mass in (free | self.masses).items():
             tables["mass_node"].extend((at(a), at(b)))
             numbers["mass"].append(mass)
 
-    @staticmethod
-    def _are_free(pair: tuple[Node, Node]) -> bool:
-        return all(kind == "free" for kind, _ in pair)
-
-    def _write_forms(self, at, first) -> None:
+    def _write_forms(self, at) -> None:
         tables, numbers = self.tables, self.numbers
         tables["form_ptr"] = [0]
         for u, w in self.forms:
@@ -263,36 +258,6 @@ class Hand:
                 pairs = [_pair(link.get(node, 0.0)) for node in nodes]
                 numbers[name].extend(plain for plain, _ in pairs)
                 numbers[f"{name}_turn"].extend(turn for _, turn in pairs)
-
-    def _sizes(self, counts: dict[str, int], n_quantities: int) -> dict[str, int]:
-        tables, nodes = self.tables, self.nodes
-        rows = {
-            "n_form_rows": len(tables["row_form"]),
-            "n_coincidences": len(tables["coincidence_form"]),
-            "n_function_rows": counts["row"],
-            "n_velocity_rows": counts["velocity"],
-        }
-        sizes = dict.fromkeys(SIZES, 0) | rows
-        sizes |= {f"n_tape_{segment}": len(self.operations[segment]) for segment in SEGMENTS}
-        sizes |= {
-            "dim": self.dim, "n_free": len(nodes["free"]), "n_driven": len(nodes["driven"]),
-            "n_support": len(nodes["fixed"]), "n_forms": len(self.forms),
-            "n_entries": len(tables["form_node"]), "n_quantities": n_quantities,
-            "n_active": n_quantities, "n_elements": len(self.elements),
-            "n_rows": sum(rows.values()) + (self.dim - 1) * rows["n_coincidences"],
-            "n_potentials": counts["potential"], "n_loads": len(tables["load_form"]),
-            "n_moments": len(tables["moment_form"]),
-            "n_body_moments": len(tables["body_moment"]) // 2, "n_mass": len(self.masses),
-            "n_mass_free": sum(map(self._are_free, self.masses)),
-            "n_bodies": len(tables["body_node"]), "n_places": len(tables["place_form"]),
-            "n_reactions": self.flags.get("n_reactions", 0),
-            "n_reaction_entries": len(tables["reaction_entry"]) // 4,
-            "n_signals": len(self.numbers["signal"]), "n_inputs": len(self.inputs),
-            "time_dependent": self.flags.get("time_dependent", 0),
-            "variable_potential": self.flags.get("variable_potential", 0),
-            "sensing": self.flags.get("sensing", 0),
-        }  # fmt: skip
-        return sizes
 
     def _fill(self, sizes: dict[str, int]) -> None:
         numbers = self.numbers
@@ -312,46 +277,3 @@ def _pair(entry: Entry) -> tuple[float, float]:
 
 def _three(places: list[int]) -> list[int]:
     return (places + places[-1:] * 2)[:3]
-
-
-class Run:
-    """A model in motion; the integrator's checks of scenes are left out."""
-
-    def __init__(self, hand: Hand, engine="numpy", **settings: float | str | bool) -> None:
-        self.model = hand.model()
-        self.engine = Kernel(self.model) if engine == "c" else Reference(self.model)
-        self.state = State(self.model, self.engine.state)
-        self.head, self.vectors = self.state.head, self.state.vectors
-        for name, default in (DEFAULTS | {"assemble": False}).items():
-            place, number = encode(name, settings.get(name, default))
-            self.head[place] = number
-        self.vectors["inputs"][:] = array("d", hand.inputs)
-        for segment in (0, 1):
-            self.engine.evaluate(segment)
-        self.status = Status(self.engine.initialise())
-
-    def advance(self, count: int, step: float | None = None) -> None:
-        """Advance by a number of communication steps, by default of one internal step each."""
-        for _ in range(count):
-            status = Status(self.engine.advance(step or self.head["step_size"]))
-            assert status is Status.OK, status.name
-
-    def vector(self, *names: str) -> np.ndarray:
-        """Vectors of the state, summed."""
-        return np.sum([np.array(self.vectors[name]) for name in names], axis=0)
-
-    def __getitem__(self, name: str) -> np.ndarray:
-        """Return a section of the measurements."""
-        self.engine.measure()
-        start, count = measured_sections(self.model.sizes)[name]
-        start += self.model.offsets["measured"]
-        return np.array(self.engine.numbers[start : start + count])
-
-    def set_inputs(self, *values: float) -> None:
-        """Change the inputs."""
-        self.engine.set_inputs(values, [])
-
-    @property
-    def balance(self) -> float:
-        """Energy that the ledger does not account for [J]."""
-        return float(self["energy"][5])

@@ -9,7 +9,7 @@ import pytest
 
 from solver.runtime.layout import HEAD, measured_sections
 from tests import hand_scenes
-from tests.hand_models import Run
+from tests.hand_runs import Run
 
 COUNTERS = [HEAD.index(name) for name in ("newton_iterations", "uzawa_iterations")]
 

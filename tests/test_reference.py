@@ -10,10 +10,14 @@ import pytest
 import solver
 from solver.runtime import Integrator, kernel
 from solver.runtime.reference import Reference
-from solver.runtime.reference.forces import couple, tension
+from solver.runtime.reference.course import Course, Present
+from solver.runtime.reference.forces import couple
+from solver.runtime.reference.laws import elements, tangent
 from solver.runtime.reference.mechanism import Mechanism
 from solver.runtime.reference.state import Motion, add
 from solver.runtime.reference.step import Step
+from tests.hand_models import Hand
+from tests.hand_runs import Run
 from tests.twins import PENDULUM, advance, internal_step, model_of, start, vector
 
 M, L, G = 2.0, 1.0, np.array([0.0, -9.81])
@@ -149,15 +153,33 @@ def test_the_uzawa_iteration_contracts_by_the_penalty(chi):
     assert ratios == pytest.approx(1.0 / (1.0 + chi), rel=1e-3)
 
 
+def link_law(u_n, h, stiffness, rest, damping):
+    """Force f and derivative in du of a spring and damper from the origin to a point at u_n."""
+    hand = Hand(len(u_n))
+    point, origin = hand.free(list(u_n)), hand.fixed([0.0] * len(u_n))
+    length = hand.quantity(1, hand.form({point: 1.0, origin: -1.0}))
+    hand.element(length, stiffness, rest, damping)
+    run = Run(hand)
+    mechanism = Mechanism(run.model, np.asarray(memoryview(run.engine.numbers).cast("B").cast("d")))
+    present = Present(mechanism, Motion(run.model, run.engine.state))
+    (law,) = elements(mechanism)
+
+    def force(du):
+        view = Course(present, du, np.zeros(0), h).over_step()
+        return law.slopes(view.values) @ view.gradients, tangent(view, law.slopes, [0])
+
+    return force
+
+
 @pytest.mark.parametrize("dim", [2, 3])
 def test_springs_and_dampers_do_exactly_the_work_of_their_laws(dim):
     random = np.random.default_rng(1)
     for _ in range(20):
         u_n, u_n1 = random.normal(size=(2, dim))
-        h, k, l_free, c = random.uniform(0.1, 2.0, size=4)
-        f, _ = tension(u_n, u_n1 - u_n, h, k, l_free, c)
+        h, k, rest, c = random.uniform(0.1, 2.0, size=4)
+        f, _ = link_law(u_n, h, k, rest, c)(u_n1 - u_n)
         l_n, l_n1 = np.linalg.norm(u_n), np.linalg.norm(u_n1)
-        stored = 0.5 * k * ((l_n1 - l_free) ** 2 - (l_n - l_free) ** 2)
+        stored = 0.5 * k * ((l_n1 - rest) ** 2 - (l_n - rest) ** 2)
         assert f @ (u_n1 - u_n) == pytest.approx(stored + c * (l_n1 - l_n) ** 2 / h, abs=1e-13)
         across = np.outer(f, u_n + u_n1)
         assert across == pytest.approx(across.T, abs=1e-13)
@@ -182,8 +204,8 @@ def test_tangents_of_the_laws_agree_with_central_differences(dim, angle):
     du = 1.3 * (math.cos(angle) * u_n + math.sin(angle) * across) - u_n
     moment = random.normal(size=1 if dim == 2 else 3)
     for law in (
-        lambda u: tension(u_n, u, 0.3, 5.0, 0.4, 2.0),
-        lambda u: tension(u_n, u, 0.3, 5.0, 0.0, 0.0),
+        link_law(u_n, 0.3, 5.0, 0.4, 2.0),
+        link_law(u_n, 0.3, 5.0, 0.0, 0.0),
         lambda u: couple(moment, u_n, u),
     ):
         step = 1e-5

@@ -9,7 +9,8 @@ import pytest
 
 from solver.runtime import Status
 from tests import hand_scenes
-from tests.hand_models import Hand, Run
+from tests.hand_models import Hand
+from tests.hand_runs import Run
 
 G = 9.81
 

@@ -9,7 +9,7 @@ from decimal import Decimal, localcontext
 import numpy as np
 import pytest
 
-from solver.runtime.reference.tape import NAMES
+from solver.mechanics.tape import CODE
 from solver.runtime.reference.slopes import discrete_gradient, moving, still
 
 RANDOM = np.random.default_rng(5)
@@ -33,7 +33,7 @@ COMPLEX = {
 def one(name, *changes, constants=()):
     """Slopes of one operation on leaves, then on constants."""
     places = [*range(len(changes)), *(-1 - k for k in range(len(constants)))]
-    operation = (NAMES.index(name), *(places + places[-1:] * 2)[:3])
+    operation = (CODE[name], *(places + places[-1:] * 2)[:3])
     return discrete_gradient([operation], np.array([*constants, 0.0]), changes)
 
 
@@ -132,11 +132,11 @@ def test_the_angle_of_a_vector_keeps_its_sense_over_the_cut():
 
 
 def test_a_composed_function_changes_by_its_slopes_to_the_last_digit():
-    """f = sqrt(x^2 + y^2) exp(-x/3) against decimal arithmetic of 50 digits."""
+    """The function sqrt(x^2 + y^2) exp(-x/3) against decimal arithmetic of 50 digits."""
     operations = [
-        (NAMES.index("mul"), 0, 0, 0), (NAMES.index("mul"), 1, 1, 1), (NAMES.index("add"), 2, 3, 3),
-        (NAMES.index("sqrt"), 4, 4, 4), (NAMES.index("div"), 0, -1, -1), (NAMES.index("neg"), 6, 6, 6),
-        (NAMES.index("exp"), 7, 7, 7), (NAMES.index("mul"), 5, 8, 8),
+        (CODE["mul"], 0, 0, 0), (CODE["mul"], 1, 1, 1), (CODE["add"], 2, 3, 3),
+        (CODE["sqrt"], 4, 4, 4), (CODE["div"], 0, -1, -1), (CODE["neg"], 6, 6, 6),
+        (CODE["exp"], 7, 7, 7), (CODE["mul"], 5, 8, 8),
     ]  # fmt: skip
 
     def exact(x, y):
@@ -159,7 +159,7 @@ def test_a_composed_function_changes_by_its_slopes_to_the_last_digit():
 def test_what_a_condition_selects_is_what_moves():
     for condition, expected in ((1.0, [1.0, 0.0]), (0.0, [0.0, 1.0])):
         _, slopes = discrete_gradient(
-            [(NAMES.index("select"), -1, 0, 1)],
+            [(CODE["select"], -1, 0, 1)],
             np.array([condition]),
             [moving(1.0, 0.5), moving(2.0, 0.1)],
         )

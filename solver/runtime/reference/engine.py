@@ -17,8 +17,8 @@ from .clock import Clock
 from .course import ANGLE, Present, crossings
 from .energy import book_step, follow_energy_reference, start_ledger
 from .equations import Equations, rows_at
-from .mechanism import Mechanism
 from .measurement import Measurement
+from .mechanism import Mechanism
 from .projection import assemble_positions, assemble_velocities, find_equilibrium
 from .start import derive_scales, first_multipliers, row_rates
 from .state import Motion, add

@@ -13,8 +13,8 @@ and in every formulation the total multiplier is
     penalty-velocity                     C = Phi'' + 2 xi omega Phi' + omega^2 Phi at q_mid (3)
 
 with lam = 0 in the penalty formulations. G_bar is the discrete gradient of ``rows``: that of
-quadratic rows is G(q_mid). Nodes that are driven have d = b(t_n1) - q_n, and R there, over h, is the
-force that moves them.
+quadratic rows is G(q_mid). Nodes that are driven have d = b(t_n1) - q_n, and R there, over h, is
+the force that moves them.
 
 Increments are the unknowns, never positions: Phi_n1 = Phi_n + dPhi holds exactly, and the
 positions' rounding errors do not get multiplied by 1/h.

@@ -78,7 +78,7 @@ def directors_moved(directors: Array, moment: Array, frame: int) -> Array:
         dual = np.linalg.inv(D).T
     except np.linalg.LinAlgError:
         raise UnsolvedError(Status.NOT_FINITE) from None
-    return 0.5 * np.cross(m, dual).ravel()
+    return 0.5 * np.cross(m, dual).astype(np.float64).ravel()
 
 
 def loads(mechanism: Mechanism, view: View) -> tuple[Array, Array]:

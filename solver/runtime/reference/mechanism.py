@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +28,7 @@ Integers = NDArray[np.int_]
 
 def pieces(rows: Integers, ends: Sequence[int]) -> list[Integers]:
     """Rows between each two neighbours of `ends`."""
-    return [rows[begin:end] for begin, end in zip(ends[:-1], ends[1:], strict=True)]
+    return [rows[begin:end] for begin, end in pairwise(ends)]
 
 
 def table(model: Model, name: str, width: int) -> Integers:

@@ -35,7 +35,7 @@ AT_REST = 1e-10
 """Largest displacement of a step, over the extent, that tells equilibrium."""
 
 LONG, LONGEST = 1e3, 1e6
-"""Steps, over the step size, beyond which motion is slower than a step, and that are not exceeded."""
+"""Steps, over the step size: motion is slower than longer ones; none is longer than the last."""
 
 FLOOR = 1e-13
 
@@ -75,7 +75,7 @@ class Seeking:
             x = np.linalg.solve(tangent, -np.concatenate([R[:free], phi]))
         except np.linalg.LinAlgError:
             raise UnsolvedError(Status.SINGULAR_TANGENT) from None
-        return x[:free], x[free:]
+        return x[:free].astype(np.float64), x[free:].astype(np.float64)
 
     def solve(self, mu: Array) -> tuple[Array, Array, bool]:
         """Return d and mu, begun with `mu`, and whether rows hold and increments are round-off."""
@@ -134,11 +134,8 @@ def find_equilibrium(mechanism: Mechanism, motion: Motion) -> None:
     h, mu = shortest, np.zeros(mechanism.n_rows)
     motion.v[: mechanism.n_free] = 0.0
     for _ in range(MAX_STEPS):
-        try:
-            d, mu_n1, done = Seeking(mechanism, motion, h, forces=True).solve(mu)
-        except UnsolvedError:
-            done = False
-        if not done:
+        d, mu_n1 = _tried(Seeking(mechanism, motion, h, forces=True), mu)
+        if d is None:
             h *= 0.25
             continue
         add(motion.q, motion.q_low, d)
@@ -149,3 +146,12 @@ def find_equilibrium(mechanism: Mechanism, motion: Motion) -> None:
             return
         h *= 4.0 if h < LONGEST * shortest else 1.0
     raise UnsolvedError(Status.NEWTON_DIVERGED)
+
+
+def _tried(step: Seeking, mu: Array) -> tuple[Array | None, Array]:
+    """Return d and mu of a step; None where it has no solution, or is not found."""
+    try:
+        d, mu_n1, done = step.solve(mu)
+    except UnsolvedError:
+        return None, mu
+    return (d, mu_n1) if done else (None, mu)

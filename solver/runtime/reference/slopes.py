@@ -10,7 +10,7 @@ small step loses no digits.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from .tape import NAMES, OPERATIONS
 
 Array = NDArray[np.float64]
+Integers = NDArray[np.int_]
 
 SMALL = 1e-4
 """Below it two terms of a series are exact to the last digit, and 0/0 is not met."""
@@ -31,14 +32,17 @@ NONE = np.float64(0.0)
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A number over a step: values at the beginning and the end, and their difference."""
+    """A number over a step: values at the beginning and the end, and their difference.
 
-    n: np.float64
-    n1: np.float64
-    d: np.float64
+    They are NumPy's, so that a division by zero yields what IEEE 754 says, and no exception.
+    """
+
+    n: float
+    n1: float
+    d: float
 
     @property
-    def mid(self) -> np.float64:
+    def mid(self) -> float:
         """Mean of the two ends."""
         return 0.5 * (self.n + self.n1)
 
@@ -53,56 +57,56 @@ def moving(value: float, difference: float) -> Change:
     return Change(np.float64(value), np.float64(value) + difference, np.float64(difference))
 
 
-def sinc(x: np.float64) -> np.float64:
+def sinc(x: float) -> float:
     """Quotient sin(x)/x."""
     return 1.0 - x * x / 6.0 if abs(x) < SMALL else np.sin(x) / x
 
 
-def sinhc(x: np.float64) -> np.float64:
+def sinhc(x: float) -> float:
     """Quotient sinh(x)/x."""
     return 1.0 + x * x / 6.0 if abs(x) < SMALL else np.sinh(x) / x
 
 
-def angle_over(cross: np.float64, dot: np.float64) -> np.float64:
+def angle_over(cross: float, dot: float) -> float:
     """Quotient atan2(cross, dot)/cross: the angle between two links over their cross product."""
     if dot > 0.0 and abs(cross) < SMALL * dot:
         return (1.0 - (cross / dot) ** 2 / 3.0) / dot
     return np.arctan2(cross, dot) / cross
 
 
-def log_slope(x: Change) -> np.float64:
+def log_slope(x: Change) -> float:
     """Slope of the logarithm, 2 atanh(z)/dx with z = dx/(x_n + x_n1)."""
     total = x.n + x.n1
     z = x.d / total
     return 2.0 / total * (1.0 + z * z / 3.0 if abs(z) < SMALL else np.arctanh(z) / z)
 
 
-def exp_slope(x: Change) -> np.float64:
+def exp_slope(x: Change) -> float:
     """Slope of the exponential function."""
     return np.exp(x.mid) * sinhc(0.5 * x.d)
 
 
-def abs_slope(x: Change) -> np.float64:
+def abs_slope(x: Change) -> float:
     """Slope of |x|; 0 where it stays 0."""
     total = abs(x.n) + abs(x.n1)
     return (x.n + x.n1) / total if total != 0.0 else NONE
 
 
-def asin_slope(x: Change) -> np.float64:
+def asin_slope(x: Change) -> float:
     """Slope of the arcsine; sin(d asin) = x_n1 c_n - x_n c_n1 = dx ratio."""
     c_n, c_n1 = (np.sqrt((1.0 - end) * (1.0 + end)) for end in (x.n, x.n1))
     ratio = 0.5 * (c_n + c_n1) + 0.5 * (x.n + x.n1) ** 2 / (c_n + c_n1)
     return angle_over(x.d * ratio, c_n * c_n1 + x.n * x.n1) * ratio
 
 
-def whole_power_slope(x: Change, n: int) -> np.float64:
+def whole_power_slope(x: Change, n: int) -> float:
     """Slope of x^n: sum of x_n1^k x_n^(n-1-k), for negative n that of 1/x^|n|."""
     if n < 0:
         return -whole_power_slope(x, -n) / (x.n**-n * x.n1**-n)
     return np.float64(sum(x.n1**k * x.n ** (n - 1 - k) for k in range(n)))
 
 
-def power_slopes(x: Change, y: Change) -> tuple[np.float64, np.float64]:
+def power_slopes(x: Change, y: Change) -> tuple[float, float]:
     """Slopes of x^y: a product for a constant whole exponent, else those of exp(y log x)."""
     if y.d == 0.0 and y.n == np.floor(y.n) and abs(y.n) <= WHOLE:
         return whole_power_slope(x, int(y.n)), NONE
@@ -113,19 +117,19 @@ def power_slopes(x: Change, y: Change) -> tuple[np.float64, np.float64]:
     return outer * y.mid * per_x, outer * log.mid
 
 
-def atan2_slopes(y: Change, x: Change) -> tuple[np.float64, np.float64]:
+def atan2_slopes(y: Change, x: Change) -> tuple[float, float]:
     """Slopes of the angle of (x, y)."""
     factor = angle_over(x.mid * y.d - y.mid * x.d, x.n * x.n1 + y.n * y.n1)
     return factor * x.mid, -factor * y.mid
 
 
-def extreme_slopes(x: Change, y: Change, sign: float) -> tuple[np.float64, np.float64]:
+def extreme_slopes(x: Change, y: Change, sign: float) -> tuple[float, float]:
     """Slopes of (x + y + sign |x - y|)/2: the maximum for sign 1, the minimum for -1."""
     half = 0.5 * sign * abs_slope(Change(x.n - y.n, x.n1 - y.n1, x.d - y.d))
     return 0.5 + half, 0.5 - half
 
 
-def _unary(slope: Callable[[Change], np.float64 | float]) -> Callable[..., tuple[float, ...]]:
+def _unary(slope: Callable[[Change], float]) -> Callable[..., tuple[float, ...]]:
     return lambda x, *_: (float(slope(x)),)
 
 
@@ -168,14 +172,15 @@ def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[float
     """Change of one operation's value, and its slopes."""
     count, function = OPERATIONS[NAMES[code]]
     used = arguments[:count]
-    slopes = SLOPES.get(NAMES[code], _flat)(*used)
+    rule: Callable[..., tuple[float, ...]] = SLOPES.get(NAMES[code], _flat)
+    slopes = rule(*used)
     ends = (np.float64(function(*(getattr(x, end) for x in used))) for end in ("n", "n1"))
     terms = (slope * x.d for slope, x in zip(slopes, used, strict=True) if x.d != 0.0)
     return Change(*ends, np.float64(sum(terms))), slopes
 
 
 def discrete_gradient(
-    operations: Sequence[Sequence[int]], constants: Array, leaves: Sequence[Change]
+    operations: Iterable[Sequence[int]] | Integers, constants: Array, leaves: Sequence[Change]
 ) -> tuple[Change, Array]:
     """Change of a function over a step and the slopes N of its leaves.
 
@@ -187,17 +192,18 @@ def discrete_gradient(
     constants : ndarray
     leaves : sequence of Change
     """
-    registers, slopes = list(leaves), []
+    registers, slopes, arguments = list(leaves), [], []
     for code, *places in operations:
-        given = [registers[a] if a >= 0 else still(constants[-1 - a]) for a in places]
-        value, slope = operate(code, given)
+        given = [registers[a] if a >= 0 else still(float(constants[-1 - a])) for a in places]
+        value, slope = operate(int(code), given)
         registers.append(value)
         slopes.append(slope)
+        arguments.append(places)
     adjoint = np.zeros(len(registers))
     adjoint[-1] = 1.0
     for register in range(len(registers) - 1, len(leaves) - 1, -1):
         place = register - len(leaves)
-        for a, slope in zip(operations[place][1:], slopes[place], strict=False):
+        for a, slope in zip(arguments[place], slopes[place], strict=False):
             if a >= 0:
                 adjoint[a] += adjoint[register] * slope
     return registers[-1], adjoint[: len(leaves)]

@@ -55,7 +55,7 @@ def rolling_now(
     changes, p = [], []
     for kind, index in leaves:
         change, slopes = values.leaf(0 if kind == RATE else kind, index)
-        changes.append(still(slopes @ s_dot) if kind == RATE else change)
+        changes.append(still(float(slopes @ s_dot)) if kind == RATE else change)
         p.append(slopes if kind == RATE else np.zeros_like(slopes))
     psi, c = discrete_gradient(operations, mechanism.numbers, changes)
     return float(psi.n), c @ np.array(p)
@@ -162,4 +162,3 @@ def first_multipliers(
     a[free] = np.linalg.solve(M, Q_free - G_free.T @ lam)
     forces = (mechanism.M @ a + G.T @ lam - Q)[driven]
     return lam, a, forces
-

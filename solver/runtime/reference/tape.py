@@ -81,8 +81,8 @@ NAMES = tuple(OPERATIONS)
 """Operation of each code, as in ``solver/mechanics/tape.py``."""
 
 
-SEGMENTS = PARAMETERS, LAWS, SIGNALS, OUTPUTS = "parameters", "laws", "signals", "outputs"
-"""Parts of a tape, in their order: what depends on parameters alone; forces, on the time, inputs and
+SEGMENTS = "parameters", "laws", "signals", "outputs"
+"""Parts of a tape, in their order: what depends on parameters alone; forces, on time, inputs and
 sensors; prescribed values, on time and inputs; what is made of measurements."""
 
 
