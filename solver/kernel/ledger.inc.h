@@ -89,9 +89,7 @@ static void follow_orientation(context *c, int32_t j)
     const double *d = c->s.q + 3 * c->m->body_node[j]; /* d[3 i + k]: component k of director i */
     double *last = c->s.quaternion + 4 * j, p[4];
     const double trace = d[0] + d[4] + d[8];
-    int largest = 3;
-    if (d[0] >= d[4] && d[0] >= d[8]) largest = 0;
-    else if (d[4] >= d[8]) largest = 1;
+    const int largest = d[0] >= d[4] && d[0] >= d[8] ? 0 : d[4] >= d[8] ? 1 : 2;
     if (trace >= d[4 * largest]) {
         p[0] = 1.0 + trace;
         EACH(k) p[1 + k] = d[3 * ((k + 1) % 3) + (k + 2) % 3] - d[3 * ((k + 2) % 3) + (k + 1) % 3];
