@@ -100,6 +100,7 @@ LEG = math.sqrt(1 - 0.6 + 0.36 + 1.44)
 
 def test_the_platform_stands_where_six_legs_put_it():
     integrator = solver.Integrator(solver.assemble(solver.load(scene("stewart"))))
+    integrator.initialise()
     extension, pose = np.zeros(6), np.array([0, 0, 1.2, 0, 0, 0])
     reach = np.array([0.10, -0.05, 0.08, 0.02, -0.06, 0.04])
     for i in range(40):
@@ -113,8 +114,23 @@ def test_the_platform_stands_where_six_legs_put_it():
         half = 0.5 * np.linalg.norm(pose[3:])
         attitude = [integrator[f"platform.q{axis}"] for axis in "xyz"]
         assert attitude == pytest.approx(np.sinc(half / math.pi) / 2 * pose[3:], abs=1e-10)
-    assert integrator["energy.error"] < 1e-11
+    assert integrator["energy.error"] < 1e-10
     assert integrator["energy.work"] != 0.0
+
+
+@pytest.mark.xfail(strict=True, reason="velocities do not jump where the rate of an input does")
+def test_the_platform_rises_as_fast_as_its_legs_extend():
+    # Legs of the same length l under a height z: l l' = z z'. A leg extends at constant rate within
+    # a communication step, so the rate at its end is its mean.
+    integrator = solver.Integrator(solver.assemble(solver.load(scene("stewart"))))
+    integrator.initialise()
+    for i in range(10):
+        for k in range(6):
+            integrator[f"leg{k + 1}"] = 0.1 * (1 - math.cos(0.1 * i))
+        integrator.advance(integrator.time, 0.02)
+    rate = 0.1 * (math.cos(0.8) - math.cos(0.9)) / 0.02
+    length = LEG + 0.1 * (1 - math.cos(0.9))
+    assert integrator["platform.vz"] == pytest.approx(length * rate / integrator["platform.z"])
 
 
 def test_the_legs_of_the_platform_at_rest_carry_its_weight():
@@ -132,7 +148,7 @@ def test_a_wheel_over_a_bump_comes_to_rest_as_high_as_the_road():
     rest = []
     for road in (0.0, 0.05):
         integrator["road"] = road
-        for _ in range(100):
+        for _ in range(150):
             integrator.advance(integrator.time, 0.04)
         rest.append(integrator.get(places))
     (z0, axle0, force, travel0), (z1, axle1, _, travel1) = rest
@@ -158,11 +174,17 @@ def test_the_axles_of_a_differential_turn_as_their_brakes_let_them():
 
 
 def test_a_screw_lifts_its_load_at_constant_acceleration():
-    # Of which the midpoint rule is exact. Inertia of the screw: m r^2/2 = 4.9 kg * 2e-4 m2.
+    # Inertia of the screw: m r^2/2. It turns 0.1 rad in a step at last.
     turns = 2 * math.pi / 0.006
     J = 7800 * math.pi * 0.02**2 * 0.5 * 0.02**2 / 2
-    lift = (5.0 * turns - 200.0 * 9.81) / (200.0 + J * turns**2)
-    t = times(1.0, 0.05)
-    z, angle = run("screw_jack", ["load.z", "bearing.angle"], 0.01, 1.0, every=0.05).T
-    assert z - 0.4 == pytest.approx(0.5 * lift * t**2, abs=1e-10)
-    assert angle == pytest.approx((z - 0.4) * turns, abs=1e-7)
+    lift = (2.0 * turns - 200.0 * 9.81) / (200.0 + J * turns**2)
+    t = times(1.0, 0.1)
+    found = extrapolated("screw_jack", ["load.z", "bearing.angle"], 0.001, 1.0, every=0.1)
+    assert found[:, 0] - 0.4 == pytest.approx(0.5 * lift * t**2, abs=1e-8)
+    assert found[:, 1] == pytest.approx(0.5 * lift * t**2 * turns, abs=1e-5)
+
+
+def test_the_thread_of_a_screw_ties_lift_to_turns():
+    z, angle = run("screw_jack", ["load.z", "bearing.angle"], 0.001, 1.0, every=0.1).T
+    assert z - 0.4 == pytest.approx(0.006 * angle / (2 * math.pi), abs=1e-12)
+    assert angle[-1] > 8 * 2 * math.pi

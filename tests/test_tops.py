@@ -93,15 +93,17 @@ def sign_changes(t: Array, value: Array) -> Array:
 def test_dzhanibekovs_body_turns_over_in_the_time_of_the_elliptic_integral():
     found = [np.diff(sign_changes(*spin_about_the_middle_axis(h, 20.0))) for h in (0.01, 0.005)]
     exact = turn_over_time(FREE.inertia, PUSHED)
-    assert len(found[1]) == 2
+    assert len(found[1]) == 3
     assert (4 * found[1] - found[0]) / 3 == pytest.approx(exact, abs=2e-5)
 
 
 def test_dzhanibekovs_body_turns_as_the_oracle():
-    t = times(4.0, 0.5)
+    # A flat body, J3 = J1 + J2, is given a millionth of thickness; it leaves its middle axis like
+    # exp(2.9 t), so that a millionth of 1e-3 grows to 2e-5 in 3 s.
+    t = times(3.0, 0.5)
     R, _ = FREE.motion(np.eye(3), PUSHED, t)
-    found = extrapolated("dzhanibekov", vector("nut.wing"), 0.005, 4.0, every=0.5)
-    assert found == pytest.approx(R[:, :, 1], abs=1e-6)
+    found = extrapolated("dzhanibekov", vector("nut.wing"), 0.005, 3.0, every=0.5)
+    assert found == pytest.approx(R[:, :, 1], abs=3e-5)
 
 
 def test_dzhanibekovs_body_keeps_its_energy_and_all_of_its_moment_of_momentum():
