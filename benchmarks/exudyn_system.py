@@ -70,15 +70,15 @@ def solve(
     Spectral radius 0.9; `tolerance` is that of Newton's iteration, relative.
     """
     settings = exu.SimulationSettings()
-    time, written = settings.timeIntegration, settings.solutionSettings
+    time, solution = settings.timeIntegration, settings.solution
     time.endTime, time.numberOfSteps = stop, round(stop / step)
     time.automaticStepSize = time.adaptiveStep = False
     time.generalizedAlpha.spectralRadius = 0.9
     time.newton.useModifiedNewton = True
     time.newton.relativeTolerance = tolerance
     time.newton.absoluteTolerance = 0.01 * tolerance
-    written.writeSolutionToFile = False
-    written.sensorsWritePeriod = period
+    solution.file.write = False
+    solution.sensors.writePeriod = period
     sparse = drawing.bodies > DENSE
     kinds = exu.LinearSolverType
     settings.linearSolver.solverType = kinds.EigenSparse if sparse else kinds.EXUdense
