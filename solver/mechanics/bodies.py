@@ -11,9 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from solver.mechanics.combination import Combination, node
-from solver.mechanics.frames import BarFrame, RigidFrame
-from solver.mechanics.inertia import FLOOR, euler_tensor, floored, minors
-from solver.mechanics.mechanism import (
+from solver.mechanics.equations import (
     DIRECTION,
     DRIVEN,
     FIXED,
@@ -21,10 +19,12 @@ from solver.mechanics.mechanism import (
     GIVEN,
     POINT,
     FormRow,
-    Mechanism,
     Node,
     Scale,
 )
+from solver.mechanics.frames import BarFrame, RigidFrame
+from solver.mechanics.inertia import FLOOR, euler_tensor, floored, minors
+from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.vectors import (
     Matrix,
     Vector,

@@ -24,6 +24,7 @@ from solver.mechanics.relations import (
     add_rolling,
 )
 from solver.mechanics.vectors import Vector
+from solver.runtime.model import Row
 from solver.scene import (
     Bar,
     BodyJoint,
@@ -72,7 +73,7 @@ def collect(scene: Scene) -> Parts:
     return parts
 
 
-def _guarded(parts: Parts, location: str, add) -> None:  # noqa: ANN001
+def _guarded(parts: Parts, location: str, add) -> None:
     """Add a part; a formula that has no place in a mechanism is a mistake of the scene."""
     try:
         add()
@@ -161,7 +162,7 @@ def _check_rows(parts: Parts) -> None:
     """Report rows in which nothing can move: no multiplier could change them."""
     mechanism = parts.mechanism
     forms = [(row.form, row.row) for row in (*mechanism.form_rows, *mechanism.coincidences)]
-    named = [((form,), row) for form, row in forms]
+    named: list[tuple[tuple[int, ...], Row]] = [((form,), row) for form, row in forms]
     for row in (*mechanism.function_rows, *mechanism.velocity_rows):
         quantities = [leaf.index for leaf in row.formula.leaves if leaf.kind != 2]
         used = tuple(f for q in quantities for f in mechanism.quantities[q].forms)

@@ -8,12 +8,12 @@ from solver.scene import Expr, Number, symbols
 from solver.scene.expression import cos, log, operate, select, sign, sin, sqrt
 
 SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
-    "add": (lambda x, y: 1.0, lambda x, y: 1.0),
-    "sub": (lambda x, y: 1.0, lambda x, y: -1.0),
-    "mul": (lambda x, y: y, lambda x, y: x),
-    "div": (lambda x, y: 1.0 / y, lambda x, y: -1.0 * x / (y * y)),
+    "add": (lambda *_: 1.0, lambda *_: 1.0),
+    "sub": (lambda *_: 1.0, lambda *_: -1.0),
+    "mul": (lambda _, y: y, lambda x, _: x),
+    "div": (lambda _, y: 1.0 / y, lambda x, y: -1.0 * x / (y * y)),
     "pow": (lambda x, y: y * x ** (y - 1.0), lambda x, y: x**y * log(x)),
-    "neg": (lambda x: -1.0,),
+    "neg": (lambda _: -1.0,),
     "sin": (cos,),
     "cos": (lambda x: -1.0 * sin(x),),
     "tan": (lambda x: 1.0 / (cos(x) * cos(x)),),

@@ -7,8 +7,8 @@ whose multiplier is the force that the driver exerts, F = -mu along +sigma.
 from __future__ import annotations
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.equations import SIGNAL, VALUE, Leaf
 from solver.mechanics.formulas import leaf_symbol
-from solver.mechanics.mechanism import SIGNAL, VALUE, Leaf
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import Vector
@@ -50,7 +50,7 @@ def add_driver(parts: Parts, name: str, driver: Driver) -> None:
     parts.driven[name] = quantity
 
 
-def _row(parts: Parts, rows: Rows, quantity: int, value: Number, scale) -> int:  # noqa: ANN001
+def _row(parts: Parts, rows: Rows, quantity: int, value: Number, scale) -> int:
     mechanism = parts.mechanism
     leaves = (Leaf(VALUE, mechanism.use(quantity)), Leaf(SIGNAL, mechanism.signal(value)))
     return rows.function(leaf_symbol(0) - leaf_symbol(1), leaves, scale, "driver", driver=True)

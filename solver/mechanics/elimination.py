@@ -209,5 +209,19 @@ def _pattern(position: list[int], columns: list[list[int]]) -> Pattern:
         _index=[{p: i for i, p in enumerate(places)} for places in columns],
     )
     for places in columns:
-        pattern.target.extend(pattern.slot(i, j) for i in places for j in places)
+        pattern.target.extend(_targets(pattern, places))
     return pattern
+
+
+def _targets(pattern: Pattern, places: list[int]) -> list[int]:
+    """Stored entries of all pairs of places, row by row."""
+    m = len(places)
+    targets = [0] * (m * m)
+    for i, first in enumerate(places):
+        index, start = pattern._index[first], pattern.ptr[first]
+        targets[i * m + i] = start
+        for k in range(i + 1, m):
+            upper = start + 1 + index[places[k]]
+            targets[i * m + k] = upper
+            targets[k * m + i] = upper + len(index)
+    return targets

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.equations import VALUE, Element, Formula, Leaf, Load, Moment
 from solver.mechanics.formulas import Compiler, leaf_symbol
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.mechanism import VALUE, Element, Formula, Leaf, Load, Moment
 from solver.mechanics.parts import Parts
 from solver.mechanics.vectors import Vector, dot
 from solver.scene import (
@@ -55,7 +55,7 @@ def add_force(parts: Parts, compiler: Compiler, name: str, force: ForceElement) 
             _torque(parts, compiler, force, part)
 
 
-def _link(parts: Parts, name: str, ends) -> Combination:  # noqa: ANN001
+def _link(parts: Parts, name: str, ends) -> Combination:
     parts.links[name] = parts.link(ends)
     return parts.links[name]
 
@@ -137,10 +137,7 @@ def _torque(parts: Parts, compiler: Compiler, force: Torque, part: Part) -> None
     if in_body:
         text = "a bar between two points has no axes of its own: give the torque in global axes"
         parts.problems.append((f"{part[0]}.axes", text))
-    if isinstance(frame, RigidFrame):
-        arm = frame.along((1.0, 0.0))
-    else:
-        arm = parts.links[force.body]
+    arm = frame.along((1.0, 0.0)) if isinstance(frame, RigidFrame) else parts.links[force.body]
     mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value))
 
 

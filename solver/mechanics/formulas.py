@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
-from solver.mechanics.mechanism import RATE, SIGNAL, VALUE, Formula, Leaf, Mechanism, Scale
+from solver.mechanics.equations import RATE, SIGNAL, VALUE, Formula, Leaf, Scale
+from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.parts import Meaning, Parts
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
 from solver.scene.expression import calls, operate, symbol
@@ -180,10 +181,12 @@ class Compiler:
         for _ in range(3):
             at = [self._drawn(leaf) + random.uniform(0.0, 0.1) for leaf in formula.leaves]
             a, b = ([random.uniform(-1.0, 1.0) for _ in rates] for _ in range(2))
-            psi = [
-                self.value(formula, [x if rate else s for rate, x, s in zip(rates, v, at, strict=True)])
-                for v in (a, b, [x + 3.0 * y for x, y in zip(a, b, strict=True)])
-            ]  # fmt: skip
+            both = [x + 3.0 * y for x, y in zip(a, b, strict=True)]
+            mixed = [
+                [x if rate else s for rate, x, s in zip(rates, v, at, strict=True)]
+                for v in (a, b, both)
+            ]
+            psi = [self.value(formula, leaves) for leaves in mixed]
             if abs(psi[0] + 3.0 * psi[1] - psi[2]) > 1e-9 * max(abs(x) for x in psi):
                 return False
         return True

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from solver.mechanics.combination import Combination, node
-from solver.mechanics.mechanism import DIRECTION, POINT, Mechanism
+from solver.mechanics.equations import DIRECTION, POINT
+from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.vectors import (
     Matrix,
     Vector,

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from math import pi
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.equations import VALUE, Leaf
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Frame, Ground
-from solver.mechanics.mechanism import VALUE, Leaf, Mechanism
+from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import METRES, Rows
 from solver.mechanics.vectors import Vector, dot, perpendicular, turned, unit

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.equations import FIXED
 from solver.mechanics.formulas import rewritten
-from solver.mechanics.mechanism import FIXED
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.structure import Structure
 from solver.mechanics.vectors import Vector, add, scale, turned
@@ -114,14 +114,15 @@ class Measures:
         dim = mechanism.dim
         if not mechanism.moves(place):
             return mechanism.drawn(place), (0.0,) * dim
-        if place.single is not None:
-            return tuple(references(s, place.single, dim) for s in ("position", "velocity"))
-        form = mechanism.link(place)
-        if form not in self._places:
-            self._places[form] = len(mechanism.places)
-            mechanism.places.append(form)
-        sections = ("place", "place_velocity")
-        return tuple(references(s, self._places[form], dim) for s in sections)
+        item, kind = place.single, ""
+        if item is None:
+            form, kind = mechanism.link(place), "place_"
+            if form not in self._places:
+                self._places[form] = len(mechanism.places)
+                mechanism.places.append(form)
+            item = self._places[form]
+        first = "place" if kind else "position"
+        return references(first, item, dim), references(f"{kind}velocity", item, dim)
 
 
 def references(section: str, item: int, count: int) -> list[Ref]:

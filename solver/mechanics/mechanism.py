@@ -1,7 +1,5 @@
 """A mechanism as equations: nodes, masses, forms, quantities, rows, forces - all by index.
 
-    s = u . w,      sigma = s, sqrt(s) or atan2(s_2, s_1),      Phi(sigma, b(t)) = 0
-
 Bodies, joints, forces and drivers add to it; ``tables`` turns it into the arrays of a model. Nodes
 are counted as they come; the order of a model (free, driven, fixed) is made at the end.
 """
@@ -13,134 +11,28 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from solver.mechanics.combination import Combination, node
+from solver.mechanics.equations import (
+    ANGLE,
+    FIXED,
+    FORM,
+    FREE,
+    LENGTH,
+    POINT,
+    Coincidence,
+    Element,
+    Form,
+    FormRow,
+    Formula,
+    FunctionRow,
+    Load,
+    Moment,
+    Node,
+    Quantity,
+)
 from solver.mechanics.vectors import Vector, add, dot, scale, turned
-from solver.runtime.model import Row, Rule
+from solver.runtime.model import Rule
 from solver.scene import Expr, Number, evaluate
 from solver.scene.expression import atan2, sqrt
-
-FREE, DRIVEN, FIXED = 0, 1, 2
-"""How a node moves."""
-POINT, DIRECTION = 0, 1
-"""What a node is."""
-FORM, LENGTH, ANGLE = 0, 1, 2
-"""Kinds of quantities."""
-VALUE, RATE, SIGNAL = 0, 1, 2
-"""Kinds of leaves."""
-GIVEN = 1e8
-"""Weight of a velocity that the scene gives, against 1, when velocities are made consistent."""
-
-
-@dataclass(slots=True)
-class Node:
-    """A point or direction: position as drawn [m or 1], velocity, shares of mass [kg]."""
-
-    motion: int
-    kind: int
-    position: Vector
-    velocity: Vector
-    mass: Number = 0.0
-    """Share in norms."""
-    weight: Number = 0.0
-    """Mass that gravity acts on."""
-    velocity_weight: float = 1.0
-
-
-@dataclass(frozen=True, slots=True)
-class Form:
-    """s = u . w."""
-
-    u: Combination
-    w: Combination
-
-
-@dataclass(frozen=True, slots=True)
-class Quantity:
-    """A form, the length of one, or the angle of two (cosine, sine)."""
-
-    kind: int
-    forms: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Leaf:
-    """What a formula depends on: a quantity's value or rate, or a signal."""
-
-    kind: int
-    index: int
-
-
-@dataclass(frozen=True, slots=True)
-class Formula:
-    """A number over leaves, which stand in it as the symbols of `leaf_symbol`."""
-
-    value: Number
-    leaves: tuple[Leaf, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Scale:
-    """A row's size, base extent^power: what its residual is compared with."""
-
-    base: Number
-    power: int
-
-
-@dataclass(frozen=True, slots=True)
-class FormRow:
-    """s - constant = 0."""
-
-    form: int
-    constant: Number
-    scale: Scale
-    row: Row
-
-
-@dataclass(frozen=True, slots=True)
-class Coincidence:
-    """u = 0."""
-
-    form: int
-    row: Row
-
-
-@dataclass(frozen=True, slots=True)
-class FunctionRow:
-    """A formula that is zero."""
-
-    formula: Formula
-    scale: Scale
-    row: Row
-    driver: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Element:
-    """Force k (sigma - rest) + c dsigma/dt - drive along a quantity."""
-
-    quantity: int
-    stiffness: Number = 0.0
-    rest: Number = 0.0
-    damping: Number = 0.0
-    drive: Number = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Load:
-    """A force on a link, in global axes (None) or in those of the body with this first director."""
-
-    form: int
-    value: Vector
-    axes: int | None
-
-
-@dataclass(frozen=True, slots=True)
-class Moment:
-    """A moment that turns a link (a bar or a planar body), or a spatial body's directors."""
-
-    place: int
-    """Form of the link, or node of the first director."""
-    value: Vector
-    body_axes: bool = False
 
 
 @dataclass(slots=True)

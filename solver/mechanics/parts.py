@@ -1,12 +1,13 @@
-"""The parts of a mechanism by name: places, frames, joints, and what a symbol of a formula means."""
+"""The parts of a mechanism by name, and what a symbol of a formula means."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination, node
+from solver.mechanics.equations import DIRECTION, POINT, RATE, VALUE, Leaf
 from solver.mechanics.frames import Frame, Ground, RigidFrame
-from solver.mechanics.mechanism import DIRECTION, POINT, RATE, VALUE, Leaf, Mechanism
+from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.vectors import identity, norm
 from solver.scene import Expr, Number, PointReference, Scene
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from solver.mechanics.bodies import add_distance
 from solver.mechanics.derivative import derivative
+from solver.mechanics.equations import RATE, VALUE, Leaf, Scale
 from solver.mechanics.formulas import Compiler, leaf_symbol
 from solver.mechanics.joints import angle_between
-from solver.mechanics.mechanism import RATE, VALUE, Leaf, Scale
 from solver.mechanics.parts import AXES, JointParts, Parts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import (
@@ -167,7 +167,7 @@ def add_rolling(parts: Parts, name: str, joint: Rolling) -> None:
 def _roll_on_a_line(
     parts: Parts, rows: Rows, joint: Rolling, normal: Vector, found: JointParts
 ) -> None:
-    """Hold the height at R, and (x - x_0) . t + R theta: along t, right of n, it turns clockwise."""
+    """Hold the height at R, and (x - x_0) . t + R theta, with t to the right of the normal."""
     mechanism, ground, body = parts.mechanism, parts.frame(None), parts.frame(joint.body)
     centre = parts.named(joint.body)
     link = centre - ground.place(joint.position or (0.0, 0.0))

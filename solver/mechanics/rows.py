@@ -10,15 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.mechanism import (
-    Coincidence,
-    Formula,
-    FormRow,
-    FunctionRow,
-    Leaf,
-    Mechanism,
-    Scale,
-)
+from solver.mechanics.equations import Coincidence, FormRow, Formula, FunctionRow, Leaf, Scale
+from solver.mechanics.mechanism import Mechanism
 from solver.runtime.model import Row
 from solver.scene import Number
 

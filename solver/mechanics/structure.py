@@ -11,16 +11,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from solver.mechanics.mechanism import (
-    DRIVEN,
-    FIXED,
-    FREE,
-    SIGNAL,
-    VALUE,
-    Form,
-    Leaf,
-    Mechanism,
-)
+from solver.mechanics.equations import DRIVEN, FIXED, FREE, SIGNAL, VALUE, Form, Leaf
+from solver.mechanics.mechanism import Mechanism
 from solver.scene import Number
 
 SQUARE, LINEAR, TURNED = 1, 2, 4
@@ -121,7 +113,7 @@ class Structure:
                 continue
             used = self.mechanism.quantities[leaf.index].forms
             local = [forms.setdefault(form, len(forms)) for form in used]
-            found.append((leaf.kind, self.quantity_of[leaf.index], *(local + [-1])[:2]))
+            found.append((leaf.kind, self.quantity_of[leaf.index], *([*local, -1])[:2]))
         free = [self.free(form) for form in forms]
         nodes = {node: k for k, node in enumerate(sorted({n for near in free for n in near}))}
         local_nodes = tuple(nodes[n] for near in free for n in near)
@@ -133,7 +125,7 @@ class Structure:
         """Return the tables that describe the mechanism, without those of the elimination."""
         mechanism, composites = self.mechanism, self.composites
         quantities = [mechanism.quantities[q] for q in self.quantities]
-        pairs = [(q.forms + (-1,))[:2] for q in quantities]
+        pairs = [((*q.forms, -1))[:2] for q in quantities]
         reactions = [(r, *e) for r, entries in enumerate(mechanism.reactions) for e in entries]
         node_of, loads = self.node_of, mechanism.loads
         return {

@@ -91,7 +91,7 @@ def _rank(rows: NDArray[np.float64]) -> int:
 
 
 def _dependent(rows: NDArray[np.float64], names: Sequence[str]) -> tuple[str, ...]:
-    """Names of the rows that take part in linear dependences; a body's own rows are not to blame."""
+    """Names of the rows that take part in dependences; a body's own rows are not to blame."""
     size = np.linalg.norm(rows, axis=1, keepdims=True)
     U, values, _ = np.linalg.svd(rows / np.where(size > 0.0, size, 1.0))
     rank = int((values > SMALL * values[0]).sum()) if values.size else 0

@@ -1,8 +1,8 @@
 """Compiles expressions to the kernel's tape: scalar operations on one vector of numbers.
 
-Four segments: what depends on fixed parameters alone; what forces also need of time, inputs, tunable
-parameters and sensors in the middle of a step; the signals at its end; and what outputs need of the
-measurements. All may use the results of the first one and none those of another. Equal
+Four segments: what depends on fixed parameters alone; what forces also need of time, inputs,
+tunable parameters and sensors in the middle of a step; the signals at its end; and what outputs
+need of the measurements. All may use the results of the first one and none those of another. Equal
 subexpressions of a segment are computed once.
 """
 

@@ -29,8 +29,8 @@ SENTENCES = {
     "angle": "the cosine of its angle is {gap:.6g} off as drawn; turn a body, or correct the value",
     "axes": "its axes are no perpendicular unit vectors, by {gap:.6g}; correct its orientation",
     "value": "its value is {gap:.6g} as drawn and must be 0; move or turn a part",
-    "driver": "what it moves is drawn {gap:.6g} off its value at the start; move a part, or correct "
-    "the formula",
+    "driver": "what it moves is drawn {gap:.6g} off its value at the start; move a part, "
+    "correct the formula",
 }
 """What is said about the drawn positions, by the kind of the row."""
 
