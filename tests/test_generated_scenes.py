@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import solver
 from scenes.generate import GENERATORS, hanging_chain, n_four_bar, rigid_chain
@@ -88,6 +90,20 @@ def test_a_hanging_chain_swings_as_the_oracle():
     names = [name for i in range(1, n) for name in vector(f"P{i}", axes="xy")]
     found = extrapolated(solver.loads(hanging_chain(n)), names, 0.002, 1.0, every=0.25)
     assert found == pytest.approx(pins[:, :-1].reshape(len(t), -1), abs=1e-6)
+
+
+@pytest.mark.parametrize("n", [2, 10, 40])
+def test_a_chain_at_rest_hangs_as_a_catenary_of_links(n):
+    # Links of weight w between pins that pull along with H: slopes are whole or half w/H apart.
+    text = hanging_chain(n).replace("[solver]", '[solver]\nstart = "equilibrium"')
+    length, step = 2 * math.sin(math.pi / 2 / n), np.arange(n) - 0.5 * (n - 1)
+    pull = brentq(lambda H: (length / np.hypot(1, step / H)).sum() - 2.0, 1e-6, 1e3)
+    links = np.column_stack([np.ones(n), step / pull])
+    links *= length / np.linalg.norm(links, axis=1, keepdims=True)
+    exact = np.cumsum(links, axis=0)[:-1] - [1.0, 0.0]
+    names = [name for i in range(1, n) for name in vector(f"P{i}", axes="xy")]
+    found = run(solver.loads(text), names, 0.002, 0.02)
+    assert found == pytest.approx(np.array([exact.ravel()] * 2), abs=1e-11)
 
 
 @pytest.mark.parametrize(

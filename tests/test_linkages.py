@@ -21,6 +21,13 @@ ANDREWS_AT_30_MS = np.array(
 )  # fmt: skip
 """Angles beta, theta, gamma, phi, delta, omega, epsilon [rad] of the squeezer at 0.03 s, from the
 Test Set for Initial Value Problem Solvers."""
+ANDREWS_PINS_AT_30_MS = np.array(
+    [
+        -0.00696303942622, -0.00071838843869, -0.03492161839492, -0.00224084108211,
+        -0.0347152190499, 0.01775809387229, -0.03468133356442, -0.02223939761003,
+    ]
+)  # fmt: skip
+"""P1, P2, P3, P4 [m] at these angles."""
 
 CAR_AXIS = ["A.x", "A.y", "B.x", "B.y"]
 CAR_AXIS_AT_3_S = np.array(
@@ -57,6 +64,14 @@ def test_the_squeezer_is_of_second_order_and_books_the_work_of_its_motor():
     turned = angles[:, 0] + 0.0617138900142764496
     assert np.array(runs)[:, 7] == pytest.approx(0.033 * turned, rel=1e-12)
     assert np.array(runs)[:, 8:].max() < 1e-12
+
+
+@pytest.mark.parametrize(("n", "published"), [(300, 1.65e-5), (600, 4.13e-6), (1200, 1.03e-6)])
+def test_the_squeezer_errs_as_much_as_the_method_must(n, published):
+    # Of a first program of the same method, its largest coordinate: within ten per cent.
+    pins = [name for pin in ("K2", "K2.tip", "K4", "K6") for name in vector(pin, axes="xy")]
+    found = run("andrews", pins, 0.03 / n, 0.03)[-1]
+    assert np.abs(found - ANDREWS_PINS_AT_30_MS).max() == pytest.approx(published, rel=0.1)
 
 
 @pytest.mark.parametrize(
@@ -101,6 +116,26 @@ def test_the_slider_crank_is_where_its_crank_puts_it_at_any_step(n):
     # Some 40 J go to and fro between motor and mechanism; 1e-10 J of them are lost to rounding.
     assert kinetic - kinetic[0] == pytest.approx(work, abs=1e-9)
     assert np.abs(balance).max() < 1e-9
+
+
+def test_the_motor_of_the_slider_crank_feels_what_its_inertia_asks():
+    # tau = d/d phi of T at constant speed; T of rod and slider from their exact places.
+    def kinetic(angle: Array) -> Array:
+        swing, _ = slider_crank(angle, 0.15, 0.30)
+        turning = -0.5 * np.cos(angle) / np.cos(swing) * 150.0
+        across = -0.15 * np.sin(angle) * 150.0 - 0.15 * np.sin(swing) * turning
+        along = 0.15 * np.cos(angle) * 150.0 + 0.15 * np.cos(swing) * turning
+        slider = across - 0.15 * np.sin(swing) * turning
+        return 0.5 * (
+            0.151104 * (across**2 + along**2)
+            + 0.151104 * 0.3**2 / 12 * turning**2
+            + 0.075552 * slider**2
+        )
+
+    angle = 150.0 * times(0.1, 0.01)[1:]
+    exact = (kinetic(angle + 1e-5) - kinetic(angle - 1e-5)) / 2e-5
+    found = extrapolated("slider_crank", ["motor.torque"], 1e-4, 0.1, every=0.01)[1:, 0]
+    assert found == pytest.approx(exact, abs=1e-4 * np.abs(exact).max())
 
 
 def test_the_published_slider_crank_differs_by_the_elasticity_of_its_rod_alone():

@@ -1,4 +1,4 @@
-"""Mechanisms that cannot move in every direction in which they might get: disc and sleigh."""
+"""Mechanisms that cannot move every way they might get: disc, sleigh and snakeboard."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from tests.mechanism_runs import extrapolated, run, times, vector
+from tests.nonholonomic_models import chaplygin_sleigh, rolling_disc, snakeboard
 from tests.problems import observed_order
-from tests.reduced_models import Array, chaplygin_sleigh, rolling_disc, rotation
+from tests.reduced_models import Array, rotation
 
 TILT, ROLL, TURN = 0.3, 15.0, -2.0
 SLEIGH = ["sleigh.x", "sleigh.y", "sleigh.angle", "sleigh.angular_velocity"]
@@ -70,3 +71,19 @@ def test_the_sleigh_ends_centre_of_mass_in_front_and_straight():
 
 def test_the_knife_edge_does_no_work():
     assert run("chaplygin_sleigh", ["energy.error"], 0.05, 10.0, every=0.5).max() < 1e-12
+
+
+def test_the_snakeboard_goes_as_the_oracle():
+    exact = snakeboard(times(5.0, 1.0))
+    found = extrapolated("snakeboard", ["board.x", "board.y", "board.angle"], 0.01, 5.0, every=1.0)
+    assert exact[-1, 0] > 1.0  # it gets along, though nobody pushes
+    assert found == pytest.approx(exact, abs=1e-6)
+
+
+def test_the_rider_pays_for_the_way_of_the_snakeboard():
+    kinetic, work, error = run(
+        "snakeboard", ["energy.kinetic", "energy.work", "energy.error"], 0.01, 10.0, every=0.5
+    ).T
+    assert work == pytest.approx(kinetic - kinetic[0], abs=1e-12)
+    assert work[-1] > 1.0
+    assert error.max() < 1e-12
