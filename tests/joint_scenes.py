@@ -22,7 +22,7 @@ SPATIAL = {
     "point_on_line": ('point = "B.tip", body = "A", axis = [1, 2, 2]', 2),
     "point_on_plane": ('point = "B.tip", body = "A", axis = [1, 2, 2]', 1),
     "point_on_surface": (
-        'point = "B.tip", body = "A", surface = "x**2 + 2*y**2 + z*x - 1.0049"',
+        'point = "B.tip", body = "A", surface = "x**2 + 2*y**2 + 3*z**2 - 1"',
         1,
     ),
     "angle": ('bodies = ["A", "B"], axes = [[1, 2, 2], [1, 0, 0.3]]', 1),

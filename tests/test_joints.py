@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import solver
+from solver.mechanics.survey import survey
 from tests.joint_scenes import PAIRS, PLANAR, SPATIAL, pair
 
 REACTING = [
@@ -23,7 +24,7 @@ def _run(scene: str, stop: float, step: float) -> solver.Trajectory:
 @pytest.mark.parametrize(("dimension", "kind"), PAIRS)
 def test_a_joint_takes_the_freedom_of_the_textbook(dimension: int, kind: str) -> None:
     rows = (SPATIAL if dimension == 3 else PLANAR)[kind][1]
-    found = solver.survey(solver.assemble(solver.loads(pair(dimension, kind, 0.01))))
+    found = survey(solver.assemble(solver.loads(pair(dimension, kind, 0.01))))
     assert found.degrees_of_freedom == (12 if dimension == 3 else 6) - rows
     assert found.redundant_rows == 0
 
