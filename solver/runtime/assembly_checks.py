@@ -37,7 +37,7 @@ SENTENCES = {
 UNITS = {"length": " m", "apart": " m", "off": " m", "height": " m", "turned": " rad"}
 
 VELOCITIES = (
-    "the velocities of its parts contradict it, by {rate:.6g} per second; correct the velocities"
+    "the velocities of its parts contradict it, by {rate:.6g}{unit}; correct the velocities"
 )
 
 
@@ -225,7 +225,8 @@ class _Drawn:
                 f"{record.name}: the velocities of its points contradict it: along it they are "
                 f"{ends[0]:.12g} m/s and {ends[1]:.12g} m/s, and must be equal{ASSEMBLE}"
             )
-        return f"{record.name}: {VELOCITIES.format(rate=rate)}{ASSEMBLE}"
+        unit = f"{UNITS[record.kind]}/s" if record.kind in UNITS else " per second"
+        return f"{record.name}: {VELOCITIES.format(rate=rate, unit=unit)}{ASSEMBLE}"
 
     def _along(self, row: int) -> list[float]:
         """Velocities of the two points of a rod along it."""
