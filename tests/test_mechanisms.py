@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 import solver
-from tests.mechanism_runs import SCENES
+from solver.mechanics.survey import survey
+from tests.mechanism_runs import SCENES, scene
 
 MECHANISMS = sorted(SCENES.glob("*.toml"))
 STEPS = 200
@@ -14,11 +15,46 @@ STEPS = 200
 @pytest.mark.parametrize("path", MECHANISMS, ids=lambda path: path.stem)
 def test_energy_is_balanced_and_no_joint_opens(path):
     # Solved to 1e-12 in each step, 200 of which do not add up: errors are not of one sign.
-    scene = solver.load(path)
-    every = scene.experiment.step_size
-    count = max(1, round(STEPS * scene.solver.step_size / every))
+    drawn = solver.load(path)
+    every = drawn.experiment.step_size
+    count = max(1, round(STEPS * drawn.solver.step_size / every))
     found = solver.simulate(
-        scene, stop_time=count * every, outputs=["energy.error", "constraint.position"]
+        drawn, stop_time=count * every, outputs=["energy.error", "constraint.position"]
     )
     assert found["energy.error"].max() < 1e-11
     assert found["constraint.position"].max() < 1e-12
+
+
+FREEDOM = {
+    # by counting (Kutzbach), by rank, with drivers, of velocities; joints of the textbooks
+    "andrews": (1, 1, 1, 1),
+    "bricard": (0, 1, 1, 1),
+    "flyball_governor": (4, 4, 4, 4),
+    "car_axis": (4, 4, 2, 2),
+    "slider_crank": (1, 1, 0, 0),
+    "spatial_slider_crank": (0, 1, 0, 0),
+    "heavy_top": (3, 3, 3, 3),
+    "dzhanibekov": (6, 6, 6, 6),
+    "cardan_shaft": (-2, 1, 0, 0),
+    "screw_jack": (-3, 1, 1, 1),
+    "watt": (1, 1, 1, 1),
+    "stephenson": (1, 1, 0, 0),
+    "peaucellier": (1, 1, 0, 0),
+    "jansen": (1, 1, 0, 0),
+    "double_wishbone": (5, 5, 2, 2),  # quarter car, wheel, and the three of the tyre's foot
+    "stewart": (6, 6, 0, 0),
+    "rolling_disc": (5, 5, 5, 3),
+    "chaplygin_sleigh": (3, 3, 3, 2),
+    "snakeboard": (6, 6, 3, 1),
+    "differential": (2, 2, 2, 2),
+}
+
+
+@pytest.mark.parametrize("name", FREEDOM)
+def test_a_mechanism_moves_in_as_many_ways_as_its_textbook_says(name):
+    found = survey(solver.assemble(solver.load(scene(name))))
+    counts = (
+        *(found.mobility_by_count, found.mobility),
+        *(found.degrees_of_freedom, found.velocity_freedom),
+    )
+    assert counts == FREEDOM[name]
