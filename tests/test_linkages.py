@@ -91,6 +91,13 @@ def test_the_car_axis_goes_to_the_published_place():
     assert found[4:] == pytest.approx(CAR_AXIS_RATES, abs=5e-4)
 
 
+def test_the_rods_of_the_car_axis_pull_as_published():
+    # Published as forces +lambda grad: -0.4736886750784630e-2 of A.x R.x + A.y R.y and
+    # -0.1104680411345730e-2 of |A - B|^2, whose gradient is 2 m long.
+    found = extrapolated("car_axis", ["upright.multiplier", "chassis.force"], 3.0 / 2400, 3.0)[-1]
+    assert found == pytest.approx([0.4736886750784630e-2, 2 * 0.1104680411345730e-2], rel=1e-3)
+
+
 def test_the_car_axis_takes_from_the_road_what_it_gains():
     error, gap = run("car_axis", ["energy.error", "constraint.position"], 0.005, 3.0, every=0.05).T
     assert error.max() < 1e-11
