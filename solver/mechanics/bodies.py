@@ -186,8 +186,11 @@ def _add_inertia(
         least = _least_inertia(mechanism, frame, body, places, part)
         E = tuple(scale(least, row) for row in identity(3))
     E = floored(E, mechanism.default)
+    # Norms and penalties take the largest: what holds a light direction is its body, and a penalty
+    # scaled with its own small inertia would make Uzawa's iteration slow.
+    largest = max((E[i][i] for i in range(3)), key=mechanism.default)
     for i, first in enumerate(frame.directors):
-        mechanism.nodes[first].mass = E[i][i]
+        mechanism.nodes[first].mass = largest
         for k in range(i, 3):
             mechanism.add_mass(first, frame.directors[k], E[i][k])
 
