@@ -21,6 +21,8 @@ SECTIONS = {
     "work-precision": "benchmarks.work_precision",
     "formulations": "benchmarks.formulations",
     "long-run": "benchmarks.long_run",
+    "mechanisms": "benchmarks.scene_steps",
+    "rigid-chains": "benchmarks.rigid_chains",
     "instructions": "benchmarks.instructions",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""

@@ -165,8 +165,11 @@ def _road(_system: object, t: float, _item: int, _offset: float) -> float:
     return 0.03 * (1 - math.cos(6 * t))
 
 
-def double_wishbone() -> Drawing:
-    """`scenes/double_wishbone.toml` on the road `ROAD`; the axle is a part of the upright."""
+def double_wishbone(wavy: bool = True) -> Drawing:
+    """`scenes/double_wishbone.toml` on the road `ROAD` or on a flat one.
+
+    The axle is a part of the upright.
+    """
     drawing = Drawing()
     system, ground = drawing.system, drawing.ground
     car = drawing.body((0, 0, 0.5), _compact(400, (40, 40, 40)))
@@ -188,7 +191,7 @@ def double_wishbone() -> Drawing:
         system.CreateCoordinateConstraint(
             itemNumbers=[None, patch],
             coordinates=[None, axis],
-            offsetUserFunction=_road if axis == 2 else 0,
+            offsetUserFunction=_road if wavy and axis == 2 else 0,
         )
     _struts(drawing, (lower, car), (patch, upright))
     drawing.watch("car", car)
@@ -214,3 +217,8 @@ def _struts(drawing: Drawing, coil: tuple[int, int], tyre: tuple[int, int]) -> N
         stiffness=200e3,
         damping=500.0,
     )
+
+
+def flat_double_wishbone() -> Drawing:
+    """Double wishbone on a flat road: without calls into Python."""
+    return double_wishbone(wavy=False)

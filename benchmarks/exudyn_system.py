@@ -15,7 +15,7 @@ from exudyn.utilities import RigidBodyInertia, SensorBody, SensorObject
 
 Vector = Sequence[float]
 
-DENSE = 8
+DENSE = 4
 """Bodies up to which Exudyn's dense solver is the faster one."""
 
 

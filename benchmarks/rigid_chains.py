@@ -1,0 +1,190 @@
+"""Cost of an inner step against the number of rigid bodies: hinged chains and rows of four-bars."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import solver
+from benchmarks.effort import Effort
+from benchmarks.exudyn_peer import METHOD, Job, measured
+from benchmarks.mechanisms import start_scene
+from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.stepping import Repeated
+from benchmarks.timing import Times, interleave
+from scenes.generate import n_four_bar, rigid_chain
+
+STEPS_TIMES_BODIES = 5_000
+WARM_UP = 5
+"""Steps before those that are timed: the first one from rest takes more iterations."""
+PER_BODY = 8.0
+"""Goal of an inner step for each body in space with its joint [µs]."""
+LINEAR = 1.1
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """Scenes of any size."""
+
+    name: str
+    text: Callable[[int], str]
+    model: str
+    """Exudyn's."""
+    sizes: tuple[int, ...]
+    bodies: Callable[[int], int]
+    first: int
+    """Size from which the exponent is taken: below, what does not grow is a large part."""
+
+
+FAMILIES = (
+    Family(
+        "planar rigid chain",
+        partial(rigid_chain, dimension=2),
+        "planar_chain",
+        (10, 100, 1000),
+        lambda n: n,
+        100,
+    ),
+    Family("spatial rigid chain", rigid_chain, "spatial_chain", (10, 100, 1000), lambda n: n, 100),
+    Family("N-four-bar (A02)", n_four_bar, "n_four_bar", (2, 10, 40, 200), lambda n: 2 * n + 1, 10),
+)
+
+COLUMNS = {
+    "family": "mechanism",
+    "n": "N",
+    "bodies": "bodies",
+    "solve": "µs per inner step",
+    "body": "µs per inner step and body",
+    "exudyn": "Exudyn, µs per step",
+    "ratio": "Exudyn / ours",
+    "newton": "Newton iterations per inner step",
+    "their_newton": "Exudyn's",
+    "iteration": "µs per iteration and body",
+    "energy": "energy.error, J",
+    "constraint": "constraint.position, m",
+    "noise": "noise",
+    "remark": "",
+}
+FORMATS = {
+    "n": ".0f", "bodies": ".0f", "solve": ".4g", "body": ".3f", "exudyn": ".4g", "ratio": ".1f",
+    "newton": ".2f", "their_newton": ".2f", "iteration": ".3f", "energy": ".1e",
+    "constraint": ".1e", "noise": ".2f",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """One size of a family, and what was found at the end of its first run."""
+
+    family: Family
+    n: int
+    h: float
+    repeated: Repeated
+    energy: float
+    constraint: float
+
+    @property
+    def key(self) -> str:
+        """Name of the size."""
+        return f"{self.family.name} N = {self.n}"
+
+
+def measure(effort: Effort) -> Section:
+    cases = [_case(f, n, effort) for f in FAMILIES for n in f.sizes if n <= effort.largest]
+    able = [case for case in cases if not case.repeated.failure]
+    times = interleave({case.key: case.repeated.entry for case in able}, effort)
+    jobs = [
+        Job(case.key, case.family.model, case.n, case.h / 2, case.repeated.solves) for case in able
+    ]
+    theirs, remarks = measured(jobs, effort)
+    rows = [_row(case, times.get(case.key), theirs.get(case.key, {})) for case in cases]
+    failures = [f"{c.key}: {c.repeated.failure}" for c in cases if c.repeated.failure]
+    return Section(
+        name="rigid-chains",
+        title="Rigid chains and rows of loops",
+        method=(
+            "Chains of N links of 0.1 m and 0.1 kg with hinges, in space across each other, let go "
+            "from the horizontal; inner steps of 1 ms. A02: N loops of bars on N + 1 cranks, inner "
+            f"steps of 2.5 ms. All as pairs, after {WARM_UP} of them, settings as by default. "
+            f"{METHOD}"
+        ),
+        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        goals=[*_per_body(rows), *_exponents(rows)],
+        remarks=[*remarks, *_their_exponents(rows), *failures],
+    )
+
+
+def _case(family: Family, n: int, effort: Effort) -> Case:
+    integrator = start_scene(solver.loads(family.text(n), name=f"{family.model}.toml"))
+    h = float(integrator["solver.step_size"])
+    count = effort.count(max(5, STEPS_TIMES_BODIES // family.bodies(n)), least=2)
+    repeated = Repeated(integrator, h, count, WARM_UP)
+    found = (float(integrator[name]) for name in ("energy.error", "constraint.position"))
+    return Case(family, n, h, repeated, *found)
+
+
+def _row(case: Case, times: Times | None, theirs: dict[str, Any]) -> dict[str, Value]:
+    bodies = case.family.bodies(case.n)
+    row: dict[str, Value] = {"family": case.family.name, "n": case.n, "bodies": bodies}
+    if times is None:
+        return row | {"remark": "a step failed"}
+    solve = 1e6 * times.minimum / case.repeated.solves
+    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
+    return row | {
+        "solve": solve,
+        "body": solve / bodies,
+        "exudyn": exudyn,
+        "ratio": exudyn / solve if exudyn else None,
+        "newton": case.repeated.newton_per_solve,
+        "iteration": solve / case.repeated.newton_per_solve / bodies,
+        "their_newton": theirs.get("newton"),
+        "energy": case.energy,
+        "constraint": case.constraint,
+        "noise": times.noise,
+        "remark": "some steps halved" if case.repeated.halved else "",
+    }
+
+
+def _per_body(rows: list[dict[str, Value]]) -> list[Goal]:
+    return [
+        Goal(
+            what=f"inner step and body, {row['family']} N = {row['n']}",
+            unit="µs",
+            goal=PER_BODY,
+            value=float(row["body"]) if row.get("body") else None,
+            noise=float(row["noise"]) if row.get("noise") else None,
+        )
+        for row in rows
+        if row["family"] == "spatial rigid chain"
+    ]
+
+
+def _exponents(rows: list[dict[str, Value]]) -> list[Goal]:
+    goals = []
+    for family in FAMILIES:
+        ends, exponent = _exponent(rows, family, "solve")
+        if len(ends) == 2:
+            what = f"p in cost of a step ~ N^p, N = {ends[0]} to {ends[1]}, {family.name}"
+            goals.append(Goal(what=what, unit="1", goal=LINEAR, value=exponent))
+    return goals
+
+
+def _their_exponents(rows: list[dict[str, Value]]) -> list[str]:
+    found = ((family.name, _exponent(rows, family, "exudyn")[1]) for family in FAMILIES)
+    return [f"Exudyn, {name}: p = {p:.2f} over the same N" for name, p in found if p is not None]
+
+
+def _exponent(
+    rows: list[dict[str, Value]], family: Family, column: str
+) -> tuple[list[int], float | None]:
+    """Sizes between which the exponent is taken, and the exponent, None if not measured."""
+    mine = {int(row["n"]): row for row in rows if row["family"] == family.name}
+    sizes = [n for n in mine if n >= family.first]
+    ends = [sizes[0], sizes[-1]] if len(sizes) > 1 else []
+    times = [value for n in ends if (value := mine[n].get(column))]
+    if len(times) != 2:
+        return ends, None
+    return ends, math.log(float(times[1]) / float(times[0])) / math.log(ends[1] / ends[0])

@@ -1,0 +1,164 @@
+"""Microseconds per inner step and per communication step of every mechanism in `scenes/`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import solver
+from benchmarks.effort import Effort
+from benchmarks.exudyn_peer import METHOD, Job, measured
+from benchmarks.mechanisms import start_scene
+from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.stepping import Repeated
+from benchmarks.timing import Entry, Times, interleave
+
+SCENES = Path(__file__).resolve().parents[1] / "scenes"
+LONGEST = 500
+"""Internal steps of a repetition, or those of the scene's experiment."""
+GOALS = {"andrews": 12.0, "bricard": 40.0}
+"""Of an inner step [µs]."""
+PEERS = {
+    "andrews": "andrews",
+    "bricard": "bricard",
+    "double_wishbone": "flat_double_wishbone",
+    "flyball_governor": "flyball_governor",
+    "heavy_top": "heavy_top",
+}
+"""Models of Exudyn that call no Python while they move."""
+
+COLUMNS = {
+    "mechanism": "mechanism",
+    "bodies": "bodies and points",
+    "h": "step, ms",
+    "solve": "µs per inner step",
+    "exudyn": "Exudyn, µs per step",
+    "ratio": "Exudyn / ours",
+    "communication": "µs per communication step",
+    "inner": "inner steps in it",
+    "newton": "Newton iterations per inner step",
+    "their_newton": "Exudyn's",
+    "energy": "energy.error, J",
+    "constraint": "constraint.position, m",
+    "noise": "noise",
+    "remark": "",
+}
+FORMATS = {
+    "bodies": ".0f", "h": ".4g", "solve": ".2f", "exudyn": ".1f", "ratio": ".1f",
+    "communication": ".1f", "inner": ".0f", "newton": ".2f", "their_newton": ".2f",
+    "energy": ".1e", "constraint": ".1e", "noise": ".2f",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A scene ready to be stepped, and what was found at the end of its first run."""
+
+    bodies: int
+    h: float
+    """Internal step [s]."""
+    period: float
+    """Communication step [s]."""
+    inner: int
+    """Inner steps of a communication step."""
+    repeated: Repeated
+    entries: dict[str, Entry]
+    energy: float
+    constraint: float
+
+    @property
+    def communications(self) -> int:
+        """Communication steps of a repetition."""
+        return self.repeated.solves // self.inner
+
+
+def measure(effort: Effort) -> Section:
+    cases = {path.stem: _case(path, effort) for path in sorted(SCENES.glob("*.toml"))}
+    entries = {
+        f"{name} {kind}": entry
+        for name, case in cases.items()
+        if not case.repeated.failure
+        for kind, entry in case.entries.items()
+    }
+    times = interleave(entries, effort)
+    jobs = [
+        Job(name, model, None, cases[name].period / cases[name].inner, cases[name].repeated.solves)
+        for name, model in PEERS.items()
+        if not cases[name].repeated.failure
+    ]
+    theirs, remarks = measured(jobs, effort)
+    rows = [_row(name, case, times, theirs.get(name, {})) for name, case in cases.items()]
+    failures = [f"{n}: {c.repeated.failure}" for n, c in cases.items() if c.repeated.failure]
+    return Section(
+        name="mechanisms",
+        title="Mechanisms",
+        method=(
+            "Every scene of `scenes/` from its start, with its own settings; a repetition is its "
+            f"whole experiment, or its first {LONGEST} internal steps. Energy and constraint at "
+            "the end of a repetition. The communication step is that of the scene's experiment, "
+            f"without reading outputs. {METHOD}"
+        ),
+        tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        goals=[_goal(row, GOALS[key]) for row in rows if (key := str(row["mechanism"])) in GOALS],
+        remarks=[*remarks, *failures],
+    )
+
+
+def _case(path: Path, effort: Effort) -> Case:
+    scene = solver.load(path)
+    integrator = start_scene(scene)
+    experiment = integrator.model.experiment
+    period, h = experiment.step_size, float(integrator["solver.step_size"])
+    steps = max(1, round(period / h))
+    paired = bool(integrator["solver.paired"])
+    longest = min(LONGEST, round((experiment.stop_time - experiment.start_time) / h))
+    communications = max(1, effort.count(longest) // steps)
+    repeated = Repeated(integrator, period / steps, communications * steps, warm_up=0)
+    energy, constraint = (
+        float(integrator[name]) for name in ("energy.error", "constraint.position")
+    )
+
+    def communicate() -> None:
+        for _ in range(communications):
+            integrator.advance(integrator.time, period)
+
+    entries = {"steps": repeated.entry, "communication": Entry(communicate, repeated.entry.prepare)}
+    bodies = len(scene.bodies) + sum(not point.fixed for point in scene.points.values())
+    inner = steps * (2 if paired else 1)
+    return Case(bodies, period / steps, period, inner, repeated, entries, energy, constraint)
+
+
+def _row(
+    name: str, case: Case, times: dict[str, Times], theirs: dict[str, Any]
+) -> dict[str, Value]:
+    row: dict[str, Value] = {"mechanism": name, "bodies": case.bodies, "h": 1e3 * case.h}
+    if case.repeated.failure:
+        return row | {"remark": "a step failed"}
+    steps, communication = times[f"{name} steps"], times[f"{name} communication"]
+    solve = 1e6 * steps.minimum / case.repeated.solves
+    exudyn = 1e6 * theirs["step"] if theirs.get("step") else None
+    return row | {
+        "solve": solve,
+        "exudyn": exudyn,
+        "ratio": exudyn / solve if exudyn else None,
+        "communication": 1e6 * communication.minimum / case.communications,
+        "inner": case.inner,
+        "newton": case.repeated.newton_per_solve,
+        "their_newton": theirs.get("newton"),
+        "energy": case.energy,
+        "constraint": case.constraint,
+        "noise": steps.noise,
+        "remark": "some steps halved" if case.repeated.halved else "",
+    }
+
+
+def _goal(row: dict[str, Value], goal: float) -> Goal:
+    solve, noise = row.get("solve"), row.get("noise")
+    return Goal(
+        what=f"inner step, {row['mechanism']}",
+        unit="µs",
+        goal=goal,
+        value=solve if isinstance(solve, float) else None,
+        noise=noise if isinstance(noise, float) else None,
+    )
