@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 
 import numpy as np
 import pytest
@@ -104,7 +105,7 @@ def test_slots_have_the_lengths_that_the_kernel_counts(text):
         k, block = free[form], dim * dim if kinds[form] & 4 else dim
         return (0 if kinds[form] & 2 else k * k * block) + 2 * k * dim
 
-    width = [dim * (b - a) for a, b in zip(ptr, ptr[1:], strict=False)]
+    width = [dim * (b - a) for a, b in itertools.pairwise(ptr)]
     rows = range(
         sizes["n_elements"],
         sizes["n_elements"] + sizes["n_function_rows"] + sizes["n_velocity_rows"],

@@ -186,7 +186,6 @@ def test_what_parameters_do_not_fix_runs_when_it_is_needed():
     }
 
 
-
 @pytest.mark.parametrize("kernel", ["c", "numpy"])
 def test_parameters_inputs_and_measurements_reach_the_outputs_of_a_scene(kernel):
     text = """

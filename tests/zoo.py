@@ -24,10 +24,14 @@ inertia = [0.1, 0.2, 0.25]
 points = { tip = [0.5, 0, 0], top = [0, 0, 0.2] }
 [joints]
 lift = { type = "rack", joints = ["thread", "bearing"], radius = 0.05 }
-bearing = { type = "cylindrical", bodies = ["ground", "rod"], position = [0, 1, 0], axis = [0, 0, 1] }
 pair = { type = "gear", joints = ["bearing", "thread"], ratio = -2.0 }
 roll = { type = "rolling", body = "wheel", radius = 0.5, axis = [0, 1, 0] }
 string = { type = "distance", points = ["O", "P"] }
+[joints.bearing]
+type = "cylindrical"
+bodies = ["ground", "rod"]
+position = [0, 1, 0]
+axis = [0, 0, 1]
 [joints.thread]
 type = "screw"
 bodies = ["ground", "nut"]
