@@ -1,82 +1,6 @@
-/* Laws, inputs and signals at their times, and a communication step: pairs of half steps, halving on failure.
-   Included once per dimension, after energy.inc.h.                                                             */
+/* A communication step: pairs of half steps, halving on failure. Included once per dimension, after start.inc.h. */
 
 enum { MAX_HALVINGS = 6 };
-
-/* Inputs as they are at time t: held, or on the line from the value before to the new one. */
-static void load_inputs(const context *c, double t)
-{
-    const holonom_model *m = c->m;
-    const double part = c->span > 0.0 ? fmin(fmax((t - c->start) / c->span, 0.0), 1.0) : 0.0;
-    for (int32_t i = 0; i < m->n_inputs; i++) {
-        const double before = c->s.inputs_before[i], now = c->s.inputs[i];
-        c->number[m->input_at + i] = m->input_ramp[i] ? before + part * (now - before) : now;
-    }
-    memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
-}
-
-/* Quantities and their rates in the middle of the step to come, predicted with the accelerations of the same half of
-   the last pair.                                                                                             */
-static void sense(context *c, double h, int parity)
-{
-    const holonom_model *m = c->m;
-    double *x = c->k.d, *v = c->k.w;
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
-        const double a = c->s.a[parity][k];
-        x[k] = c->s.q[k] + 0.5 * h * c->s.v[k] + 0.125 * h * h * a;
-        v[k] = c->s.v[k] + 0.5 * h * a;
-    }
-    for (int32_t j = 0; j < m->n_active; j++) {
-        const double turn = 6.283185307179586477;
-        double angle = quantity_at(c, j, x, c->s.q_low, v, c->number + m->sensor_rate_at + j);
-        if (m->quantity_kind[j] == QUANTITY_ANGLE) { /* the turn next to the state's */
-            const double now = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
-            angle -= turn * floor((angle - now) / turn + 0.5);
-        }
-        c->number[m->sensor_at + j] = angle;
-    }
-}
-
-/* Runs the tape of the laws at time t. If it writes springs, their stored energy jumps: work of whoever turns them. */
-static void set_laws(context *c, double t, int booked)
-{
-    const holonom_model *m = c->m;
-    if (!m->n_tape[1]) return;
-    const double before = booked && m->variable_potential ? stored_energy(c) : 0.0;
-    load_inputs(c, t);
-    c->number[m->time_at] = t;
-    hm_run_tape(m, c->number, 1);
-    if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
-}
-
-/* Signals at time t (n_signals, overwritten). */
-static void signals_at(context *c, double t, double *signal)
-{
-    const holonom_model *m = c->m;
-    const double law_time = c->number[m->time_at];
-    if (!m->n_signals) return;
-    load_inputs(c, t);
-    c->number[m->time_at] = t;
-    hm_run_tape(m, c->number, 2);
-    c->number[m->time_at] = law_time;
-    memcpy(signal, c->number + m->signal_at, sizeof(double) * (size_t)m->n_signals);
-}
-
-/* Rates of the signals at time t by differences of fourth order (n_signals, overwritten). */
-static void signal_rates_at(context *c, double t, double *rate)
-{
-    const holonom_model *m = c->m;
-    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], weight[4] = {-1.0, 8.0, -8.0, 1.0};
-    const double shift[4] = {2.0, 1.0, -1.0, -2.0}, law_time = c->number[m->time_at];
-    for (int32_t b = 0; b < m->n_signals; b++) rate[b] = 0.0;
-    for (int i = 0; i < 4 && m->n_signals; i++) {
-        load_inputs(c, t);
-        c->number[m->time_at] = t + shift[i] * delta;
-        hm_run_tape(m, c->number, 2);
-        for (int32_t b = 0; b < m->n_signals; b++) rate[b] += weight[i] / (12.0 * delta) * c->number[m->signal_at + b];
-    }
-    c->number[m->time_at] = law_time;
-}
 
 void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, double *work,
                          const double *inputs, const double *parameters)
@@ -123,19 +47,43 @@ static void average_multipliers(context *c, double time)
     }
 }
 
-/* One internal step, or the pair of half steps that replaces it: the plain step reflects the velocity normal to
-   the constraints, the pair does not, so that its velocities are smooth.                                       */
+/* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
+   The plain step is not near the identity as h goes to 0 (it reflects the velocity normal to the constraints), the
+   pair is, so that it composes (numerics 8). Parts beyond the middle repeat the first ones in reverse.
+   Order 4: Suzuki 1990; 6: Kahan and Li 1997, s9odr6a; 8: the 15 stages of Suzuki and Umeno 1993.              */
+static double stage(int order, int i, int *stages)
+{
+    static const double fourth[] = {0.41449077179437573714, 0.41449077179437573714, -0.65796308717750294857};
+    static const double sixth[] = {0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981,
+                                   0.082213596293550800230, 0.79854399093482996340};
+    static const double eighth[] = {0.74167036435061295344822780, -0.40910082580003159399730010,
+                                    0.19075471029623837995387626, -0.57386247111608226665638773,
+                                    0.29906418130365592384446354, 0.33462491824529818378495798,
+                                    0.31529309239676659663205666, -0.79688793935291635401978882};
+    static const double whole[] = {1.0};
+    const double *parts = order == 8 ? eighth : order == 6 ? sixth : order == 4 ? fourth : whole;
+    const int middle = order == 8 ? 7 : order == 6 ? 4 : order == 4 ? 2 : 0;
+    *stages = 2 * middle + 1;
+    return parts[i <= middle ? i : 2 * middle - i];
+}
+
+/* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
 static int32_t internal_step(context *c, double h)
 {
-    if (c->s.head[S_PAIRED] == 0.0) {
-        const int32_t status = single_step(c, h, (int)c->s.head[S_PARITY]);
+    const int order = (int)c->s.head[S_ORDER];
+    int32_t status = HOLONOM_OK;
+    if (c->s.head[S_PAIRED] == 0.0 && order == 2) {
+        status = single_step(c, h, (int)c->s.head[S_PARITY]);
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
-    int32_t status = single_step(c, 0.5 * h, 0);
-    if (!status) status = single_step(c, 0.5 * h, 1);
-    if (!status) average_multipliers(c, c->t - 0.5 * h);
+    for (int i = 0, stages = 1; i < stages && !status; i++) {
+        const double half = 0.5 * h * stage(order, i, &stages);
+        status = single_step(c, half, 0);
+        if (!status) status = single_step(c, half, 1);
+        if (!status) average_multipliers(c, c->t - half);
+    }
     return status;
 }
 
@@ -145,7 +93,7 @@ static int32_t interval(context *c, double h, int halvings)
     const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
     int32_t status = internal_step(c, h);
     if (!status) return HOLONOM_OK;
-    if (c->s.head[S_PAIRED] != 0.0) {
+    if (c->s.head[S_PAIRED] != 0.0 || c->s.head[S_ORDER] != 2.0) {
         memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
         if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     }
@@ -155,6 +103,37 @@ static int32_t interval(context *c, double h, int halvings)
     if (halvings == MAX_HALVINGS) return status;
     status = interval(c, 0.5 * h, halvings + 1);
     return status ? status : interval(c, 0.5 * h, halvings + 1);
+}
+
+/* Ramped inputs change their slopes at communication points, and with them the rates of signals jump. Velocities jump
+   by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work.                      */
+static int32_t start_ramps(context *c, double step)
+{
+    const holonom_model *m = c->m;
+    double change = 0.0, *jump = c->k.signal_rate;
+    signal_rates_at(c, c->t, c->k.signal1);
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        const double slope = m->input_ramp[i] ? (c->s.inputs[i] - c->s.inputs_before[i]) / step : 0.0;
+        change += fabs(slope - c->s.inputs_slope[i]);
+        c->s.inputs_slope[i] = slope;
+    }
+    if (!m->n_signals || change == 0.0) return HOLONOM_OK;
+    signal_rates_at(c, c->t, jump);
+    for (int32_t b = 0; b < m->n_signals; b++) jump[b] -= c->k.signal1[b];
+    const double before = kinetic_energy(c, c->k.momentum);
+    stand_still(c);
+    memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
+    row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
+    for (int32_t i = m->n_rows - m->n_velocity_rows; i < m->n_rows; i++) c->k.phi[i] = 0.0;
+    c->h = sqrt(2.0);
+    inertia(c, c->k.w, c->k.momentum);
+    const int32_t status = solve_at_state(c, NULL);
+    if (status) return status;
+    for (int32_t a = 0; a < m->n_free; a++) EACH(k) c->k.w[DIM * a + k] = c->k.rhs[m->node_position[a] + k];
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
+    book(c, S_WORK, kinetic_energy(c, c->k.momentum) - before);
+    c->s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
+    return HOLONOM_OK;
 }
 
 int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, double *work, double step)
@@ -171,7 +150,7 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     const int64_t n = count < 1.0 ? 1 : (int64_t)count;
     const double start = head[S_TIME], h = step / (double)n;
     int32_t status = HOLONOM_OK;
-    c.span = step;
+    status = start_ramps(&c, step);
     set_laws(&c, start, 0);
     for (int64_t i = 0; i < n && !status; i++) {
         c.t = start + h * (double)i;

@@ -18,7 +18,7 @@ typedef struct context {
     int64_t state_size;
     int formulation;
     double h, t;
-    double start, span; /* communication step: its beginning and its length, for inputs that ramp             */
+    double start;       /* of the communication step, for inputs that ramp                                    */
     int32_t n_moving;
     /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
        by a step from rest whose forces and constraints act at its end.                                        */
@@ -44,7 +44,6 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->formulation = (int)c->s.head[S_FORMULATION];
     c->t = c->start = c->s.head[S_TIME];
     c->h = 0.0;
-    c->span = 0.0;
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->forceless = 0;

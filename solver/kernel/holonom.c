@@ -36,6 +36,7 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->quaternion = take(block, &used, 4 * (int64_t)m->n_bodies);
     s->inputs = take(block, &used, m->n_inputs);
     s->inputs_before = take(block, &used, m->n_inputs);
+    s->inputs_slope = take(block, &used, m->n_inputs);
     s->parameters = take(block, &used, m->n_parameters);
     return used;
 }

@@ -69,7 +69,9 @@ typedef struct hm_state {
     double *turns;                 /* n_quantities: full turns of angles so far                               */
     double *signal;                /* n_signals: prescribed values at the present time                        */
     double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
-    double *inputs, *inputs_before, *parameters;
+    double *inputs;                /* n_inputs: last given                                                   */
+    double *inputs_before, *inputs_slope; /* n_inputs: of ramps, at the present time, and how fast            */
+    double *parameters;
 } hm_state;
 
 /* Scratch of one step: nothing in it survives the step. */

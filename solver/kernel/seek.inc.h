@@ -2,7 +2,7 @@
    rest whose forces and constraints act at their end, (2/h) M d + h (G_1' mu + dU_1 - Q_1) = 0, Phi(q + d) = 0:
    without forces the smallest displacement in the mass metric, with forces a descent, since the energy at the end
    is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium.
-   Included once per dimension, after start.inc.h.                                                              */
+   Included once per dimension, after advance.inc.h.                                                              */
 
 /* One such step of length h; its size in the mass norm. Multipliers start from c->s.mu[0]. */
 static int32_t seek_step(context *c, double h, double *size)
@@ -10,12 +10,14 @@ static int32_t seek_step(context *c, double h, double *size)
     const holonom_model *m = c->m;
     const double tolerance = c->s.head[S_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
     double last = INFINITY;
+    /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the mechanism. */
+    const double holding = c->forceless ? h : fmin(h, c->s.head[S_STEP_SIZE]);
     stand_still(c);
     c->lever = 1.0;
     c->h = h;
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
-        c->k.epsilon[i] = h * h * c->number[m->row_sigma_at + i] / (2.0 * c->s.head[S_PENALTY]);
+        c->k.epsilon[i] = holding * holding * c->number[m->row_sigma_at + i] / (2.0 * c->s.head[S_PENALTY]);
     }
     int32_t status = evaluate_residual(c);
     for (int iteration = 0; !status && iteration < 60; iteration++) {
@@ -110,6 +112,7 @@ static void take_initial(context *c)
     memcpy(c->s.q, c->number + m->initial_position_at, bytes);
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
     memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
+    memset(c->s.inputs_slope, 0, sizeof(double) * (size_t)m->n_inputs);
     load_inputs(c, c->t);
     signals_at(c, c->t, c->s.signal);
     signal_rates_at(c, c->t, c->k.signal_rate);

@@ -2,7 +2,7 @@
 
 /* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
-static inline int is_telling(const context *c) { return c->h >= 1e-5 * c->s.head[S_STEP_SIZE]; }
+static inline int is_telling(const context *c) { return fabs(c->h) >= 1e-5 * c->s.head[S_STEP_SIZE]; }
 
 /* Rows at the beginning of the step, to the last digit where they are quadratic. */
 static void rows_at_start(context *c)

@@ -48,7 +48,7 @@ HEAD = (
     "mean_time", "mean_time_before", "parity",
     "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation", "simultaneous",
     "paper_update", "paired", "step_size", "tolerance", "penalty", "xi", "omega", "max_newton",
-    "max_uzawa", "assemble", "equilibrium",
+    "max_uzawa", "assemble", "equilibrium", "order",
 )  # fmt: skip
 """Scalars at the head of a state."""
 
@@ -64,7 +64,8 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     pair; ``mu_first, mu_second`` (n_rows each): last multipliers; ``mean, mean_before``: means of two
     neighbours; ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of
     angles; ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of
-    continuous sign; ``inputs, inputs_before, parameters``.
+    continuous sign; ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped input stands
+    at the present time, and how fast it arrived there.
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
@@ -79,6 +80,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         "quaternion": 4 * sizes["n_bodies"],
         "inputs": sizes["n_inputs"],
         "inputs_before": sizes["n_inputs"],
+        "inputs_slope": sizes["n_inputs"],
         "parameters": sizes["n_parameters"],
     }
     return _consecutive(lengths, len(HEAD))

@@ -40,6 +40,7 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "omega": (0.0, 1e9, "rad/s", "natural frequency of penalty-velocity"),
     "max_newton": (0.0, 1e3, "", "Newton iterations for one value of the multipliers"),
     "max_uzawa": (0.0, 1e3, "", "Uzawa updates in a step"),
+    "order": (0.0, 8.0, "", "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs a step"),
 }
 """Settings that are numbers: above the first, up to the second, unit, meaning.
 
@@ -56,7 +57,10 @@ MEANINGS = {
 }
 """What each setting means."""
 
-WHOLE = ("max_newton", "max_uzawa")
+WHOLE = ("max_newton", "max_uzawa", "order")
+
+ORDERS = (2.0, 4.0, 6.0, 8.0)
+"""Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
 
 DEFAULTS: dict[str, str | bool | float] = {
     "formulation": "conserving-al",
@@ -70,6 +74,7 @@ DEFAULTS: dict[str, str | bool | float] = {
     "omega": 10.0,
     "max_newton": 20.0,
     "max_uzawa": 20.0,
+    "order": 2.0,
     "assemble": False,
     "start": "drawn",
 }
@@ -96,7 +101,11 @@ def encode(name: str, value: object) -> tuple[str, float]:
     if name not in RANGES:
         message = f"solver.{name}: no such setting; known are {', '.join(DEFAULTS)}"
         raise OptionError(message)
-    return name, _in_range(name, value)
+    number = _in_range(name, value)
+    if name == "order" and number not in ORDERS:
+        message = f"solver.order: must be 2, 4, 6 or 8, got {value!r}"
+        raise OptionError(message)
+    return name, number
 
 
 def _in_range(name: str, value: object) -> float:

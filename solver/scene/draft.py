@@ -170,7 +170,7 @@ def _choices(model: type[Part], name: str) -> list[Any]:
 def _unknown_choice(name: str, value: object, choices: list[Any]) -> tuple[str, str | None]:
     """Words for a value outside a fixed list."""
     if name == "order":
-        return f"order {shown(value)} is not available: all methods have order 2", "use 2"
+        return f"order {shown(value)} is not available", "use 2, 4, 6 or 8"
     if not isinstance(choices[0], str):
         return f"must be {' or '.join(map(str, choices))}, got {shown(value)}", None
     text = value if isinstance(value, str) else shown(value)

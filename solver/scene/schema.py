@@ -62,7 +62,7 @@ class Solver(Part):
     ] = "conserving-al"
     algorithm: Literal["nested", "simultaneous"] = "nested"
     multiplier_update: Literal["end", "paper"] = "end"
-    order: Literal[2] = 2
+    order: Literal[2, 4, 6, 8] = 2
     paired: bool = True
     step_size: Expression | None = Field(None, description="s, at most the communication step")
     tolerance: Expression | None = None

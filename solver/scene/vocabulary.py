@@ -107,6 +107,7 @@ class SolverSettings:
     algorithm: str = "nested"
     multiplier_update: str = "end"
     order: int = 2
+    """2, 4, 6 or 8: a step is a symmetric composition of 1, 5, 9 or 15 pairs."""
     paired: bool = True
     """Advance by pairs of half steps, which smooths velocities and multipliers."""
     step_size: float = 0.01

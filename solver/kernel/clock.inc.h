@@ -1,0 +1,74 @@
+/* Inputs, sensors, laws and signals at their times. Included once per dimension, after energy.inc.h.           */
+
+/* Inputs as they are at time t: held, or on their line through the value at the beginning of the communication step. */
+static void load_inputs(const context *c, double t)
+{
+    const holonom_model *m = c->m;
+    for (int32_t i = 0; i < m->n_inputs; i++)
+        c->number[m->input_at + i] = m->input_ramp[i] ? c->s.inputs_before[i] + c->s.inputs_slope[i] * (t - c->start)
+                                                      : c->s.inputs[i];
+    memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+}
+
+/* Quantities and their rates in the middle of the step to come, predicted with the accelerations of the same half of
+   the last pair.                                                                                             */
+static void sense(context *c, double h, int parity)
+{
+    const holonom_model *m = c->m;
+    double *x = c->k.d, *v = c->k.w;
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
+        const double a = c->s.a[parity][k];
+        x[k] = c->s.q[k] + 0.5 * h * c->s.v[k] + 0.125 * h * h * a;
+        v[k] = c->s.v[k] + 0.5 * h * a;
+    }
+    for (int32_t j = 0; j < m->n_active; j++) {
+        const double turn = 6.283185307179586477;
+        double angle = quantity_at(c, j, x, c->s.q_low, v, c->number + m->sensor_rate_at + j);
+        if (m->quantity_kind[j] == QUANTITY_ANGLE) { /* the turn next to the state's */
+            const double now = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
+            angle -= turn * floor((angle - now) / turn + 0.5);
+        }
+        c->number[m->sensor_at + j] = angle;
+    }
+}
+
+/* Runs the tape of the laws at time t. If it writes springs, their stored energy jumps: work of whoever turns them. */
+static void set_laws(context *c, double t, int booked)
+{
+    const holonom_model *m = c->m;
+    if (!m->n_tape[1]) return;
+    const double before = booked && m->variable_potential ? stored_energy(c) : 0.0;
+    load_inputs(c, t);
+    c->number[m->time_at] = t;
+    hm_run_tape(m, c->number, 1);
+    if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
+}
+
+/* Signals at time t (n_signals, overwritten). */
+static void signals_at(context *c, double t, double *signal)
+{
+    const holonom_model *m = c->m;
+    const double law_time = c->number[m->time_at];
+    if (!m->n_signals) return;
+    load_inputs(c, t);
+    c->number[m->time_at] = t;
+    hm_run_tape(m, c->number, 2);
+    c->number[m->time_at] = law_time;
+    memcpy(signal, c->number + m->signal_at, sizeof(double) * (size_t)m->n_signals);
+}
+
+/* Rates of the signals at time t by differences of fourth order (n_signals, overwritten). */
+static void signal_rates_at(context *c, double t, double *rate)
+{
+    const holonom_model *m = c->m;
+    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], weight[4] = {-1.0, 8.0, -8.0, 1.0};
+    const double shift[4] = {2.0, 1.0, -1.0, -2.0}, law_time = c->number[m->time_at];
+    for (int32_t b = 0; b < m->n_signals; b++) rate[b] = 0.0;
+    for (int i = 0; i < 4 && m->n_signals; i++) {
+        load_inputs(c, t + shift[i] * delta);
+        c->number[m->time_at] = t + shift[i] * delta;
+        hm_run_tape(m, c->number, 2);
+        for (int32_t b = 0; b < m->n_signals; b++) rate[b] += weight[i] / (12.0 * delta) * c->number[m->signal_at + b];
+    }
+    c->number[m->time_at] = law_time;
+}
