@@ -18,7 +18,10 @@ from typing import Any
 from benchmarks.effort import Effort
 
 VARIABLE = "EXUDYN_PYTHON"
-ABSENT = "Exudyn is not installed: no times of it"
+ABSENT = (
+    "Exudyn is not installed here: no times of it (it is the extra `peers`; "
+    f"`{VARIABLE}` may name another interpreter that has it)"
+)
 METHOD = (
     "*Exudyn*, in a process of its own in the same run: generalized alpha (index 3, spectral "
     "radius 0.9, its own tolerances, compiled module without range checks, the faster one of its "

@@ -15,6 +15,8 @@ import numpy as np
 import pytest
 
 import solver
+from benchmarks import exudyn_peer
+from benchmarks.effort import TINY
 from tests.peer_models import RUNS, extrapolated, load
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
@@ -128,3 +130,43 @@ def test_the_record_is_what_the_other_code_computes(name):
     for record, values in extrapolated(run, run.step).items():
         tolerance = 1.5 * theirs["uncertainty"][record] + ROUNDING
         assert values == pytest.approx(np.array(theirs["values"][record]), abs=tolerance, rel=0)
+
+
+# ------------------------------------------------------------------ beside our own steps, in time
+
+
+def test_without_the_other_code_a_sentence_stands_for_its_times(monkeypatch):
+    monkeypatch.setattr(exudyn_peer, "_version", lambda: None)
+    found, remarks = exudyn_peer.measured([], TINY)
+    assert not found
+    assert "not installed" in remarks[0]
+
+
+def test_the_other_code_is_timed_in_a_process_of_its_own():
+    pytest.importorskip("exudyn")
+    jobs = [
+        exudyn_peer.Job(name, name, n, 1e-4, 2)
+        for name, n in (("planar_chain", 3), ("spatial_chain", 3), ("bricard", None))
+    ]
+    found, remarks = exudyn_peer.measured(jobs, TINY)
+    assert len(remarks) == 1, remarks
+    assert all(found[job.key]["step"] > 0.0 for job in jobs)
+
+
+def test_planar_models_of_the_other_code_move_as_their_references():
+    pytest.importorskip("exudyn")
+    from benchmarks import exudyn_planar
+    from benchmarks.exudyn_system import solve
+
+    crank = exudyn_planar.andrews()
+    bars = exudyn_planar.n_four_bar(2)
+    bars.watch("B0", 1, (0.5, 0.0, 0.0))  # the object after the ground
+    for drawing, step, stop in ((crank, 1e-5, 0.03), (bars, 1e-3, 1.0)):
+        drawing.system.Assemble()
+        solve(drawing, step, stop, stop)
+    # Order 2: a tenth of the step would leave a hundredth of 9e-5 and 2.4e-5.
+    angle = 15.81077119629904  # Test Set for IVP Solvers
+    direction = crank.values()["crank"][-1, :2] / 0.00092
+    assert direction == pytest.approx((np.cos(angle), np.sin(angle)), abs=2e-4)
+    place = (-0.195020302, -0.980799206)  # one degree of freedom, by quadrature
+    assert bars.values()["B0"][-1, :2] == pytest.approx(place, abs=5e-5)
