@@ -59,20 +59,20 @@ class Values:
     def quantity(self, index: int) -> tuple[Change, Array]:
         """Change of a quantity, and its slopes p (n_forms,) with respect to all forms."""
         kind, forms = self.quantities[index]
-        p = np.zeros(len(self.s_n))
+        p = np.zeros(len(self.s_n), dtype=np.result_type(self.s_n, self.ds))
         changes = [moving(self.s_n[form], self.ds[form]) for form in forms]
         if kind == FORM:
             p[forms[0]] = 1.0
             return changes[0], p
         if kind == LENGTH:
             l_n, l_n1 = np.sqrt(changes[0].n), np.sqrt(changes[0].n1)
-            if not (l_n > 0.0 and l_n1 > 0.0):
+            if not (l_n.real > 0.0 and l_n1.real > 0.0):
                 raise UnsolvedError(Status.ZERO_LENGTH)
             p[forms[0]] = 1.0 / (l_n + l_n1)
             return Change(l_n, l_n1, changes[0].d / (l_n + l_n1)), p
         c, s = changes
         c_mid, s_mid = c.n + 0.5 * c.d, s.n + 0.5 * s.d
-        if not (c.n**2 + s.n**2 > 0.0 and c.n1**2 + s.n1**2 > 0.0):
+        if not min((c.n**2 + s.n**2).real, (c.n1**2 + s.n1**2).real) > 0.0:
             raise UnsolvedError(Status.ZERO_LENGTH)
         cross = c_mid * s.d - s_mid * c.d
         g = angle_over(cross, c.n * c.n1 + s.n * s.n1)
@@ -81,7 +81,7 @@ class Values:
 
     def end(self) -> Values:
         """The end of the step as a step without changes, whose slopes are derivatives."""
-        sigma = self.sigma_n.copy()
+        sigma = self.sigma_n.astype(np.result_type(self.sigma_n, self.ds))
         for index, (kind, _) in enumerate(self.quantities):
             if kind == ANGLE:
                 sigma[index] = self.quantity(index)[0].n1
@@ -171,11 +171,10 @@ class Course:
         gradients = self.forms.gradients(*self.links(part))
         return View(self, part, values, gradients, part * gradients)
 
-    def sizes(self) -> Array:
-        """Sizes |u| |w| of the forms, against which a small change of s is small."""
+    def size(self, form: int) -> float:
+        """Size |u| |w| of a form, against which a small change of s is small."""
         u, w = self.links(1.0)
-        size = np.linalg.norm(u, axis=1) * np.linalg.norm(w, axis=1)
-        return np.where(size > 0.0, size, 1.0)
+        return float(np.linalg.norm(u[form]) * np.linalg.norm(w[form])) or 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,9 +223,9 @@ class View:
         """Coordinates q_n + part d."""
         return self.course.present.x + self.part * self.course.d
 
-    def moved(self, form: int, change: float) -> Values:
+    def moved(self, form: int, change: complex) -> Values:
         """Values with one form changed where the slopes depend on it."""
-        ds = self.values.ds.copy()
+        ds = self.values.ds.astype(complex)
         ds[form] += change
         moved = replace(self.values, ds=ds)
         return moved.end() if self.is_point else moved
@@ -234,13 +233,13 @@ class View:
     def derivative(self, law: Callable[[Values], Array], forms: Iterable[int]) -> Array:
         """Derivative in d (..., n) of numbers that are functions of some forms' values.
 
-        By central differences: only the way to a solution depends on it, not the solution.
+        By complex step, which has no truncation error and no cancellation.
         """
-        sizes, total = self.course.sizes(), 0.0
+        total = 0.0
         for form in forms:
-            step = 1e-6 * sizes[form]
-            ahead, behind = (law(self.moved(form, change)) for change in (step, -step))
-            total = total + np.multiply.outer((ahead - behind) / (2.0 * step), self.reach[form])
+            step = 1e-30 * self.course.size(form)
+            rate = np.imag(law(self.moved(form, 1j * step))) / step
+            total = total + np.multiply.outer(rate, self.reach[form])
         return np.asarray(total)
 
 

@@ -42,8 +42,9 @@ def penalty_energy(mechanism: Mechanism, motion: Motion) -> float:
     """Energy alpha Phi^2/2 that eqs 7, 9 and 11 store in their rows [J]; eq 3 has no potential."""
     if not motion.formulation.endswith("-penalty"):
         return 0.0
-    alpha = penalties(mechanism, motion, motion.head["step_size"])
-    return float(np.sum(0.5 * alpha * mechanism.quadratic_phi(motion.q, motion.q_low) ** 2))
+    phi = mechanism.quadratic_phi(motion.q, motion.q_low)
+    alpha = penalties(mechanism, motion, motion.head["step_size"])[: len(phi)]
+    return float(np.sum(0.5 * alpha * phi**2))
 
 
 def potential_change(mechanism: Mechanism, motion: Motion) -> float:

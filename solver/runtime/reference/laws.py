@@ -65,7 +65,7 @@ class Element:
     def force(self, sigma: Change, rate: float) -> float:
         """Generalised force N along -sigma."""
         spring = self.stiffness * (sigma.n + 0.5 * sigma.d - self.rest)
-        return float(spring + self.damping * rate - self.drive)
+        return spring + self.damping * rate - self.drive
 
 
 def elements(mechanism: Mechanism) -> list[Element]:
@@ -92,7 +92,7 @@ def over_step(mechanism: Mechanism, function: Function, values: Values) -> Slope
     leaves, operations = function
     changes, p = zip(*(values.leaf(*leaf) for leaf in leaves), strict=True)
     value, N = discrete_gradient(operations, mechanism.numbers, changes)
-    signals = np.zeros(len(values.signal_n))
+    signals = np.zeros(len(values.signal_n), dtype=N.dtype)
     for (kind, index), slope in zip(leaves, N, strict=True):
         if kind == SIGNAL:
             signals[index] += slope
@@ -104,11 +104,11 @@ def rolling(mechanism: Mechanism, function: Function, values: Values) -> tuple[f
     leaves, operations = function
     means = [values.mean_leaf(*leaf) for leaf in leaves]
     psi, c = discrete_gradient(operations, mechanism.numbers, means)
-    g = np.zeros(len(values.s_n))
+    g = np.zeros(len(values.s_n), dtype=c.dtype)
     for (kind, index), slope in zip(leaves, c, strict=True):
         if kind == RATE:
-            g += slope * values.quantity(index)[1]
-    return float(values.h * psi.n), g
+            g = g + slope * values.quantity(index)[1]
+    return values.h * psi.n, g
 
 
 def tangent(view: View, slopes: Callable[[Values], Array], forms: list[int]) -> Array:

@@ -124,7 +124,7 @@ class Rows:
         self.change[row], self.by_signals[row] = C, C - g @ course.values.ds
         self.G_bar[row] = g @ view.gradients
         self.G_n1[row] = view.derivative(
-            lambda values: np.array(rolling(mechanism, function, values)[0]),
+            lambda values: np.asarray(rolling(mechanism, function, values)[0]),
             forms_of(mechanism, function[0]),
         )
 

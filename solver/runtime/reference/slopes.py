@@ -6,6 +6,8 @@ for a function made of the tape's operations. Each operation has slopes that are
 two ends and become its derivative where they coincide; composed backwards they give a discrete
 gradient N of the whole. Differences are carried forward and never formed from values, so that a
 small step loses no digits.
+
+Numbers may be complex with a tiny imaginary part, which then is a derivative (complex step).
 """
 
 from __future__ import annotations
@@ -35,6 +37,7 @@ class Change:
     """A number over a step: values at the beginning and the end, and their difference.
 
     They are NumPy's, so that a division by zero yields what IEEE 754 says, and no exception.
+    What is written as float may be complex.
     """
 
     n: float
@@ -49,12 +52,27 @@ class Change:
 
 def still(value: float) -> Change:
     """A number that does not change; slopes are then derivatives."""
-    return Change(np.float64(value), np.float64(value), NONE)
+    return moving(value, NONE)
 
 
 def moving(value: float, difference: float) -> Change:
     """A number that changes by `difference`."""
-    return Change(np.float64(value), np.float64(value) + difference, np.float64(difference))
+    n, d = np.asarray(value)[()], np.asarray(difference)[()]
+    return Change(n, n + d, d)
+
+
+def absolute(x: float) -> float:
+    """Size |x|, with the sign taken from the real part."""
+    return -x if x.real < 0.0 else x
+
+
+def arctan2(y: float, x: float) -> float:
+    """Angle of (x, y); of complex numbers, with its derivative as imaginary part."""
+    angle = np.arctan2(y.real, x.real)
+    if y.imag == 0.0 == x.imag:
+        return angle
+    turn = (x.real * y.imag - y.real * x.imag) / (x.real**2 + y.real**2)
+    return angle + 1j * turn  # type: ignore[return-value]
 
 
 def sinc(x: float) -> float:
@@ -69,9 +87,9 @@ def sinhc(x: float) -> float:
 
 def angle_over(cross: float, dot: float) -> float:
     """Quotient atan2(cross, dot)/cross: the angle between two links over their cross product."""
-    if dot > 0.0 and abs(cross) < SMALL * dot:
+    if dot.real > 0.0 and abs(cross) < SMALL * dot.real:
         return (1.0 - (cross / dot) ** 2 / 3.0) / dot
-    return np.arctan2(cross, dot) / cross
+    return arctan2(cross, dot) / cross
 
 
 def log_slope(x: Change) -> float:
@@ -88,7 +106,7 @@ def exp_slope(x: Change) -> float:
 
 def abs_slope(x: Change) -> float:
     """Slope of |x|; 0 where it stays 0."""
-    total = abs(x.n) + abs(x.n1)
+    total = absolute(x.n) + absolute(x.n1)
     return (x.n + x.n1) / total if total != 0.0 else NONE
 
 
@@ -103,13 +121,13 @@ def whole_power_slope(x: Change, n: int) -> float:
     """Slope of x^n: sum of x_n1^k x_n^(n-1-k), for negative n that of 1/x^|n|."""
     if n < 0:
         return -whole_power_slope(x, -n) / (x.n**-n * x.n1**-n)
-    return np.float64(sum(x.n1**k * x.n ** (n - 1 - k) for k in range(n)))
+    return sum((x.n1**k * x.n ** (n - 1 - k) for k in range(n)), NONE)
 
 
 def power_slopes(x: Change, y: Change) -> tuple[float, float]:
     """Slopes of x^y: a product for a constant whole exponent, else those of exp(y log x)."""
-    if y.d == 0.0 and y.n == np.floor(y.n) and abs(y.n) <= WHOLE:
-        return whole_power_slope(x, int(y.n)), NONE
+    if y.d == 0.0 and y.n.real == np.floor(y.n.real) and abs(y.n) <= WHOLE:
+        return whole_power_slope(x, int(y.n.real)), NONE
     per_x = log_slope(x)
     log = Change(np.log(x.n), np.log(x.n1), per_x * x.d)
     product = Change(y.n * log.n, y.n1 * log.n1, y.mid * log.d + log.mid * y.d)
@@ -130,7 +148,7 @@ def extreme_slopes(x: Change, y: Change, sign: float) -> tuple[float, float]:
 
 
 def _unary(slope: Callable[[Change], float]) -> Callable[..., tuple[float, ...]]:
-    return lambda x, *_: (float(slope(x)),)
+    return lambda x, *_: (slope(x),)
 
 
 def _flat(*arguments: Change) -> tuple[float, ...]:
@@ -174,9 +192,13 @@ def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[float
     used = arguments[:count]
     rule: Callable[..., tuple[float, ...]] = SLOPES.get(NAMES[code], _flat)
     slopes = rule(*used)
-    ends = (np.float64(function(*(getattr(x, end) for x in used))) for end in ("n", "n1"))
-    terms = (slope * x.d for slope, x in zip(slopes, used, strict=True) if x.d != 0.0)
-    return Change(*ends, np.float64(sum(terms))), slopes
+    pairs = [(slope, x) for slope, x in zip(slopes, used, strict=True) if slope != 0.0]
+    n, n1 = (np.float64(function(*(getattr(x, end).real for x in used))) for end in ("n", "n1"))
+    d = sum((slope * x.d for slope, x in pairs if x.d != 0.0), NONE)
+    tilt = sum((slope.real * x.n.imag for slope, x in pairs), NONE)
+    if tilt != 0.0 or d.imag != 0.0:  # complex step: the slopes carry the derivatives
+        n, n1 = n + 1j * tilt, n1 + 1j * (tilt + d.imag)
+    return Change(n, n1, d), slopes
 
 
 def discrete_gradient(
@@ -199,7 +221,7 @@ def discrete_gradient(
         registers.append(value)
         slopes.append(slope)
         arguments.append(places)
-    adjoint = np.zeros(len(registers))
+    adjoint = np.zeros(len(registers), dtype=np.result_type(*(x.d for x in registers), 1.0))
     adjoint[-1] = 1.0
     for register in range(len(registers) - 1, len(leaves) - 1, -1):
         place = register - len(leaves)
