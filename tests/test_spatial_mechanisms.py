@@ -118,7 +118,6 @@ def test_the_platform_stands_where_six_legs_put_it():
     assert integrator["energy.work"] != 0.0
 
 
-@pytest.mark.xfail(strict=True, reason="velocities do not jump where the rate of an input does")
 def test_the_platform_rises_as_fast_as_its_legs_extend():
     # Legs of the same length l under a height z: l l' = z z'. A leg extends at constant rate within
     # a communication step, so the rate at its end is its mean.

@@ -32,6 +32,11 @@ static inline int32_t n_composites(const context *c) { return first_potential(c)
 
 static inline int is_row(const context *c, int32_t j) { return j >= first_function(c) && j < first_potential(c); }
 
+static inline int is_velocity_row(const context *c, int32_t j)
+{
+    return j >= first_velocity_row(c) && j < first_potential(c);
+}
+
 /* Place of a composite's row among all rows. */
 static inline int32_t row_of(const context *c, int32_t j)
 {

@@ -4,6 +4,8 @@
 
 #include "forms.inc.h"
 #include "composite.inc.h"
+#include "registers.inc.h"
+#include "beta.inc.h"
 #include "function.inc.h"
 #include "laws.inc.h"
 #include "tangent.inc.h"
