@@ -98,6 +98,7 @@ static int32_t interval(context *c, double h, int halvings)
         if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     }
     c->t = t;
+    c->s.head[S_PENALTY_LEVEL] = c->s.head[S_SLOW_STEPS] = 0.0;
     c->s.head[S_NEWTON] = newton;
     c->s.head[S_UZAWA] = uzawa;
     if (halvings == MAX_HALVINGS) return status;

@@ -202,6 +202,11 @@ static inline void form_motion(const context *c, int32_t f, motion *g)
     if (lever != 0.5) g->ds -= (2.0 * lever - 1.0) * dot(g->du, g->dw);
 }
 
+static inline int is_penalty(const context *c)
+{
+    return c->formulation >= HOLONOM_CONSERVING_PENALTY && c->formulation <= HOLONOM_PENALTY_VELOCITY;
+}
+
 /* Compliance of row i in its equation C(d) - epsilon (mu - lambda) = 0. Conserving rows are written for
    Phi_1, where mu = lambda + alpha/2 Phi_1 (eq 15 with Phi_n moved into lambda): epsilon = 2/alpha. alpha is
    the dimensionless penalty chi over h^2 sigma/4. A penalty method stores energy in alpha, so its alpha must
@@ -209,7 +214,9 @@ static inline void form_motion(const context *c, int32_t f, motion *g)
 static double row_compliance(const context *c, int32_t i)
 {
     const double *head = c->s.head;
-    const double chi = head[S_PENALTY], sigma = c->number[c->m->row_sigma_at + i];
+    const double raised = head[S_PENALTY_LEVEL] == 0.0 ? 1.0 : head[S_PENALTY_LEVEL] == 1.0 ? 1e2 : 1e4;
+    const double chi = is_penalty(c) ? head[S_PENALTY] : head[S_PENALTY] * raised;
+    const double sigma = c->number[c->m->row_sigma_at + i];
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {
     case HOLONOM_CONSERVING_AL:
@@ -219,11 +226,6 @@ static double row_compliance(const context *c, int32_t i)
     case HOLONOM_MIDPOINT_PENALTY: return configured * configured * sigma / (4.0 * chi);
     default: return sigma / chi;
     }
-}
-
-static inline int is_penalty(const context *c)
-{
-    return c->formulation >= HOLONOM_CONSERVING_PENALTY && c->formulation <= HOLONOM_PENALTY_VELOCITY;
 }
 
 static inline int is_conserving(const context *c)
