@@ -120,6 +120,22 @@ def sensed() -> Hand:
     return hand
 
 
+def ramped_slider(dim: int = 2) -> Hand:
+    """A pin driven along x by an input that ramps, a rod and a slider on the y axis."""
+    hand = Hand(dim, [0.0] * (dim - 1) + [-9.81])
+    ground = axes(hand)
+    still = [0.0] * (dim - 2)
+    pin, slider = hand.driven(0.36), hand.free([0.0, 0.4, *still], mass=0.5)
+    hand.row(hand.form({slider: 1.0, pin: -1.0}), 0.25, 0.25)
+    for axis in (ground[0], *ground[2:]):
+        hand.row(hand.form({slider: 1.0}, {axis: 1.0}), 0.0, 1.0, 1)
+    hand.inputs, hand.tables["input_ramp"] = [0.3], [1]
+    hand.signal(("input", 0))
+    for _ in range(dim - 1):
+        hand.signal(hand.constant(0.0))
+    return hand
+
+
 def turned(vector: list[float]) -> np.ndarray:
     """Rotation matrix of a rotation vector [rad]."""
     angle = float(np.linalg.norm(vector))

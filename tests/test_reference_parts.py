@@ -186,6 +186,37 @@ def test_an_input_that_ramps_acts_by_its_course():
     assert run["velocity"][0] == pytest.approx(2.5, rel=1e-13)
 
 
+def test_velocities_follow_an_input_that_ramps_from_the_first_step():
+    """The pin's speed jumps from 0 to 1 m/s; x^2 + y^2 = L^2 gives the slider's; work is booked."""
+    run = Run(hand_scenes.ramped_slider())
+    run.set_inputs(0.4)
+    run.advance(1, 0.1)
+    x, y = 0.4, math.sqrt(0.25 - 0.16)
+    assert run["position"] == pytest.approx([0.0, y, x, 0.0], abs=1e-14)
+    # velocities are second order, with steps of 0.01
+    assert run["velocity"] == pytest.approx([0.0, -x / y, 1.0, 0.0], abs=2e-3)
+    assert run["energy"][6] < 1e-14
+    run.advance(1, 0.1)
+    assert run["velocity"] == pytest.approx([0.0] * 4, abs=2e-3)
+    assert run["energy"][6] < 1e-14
+
+
+@pytest.mark.parametrize("order", [2, 4, 6])
+def test_compositions_of_pairs_have_their_order(order):
+    """Angle of a body with spring, drive and turning load, against order 8 with a small step."""
+
+    def angle(h, order):
+        run = Run(hand_scenes.planar_body(damping=0.0), step_size=h, order=float(order))
+        run.advance(round(0.6 / h))
+        assert run["energy"][6] < 1e-13
+        return run["quantity"][0]
+
+    exact = angle(0.06, 8)
+    errors = [abs(angle(h, order) - exact) for h in (0.15, 0.1)]
+    observed = math.log(errors[0] / errors[1]) / math.log(1.5)
+    assert observed == pytest.approx(order, abs=0.1 * order)
+
+
 def test_a_law_that_senses_a_rate_damps_like_a_damper():
     """Second order: the sensors are predicted, the damper is implicit."""
     differences = []

@@ -1,7 +1,7 @@
 """What follows the time: inputs, laws, signals and sensors, through the tape.
 
-An input either jumps at the beginning of a communication step or, if it ramps, runs evenly from the
-value before to the new one. Laws hold forces and springs of a step, at its middle; signals are
+An input either jumps at the beginning of a communication step or, if it ramps, runs evenly from
+the value before to the new one. Laws hold forces and springs of a step, at its middle; signals are
 prescribed values at its end. Sensors tell laws the quantities at the predicted middle.
 """
 
@@ -61,25 +61,21 @@ class Clock:
         self.follows = bool(model.sizes["time_dependent"] or model.sizes["sensing"])
         """Whether laws must be set for every step."""
         self._ramps = np.array(model.tables["input_ramp"], dtype=bool)
-        self._start, self._length = 0.0, np.inf
-
-    def begin(self, start: float, length: float) -> None:
-        """Begin a communication step, in which inputs ramp."""
-        self._start, self._length = start, length
-
-    def rest(self) -> None:
-        """Between communication steps inputs that ramp have the value before."""
-        self._start, self._length = 0.0, np.inf
 
     def inputs_at(self, t: float) -> Array:
-        """Effective values of the inputs at time t."""
-        new, before = (self.motion.vectors[name] for name in ("inputs", "inputs_before"))
-        part = (t - self._start) / self._length
-        return np.where(self._ramps, before + (new - before) * part, new)
+        """Effective values of the inputs at time t, around the present communication step."""
+        vectors, start = self.motion.vectors, self.motion.head["time"]
+        line = vectors["inputs_before"] + vectors["inputs_slope"] * (t - start)
+        return np.where(self._ramps, line, vectors["inputs"])
 
-    def _write(self, numbers: Array, t: float, inputs_at: float) -> None:
+    def ramp_slopes(self, step: float) -> Array:
+        """Slopes of the inputs that ramp over a communication step; 0 of the others."""
+        vectors = self.motion.vectors
+        return np.where(self._ramps, (vectors["inputs"] - vectors["inputs_before"]) / step, 0.0)
+
+    def _write(self, numbers: Array, t: float) -> None:
         for name, values in (
-            ("input", self.inputs_at(inputs_at)),
+            ("input", self.inputs_at(t)),
             ("parameter", self.motion.vectors["parameters"]),
             ("time", np.array([t])),
         ):
@@ -96,7 +92,7 @@ class Clock:
 
     def _set(self, mechanism: Mechanism, t: float, h: float, half: int, *, booked: bool) -> None:
         """Run the tape of the laws; a jump of stored energy is booked as work."""
-        self._write(self.numbers, t, t)
+        self._write(self.numbers, t)
         if not self.model.sizes["n_tape_laws"]:
             return
         booked = booked and bool(self.model.sizes["variable_potential"])
@@ -110,13 +106,13 @@ class Clock:
         if booked:
             self.motion.book("work", stored_energy(mechanism, self.motion) - before)
 
-    def signals(self, t: float, inputs_at: float | None = None) -> Array:
-        """Prescribed values b(t), shape (n_signals,), with the inputs of another time if given."""
+    def signals(self, t: float) -> Array:
+        """Prescribed values b(t), shape (n_signals,)."""
         count = self.model.sizes["n_signals"]
         if not count:
             return np.zeros(0)
         numbers = self.numbers.copy()
-        self._write(numbers, t, t if inputs_at is None else inputs_at)
+        self._write(numbers, t)
         run_tape(self.model, numbers, "signals")
         start = self.model.offsets["signal"]
         return numbers[start : start + count]
@@ -124,7 +120,7 @@ class Clock:
     def signal_rates(self, t: float) -> Array:
         """Rates b'(t) by a difference quotient of order 4."""
         d = DELTA * self.motion.head["step_size"]
-        b = {k: self.signals(t + k * d, inputs_at=t) for k in (-2, -1, 1, 2)}
+        b = {k: self.signals(t + k * d) for k in (-2, -1, 1, 2)}
         return (8.0 * (b[1] - b[-1]) - (b[2] - b[-2])) / (12.0 * d)
 
     def signal_accelerations(self, t: float) -> Array:

@@ -14,12 +14,14 @@ from ..layout import HEAD, PLACE, state_size
 from ..model import Model
 from .bodies import directors, quaternion
 from .clock import Clock
+from .composition import stages
 from .course import ANGLE, Present, crossings
 from .energy import book_step, follow_energy_reference, start_ledger
 from .equations import Equations, rows_at
 from .measurement import Measurement
 from .mechanism import Mechanism
 from .projection import assemble_positions, assemble_velocities, find_equilibrium
+from .ramps import start_ramps
 from .start import derive_scales, first_multipliers, row_rates
 from .state import Motion, add
 from .step import Step
@@ -119,12 +121,11 @@ class Reference:
         """Take positions, velocities and signals into the state; return the signals' rates."""
         motion, t = self._motion, self._motion.head["time"]
         for name, vector in motion.vectors.items():
-            if name not in ("inputs", "inputs_before", "parameters"):
+            if name not in ("inputs", "parameters"):
                 vector[:] = 0.0
         motion.q[:] = mechanism.section["initial_position"]
         motion.v[:] = mechanism.section["initial_velocity"]
         motion.vectors["inputs_before"][:] = motion.vectors["inputs"]
-        self._clock.rest()
         motion.signal[:] = self._clock.signals(t)
         rates = self._clock.signal_rates(t)
         driven = slice(mechanism.n_free, None)
@@ -146,15 +147,13 @@ class Reference:
         backup, start = motion.block.copy(), head["time"]
         for name in ("newton_iterations", "uzawa_iterations", "substeps"):
             head[name] = 0.0
-        self._clock.begin(start, step)
         try:
+            start_ramps(mechanism, motion, self._clock, step)
             self._cover(mechanism, start, step, max(1, int(count)))
         except UnsolvedError as failure:
             motion.block[:] = backup
             head["status"] = float(failure.status)
             return failure.status
-        finally:
-            self._clock.rest()
         motion.vectors["inputs_before"][:] = motion.vectors["inputs"]
         head["time"], head["status"] = start + step, 0.0
         follow_energy_reference(mechanism, motion)
@@ -185,17 +184,21 @@ class Reference:
             self._interval(mechanism, t + 0.5 * h, 0.5 * h, halvings + 1)
 
     def _internal_step(self, mechanism: Mechanism, t: float, h: float) -> None:
-        """One step, or the pair of half steps in its place, whose velocities are smooth.
+        """Pairs of half steps, or one plain step, whose velocities are less smooth.
 
         The plain step reflects the velocity normal to the constraints; a pair reflects it twice.
         """
-        if self._motion.head["paired"]:
-            self._single_step(mechanism, t, 0.5 * h, 0)
-            self._single_step(mechanism, t + 0.5 * h, 0.5 * h, 1)
-            self._average_multipliers(t + 0.5 * h, 0.5 * h)
-        else:
-            self._single_step(mechanism, t, h, int(self._motion.head["parity"]))
+        head = self._motion.head
+        if not head["paired"] and head["order"] == 2.0:
+            self._single_step(mechanism, t, h, int(head["parity"]))
             self._average_multipliers(t, h)
+            return
+        for part in stages(int(head["order"])):
+            half = 0.5 * h * part
+            self._single_step(mechanism, t, half, 0)
+            self._single_step(mechanism, t + half, half, 1)
+            self._average_multipliers(t + half, half)
+            t += 2.0 * half
 
     def _average_multipliers(self, time: float, h: float) -> None:
         """Keep the means of the last two multipliers and forces, of the time between them."""

@@ -47,8 +47,9 @@ class Seeking:
         self.mechanism, self.motion, self.h, self.forces = mechanism, motion, h, forces
         self.present = Present(mechanism, motion)
         self.phi_n = rows_at(mechanism, motion, self.present)
-        # A velocity row has no Phi: its multiplier stays 0.
-        self.compliance = h**2 * mechanism.sigma / (2.0 * motion.head["penalty"])
+        # With forces G A^-1 G' grows with h^2 only until springs hold the mechanism.
+        holding = min(h, motion.head["step_size"]) if forces else h
+        self.compliance = holding**2 * mechanism.sigma / (2.0 * motion.head["penalty"])
 
     def _rows(self, d: Array) -> Rows:
         course = Course(self.present, d, self.present.signal, self.h)

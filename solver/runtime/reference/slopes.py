@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,9 @@ Integers = NDArray[np.int_]
 SMALL = 1e-4
 """Below it two terms of a series are exact to the last digit, and 0/0 is not met."""
 
+Number = Any
+"""A float of NumPy, or a complex one that carries a derivative."""
+
 WHOLE = 16.0
 """Largest whole exponent that is a product; others are exp(y log x)."""
 
@@ -37,94 +41,94 @@ class Change:
     """A number over a step: values at the beginning and the end, and their difference.
 
     They are NumPy's, so that a division by zero yields what IEEE 754 says, and no exception.
-    What is written as float may be complex.
+    What is written .
     """
 
-    n: float
-    n1: float
-    d: float
+    n: Number
+    n1: Number
+    d: Number
 
     @property
-    def mid(self) -> float:
+    def mid(self) -> Number:
         """Mean of the two ends."""
         return 0.5 * (self.n + self.n1)
 
 
-def still(value: float) -> Change:
+def still(value: Number) -> Change:
     """A number that does not change; slopes are then derivatives."""
     return moving(value, NONE)
 
 
-def moving(value: float, difference: float) -> Change:
+def moving(value: Number, difference: Number) -> Change:
     """A number that changes by `difference`."""
     n, d = np.asarray(value)[()], np.asarray(difference)[()]
     return Change(n, n + d, d)
 
 
-def absolute(x: float) -> float:
+def absolute(x: Number) -> Number:
     """Size |x|, with the sign taken from the real part."""
     return -x if x.real < 0.0 else x
 
 
-def arctan2(y: float, x: float) -> float:
+def arctan2(y: Number, x: Number) -> Number:
     """Angle of (x, y); of complex numbers, with its derivative as imaginary part."""
     angle = np.arctan2(y.real, x.real)
     if y.imag == 0.0 == x.imag:
         return angle
     turn = (x.real * y.imag - y.real * x.imag) / (x.real**2 + y.real**2)
-    return angle + 1j * turn  # type: ignore[return-value]
+    return angle + 1j * turn
 
 
-def sinc(x: float) -> float:
+def sinc(x: Number) -> Number:
     """Quotient sin(x)/x."""
     return 1.0 - x * x / 6.0 if abs(x) < SMALL else np.sin(x) / x
 
 
-def sinhc(x: float) -> float:
+def sinhc(x: Number) -> Number:
     """Quotient sinh(x)/x."""
     return 1.0 + x * x / 6.0 if abs(x) < SMALL else np.sinh(x) / x
 
 
-def angle_over(cross: float, dot: float) -> float:
+def angle_over(cross: Number, dot: Number) -> Number:
     """Quotient atan2(cross, dot)/cross: the angle between two links over their cross product."""
     if dot.real > 0.0 and abs(cross) < SMALL * dot.real:
         return (1.0 - (cross / dot) ** 2 / 3.0) / dot
     return arctan2(cross, dot) / cross
 
 
-def log_slope(x: Change) -> float:
+def log_slope(x: Change) -> Number:
     """Slope of the logarithm, 2 atanh(z)/dx with z = dx/(x_n + x_n1)."""
     total = x.n + x.n1
     z = x.d / total
     return 2.0 / total * (1.0 + z * z / 3.0 if abs(z) < SMALL else np.arctanh(z) / z)
 
 
-def exp_slope(x: Change) -> float:
+def exp_slope(x: Change) -> Number:
     """Slope of the exponential function."""
     return np.exp(x.mid) * sinhc(0.5 * x.d)
 
 
-def abs_slope(x: Change) -> float:
+def abs_slope(x: Change) -> Number:
     """Slope of |x|; 0 where it stays 0."""
     total = absolute(x.n) + absolute(x.n1)
     return (x.n + x.n1) / total if total != 0.0 else NONE
 
 
-def asin_slope(x: Change) -> float:
+def asin_slope(x: Change) -> Number:
     """Slope of the arcsine; sin(d asin) = x_n1 c_n - x_n c_n1 = dx ratio."""
     c_n, c_n1 = (np.sqrt((1.0 - end) * (1.0 + end)) for end in (x.n, x.n1))
     ratio = 0.5 * (c_n + c_n1) + 0.5 * (x.n + x.n1) ** 2 / (c_n + c_n1)
     return angle_over(x.d * ratio, c_n * c_n1 + x.n * x.n1) * ratio
 
 
-def whole_power_slope(x: Change, n: int) -> float:
+def whole_power_slope(x: Change, n: int) -> Number:
     """Slope of x^n: sum of x_n1^k x_n^(n-1-k), for negative n that of 1/x^|n|."""
     if n < 0:
         return -whole_power_slope(x, -n) / (x.n**-n * x.n1**-n)
     return sum((x.n1**k * x.n ** (n - 1 - k) for k in range(n)), NONE)
 
 
-def power_slopes(x: Change, y: Change) -> tuple[float, float]:
+def power_slopes(x: Change, y: Change) -> tuple[Number, Number]:
     """Slopes of x^y: a product for a constant whole exponent, else those of exp(y log x)."""
     if y.d == 0.0 and y.n.real == np.floor(y.n.real) and abs(y.n) <= WHOLE:
         return whole_power_slope(x, int(y.n.real)), NONE
@@ -135,32 +139,32 @@ def power_slopes(x: Change, y: Change) -> tuple[float, float]:
     return outer * y.mid * per_x, outer * log.mid
 
 
-def atan2_slopes(y: Change, x: Change) -> tuple[float, float]:
+def atan2_slopes(y: Change, x: Change) -> tuple[Number, Number]:
     """Slopes of the angle of (x, y)."""
     factor = angle_over(x.mid * y.d - y.mid * x.d, x.n * x.n1 + y.n * y.n1)
     return factor * x.mid, -factor * y.mid
 
 
-def extreme_slopes(x: Change, y: Change, sign: float) -> tuple[float, float]:
+def extreme_slopes(x: Change, y: Change, sign: Number) -> tuple[Number, Number]:
     """Slopes of (x + y + sign |x - y|)/2: the maximum for sign 1, the minimum for -1."""
     half = 0.5 * sign * abs_slope(Change(x.n - y.n, x.n1 - y.n1, x.d - y.d))
     return 0.5 + half, 0.5 - half
 
 
-def _unary(slope: Callable[[Change], float]) -> Callable[..., tuple[float, ...]]:
+def _unary(slope: Callable[[Change], Number]) -> Callable[..., tuple[Number, ...]]:
     return lambda x, *_: (slope(x),)
 
 
-def _flat(*arguments: Change) -> tuple[float, ...]:
+def _flat(*arguments: Change) -> tuple[Number, ...]:
     """No slope: the scene's reader keeps such operations away from all that moves."""
     return (0.0,) * len(arguments)
 
 
-def _select(condition: Change, *_: Change) -> tuple[float, ...]:
+def _select(condition: Change, *_: Change) -> tuple[Number, ...]:
     return (0.0, 1.0, 0.0) if condition.mid != 0.0 else (0.0, 0.0, 1.0)
 
 
-SLOPES: dict[str, Callable[..., tuple[float, ...]]] = {
+SLOPES: dict[str, Callable[..., tuple[Number, ...]]] = {
     "copy": _unary(lambda _: 1.0),
     "add": lambda x, y: (1.0, 1.0),  # noqa: ARG005
     "sub": lambda x, y: (1.0, -1.0),  # noqa: ARG005
@@ -186,11 +190,11 @@ SLOPES: dict[str, Callable[..., tuple[float, ...]]] = {
 """Slopes of each operation with respect to its arguments; the others have none."""
 
 
-def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[float, ...]]:
+def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[Number, ...]]:
     """Change of one operation's value, and its slopes."""
     count, function = OPERATIONS[NAMES[code]]
     used = arguments[:count]
-    rule: Callable[..., tuple[float, ...]] = SLOPES.get(NAMES[code], _flat)
+    rule: Callable[..., tuple[Number, ...]] = SLOPES.get(NAMES[code], _flat)
     slopes = rule(*used)
     pairs = [(slope, x) for slope, x in zip(slopes, used, strict=True) if slope != 0.0]
     n, n1 = (np.float64(function(*(getattr(x, end).real for x in used))) for end in ("n", "n1"))
@@ -216,7 +220,7 @@ def discrete_gradient(
     """
     registers, slopes, arguments = list(leaves), [], []
     for code, *places in operations:
-        given = [registers[a] if a >= 0 else still(float(constants[-1 - a])) for a in places]
+        given = [registers[a] if a >= 0 else still(constants[-1 - a]) for a in places]
         value, slope = operate(int(code), given)
         registers.append(value)
         slopes.append(slope)

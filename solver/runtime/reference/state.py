@@ -54,7 +54,7 @@ class Motion:
         Rounding errors enter both over h^2. A shorter step leaves those of the last one, and the
         round-off of the constraints as it is.
         """
-        return h >= 1e-5 * self.head["step_size"]
+        return abs(h) >= 1e-5 * self.head["step_size"]
 
     def at_present(self, name: str) -> Array:
         """Multipliers ("") or forces on driven nodes ("driven_") at the present time.
