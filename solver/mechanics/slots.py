@@ -26,6 +26,8 @@ class Layout:
         self.dim, self.n_nodes = mechanism.dim, structure.n_free
         self.form_rows = [row.form for row in mechanism.form_rows]
         self.coincidences = [row.form for row in mechanism.coincidences]
+        own = ((a, mechanism.default(mass)) for a, b, mass in structure.masses if a == b)
+        self._masses = {node: mass for node, mass in own if mass > 0.0}
         n_rows = len(mechanism.function_rows) + len(mechanism.velocity_rows)
         n_elements = len(mechanism.elements)
         self.row_composites = range(n_elements, n_elements + n_rows)
@@ -129,9 +131,8 @@ class Layout:
 
     def _heavy(self, shares: dict[int, float]) -> list[int]:
         """Free nodes with a share of G M^-1 G' that is not negligible."""
-        default = self.structure.mechanism.default
         sizes = {
-            node: share / (default(self.structure.nodes[node].mass) or 1.0)
+            node: share / self._masses.get(node, 1.0)
             for node, share in shares.items()
             if node < self.n_nodes
         }
