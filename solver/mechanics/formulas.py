@@ -47,6 +47,7 @@ class Compiler:
     def __init__(self, parts: Parts) -> None:
         self.parts = parts
         self.mechanism: Mechanism = parts.mechanism
+        self._extent = 0.0
 
     def meaning(self, part: Expr, own: Mapping[str, Meaning]) -> Meaning | None:
         """Return what a symbol or a call stands for; None for parameters, inputs and the time."""
@@ -133,7 +134,7 @@ class Compiler:
         point = [self._drawn(leaf) for leaf in formula.leaves]
         best = Scale(1.0, 0)
         largest = 0.0
-        extent = drawn_extent(mechanism)
+        extent = self._extent = self._extent or drawn_extent(mechanism)
         for k, leaf in enumerate(formula.leaves):
             power = self._power(leaf)
             size = extent**power

@@ -196,9 +196,13 @@ def _roll_on_a_plane(
     """
     mechanism, ground, body = parts.mechanism, parts.frame(None), parts.frame(joint.body)
     assert joint.axis is not None
-    centre = parts.named(joint.body)
+    centre, axis = parts.named(joint.body), unit(joint.axis)
+    upright = dot(axis, normal)
+    text = "a disc that lies flat on its plane cannot roll; draw it upright ({value!r})"
+    part = (rows.location, rows.name)
+    mechanism.rule(1.0 - upright * upright - PARALLEL, ">", part, text)
     n = ground.direction(normal)
-    spokes = [body.direction(c) for c in perpendicular(unit(joint.axis), mechanism.default)]
+    spokes = [body.direction(c) for c in perpendicular(axis, mechanism.default)]
     up = [Leaf(VALUE, mechanism.use(mechanism.component(c, n))) for c in spokes]
     link = centre - ground.place(joint.position or (0.0, 0.0, 0.0))
     height = Leaf(VALUE, mechanism.use(mechanism.component(link, n)))
