@@ -41,7 +41,8 @@ enum holonom_status {
     HOLONOM_NOT_FINITE = 4,        /* an increment, a residual or a number of the model is not finite     */
     HOLONOM_ZERO_LENGTH = 5,       /* a line element or a turned link has length zero: no direction       */
     HOLONOM_BAD_STEP = 6,          /* step length is not a finite positive number                        */
-    HOLONOM_BAD_LAW = 7            /* a stiffness, free length or damping is negative or not a number       */
+    HOLONOM_BAD_LAW = 7,           /* a stiffness, free length or damping is negative or not a number       */
+    HOLONOM_TURN_TOO_LARGE = 8     /* a body would turn by more than 2.5 rad in a half step                 */
 };
 
 enum holonom_formulation {

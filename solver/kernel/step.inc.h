@@ -21,6 +21,15 @@ static void rows_at_start(context *c)
     for (int32_t j = first_velocity_row(c); j < first_potential(c); j++) c->k.phi0[row_of(c, j)] = 0.0;
 }
 
+/* Whether no direction is about to turn by more than 2.5 rad: a step would take the shorter way round, with an exact
+   ledger and the wrong motion.                                                                               */
+static int turns_little(const context *c)
+{
+    for (int32_t a = 0; a < c->n_moving; a++)
+        if (c->m->node_kind[a] && !(dot(c->k.hv + DIM * a, c->k.hv + DIM * a) <= 6.25)) return 0;
+    return 1;
+}
+
 /* Part of the last multipliers that is forgotten at the beginning of a step. What dependent rows leave undetermined
    would otherwise grow without bound, since every solve adds their inconsistency, a rounding error of the drawn
    configuration, over epsilon. What is determined comes back in the first solve.                               */
@@ -119,6 +128,7 @@ static int32_t newton_update(context *c, newton_record *r)
    margins of 1e-4 and 1e-3, 4e-14 J with these). The factors are kept, so that the last digits cost little.   */
 #define NEWTON_MARGIN 1e-6
 #define CONSTRAINT_MARGIN 1e-5
+#define QUARTER_ULP 5.6e-17 /* of 1: no row is evaluated better */
 /* Energy that the momentum residual may add: with near-singular factors increments shrink before the residual does,
    so it is asked for by itself; where round-off ends the iteration it must still be no more than round-off.      */
 #define ENERGY_MARGIN 1e-3
@@ -217,7 +227,7 @@ static int32_t solve_step(context *c, int parity)
     newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0};
     prepare_step(c, parity);
     update_multipliers(c);
-    int32_t status = evaluate_residual(c);
+    int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
     int uzawa = 0;
     r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
     for (; !status; uzawa++) {
@@ -227,7 +237,7 @@ static int32_t solve_step(context *c, int parity)
         if (status || single) break;
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
-        if (defect <= CONSTRAINT_MARGIN * tolerance) break;
+        if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) break;
         /* Near a singular configuration one combination of rows contracts slowly, or not at all. It need not go on
            where its energy is round-off; else the penalty is raised; contraction that ends even so is round-off. */
         const double energy = constraint_energy(c);

@@ -49,6 +49,7 @@ class Status(IntEnum):
     ZERO_LENGTH = 5
     BAD_STEP = 6
     BAD_LAW = 7
+    TURN_TOO_LARGE = 8
 
 
 SENTENCE = {
@@ -63,7 +64,7 @@ SENTENCE = {
     ),
     Status.SINGULAR_TANGENT: (
         "the tangent matrix is singular, even with the step halved 6 times; "
-        "look for a part without mass or a force that pushes without bound"
+        "look for a force that pushes without bound, or use a smaller solver.penalty"
     ),
     Status.NOT_FINITE: (
         "a number grew beyond all bounds, even with the step halved 6 times; "
@@ -80,6 +81,10 @@ SENTENCE = {
     Status.BAD_LAW: (
         "a stiffness, free length or damping became negative or not a number; "
         "look at the expressions of springs and dampers at this time and with these inputs"
+    ),
+    Status.TURN_TOO_LARGE: (
+        "a body turns by more than 2.5 rad within a half step, even halved 6 times; "
+        "a smaller solver.step_size is needed to tell which way it turns"
     ),
 }
 """What each status means, and the remedy."""
