@@ -11,7 +11,10 @@ from solver.runtime.layout import HEAD, measured_sections
 from tests import hand_scenes
 from tests.hand_runs import Run
 
-COUNTERS = [HEAD.index(name) for name in ("newton_iterations", "uzawa_iterations")]
+COUNTERS = [
+    HEAD.index(name)
+    for name in ("newton_iterations", "uzawa_iterations", "penalty_level", "slow_steps")
+]
 
 CASES = {
     "planar body": (hand_scenes.planar_body, {}),

@@ -178,6 +178,7 @@ class Reference:
             self._internal_step(mechanism, t, h)
         except UnsolvedError:
             motion.block[:], self._numbers[:] = backup, numbers
+            motion.head["penalty_level"] = motion.head["slow_steps"] = 0.0
             if halvings == MAX_HALVINGS:
                 raise
             self._interval(mechanism, t, 0.5 * h, halvings + 1)

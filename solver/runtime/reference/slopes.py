@@ -225,7 +225,7 @@ def discrete_gradient(
         registers.append(value)
         slopes.append(slope)
         arguments.append(places)
-    adjoint = np.zeros(len(registers), dtype=np.result_type(*(x.d for x in registers), 1.0))
+    adjoint = np.zeros(len(registers), dtype=np.result_type(*(x.n + x.d for x in registers), 1.0))
     adjoint[-1] = 1.0
     for register in range(len(registers) - 1, len(leaves) - 1, -1):
         place = register - len(leaves)

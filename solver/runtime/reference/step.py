@@ -22,6 +22,10 @@ EPSILON = float(np.finfo(np.float64).eps)
 HUGE = 1e300
 """No entry of a tangent that can be factorised is larger."""
 
+LEAK = 1e-3
+"""Part of the last multipliers that is forgotten: what dependent rows leave undetermined would grow
+without bound; what is determined comes back in the first solve."""
+
 MARGIN = 1e-5
 """What is left when an iteration ends, over the tolerance: it adds up over steps in the energy."""
 
@@ -42,7 +46,7 @@ class Step:
         self.equations = Equations(mechanism, motion, h, signal_n1)
         # v and mu have a part of alternating sign: predict from the same half of the last pair.
         self.w = 0.5 * h**2 * motion.a[half][: mechanism.n_free]
-        self.mu = motion.mu[half].copy()
+        self.mu = (1.0 - LEAK) * motion.mu[half]
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
         self.target = self.head["tolerance"] * np.sqrt(
@@ -138,18 +142,22 @@ class Step:
 
     def solve(self) -> None:
         """Solve the step; raises `UnsolvedError`."""
-        tolerance, last = self.head["tolerance"], np.inf
         lam = self.newton(self.first_multipliers())
-        if self.simultaneous or not self.equations.augmented:
-            return
-        for _ in range(int(self.head["max_uzawa"])):
+        if not self.simultaneous and self.equations.augmented:
+            self.motion.follow_contraction(self.uzawa(lam))
+
+    def uzawa(self, lam: Array) -> int:
+        """Update lam until the rows hold; return how many updates it took."""
+        tolerance, last = self.head["tolerance"], np.inf
+        for updates in range(int(self.head["max_uzawa"])):
             defect = self.defect()
             if not defect < np.inf:
                 raise UnsolvedError(Status.NOT_FINITE)
             if defect <= MARGIN * tolerance or 0.5 * last < defect <= tolerance:
-                return
+                return updates
             last = defect
             self.motion.count("uzawa_iterations")
             lam = self.newton(self.updated(lam))
         if not self.defect() <= tolerance:
             raise UnsolvedError(Status.UZAWA_DIVERGED)
+        return int(self.head["max_uzawa"])
