@@ -202,7 +202,7 @@ def _least_inertia(
     """Return FLOOR m l^2 for a body without inertia, l the largest offset of its places.
 
     Forces at these places then turn it as they turn a point mass on massless arms: not at all, but
-    for a part in 10^6.
+    for a part in 10^10.
     """
     arms = [subtract(point, body.center_of_mass) for point in body.points.values()]
     arms += [subtract(place, frame.position) for place in places]

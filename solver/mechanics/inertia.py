@@ -15,7 +15,7 @@ import numpy as np
 from solver.mechanics.vectors import Matrix, Vector, dot, times
 from solver.scene import Number
 
-FLOOR = 1e-7
+FLOOR = 1e-10
 """Least inertia of a director, relative to the largest; of a point-like body, to m l^2."""
 ROUNDING = 1e-9
 """By how much the moments of inertia of a plate may miss the triangle inequality."""
