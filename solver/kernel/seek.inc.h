@@ -155,6 +155,7 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     stand_still(&c);
     int32_t status = derive_scales(&c);
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
+    else if (!status && m->n_signals) status = make_velocities_consistent(&c); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = settle(&c);
     if (!status) status = first_multipliers(&c);
     if (status) return status;

@@ -155,7 +155,9 @@ class Integrator:
             if variable.kind != "option":
                 target = inputs if variable.kind == "input" else parameters
                 target[variable.place] = float(value)
-        if self.phase == MOVING:
+        # An input that arrives after the start is one for the step to come, not for the start.
+        arriving = all(variable.kind == "input" for variable, _ in changes)
+        if self.phase == MOVING or (self.phase == ASSEMBLED and arriving):
             self._turn(inputs, parameters)
         else:
             self.state.vectors["inputs"][:] = array("d", inputs)
