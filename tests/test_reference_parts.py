@@ -82,6 +82,16 @@ def test_a_moment_turns_a_free_body_by_the_law_of_angular_momentum(frame):
     assert run["energy"][6] < 1e-14
 
 
+def test_a_body_that_would_turn_too_far_in_a_step_is_refused():
+    """Forty turns a second against half steps of 0.1 s, and in the end of 0.1/64 s."""
+    for speed, status in ((2.0 * math.pi * 40.0, Status.OK), (1e5, Status.TURN_TOO_LARGE)):
+        hand = Hand(3)
+        hand.body([0, 0, 0], [0.5] * 3, rate=[0.0, 0.0, speed])
+        run = Run(hand, step_size=0.2)
+        assert run.engine.advance(0.2) is status
+    assert run.vector("q")[:3] == pytest.approx([0.0] * 3)
+
+
 def test_two_bodies_with_all_kinds_of_loads_close_their_ledger():
     run = Run(hand_scenes.two_bodies(), step_size=0.01)
     run.advance(20)

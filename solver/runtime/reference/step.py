@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import Status
 from .equations import Equations
-from .mechanism import Mechanism
+from .mechanism import DIRECTION, Mechanism
 from .state import Motion
 from .unsolved import UnsolvedError
 
@@ -25,6 +25,12 @@ HUGE = 1e300
 LEAK = 1e-3
 """Part of the last multipliers that is forgotten: what dependent rows leave undetermined would grow
 without bound; what is determined comes back in the first solve."""
+
+FAR = 2.5
+"""Largest turn of a body in a step [rad]."""
+
+QUARTER_ULP = 5.6e-17
+"""Of 1: no row is evaluated better."""
 
 MARGIN = 1e-5
 """What is left when an iteration ends, over the tolerance: it adds up over steps in the energy."""
@@ -140,8 +146,19 @@ class Step:
             raise UnsolvedError(Status.UZAWA_DIVERGED)
         return lam
 
+    def check_turns(self) -> None:
+        """Refuse a step in which a direction is about to turn far.
+
+        It would be solved by the shorter way round, with an exact ledger and the wrong motion.
+        """
+        is_direction = self.mechanism.node_kind[: self.mechanism.n_moving] == DIRECTION
+        changes = self.equations.h_v.reshape(-1, self.mechanism.dim)[is_direction]
+        if not np.all(np.linalg.norm(changes, axis=1) <= FAR):
+            raise UnsolvedError(Status.TURN_TOO_LARGE)
+
     def solve(self) -> None:
         """Solve the step; raises `UnsolvedError`."""
+        self.check_turns()
         lam = self.newton(self.first_multipliers())
         if not self.simultaneous and self.equations.augmented:
             self.motion.follow_contraction(self.uzawa(lam))
@@ -153,7 +170,7 @@ class Step:
             defect = self.defect()
             if not defect < np.inf:
                 raise UnsolvedError(Status.NOT_FINITE)
-            if defect <= MARGIN * tolerance or 0.5 * last < defect <= tolerance:
+            if defect <= max(MARGIN * tolerance, QUARTER_ULP) or 0.5 * last < defect <= tolerance:
                 return updates
             last = defect
             self.motion.count("uzawa_iterations")
