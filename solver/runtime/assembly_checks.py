@@ -18,6 +18,8 @@ larger one into a jolt."""
 PRESCRIBED = 1e-6
 """Largest relative error of a velocity that a formula prescribes: rates of signals are differences,
 which leaves of a signal at rest what rounding makes, less than DRAWN in a second."""
+ROUNDING = 1e-13
+"""What solving for velocities leaves, against the size of a row and the fastest motion."""
 
 ASSEMBLE = ", or set [solver] assemble = true"
 
@@ -149,13 +151,14 @@ class _Drawn:
     def speed(self, row: int) -> float:
         """Rate of a row; 0 where rounding explains it."""
         sizes = self.model.sizes
+        scale = self.numbers[self.model.offsets["row_scale"] + row]
+        size = ROUNDING * scale * self.fastest  # of velocities that were made consistent
         if row < sizes["n_form_rows"]:
-            size = DRAWN * self._bound(self.model.tables["row_form"][row])
+            size += DRAWN * self._bound(self.model.tables["row_form"][row])
         elif row < sizes["n_form_rows"] + sizes["dim"] * sizes["n_coincidences"]:
             place = (row - sizes["n_form_rows"]) // sizes["dim"]
-            size = DRAWN * self._bound(self.model.tables["coincidence_form"][place])
+            size += DRAWN * self._bound(self.model.tables["coincidence_form"][place])
         else:
-            scale = self.numbers[self.model.offsets["row_scale"] + row]
             size = scale * (PRESCRIBED * self.fastest + DRAWN)
         return abs(self.rate[row]) if not abs(self.rate[row]) <= size else 0.0
 
