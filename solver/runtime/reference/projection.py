@@ -19,7 +19,7 @@ from .equations import rows_at
 from .forces import step_force
 from .mechanism import Mechanism
 from .rows import END, Rows
-from .start import RANK, row_rates, rows_of
+from .start import constrained, row_rates, rows_of
 from .state import Motion, add
 from .unsolved import UnsolvedError
 
@@ -119,14 +119,11 @@ def assemble_velocities(mechanism: Mechanism, motion: Motion, signal_rates: Arra
     weighted = mechanism.section["mass"] * np.sqrt(weight[a] * weight[b])
     M = mechanism.mass_matrix(weighted)[free, free]
     G = rows_of(mechanism, motion)[0][:, free]
-    scale = 1.0 / np.sqrt(mechanism.sigma)
-    S = scale[:, None] * (G @ np.linalg.solve(M, G.T)) * scale
-    v = motion.v[free]
+    v, nothing = motion.v[free], np.zeros(mechanism.n_free)
     for _ in range(3):
         v[given] = mechanism.section["initial_velocity"][free][given]
         rate = row_rates(mechanism, motion, signal_rates)
-        mu = scale * np.linalg.lstsq(S, scale * rate, rcond=RANK)[0]
-        v -= np.linalg.solve(M, G.T @ mu)
+        v += constrained(mechanism, M, G, nothing, -rate)[0]
 
 
 def find_equilibrium(mechanism: Mechanism, motion: Motion) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 from .clock import Clock
 from .energy import kinetic_energy
 from .mechanism import Mechanism
-from .start import RANK, rows_of
+from .start import constrained, rows_of
 from .state import Motion, add
 
 
@@ -35,12 +35,8 @@ def start_ramps(mechanism: Mechanism, motion: Motion, clock: Clock, step: float)
     G, by_signals, _ = rows_of(mechanism, motion)
     rest = G @ dv + by_signals @ jump
     rest[mechanism.row_kinds[3]] = 0.0
-    M, G_free, scale = mechanism.M[free, free], G[:, free], 1.0 / np.sqrt(mechanism.sigma)
-    impulse = (mechanism.M @ dv)[free]
-    S = scale[:, None] * (G_free @ np.linalg.solve(M, G_free.T)) * scale
-    b = scale * (rest - G_free @ np.linalg.solve(M, impulse))
-    p = scale * np.linalg.lstsq(S, b, rcond=RANK)[0]
-    dv[free] = -np.linalg.solve(M, impulse + G_free.T @ p)
+    M, impulse = mechanism.M[free, free], (mechanism.M @ dv)[free]
+    dv[free], _ = constrained(mechanism, M, G[:, free], -impulse, -rest)
     add(motion.v, motion.v_low, dv)
     motion.book("work", kinetic_energy(mechanism, motion) - kinetic)
     # No line is drawn through means of multipliers from before and after a jump.

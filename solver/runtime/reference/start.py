@@ -19,10 +19,25 @@ from .state import Motion
 Array = NDArray[np.float64]
 
 RANK = 1e-10
-"""Singular values of the scaled G M^-1 G' below this belong to dependent rows."""
+"""Singular values of the scaled equations below this belong to dependent rows."""
 
 TAU = 1e-3
 """Step of difference quotients along the motion, over the step size."""
+
+
+def constrained(
+    mechanism: Mechanism, M: Array, G: Array, f: Array, g: Array
+) -> tuple[Array, Array]:
+    """Solution x, lam of M x + G' lam = f, G x = g for the free coordinates.
+
+    Of dependent rows, the multipliers of least size, scaled with their compliance, are taken. A
+    director can be next to massless, so that M is not inverted.
+    """
+    scale = np.concatenate([mechanism.m_node[: len(f)], mechanism.sigma]) ** -0.5
+    K = np.block([[M, G.T], [G, np.zeros((len(g), len(g)))]])
+    K = scale[:, None] * K * scale
+    solution = scale * np.linalg.lstsq(K, scale * np.concatenate([f, g]), rcond=RANK)[0]
+    return solution[: len(f)], solution[len(f) :]
 
 
 def rows_of(mechanism: Mechanism, motion: Motion) -> tuple[Array, Array, Array]:
@@ -143,22 +158,15 @@ def along(
 def first_multipliers(
     mechanism: Mechanism, motion: Motion, clock: Clock
 ) -> tuple[Array, Array, Array]:
-    """Multipliers, accelerations and forces on driven nodes: M a + G' lam = Q, G a = -bias.
-
-    Of dependent rows, the multipliers of least size, scaled with their compliance, are taken.
-    """
+    """Multipliers, accelerations and forces on driven nodes: M a + G' lam = Q, G a = -bias."""
     free, driven = slice(mechanism.n_free), slice(mechanism.n_free, None)
     t = motion.head["time"]
     a = np.zeros(mechanism.n)
     a[driven] = clock.signal_accelerations(t)[: len(a[driven])]
     G, _, _ = rows_of(mechanism, motion)
     Q = forces_at_start(mechanism, motion)
-    M, Q_free = mechanism.M[free, free], (Q - mechanism.M @ a)[free]
-    scale, G_free = 1.0 / np.sqrt(mechanism.sigma), G[:, free]
-    S = scale[:, None] * (G_free @ np.linalg.solve(M, G_free.T)) * scale
+    M, force = mechanism.M[free, free], (Q - mechanism.M @ a)[free]
     rest = bias(mechanism, motion, clock, t) + G @ a
-    b = scale * (G_free @ np.linalg.solve(M, Q_free) + rest)
-    lam = scale * np.linalg.lstsq(S, b, rcond=RANK)[0]
-    a[free] = np.linalg.solve(M, Q_free - G_free.T @ lam)
+    a[free], lam = constrained(mechanism, M, G[:, free], force, -rest)
     forces = (mechanism.M @ a + G.T @ lam - Q)[driven]
     return lam, a, forces
