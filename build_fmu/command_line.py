@@ -20,7 +20,7 @@ EXIT_CODES = """exit codes:
   0  done
   1  a check failed
   2  usage or scene error
-  3  the simulation did not finish
+  3  the simulation did not finish, or no equilibrium was found
   4  the environment lacks something
 """
 
@@ -98,8 +98,10 @@ def _parser() -> argparse.ArgumentParser:
     for name in ("energy", "constraint"):
         text = f"largest relative {name} error that passes (default: %(default)s)"
         check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
-    info = commands.add_parser("info", help="bodies, rows, degrees of freedom, variables")
+    info = commands.add_parser("info", help="bodies, joints, mobility, redundant rows, variables")
     info.add_argument("target", metavar="SCENE|FMU")
+    text = "find the static equilibrium next to the drawn configuration, and what holds it there"
+    info.add_argument("--equilibrium", action="store_true", help=text)
     _add_settings(info, "replace a parameter or any number of the scene")
     validate = commands.add_parser("validate", help="check an FMU against the standard with fmpy")
     validate.add_argument("target", metavar="FMU")

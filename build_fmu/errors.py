@@ -1,7 +1,7 @@
 """What ends a command, each with its exit code.
 
-0 done; 1 a check failed; 2 usage or scene error; 3 the simulation did not finish; 4 the environment
-lacks something.
+0 done; 1 a check failed; 2 usage or scene error; 3 the simulation did not finish, or no equilibrium
+was found; 4 the environment lacks something.
 """
 
 from __future__ import annotations
@@ -22,6 +22,12 @@ class UsageError(CommandError):
     """The command line, the scene or a file is wrong."""
 
     code = USAGE
+
+
+class UnfinishedError(CommandError):
+    """What was asked for was computed in vain: no equilibrium, say."""
+
+    code = UNFINISHED
 
 
 class EnvironmentLackError(CommandError):

@@ -23,18 +23,6 @@ from tests.fmu_instance import SCENES, scene_fmu
 ROOT = SCENES.parent
 PENDULUM = str(SCENES / "double_pendulum.toml")
 
-DOUBLE_ROD = """
-name = "double_rod"
-dimension = 2
-[points]
-O = { position = [0, 0], fixed = true }
-A = { position = [1, 0], mass = 1 }
-[joints]
-one = { type = "distance", points = ["O", "A"] }
-two = { type = "distance", points = ["O", "A"] }
-"""
-
-
 # ------------------------------------------------------------------------------------ build
 
 
@@ -128,26 +116,7 @@ def test_a_setting_is_a_number_a_truth_value_a_list_or_text(text, name, value):
     assert type(setting(text)[1]) is type(value)
 
 
-# --------------------------------------------------------------------------- info, validate
-
-
-def test_info_says_the_same_of_a_scene_and_its_fmu(capsys):
-    scene = run(capsys, "info", SCENES / "four_bar.toml", "--json")
-    assert scene == run(capsys, "info", scene_fmu("four_bar"), "--json")
-    document = json.loads(scene[1])
-    assert document["bodies"] == ["crank0", "crank1", "crank2", "coupler0", "coupler1"]
-    assert (document["coordinates"], document["rows"]) == (6, 5)
-    assert (document["degrees_of_freedom"], document["redundant_rows"]) == (1, 0)
-
-
-def test_info_counts_redundant_rows(capsys, tmp_path):
-    scene = tmp_path / "double_rod.toml"
-    scene.write_text(DOUBLE_ROD)
-    code, out, _ = run(capsys, "info", scene)
-    assert code == 0
-    lines = [line.split() for line in out.splitlines()]
-    assert ["redundant", "rows", "1"] in [line[:3] for line in lines]
-    assert ["degrees", "of", "freedom", "1"] in lines
+# --------------------------------------------------------------------------------- validate
 
 
 def test_validate_lists_the_findings(capsys, tmp_path):

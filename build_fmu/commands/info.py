@@ -1,4 +1,4 @@
-"""`build-fmu info SCENE|FMU`: bodies, rows, degrees of freedom, redundant rows, variables."""
+"""`build-fmu info SCENE|FMU`: what it consists of, how it can move, and where it comes to rest."""
 
 from __future__ import annotations
 
@@ -7,13 +7,24 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import TYPE_CHECKING
 
+from build_fmu.equilibrium import (
+    TABLES,
+    UNITS,
+    Equilibrium,
+    Grid,
+    driver_names,
+    find_equilibrium,
+)
 from build_fmu.errors import UsageError
-from build_fmu.report import print_json, print_table
+from build_fmu.report import number, print_json, print_table
 from build_fmu.target import fmu_model, is_fmu, scene_model
 
 if TYPE_CHECKING:
     from solver.mechanics.survey import Survey
     from solver.runtime import Model, Variable
+
+ROUNDING = 1e-10
+"""Part of the largest value of its unit below which a value is shown as 0."""
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -27,41 +38,87 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(text)
     else:
         model = fmu_model(arguments.target)
+    if arguments.equilibrium:
+        found = find_equilibrium(model)
+        if arguments.json:
+            print_json({"name": model.name, **asdict(found)})
+        else:
+            _print_equilibrium(model, found, survey(model).redundant_parts or ())
+        return 0
     counts = survey(model)
     if arguments.json:
         print_json(_document(model, counts))
     else:
-        print_table(
-            f"{model.name}: {model.description}".rstrip(": "), ("", ""), _rows(model, counts)
-        )
-        columns = ("variable", "unit", "kind", "start", "meaning")
-        print_table("variables", columns, [_row(variable) for variable in model.variables])
+        _print_counts(model, counts)
     return 0
 
 
+# -------------------------------------------------------------------------------------- counts
+
+
+def _print_counts(model: Model, counts: Survey) -> None:
+    print_table(_title(model), ("", ""), _rows(model, counts))
+    columns = ("variable", "unit", "kind", "start", "meaning")
+    print_table("variables", columns, [_row(variable) for variable in model.variables])
+
+
+def _title(model: Model) -> str:
+    return f"{model.name}: {model.description}".rstrip(": ")
+
+
 def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
-    redundant, freedom = counts.redundant_rows, counts.degrees_of_freedom
-    note = "  (accepted; reactions of dependent rows are not unique)" if redundant else ""
+    rolling = _velocity_parts(model)
     return [
-        ("bodies", _names(_parts(model, "body"))),
-        ("joints", _names(_parts(model, "joint"))),
+        ("bodies", _names(_parts(model, "bodies"))),
+        ("joints", _names(_parts(model, "joints"))),
+        ("constraints", _names(_parts(model, "constraints"))),
+        ("drivers", _names(driver_names(model))),
         ("points", f"{counts.moving_points} moving, {counts.supports} fixed"),
         ("springs and dampers", str(counts.springs_and_dampers)),
         ("loads and torques", str(counts.loads_and_torques)),
-        ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per moving point)"),
+        ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per point or axis)"),
         ("constraint rows", str(counts.rows)),
-        (
-            "redundant rows",
-            "not counted: too many rows" if redundant is None else f"{redundant}{note}",
-        ),
-        ("degrees of freedom", "not counted" if freedom is None else str(freedom)),
+        ("redundant rows", _redundancy(counts)),
+        ("non-holonomic rows", f"{model.sizes['n_velocity_rows']}  {', '.join(rolling)}".rstrip()),
+        ("mobility", _mobility(counts)),
+        ("degrees of freedom", _freedom(counts)),
     ]
 
 
-def _parts(model: Model, kind: str) -> list[str]:
-    """Names of the bodies or joints that bring constraint rows."""
-    labels = (label.partition(" ") for label in dict.fromkeys(model.row_names))
-    return [name.strip("'") for word, _, name in labels if word == kind]
+def _redundancy(counts: Survey) -> str:
+    if counts.redundant_rows is None:
+        return "not counted: too many rows"
+    if not counts.redundant_rows:
+        return "0"
+    parts = ", ".join(counts.redundant_parts or ())
+    note = "accepted; reactions in them are not unique"
+    return f"{counts.redundant_rows}  among those of {parts} ({note})"
+
+
+def _mobility(counts: Survey) -> str:
+    by_rank = "not ranked" if counts.mobility is None else f"{counts.mobility} by rank"
+    return f"{by_rank}, {counts.mobility_by_count} by counting (Kutzbach), without drivers"
+
+
+def _freedom(counts: Survey) -> str:
+    positions, velocities = counts.degrees_of_freedom, counts.velocity_freedom
+    if positions is None:
+        return "not counted"
+    if positions == velocities:
+        return str(positions)
+    return f"{positions} of positions, {velocities} of velocities"
+
+
+def _parts(model: Model, table: str) -> list[str]:
+    """Names of the bodies, joints or constraints that bring constraint rows."""
+    places = (row.location.partition(".") for row in model.rows)
+    return list(dict.fromkeys(name for kind, _, name in places if kind == table))
+
+
+def _velocity_parts(model: Model) -> list[str]:
+    """What brings rows of velocities that are not rates of rows of positions."""
+    first = len(model.rows) - model.sizes["n_velocity_rows"]
+    return list(dict.fromkeys(row.name for row in model.rows[first:]))
 
 
 def _names(names: Sequence[str], most: int = 8) -> str:
@@ -82,9 +139,14 @@ def _document(model: Model, counts: Survey) -> dict[str, object]:
         "name": model.name,
         "description": model.description,
         "dimension": model.sizes["dim"],
-        "bodies": _parts(model, "body"),
-        "joints": _parts(model, "joint"),
+        "bodies": _parts(model, "bodies"),
+        "joints": _parts(model, "joints"),
+        "constraints": _parts(model, "constraints"),
         **asdict(counts),
+        "drivers": driver_names(model),
+        "prescribed_motions": counts.drivers,
+        "velocity_rows": model.sizes["n_velocity_rows"],
+        "velocity_parts": _velocity_parts(model),
         "experiment": model.experiment._asdict(),
         "variables": [
             {
@@ -101,3 +163,40 @@ def _document(model: Model, counts: Survey) -> dict[str, object]:
             for v in model.variables
         ],
     }
+
+
+# --------------------------------------------------------------------------------- equilibrium
+
+
+def _print_equilibrium(model: Model, found: Equilibrium, redundant: Sequence[str]) -> None:
+    held = "; drivers are held where they are at the start" if found.held else ""
+    energy = [("potential energy", f"{number(found.potential_energy)} J")]
+    print_table(f"{model.name} in static equilibrium{held}", ("", ""), energy)
+    for table in TABLES:
+        if grid := getattr(found, table):
+            unsure = table == "reactions" and redundant
+            note = f", not unique in {', '.join(redundant)}" if unsure else ""
+            _print_grid(f"{table}{note}", grid)
+    if found.outputs:
+        units = {variable.name: variable.unit for variable in model.variables}
+        rows = [(name, number(x), units[name]) for name, x in found.outputs.items()]
+        print_table("outputs", ("", "", ""), rows)
+
+
+def _print_grid(title: str, grid: Grid) -> None:
+    """One row for each part; what rounding leaves of a zero is shown as 0."""
+    columns = list(dict.fromkeys(column for values in grid.values() for column in values))
+    largest: dict[str, float] = {}
+    for values in grid.values():
+        for column, value in values.items():
+            unit = UNITS.get(column, "")
+            largest[unit] = max(largest.get(unit, 0.0), abs(value))
+
+    def shown(column: str, value: float | None) -> str:
+        if value is None:
+            return ""
+        return number(value if abs(value) > ROUNDING * largest[UNITS.get(column, "")] else 0.0)
+
+    rows = [(part, *(shown(c, values.get(c)) for c in columns)) for part, values in grid.items()]
+    heads = [f"{column} [{UNITS[column]}]" if column in UNITS else column for column in columns]
+    print_table(title, ("", *heads), rows)

@@ -1,0 +1,147 @@
+"""`build-fmu info`: what a mechanism consists of, how it can move, and where it comes to rest."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from tests.commands import run
+from tests.fmu_instance import SCENES, scene_fmu
+
+DOUBLE_ROD = """
+name = "double_rod"
+dimension = 2
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1 }
+[joints]
+one = { type = "distance", points = ["O", "A"] }
+two = { type = "distance", points = ["O", "A"] }
+"""
+
+UNEVEN_BEAM = """
+name = "uneven_beam"
+dimension = 2
+gravity = [0, -10]
+[bodies]
+beam = { position = [1, 0], mass = 6.0, inertia = 2.0, points = { left = [-1, 0], right = [2, 0] } }
+[joints]
+pin = { type = "revolute", bodies = ["ground", "beam"], position = [0, 0] }
+roller = { type = "point_on_line", point = "beam.right", axis = [1, 0] }
+"""
+
+
+def info(capsys, target, *arguments) -> dict:
+    code, out, err = run(capsys, "info", target, "--json", *arguments)
+    assert (code, err) == (0, "")
+    return json.loads(out)
+
+
+def lines(capsys, target, *arguments) -> dict[str, str]:
+    """Rows of the first table, by their first column."""
+    code, out, _ = run(capsys, "info", target, *arguments)
+    assert code == 0
+    table = out.partition("\n\n")[2].partition("\n\n")[0]
+    return {line[:22].strip(): line[22:].strip() for line in table.splitlines()}
+
+
+# -------------------------------------------------------------------------------------- counts
+
+
+def test_info_says_the_same_of_a_scene_and_its_fmu(capsys):
+    scene = run(capsys, "info", SCENES / "four_bar.toml", "--json")
+    assert scene == run(capsys, "info", scene_fmu("four_bar"), "--json")
+    document = json.loads(scene[1])
+    assert document["bodies"] == ["crank0", "crank1", "crank2", "coupler0", "coupler1"]
+    assert (document["coordinates"], document["rows"]) == (6, 5)
+    assert (document["degrees_of_freedom"], document["redundant_rows"]) == (1, 0)
+
+
+def test_redundant_rows_are_counted_and_their_joints_named(capsys, tmp_path):
+    scene = tmp_path / "double_rod.toml"
+    scene.write_text(DOUBLE_ROD)
+    table = lines(capsys, scene)
+    assert table["redundant rows"].startswith("1  among those of joint 'one', joint 'two' (")
+    assert table["mobility"] == "1 by rank, 0 by counting (Kutzbach), without drivers"
+    assert table["degrees of freedom"] == "1"
+
+
+def test_a_paradoxical_mechanism_moves_by_rank_alone(capsys):
+    found = info(capsys, SCENES / "bricard.toml")
+    assert (found["mobility"], found["mobility_by_count"]) == (1, 0)
+    assert found["redundant_parts"] == [f"joint 'hinge{i}'" for i in range(1, 7)]
+
+
+def test_rolling_takes_freedom_from_velocities_alone(capsys):
+    table = lines(capsys, SCENES / "rolling_disc.toml")
+    assert table["non-holonomic rows"] == "2  joint 'contact'"
+    assert table["degrees of freedom"] == "5 of positions, 3 of velocities"
+
+
+@pytest.mark.parametrize(
+    ("name", "drivers", "motions"),
+    [("stewart", [f"drive{i}" for i in range(1, 7)], 6), ("double_wishbone", ["profile"], 3)],
+)
+def test_drivers_are_named_whether_they_move_joints_or_points(capsys, name, drivers, motions):
+    found = info(capsys, SCENES / f"{name}.toml")
+    assert (found["drivers"], found["prescribed_motions"]) == (drivers, motions)
+
+
+# --------------------------------------------------------------------------------- equilibrium
+
+
+def test_a_mass_comes_to_rest_where_its_spring_carries_it(capsys):
+    # m g = 19.62 N stretches 200 N/m by 0.0981 m; the search stops at 1e-10 of the mechanism.
+    for target in (SCENES / "spring_pendulum.toml", scene_fmu("spring_pendulum")):
+        found = info(capsys, target, "--equilibrium")
+        assert found["positions"]["A"] == pytest.approx({"x": 0, "y": 0, "z": -0.9981}, abs=1e-9)
+        spring = {"length": 0.9981, "force": 19.62}
+        assert found["forces"]["spring"] == pytest.approx(spring, abs=1e-7)
+        assert found["outputs"] == pytest.approx({"stretch": 0.0981}, abs=1e-9)
+        assert not found["held"]
+
+
+def test_the_supports_of_a_beam_share_its_weight_by_the_lever(capsys, tmp_path):
+    # 60 N at a third of the way from the pin to the roller.
+    scene = tmp_path / "beam.toml"
+    scene.write_text(UNEVEN_BEAM)
+    found = info(capsys, scene, "--equilibrium")["reactions"]
+    assert found["pin"] == pytest.approx({"force.x": 0, "force.y": 40}, abs=1e-9)
+    assert found["roller"] == pytest.approx({"force.x": 0, "force.y": 20}, abs=1e-9)
+
+
+def test_reactions_that_are_not_unique_are_said_to_be(capsys, tmp_path):
+    scene = tmp_path / "double_rod.toml"
+    scene.write_text(DOUBLE_ROD)
+    out = run(capsys, "info", scene, "--equilibrium")[1]
+    assert "\nreactions, not unique in joint 'one', joint 'two'\n" in out
+
+
+def test_a_change_of_a_number_moves_the_equilibrium(capsys):
+    arguments = ("--equilibrium", "--set", "mass=4")
+    found = info(capsys, SCENES / "spring_pendulum.toml", *arguments)
+    assert found["forces"]["spring"]["force"] == pytest.approx(39.24, abs=1e-7)
+
+
+def test_a_driver_that_moves_is_held_where_it_is_at_the_start(capsys):
+    found = info(capsys, SCENES / "car_axis.toml", "--equilibrium")
+    assert found["held"]
+    out = run(capsys, "info", SCENES / "car_axis.toml", "--equilibrium")[1]
+    assert "drivers are held" in out.splitlines()[0]
+
+
+def test_the_tables_have_units_and_show_rounding_as_zero(capsys):
+    code, out, _ = run(capsys, "info", SCENES / "flyball_governor.toml", "--equilibrium")
+    assert code == 0
+    rows = [line.split() for line in out.splitlines()]
+    assert ["force.x", "[N]"] == next(row[:2] for row in rows if "[N]" in row and "torque.x" in row)
+    guide = next(row for row in rows if row[:1] == ["guide"] and len(row) == 7)
+    assert set(guide[1:]) == {"0"}
+
+
+def test_where_nothing_comes_to_rest_the_end_is_3_and_a_sentence(capsys):
+    code, out, err = run(capsys, "info", SCENES / "screw_jack.toml", "--equilibrium", "--json")
+    assert (code, out) == (3, "")
+    assert err.startswith("build-fmu: screw_jack: no static equilibrium was found")
+    assert err.count("\n") == 1
