@@ -70,8 +70,9 @@ def test_a_state_that_was_cut_off_is_refused(cut):
     assert_refused_and_kept(moved().save()[:cut], "the saved state")
 
 
-def test_the_state_of_an_earlier_format_is_refused():
-    assert_refused_and_kept(b"holonom1" + moved().save()[8:], "not one of this format")
+@pytest.mark.parametrize("mark", [b"holonom1", b"holonom2"])
+def test_the_state_of_an_earlier_format_is_refused(mark):
+    assert_refused_and_kept(mark + moved().save()[8:], "not one of this format")
 
 
 def test_the_state_of_another_model_is_refused():

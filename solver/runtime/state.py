@@ -11,7 +11,7 @@ from .errors import OptionError
 from .layout import HEAD, PLACE, state_sections
 from .model import Model
 
-MAGIC = b"holonom2"
+MAGIC = b"holonom3"
 """Begins every saved state; the digit is the version of its format."""
 
 PHASES = CONFIGURED, ASSEMBLED, MOVING = 0, 1, 2
