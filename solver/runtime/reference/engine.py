@@ -101,6 +101,7 @@ class Reference:
             raise UnsolvedError(Status.NOT_FINITE)
         if head["assemble"]:
             assemble_positions(mechanism, motion)
+        if head["assemble"] or len(signal_rates):  # what is not given follows the drivers
             assemble_velocities(mechanism, motion, signal_rates)
         if head["equilibrium"]:
             find_equilibrium(mechanism, motion)
