@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from .layout import PLACE, state_sections
+from .options import GENERAL
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
@@ -64,6 +65,19 @@ def broken_rules(rules: Iterable[Rule], numbers: Doubles) -> list[str]:
         f"{rule.name}: {rule.message.format(value=numbers[rule.number])}"
         for rule in rules
         if not rule.holds(numbers[rule.number])
+    ]
+
+
+def formulation_problems(model: Model, formulation: str) -> list[str]:
+    """Return a sentence if the formulation does not know the mechanism's rows."""
+    sizes = model.sizes
+    general = sizes["n_function_rows"] + sizes["n_velocity_rows"]
+    if formulation in GENERAL or not general:
+        return []
+    name = model.rows[sizes["n_rows"] - general].name
+    return [
+        f"solver.formulation: {formulation!r} knows quadratic rows alone, and that of {name} is "
+        f"none; use {' or '.join(map(repr, GENERAL))}"
     ]
 
 

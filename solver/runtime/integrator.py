@@ -7,7 +7,12 @@ import math
 from array import array
 from collections.abc import Callable, Sequence
 
-from .assembly_checks import broken_rules, contradicted_rows, rules_of_laws
+from .assembly_checks import (
+    broken_rules,
+    contradicted_rows,
+    formulation_problems,
+    rules_of_laws,
+)
 from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
@@ -218,6 +223,7 @@ class Integrator:
         """Evaluate the numbers, check them, and take the initial configuration."""
         self._evaluate()
         problems = broken_rules(self.model.rules, self.engine.numbers)
+        problems += formulation_problems(self.model, str(decode("formulation", self.state.head)))
         if problems:
             raise AssemblyError("\n".join(problems))
         status = Status(self.engine.initialise())

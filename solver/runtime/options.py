@@ -57,6 +57,9 @@ MEANINGS = {
 }
 """What each setting means."""
 
+GENERAL = ("conserving-al", "conserving-al-beta")
+"""Formulations that know rows which are no quadratics: gears, drivers, formulas, rolling."""
+
 WHOLE = ("max_newton", "max_uzawa", "order")
 
 ORDERS = (2.0, 4.0, 6.0, 8.0)
