@@ -135,7 +135,7 @@ def test_the_tables_have_units_and_show_rounding_as_zero(capsys):
     code, out, _ = run(capsys, "info", SCENES / "flyball_governor.toml", "--equilibrium")
     assert code == 0
     rows = [line.split() for line in out.splitlines()]
-    assert ["force.x", "[N]"] == next(row[:2] for row in rows if "[N]" in row and "torque.x" in row)
+    assert next(row[:2] for row in rows if "[N]" in row and "torque.x" in row) == ["force.x", "[N]"]
     guide = next(row for row in rows if row[:1] == ["guide"] and len(row) == 7)
     assert set(guide[1:]) == {"0"}
 

@@ -1,0 +1,178 @@
+"""Every scene as an FMU: valid, exact in energy and constraints, and the library bit for bit."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import xml.etree.ElementTree as ElementTree
+import zipfile
+
+import pytest
+from fmpy.validation import validate_fmu
+
+import solver
+from fmu_src import status
+from solver.runtime import Integrator
+from tests.commands import run
+from tests.fmu_instance import SCENES, Instance, instance, scene_fmu
+
+ALL_SCENES = sorted(path.stem for path in SCENES.glob("*.toml"))
+RAMPED = ["double_wishbone", "stewart"]
+STRUCTURED = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
+"""Of the names that the standard calls structured (2.2.9), those without arrays and quotes."""
+
+
+def moved(name: str) -> Integrator:
+    """The library's own run of a scene, ready to step."""
+    integrator = Integrator(solver.assemble(solver.load(SCENES / f"{name}.toml")))
+    integrator.initialise(0.0)
+    return integrator
+
+
+def outputs(integrator: Integrator) -> list:
+    variables = enumerate(integrator.model.variables)
+    return integrator.get([i for i, v in variables if v.causality == "output"])
+
+
+def inputs_at(integrator: Integrator, k: int) -> dict[str, float]:
+    """Value of each input in step k: its own slow sine, half as large as its limits let it be."""
+    inputs = (v for v in integrator.model.variables if v.causality == "input")
+    return {
+        v.name: 0.5 * (v.maximum or 1.0) * math.sin(0.2 * k * (1 + i)) for i, v in enumerate(inputs)
+    }
+
+
+def drive(fmu: Instance, integrator: Integrator, first: int, last: int) -> None:
+    """Move both by the same inputs, from step to step."""
+    h = integrator.model.experiment.step_size
+    for k in range(first, last):
+        for name, value in inputs_at(integrator, k).items():
+            integrator[name] = value
+            fmu.set(**{name: value})
+        integrator.advance(k * h, h)
+        assert fmu.step(k * h, h), fmu.log
+        assert fmu.outputs() == outputs(integrator)
+
+
+# --------------------------------------------------------------------------------- every scene
+
+
+@pytest.mark.parametrize("name", ALL_SCENES)
+def test_the_validator_finds_nothing(name):
+    assert validate_fmu(str(scene_fmu(name))) == []
+
+
+@pytest.mark.parametrize("name", ALL_SCENES)
+def test_the_check_passes(capsys, name):
+    # Over the scene's own experiment; 1e-11 is the tolerance of a step, 1e-12, with room to add up.
+    limits = ("--energy", 1e-11, "--constraint", 1e-12)
+    code, out, err = run(capsys, "check", scene_fmu(name), "--json", *limits)
+    assert (code, err) == (0, ""), out
+    assert json.loads(out)["end_time"] == solver.load(SCENES / f"{name}.toml").experiment.stop_time
+
+
+@pytest.mark.parametrize("name", ALL_SCENES)
+def test_the_trajectory_is_the_librarys_bit_for_bit(name):
+    integrator = moved(name)
+    with instance(scene_fmu(name)) as fmu:
+        fmu.initialise()
+        assert fmu.outputs() == outputs(integrator)
+        drive(fmu, integrator, 0, 20)
+
+
+@pytest.mark.parametrize("name", ALL_SCENES)
+def test_every_variable_has_a_structured_name_a_known_unit_and_a_meaning(name):
+    with zipfile.ZipFile(scene_fmu(name)) as archive:
+        root = ElementTree.fromstring(archive.read("modelDescription.xml"))
+    for unit in root.findall("UnitDefinitions/Unit"):
+        assert unit.find("BaseUnit") is not None, unit.get("name")
+    for variable in root.findall("ModelVariables/ScalarVariable"):
+        assert STRUCTURED.fullmatch(variable.get("name", ""))
+        ours = "." in variable.get("name", "")  # else of the scene, which may say nothing
+        assert variable.get("description") or not ours
+        assert variable.find("Real") is not None or variable.get("causality") == "parameter"
+
+
+# ---------------------------------------------------------------------------------------- ramps
+
+
+def test_a_ramped_input_arrives_at_the_end_of_the_step():
+    with instance(scene_fmu("double_wishbone")) as fmu:
+        fmu.initialise()
+        fmu.set(road=0.004)
+        assert fmu.get("patch.z") == 0.0
+        assert fmu.step(0.0, 0.01)
+        assert fmu.get("patch.z") == pytest.approx(0.004, abs=1e-16)
+        assert fmu.get("patch.vz") == pytest.approx(0.4, rel=1e-9)
+        assert fmu.step(0.01, 0.01)
+        assert (fmu.get("patch.z"), fmu.get("patch.vz")) == pytest.approx((0.004, 0.0), abs=1e-12)
+        assert abs(fmu.get("energy.error")) < 1e-11
+
+
+@pytest.mark.parametrize("name", RAMPED)
+def test_a_state_saved_in_the_middle_of_a_ramp_repeats_bit_for_bit(name):
+    integrator = moved(name)
+    h = integrator.model.experiment.step_size
+    with instance(scene_fmu(name)) as fmu, instance(scene_fmu(name)) as other:
+        fmu.initialise()
+        drive(fmu, integrator, 0, 5)
+        target = inputs_at(integrator, 7)
+        fmu.set(**target)  # they are to arrive there at the end of a step that is not yet done
+        state = fmu.fmu.getFMUState()
+        data = fmu.fmu.serializeFMUState(state)
+        expected = fmu.run(5 * h, h, 4)
+        fmu.fmu.setFMUState(state)
+        assert [fmu.get(each) for each in target] == list(target.values())
+        assert fmu.run(5 * h, h, 4) == expected
+        other.fmu.setFMUState(other.fmu.deserializeFMUState(data))
+        assert other.run(5 * h, h, 4) == expected
+        # A shorter step after the rollback ramps to the same value, sooner.
+        fmu.fmu.setFMUState(state)
+        fmu.run(5 * h, h / 2, 2)
+        assert fmu.get("energy.error") < 1e-11
+        fmu.fmu.freeFMUState(state)
+
+
+# ------------------------------------------------------------------------------------- settings
+
+
+@pytest.mark.parametrize("order", [2.0, 4.0, 6.0, 8.0])
+def test_the_order_is_a_setting(order):
+    integrator = Integrator(solver.assemble(solver.load(SCENES / "stewart.toml")))
+    integrator["solver.order"] = order
+    integrator.initialise(0.0)
+    with instance(scene_fmu("stewart")) as fmu:
+        fmu.initialise(solver__order=order)
+        assert fmu.get("solver.order") == order
+        drive(fmu, integrator, 0, 3)
+
+
+def test_an_order_that_no_composition_has_is_refused():
+    with instance(scene_fmu("stewart")) as fmu:
+        fmu.initialise(solver__order=3.0)
+        assert "solver.order: must be 2, 4, 6 or 8" in fmu.log[-1][2]
+        assert not fmu.step(0.0, 0.01)
+
+
+def test_what_the_inputs_contradict_is_closed_only_where_that_is_asked_for():
+    # A leg that is 0.1 m longer than drawn.
+    with instance(scene_fmu("stewart")) as fmu:
+        fmu.initialise(leg1=0.1, solver__assemble=False)
+        assert not fmu.step(0.0, 0.02)
+        assert fmu.get("solver.status") == status.ASSEMBLY_FAILED
+        assert "driver 'drive1'" in fmu.log[-1][2]
+        fmu.fmu.reset()
+        fmu.initialise(leg1=0.1, solver__assemble=True)
+        assert fmu.get("constraint.position") < 1e-12
+        assert fmu.get("platform.z") > 1.2 + 1e-3
+        assert fmu.step(0.0, 0.02)
+
+
+def test_an_fmu_can_begin_in_its_equilibrium():
+    # 0.0981 m below the end of the spring, as m g/k says, and it stays there.
+    with instance(scene_fmu("spring_pendulum")) as fmu:
+        fmu.initialise(solver__start="equilibrium")
+        for k in range(20):
+            assert fmu.get("A.z") == pytest.approx(-0.9981, abs=1e-9)
+            assert fmu.step(0.1 * k, 0.1)
