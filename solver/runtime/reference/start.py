@@ -35,9 +35,12 @@ def constrained(
     """
     scale = np.concatenate([mechanism.m_node[: len(f)], mechanism.sigma]) ** -0.5
     K = np.block([[M, G.T], [G, np.zeros((len(g), len(g)))]])
-    K = scale[:, None] * K * scale
-    solution = scale * np.linalg.lstsq(K, scale * np.concatenate([f, g]), rcond=RANK)[0]
-    return solution[: len(f)], solution[len(f) :]
+    K, b = scale[:, None] * K * scale, scale * np.concatenate([f, g])
+    inverse = np.linalg.pinv(K, rcond=RANK)
+    y = np.zeros(len(b))
+    for _ in range(3):  # what rounding leaves is solved for again
+        y += inverse @ (b - K @ y)
+    return scale[: len(f)] * y[: len(f)], scale[len(f) :] * y[len(f) :]
 
 
 def rows_of(mechanism: Mechanism, motion: Motion) -> tuple[Array, Array, Array]:
