@@ -71,4 +71,4 @@ def output_references(folder: Path) -> list[int]:
 if __name__ == "__main__":
     sys.stdout.write(main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), float(sys.argv[4])))
     sys.stdout.flush()
-    os._exit(0)  # pythonfmu's exit handlers read freed memory (docs/fmu.md, section 4)
+    os._exit(0)  # pythonfmu's exit handlers read freed memory (docs/fmu.md, section 5)
