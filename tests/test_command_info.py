@@ -8,6 +8,7 @@ import pytest
 
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
+from tests.test_archive import repack
 
 DOUBLE_ROD = """
 name = "double_rod"
@@ -86,6 +87,16 @@ def test_rolling_takes_freedom_from_velocities_alone(capsys):
 def test_drivers_are_named_whether_they_move_joints_or_points(capsys, name, drivers, motions):
     found = info(capsys, SCENES / f"{name}.toml")
     assert (found["drivers"], found["prescribed_motions"]) == (drivers, motions)
+
+
+def test_an_fmu_of_an_earlier_format_is_not_read_as_one_of_this(capsys, tmp_path):
+    def earlier(path, data):
+        return path, data.replace(b'"format":2', b'"format":1') if "model.bin" in path else data
+
+    old = repack(scene_fmu("four_bar"), tmp_path / "old.fmu", earlier)
+    code, out, err = run(capsys, "info", old)
+    assert (code, out) == (2, "")
+    assert "another format than 2" in err
 
 
 # --------------------------------------------------------------------------------- equilibrium
