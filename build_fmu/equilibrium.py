@@ -26,7 +26,7 @@ AXES = ("x", "y", "z")
 TABLES = ("positions", "orientations", "joints", "forces", "reactions")
 
 MOVING = 1e-9
-"""Rates of rows above this, 1/s over the size of a row, mean that a driver moves."""
+"""Velocities (m/s, rad/s) and rates of rows (1/s) above this mean that a driver moves."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +77,7 @@ def find_equilibrium(model: Model) -> Equilibrium:
     values = integrator.get([i for i, _ in outputs])
     grids: dict[str, Grid] = {table: {} for table in TABLES}
     whole: dict[str, float] = {}
+    fastest = 0.0
     kinds = _kinds(model)
     for (_, variable), value in zip(outputs, values, strict=True):
         table, part, quantity = _place(variable, kinds)
@@ -84,11 +85,13 @@ def find_equilibrium(model: Model) -> Equilibrium:
             grids[table].setdefault(part, {})[quantity] = float(value)
         else:
             whole[variable.name] = float(value)
+        if variable.unit in ("m/s", "rad/s") or variable.name == "constraint.velocity":
+            fastest = max(fastest, abs(float(value)))
     return Equilibrium(
         **grids,
         outputs={name: value for name, value in whole.items() if "." not in name},
         potential_energy=whole["energy.potential"],
-        held=whole["constraint.velocity"] > MOVING,
+        held=fastest > MOVING,
     )
 
 
