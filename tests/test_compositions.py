@@ -145,3 +145,20 @@ def test_the_squeezer_meets_the_published_angles_with_600_pairs_in_one_run():
     found = run("andrews", [*ANDREWS, *QUIET], 0.03 / 120, 0.03, order=4)[-1]
     assert angles_of_the_test_set(found[:7]) == pytest.approx(ANDREWS_AT_30_MS, abs=1e-6)
     assert found[7:].max() < 1e-12
+
+
+@pytest.mark.parametrize("order", [4, 6])
+@pytest.mark.parametrize(
+    "load",
+    [
+        'type = "torsion_damper"\njoint = "elbow"\ndamping = 0.2\n',
+        'type = "joint_torque"\njoint = "elbow"\nvalue = "sin(3*t)"\n',
+    ],
+    ids=["damper", "torque of time"],
+)
+def test_dampers_and_loads_of_time_keep_the_order(load, order):
+    drawn = solver.loads(MANIPULATOR + "[forces.load]\n" + load)
+    exact = end(drawn, [*PLACES, *RATES], 1.0, 80, 8)
+    steps = (8, 12, 16)
+    errors = [np.abs(end(drawn, [*PLACES, *RATES], 1.0, n, order) - exact).max() for n in steps]
+    assert observed_order([1 / n for n in steps], errors) == pytest.approx(order, abs=0.2)
