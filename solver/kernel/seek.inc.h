@@ -4,6 +4,31 @@
    is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium.
    Included once per dimension, after advance.inc.h.                                                              */
 
+/* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */
+static int32_t seek_increment(context *c, double *increment, double *size)
+{
+    const holonom_model *m = c->m;
+    const double longest = 0.3 * c->number[m->extent_at + 1];
+    double increment2 = 0.0, size2 = 0.0;
+    gather_rhs(c);
+    hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
+    for (int32_t a = 0; a < m->n_free; a++) {
+        const double *x = c->k.rhs + m->node_position[a];
+        increment2 += c->number[m->node_mass_at + a] * dot(x, x);
+    }
+    *increment = sqrt(increment2);
+    if (!(*increment < 1e150)) return HOLONOM_NOT_FINITE;
+    const double part = *increment > longest ? longest / *increment : 1.0;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        const double *x = c->k.rhs + m->node_position[a];
+        EACH(k) c->k.w[DIM * a + k] = c->k.d[DIM * a + k] += part * x[k];
+        size2 += c->number[m->node_mass_at + a] * dot(c->k.d + DIM * a, c->k.d + DIM * a);
+    }
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.lambda[i] = c->k.mu[i] += part * c->k.rhs[m->row_position[i]];
+    *size = sqrt(size2);
+    return HOLONOM_OK;
+}
+
 /* One such step of length h; its size in the mass norm. Multipliers start from c->s.mu[0]. */
 static int32_t seek_step(context *c, double h, double *size)
 {
@@ -21,22 +46,11 @@ static int32_t seek_step(context *c, double h, double *size)
     }
     int32_t status = evaluate_residual(c);
     for (int iteration = 0; !status && iteration < 60; iteration++) {
-        double increment2 = 0.0, size2 = 0.0;
+        double increment;
         if ((status = factorise(c))) break;
-        gather_rhs(c);
-        hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
-        for (int32_t a = 0; a < m->n_free; a++) {
-            const double mass = c->number[m->node_mass_at + a];
-            const double *x = c->k.rhs + m->node_position[a];
-            EACH(k) c->k.w[DIM * a + k] = c->k.d[DIM * a + k] += x[k];
-            increment2 += mass * dot(x, x);
-            size2 += mass * dot(c->k.d + DIM * a, c->k.d + DIM * a);
-        }
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.lambda[i] = c->k.mu[i] += c->k.rhs[m->row_position[i]];
-        *size = sqrt(size2);
-        if (!(increment2 < 1e300)) status = HOLONOM_NOT_FINITE;
-        else status = evaluate_residual(c);
-        const double increment = sqrt(increment2), defect = constraint_defect(c);
+        if ((status = seek_increment(c, &increment, size))) break;
+        status = evaluate_residual(c);
+        const double defect = constraint_defect(c);
         if (!status && defect <= tolerance && (increment <= floor || (increment > 0.5 * last && increment <= 100.0 * floor)))
             break;
         last = increment;

@@ -112,11 +112,18 @@ static int32_t solve_at_state(context *c, const double *weight)
         EACH(k) c->k.value[m->mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
     }
     if (hm_lu_factor(size, m->lu_ptr, m->lu_target, c->k.value)) return HOLONOM_SINGULAR_TANGENT;
-    for (int repeat = 0; repeat < 4; repeat++) {
+    double largest = 0.0, change = INFINITY;
+    for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         for (int32_t i = 0; i < m->n_rows; i++) c->k.constraint[i] = c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i];
         gather_rhs(c);
         hm_lu_solve(size, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] = c->k.rhs[m->row_position[i]];
+        largest = change = 0.0;
+        for (int32_t i = 0; i < m->n_rows; i++) {
+            const double mu = c->k.rhs[m->row_position[i]];
+            change = fmax(change, c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
+            largest = fmax(largest, c->number[m->row_sigma_at + i] * fabs(mu));
+            c->k.mu[i] = mu;
+        }
     }
     return HOLONOM_OK;
 }
@@ -163,37 +170,42 @@ static void row_biases(context *c)
         c->k.phi[i] = 2.0 * dot(vu, vw); /* v'Hv */
     }
     for (int32_t k = m->n_form_rows; k < m->n_form_rows + DIM * m->n_coincidences; k++) c->k.phi[k] = 0.0;
-    if (m->n_driven) { /* what the driven nodes' accelerations add */
-        const double delta = 1e-2 * c->s.head[S_STEP_SIZE], zero = 0.0;
+    if (m->n_driven) {
+        const double delta = 1e-2 * c->s.head[S_STEP_SIZE];
         for (int side = 1; side >= -1; side -= 2) {
             signal_rates_at(c, c->t + side * delta, c->k.signal_rate);
             for (int32_t b = 0; b < DIM * m->n_driven; b++)
                 c->k.w[DIM * m->n_free + b] += side * c->k.signal_rate[b] / (2.0 * delta);
         }
-        for (int32_t b = 0; b < m->n_signals; b++) c->k.signal_rate[b] = zero;
-        row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, ahead);
-        for (int32_t i = 0; i < m->n_form_rows + DIM * m->n_coincidences + m->n_function_rows; i++)
-            c->k.phi[i] += ahead[i];
     }
     memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
 }
 
-/* First multipliers and accelerations from  M a + G' lambda = Q,  G a = -bias. */
+/* First multipliers and accelerations from  M a + G' lambda = Q,  G a = -bias, refined: light directions cost digits. */
 static int32_t first_multipliers(context *c)
 {
     const holonom_model *m = c->m;
     const size_t rows = sizeof(double) * (size_t)m->n_rows, driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    double *mu = c->s.mu[0], *rate = c->k.step_backup;
+    int32_t status = HOLONOM_OK;
     stand_still(c);
     row_biases(c);
-    memcpy(c->k.lambda, c->k.phi, rows); /* kept while the residual is evaluated */
-    c->h = sqrt(2.0);
-    int32_t status = forces_at_state(c);
-    memcpy(c->k.phi, c->k.lambda, rows);
+    memcpy(c->k.lambda, c->k.phi, rows); /* kept while residuals are evaluated */
+    memset(mu, 0, rows);
+    memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
+    for (int refinement = 0; refinement < 4; refinement++) {
+        c->h = sqrt(2.0);
+        memcpy(c->k.mu, mu, rows);
+        if ((status = forces_at_state(c))) return status;
+        row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = c->k.lambda[i] + rate[i];
+        if ((status = solve_at_state(c, NULL))) return status;
+        for (int32_t a = 0; a < m->n_free; a++)
+            EACH(k) c->k.w[DIM * a + k] += c->k.rhs[m->node_position[a] + k];
+        for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
+    }
+    memcpy(c->k.mu, mu, rows);
     memset(c->k.lambda, 0, rows);
-    if (!status) status = solve_at_state(c, NULL);
-    if (status) return status;
-    for (int32_t a = 0; a < m->n_free; a++)
-        EACH(k) c->k.w[DIM * a + k] = c->k.rhs[m->node_position[a] + k];
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
@@ -201,10 +213,9 @@ static int32_t first_multipliers(context *c)
     memcpy(c->s.driven[1], c->s.driven[0], driven);
     memcpy(c->s.driven_mean, c->s.driven[0], driven);
     memcpy(c->s.driven_mean_before, c->s.driven[0], driven);
-    memcpy(c->s.mu[0], c->k.mu, rows);
-    memcpy(c->s.mu[1], c->k.mu, rows);
-    memcpy(c->s.mean, c->k.mu, rows);
-    memcpy(c->s.mean_before, c->k.mu, rows);
+    memcpy(c->s.mu[1], mu, rows);
+    memcpy(c->s.mean, mu, rows);
+    memcpy(c->s.mean_before, mu, rows);
     c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
     return HOLONOM_OK;
 }
