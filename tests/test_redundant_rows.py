@@ -131,8 +131,7 @@ def test_without_a_load_across_the_plane_nothing_acts_there():
             assert np.abs(run[f"{joint}.{quantity}"]).max() < 1e-9
 
 
-def test_two_equal_rods_share_what_one_carries():
-    text = """
+ROD = """
 name = "twin"
 dimension = 2
 gravity = [0, -9.81]
@@ -142,11 +141,32 @@ A = { position = [1, 0], mass = 2.0 }
 [joints]
 one = { type = "distance", points = ["O", "A"] }
 """
-    twin = text + 'two = { type = "distance", points = ["O", "A"] }\n'
-    single, double = (moved(solver.loads(each)) for each in (text, twin))
+TWIN = ROD + 'two = { type = "distance", points = ["O", "A"] }\n'
+
+
+def test_two_equal_rods_share_what_one_carries():
+    single, double = (moved(solver.loads(text)) for text in (ROD, TWIN))
     assert double["A.x"] == pytest.approx(single["A.x"], abs=1e-12)
     assert double["one.force"] == pytest.approx(0.5 * single["one.force"], abs=1e-9)
     assert double["two.force"] == pytest.approx(0.5 * single["one.force"], abs=1e-9)
+
+
+def test_a_stress_between_two_rods_is_forgotten_without_moving_anything():
+    # One pulls as the other pushes: nothing determines it, and 20000 pairs leave exp(-20) of it.
+    calm, tense = (solver.Integrator(solver.assemble(solver.loads(TWIN))) for _ in range(2))
+    for integrator in (calm, tense):
+        integrator.initialise()
+        integrator.advance(0.0, 1.0)
+    for name in ("mu_first", "mu_second", "mean", "mean_before"):
+        tense.state.vectors[name][0] += 50.0
+        tense.state.vectors[name][1] -= 50.0
+    for integrator in (calm, tense):
+        integrator.advance(1.0, 0.1)
+    assert abs(float(tense["one.force"]) - float(tense["two.force"])) > 50.0
+    for integrator in (calm, tense):
+        integrator.advance(1.1, 200.0)
+    assert tense["one.force"] == pytest.approx(float(tense["two.force"]), abs=1e-6)
+    assert tense["A.x"] == pytest.approx(float(calm["A.x"]), abs=1e-9)
 
 
 def multipliers(mechanism: solver.Scene, seconds: float) -> tuple[Array, float]:
