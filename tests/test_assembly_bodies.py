@@ -97,8 +97,8 @@ def test_a_rod_keeps_its_transverse_inertia_and_gets_the_least_spin_inertia(axes
     found = np.trace(E) * np.eye(3) - E
     for k in axes[1:]:
         assert found[k, k] == pytest.approx(size, rel=1e-14)
-    # The sum of two eigenvalues 10^10 apart: the last digits of the small one are rounding.
-    assert found[axes[0], axes[0]] == pytest.approx(2 * FLOOR * size, rel=1e-5)
+    # The sum of two eigenvalues 10^7 apart: the last digits of the small one are rounding.
+    assert found[axes[0], axes[0]] == pytest.approx(2 * FLOOR * size, rel=1e-7)
     assert np.linalg.eigvalsh(E).min() >= 0.999 * FLOOR * size
 
 

@@ -52,7 +52,7 @@ def test_correcting_one_mistake_leaves_exactly_the_others():
         ("minimum", "min"),
         ('"lenght"', '"length"'),
         ("fixed = 1", "fixed = true"),
-        ("order = 4", "order = 2"),
+        ("order = 3", "order = 2"),
         ("stop_time = -1.0", "stop_time = 1.0"),
         ('"1 +"', '"1 + 1"'),
     ]:

@@ -47,6 +47,17 @@ damping = "1 - 50*t"
 """
 )
 
+SPINNING = """
+name = "spinning"
+dimension = 2
+[bodies.wheel]
+position = [0, 0]
+mass = 1.0
+inertia = 1.0
+angular_velocity = 4000.0
+"""
+"""Turns by 3.1 rad in a half step of 0.1/64 s."""
+
 FAILURES = {
     Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
     Status.UZAWA_DIVERGED: (PENDULUM, {"penalty": 1e-3, "max_uzawa": 3}, {}, 0.1),
@@ -55,6 +66,7 @@ FAILURES = {
     Status.ZERO_LENGTH: (SPRUNG.replace("[0, 0.3]", "[0, 0]"), {}, {"free_length": 0.1}, 0.1),
     Status.BAD_STEP: (PENDULUM, {}, {}, 1e12),
     Status.BAD_LAW: (TIRING, {}, {}, 0.1),
+    Status.TURN_TOO_LARGE: (SPINNING, {"step_size": 0.1}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
 

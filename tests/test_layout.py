@@ -24,8 +24,9 @@ def test_the_sizes_are_the_integers_of_the_structure():
         for name in line.split(",")
     ]
     sizes = [name for name in names if not name.endswith("_at")]
-    place = sizes.index("n_tape[3]")
-    sizes[place : place + 1] = ["n_tape_parameters", "n_tape_laws", "n_tape_outputs"]
+    place = sizes.index("n_tape[4]")
+    segments = ("parameters", "laws", "signals", "outputs")
+    sizes[place : place + 1] = [f"n_tape_{name}" for name in segments]
     assert tuple(sizes) == SIZES
     assert tuple(name.removesuffix("_at") for name in names if name.endswith("_at")) == OFFSETS
 

@@ -100,9 +100,9 @@ def two_links(scale: float):
     for entry in range(len(model.tables["form_node"])):
         numbers[model.offsets["alpha"] + entry] /= scale
         numbers[model.offsets["beta"] + entry] *= scale
-    tables = {**model.tables, "form_square": model.tables["form_square"][:]}
+    tables = {**model.tables, "form_kind": model.tables["form_kind"][:]}
     for form in range(model.sizes["n_forms"]):
-        tables["form_square"][form] = 0
+        tables["form_kind"][form] = 0
     return model._replace(numbers=numbers, tables=tables)
 
 
@@ -156,14 +156,12 @@ angle = { type = "distance", points = ["A", "B"] }
         numbers[offsets["alpha"] + first + place] = value[0]
         numbers[offsets["beta"] + first + place] = value[1]
     numbers[offsets["row_constant"] + 2] = -0.36 + 0.64
-    numbers[offsets["row_scale"] + 2] = 1.0
-    tables = {**model.tables, "form_square": model.tables["form_square"][:]}
-    tables["form_square"][form] = 0
+    numbers[offsets["row_base"] + 2] = 1.0
+    tables = {**model.tables, "form_kind": model.tables["form_kind"][:]}
+    tables["form_kind"][form] = 0
     tape = model.tables["tape"][:0]
     sizes = {**model.sizes, "n_tape_parameters": 0}
-    return model._replace(
-        numbers=numbers, tables={**tables, "tape": tape}, sizes=sizes, row_names=model.row_names
-    )
+    return model._replace(numbers=numbers, tables={**tables, "tape": tape}, sizes=sizes)
 
 
 def test_a_product_of_two_different_vectors_can_be_held():

@@ -216,9 +216,6 @@ assemble = true
     return float(run["constraint.velocity"][0])
 
 
-@pytest.mark.xfail(
-    reason="each round starts from the given velocity again, so that 1/16 of what contradicts stays"
-)
 @pytest.mark.parametrize(
     "drawn",
     [

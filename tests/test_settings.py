@@ -15,9 +15,7 @@ from tests.twins import PENDULUM
 
 
 def test_scene_and_runtime_have_the_same_settings_and_defaults():
-    fields = dataclasses.asdict(SolverSettings())
-    assert fields.pop("order") == 2
-    assert fields == options.DEFAULTS
+    assert dataclasses.asdict(SolverSettings()) == options.DEFAULTS
 
 
 def test_what_the_scene_file_leaves_out_is_the_default():
@@ -47,6 +45,13 @@ def test_scene_and_runtime_have_the_same_ranges(name):
         with pytest.raises(solver.OptionError, match=f"^solver.{name}: must be"):
             options.encode(name, value)
     assert holds(0.0) == (low < 0.0)
+
+
+def test_scene_and_runtime_know_the_same_orders():
+    assert get_args(schema.Solver.model_fields["order"].annotation) == options.ORDERS
+    for value in (3, 10, True, "2"):
+        with pytest.raises(solver.OptionError, match=r"^solver\.order: must be 2, 4, 6 or 8"):
+            options.encode("order", value)
 
 
 def test_a_scene_made_by_hand_with_a_setting_out_of_range_is_reported_too():

@@ -151,6 +151,7 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     const int64_t n = count < 1.0 ? 1 : (int64_t)count;
     const double start = head[S_TIME], h = step / (double)n;
     int32_t status = HOLONOM_OK;
+    load_inputs(&c, start); /* functions may read parameters where they stand */
     status = start_ramps(&c, step);
     set_laws(&c, start, 0);
     for (int64_t i = 0; i < n && !status; i++) {

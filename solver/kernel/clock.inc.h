@@ -71,5 +71,4 @@ static void signal_rates_at(context *c, double t, double *rate)
         for (int32_t b = 0; b < m->n_signals; b++) rate[b] += weight[i] / (12.0 * delta) * c->number[m->signal_at + b];
     }
     c->number[m->time_at] = law_time;
-    memcpy(c->number + m->signal_at, c->s.signal, sizeof(double) * (size_t)m->n_signals);
 }

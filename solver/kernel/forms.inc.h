@@ -220,7 +220,7 @@ static double row_compliance(const context *c, int32_t i)
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {
     case HOLONOM_CONSERVING_AL:
-    case HOLONOM_CONSERVING_BETA: return c->h * c->h * sigma / (2.0 * chi);
+    case HOLONOM_CONSERVING_AL_BETA: return c->h * c->h * sigma / (2.0 * chi);
     case HOLONOM_MIDPOINT_AL: return c->h * c->h * sigma / (4.0 * chi);
     case HOLONOM_CONSERVING_PENALTY: return configured * configured * sigma / (2.0 * chi);
     case HOLONOM_MIDPOINT_PENALTY: return configured * configured * sigma / (4.0 * chi);
@@ -230,7 +230,7 @@ static double row_compliance(const context *c, int32_t i)
 
 static inline int is_conserving(const context *c)
 {
-    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_BETA ||
+    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_AL_BETA ||
            c->formulation == HOLONOM_CONSERVING_PENALTY || is_seeking(c);
 }
 

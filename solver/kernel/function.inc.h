@@ -104,7 +104,7 @@ static int32_t function_slopes(context *c, int32_t j, int tangent, composite_res
     if (tangent) function_tangent(c, j, matrix);
     result->change = is_velocity_row(c, j) ? c->h * c->k.r.r0[last] : c->k.r.dr[last];
     result->row = is_seeking(c) && !is_velocity_row(c, j) ? c->k.r.r0[last] : result->change;
-    if (c->formulation != HOLONOM_CONSERVING_BETA || j >= first_velocity_row(c) || is_seeking(c)) {
+    if (c->formulation != HOLONOM_CONSERVING_AL_BETA || j >= first_velocity_row(c) || is_seeking(c)) {
         result->mechanical = gather_slopes(c, j);
         return HOLONOM_OK;
     }

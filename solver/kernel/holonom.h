@@ -51,7 +51,7 @@ enum holonom_formulation {
     HOLONOM_CONSERVING_PENALTY = 2, /* eqs 9 and 11                                                   */
     HOLONOM_MIDPOINT_PENALTY = 3,   /* eq 7                                                           */
     HOLONOM_PENALTY_VELOCITY = 4,   /* eq 3 under the midpoint rule                                   */
-    HOLONOM_CONSERVING_BETA = 5     /* eq 15, function rows with the intermediate configuration of eq 8 */
+    HOLONOM_CONSERVING_AL_BETA = 5     /* eq 15, function rows with the intermediate configuration of eq 8 */
 };
 
 /* Structure of a model: integers only, fixed when the mechanism is assembled. The numbers that belong to it

@@ -66,19 +66,21 @@ static void take_over(context *c)
     memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
 }
 
-/* Velocities next to those given, in the mass metric, that the rows allow; given ones weigh so much that they stay. */
-static int32_t make_velocities_consistent(context *c)
+/* Velocities next to those given, in the mass metric, that the rows allow. Given ones weigh so much that they stay
+   unless the rows contradict them; what weights give way is put back, and in the end the rows have their way.     */
+static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const holonom_model *m = c->m;
-    const double *weight = c->number + m->velocity_weight_at, *given = c->number + m->initial_velocity_at;
-    for (int round = 0; round < 3; round++) {
-        for (int32_t k = 0; k < DIM * m->n_free; k++)
+    const double *weight = keep_given ? c->number + m->velocity_weight_at : NULL;
+    const double *given = c->number + m->initial_velocity_at;
+    for (int round = keep_given ? 0 : 3; round < 4; round++) {
+        for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
             if (weight[k / DIM] > 1.0) c->s.v[k] = given[k];
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-        const int32_t status = solve_at_state(c, weight);
+        const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
         if (status) return status;
         for (int32_t a = 0; a < m->n_free; a++)
             EACH(k) c->s.v[DIM * a + k] += c->k.rhs[m->node_position[a] + k];
@@ -95,7 +97,7 @@ static int32_t close_mechanism(context *c)
     c->forceless = 0;
     if (status == HOLONOM_NEWTON_DIVERGED || !status) take_over(c);
     else return status;
-    return make_velocities_consistent(c);
+    return make_velocities_consistent(c, 1);
 }
 
 static int32_t settle(context *c)
@@ -115,7 +117,8 @@ static int32_t settle(context *c)
         small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * c->s.head[S_STEP_SIZE] ? small + 1 : 0;
         if (h < 1e6 * c->s.head[S_STEP_SIZE]) h *= 4.0;
     }
-    return small < 2 ? HOLONOM_NEWTON_DIVERGED : HOLONOM_OK;
+    if (small < 2) return HOLONOM_NEWTON_DIVERGED;
+    return m->n_signals ? make_velocities_consistent(c, 0) : HOLONOM_OK; /* at rest, but for what drivers move */
 }
 
 /* Configuration, signals and velocities at the beginning, before anything is derived from them. */
@@ -169,7 +172,7 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     stand_still(&c);
     int32_t status = derive_scales(&c);
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
-    else if (!status && m->n_signals) status = make_velocities_consistent(&c); /* those not given follow the drivers */
+    else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = settle(&c);
     if (!status) status = first_multipliers(&c);
     if (status) return status;

@@ -121,7 +121,7 @@ static int32_t solve_at_state(context *c, const double *weight)
         for (int32_t i = 0; i < m->n_rows; i++) {
             const double mu = c->k.rhs[m->row_position[i]];
             change = fmax(change, c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
-            largest = fmax(largest, c->number[m->row_sigma_at + i] * fabs(mu));
+            largest = fmax(largest, c->k.epsilon[i] * fabs(mu));
             c->k.mu[i] = mu;
         }
     }

@@ -23,7 +23,7 @@ from solver.mechanics.equations import (
     Scale,
 )
 from solver.mechanics.frames import BarFrame, RigidFrame
-from solver.mechanics.inertia import FLOOR, euler_tensor, floored, minors
+from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, minors
 from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.vectors import (
     Matrix,
@@ -185,7 +185,7 @@ def _add_inertia(
     if max(abs(mechanism.default(x)) for row in E for x in row) == 0.0:
         least = _least_inertia(mechanism, frame, body, places, part)
         E = tuple(scale(least, row) for row in identity(3))
-    E = floored(E, mechanism.default)
+    E = floored(E, mechanism.default, FLOOR if list(places) else FREE_FLOOR)
     # Norms and penalties take the largest: what holds a light direction is its body, and a penalty
     # scaled with its own small inertia would make Uzawa's iteration slow.
     largest = max((E[i][i] for i in range(3)), key=mechanism.default)
@@ -202,7 +202,7 @@ def _least_inertia(
     """Return FLOOR m l^2 for a body without inertia, l the largest offset of its places.
 
     Forces at these places then turn it as they turn a point mass on massless arms: not at all, but
-    for a part in 10^10.
+    for a part in 10^7.
     """
     arms = [subtract(point, body.center_of_mass) for point in body.points.values()]
     arms += [subtract(place, frame.position) for place in places]

@@ -15,8 +15,11 @@ import numpy as np
 from solver.mechanics.vectors import Matrix, Vector, dot, times
 from solver.scene import Number
 
-FLOOR = 1e-10
-"""Least inertia of a director, relative to the largest; of a point-like body, to m l^2."""
+FLOOR = 1e-7
+"""Least inertia of a director, relative to the largest; of a point-like body, to m l^2. A hundredth
+of it fails where joints are redundant: their pivots, of 1e-8, drown in rounding."""
+FREE_FLOOR = 1e-10
+"""The same for a body that nothing holds."""
 ROUNDING = 1e-9
 """By how much the moments of inertia of a plate may miss the triangle inequality."""
 
@@ -42,19 +45,21 @@ def minors(E: Matrix) -> tuple[Number, Number, Number]:
     return a, plane, c * plane - a * f * f - b * e * e + 2.0 * d * e * f
 
 
-def floored(E: Matrix, default: Callable[[Number], float]) -> Matrix:
+def floored(
+    E: Matrix, default: Callable[[Number], float], least: float = FLOOR
+) -> Matrix:
     """Return E with enough inertia along each of its axes.
 
-    Along an axis v_k with less, FLOOR times the largest is given, and the axes that have enough
+    Along an axis v_k with less, `least` times the largest is given, and the axes that have enough
     give as much: the transverse inertias of a rod, the sums of two of E's eigenvalues, stay exact
     and only its spin inertia is biased. Axes and cases are those of the default values.
     """
     values, axes = _principal([[default(x) for x in row] for row in E])
     largest = max(range(3), key=lambda k: values[k])
-    thin = [k for k in range(3) if values[k] < FLOOR * values[largest]]
+    thin = [k for k in range(3) if values[k] < least * values[largest]]
     if not thin:
         return E
-    floor = FLOOR * dot(axes[largest], times(E, axes[largest]))
+    floor = least * dot(axes[largest], times(E, axes[largest]))
     lacking = {k: floor - dot(axes[k], times(E, axes[k])) for k in thin}
     mean: Number = 0.0
     for lack in lacking.values():

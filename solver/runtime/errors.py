@@ -88,3 +88,9 @@ SENTENCE = {
     ),
 }
 """What each status means, and the remedy."""
+
+NO_EQUILIBRIUM = (
+    "no static equilibrium was found from the drawn configuration; look for a part that nothing "
+    "holds, or draw it closer to where it comes to rest"
+)
+"""What is said where the setting start = "equilibrium" finds none."""

@@ -11,9 +11,10 @@ from .assembly_checks import (
     broken_rules,
     contradicted_rows,
     formulation_problems,
+    order_problems,
     rules_of_laws,
 )
-from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError
+from .errors import NO_EQUILIBRIUM, SENTENCE, AssemblyError, OptionError, Status, StepError
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
@@ -224,11 +225,15 @@ class Integrator:
         self._evaluate()
         problems = broken_rules(self.model.rules, self.engine.numbers)
         problems += formulation_problems(self.model, str(decode("formulation", self.state.head)))
+        problems += order_problems(self.model, self.engine.numbers, self.state.head["order"])
         if problems:
             raise AssemblyError("\n".join(problems))
         status = Status(self.engine.initialise())
         if status is not Status.OK:
-            message = f"the mechanism cannot be assembled: {SENTENCE[status]}"
+            sentence = SENTENCE[status]
+            if status is Status.NEWTON_DIVERGED and self.state.head["equilibrium"]:
+                sentence = NO_EQUILIBRIUM
+            message = f"the mechanism cannot be assembled: {sentence}"
             raise AssemblyError(message)
         self.phase = ASSEMBLED
         self._measured = False

@@ -40,7 +40,6 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
     "omega": (0.0, 1e9, "rad/s", "natural frequency of penalty-velocity"),
     "max_newton": (0.0, 1e3, "", "Newton iterations for one value of the multipliers"),
     "max_uzawa": (0.0, 1e3, "", "Uzawa updates in a step"),
-    "order": (0.0, 8.0, "", "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs a step"),
 }
 """Settings that are numbers: above the first, up to the second, unit, meaning.
 
@@ -50,6 +49,7 @@ MEANINGS = {
     "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),
     "algorithm": "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
     "multiplier_update": "with the constraint at the end of the step (end) or its mean (paper)",
+    "order": "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a step",
     "start": "begin as drawn, or at rest in the static equilibrium next to it",
     "assemble": "close a mechanism that is drawn inexactly, and make its velocities consistent",
     "paired": "advance by pairs of half steps, which makes velocities smooth",
@@ -60,7 +60,7 @@ MEANINGS = {
 GENERAL = ("conserving-al", "conserving-al-beta")
 """Formulations that know rows which are no quadratics: gears, drivers, formulas, rolling."""
 
-WHOLE = ("max_newton", "max_uzawa", "order")
+WHOLE = ("max_newton", "max_uzawa")
 
 ORDERS = (2.0, 4.0, 6.0, 8.0)
 """Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
@@ -101,14 +101,15 @@ def encode(name: str, value: object) -> tuple[str, float]:
             message = f"solver.{name}: must be true or false, got {value!r}"
             raise OptionError(message)
         return name, float(bool(value))
+    if name == "order":
+        if value not in ORDERS or isinstance(value, bool):
+            message = f"solver.order: must be 2, 4, 6 or 8, got {value!r}"
+            raise OptionError(message)
+        return name, float(value)  # type: ignore[arg-type]
     if name not in RANGES:
         message = f"solver.{name}: no such setting; known are {', '.join(DEFAULTS)}"
         raise OptionError(message)
-    number = _in_range(name, value)
-    if name == "order" and number not in ORDERS:
-        message = f"solver.order: must be 2, 4, 6 or 8, got {value!r}"
-        raise OptionError(message)
-    return name, number
+    return name, _in_range(name, value)
 
 
 def _in_range(name: str, value: object) -> float:

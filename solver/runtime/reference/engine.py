@@ -105,6 +105,8 @@ class Reference:
             assemble_velocities(mechanism, motion, signal_rates)
         if head["equilibrium"]:
             find_equilibrium(mechanism, motion)
+            if len(signal_rates):
+                assemble_velocities(mechanism, motion, signal_rates, keep_given=False)
         lam, a, driven_force = first_multipliers(mechanism, motion, self._clock)
         for half in (0, 1):
             motion.mu[half][:], motion.a[half][:] = lam, a

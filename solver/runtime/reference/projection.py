@@ -88,8 +88,10 @@ class Seeking:
             size = mechanism.norm(dd)
             if not size < 1e150:
                 raise UnsolvedError(Status.NOT_FINITE)
-            d[: len(dd)] += dd
-            mu = mu + dmu
+            longest = 0.3 * float(mechanism.section["extent"][1])
+            part = longest / size if size > longest else 1.0
+            d[: len(dd)] += part * dd
+            mu = mu + part * dmu
             stalled = size > 0.5 * last and size <= 100.0 * floor
             done = self.defect(d) <= tolerance and (size <= floor or stalled)
             if done:
@@ -107,21 +109,26 @@ def assemble_positions(mechanism: Mechanism, motion: Motion) -> None:
     add(motion.q, motion.q_low, d)
 
 
-def assemble_velocities(mechanism: Mechanism, motion: Motion, signal_rates: Array) -> None:
+def assemble_velocities(
+    mechanism: Mechanism, motion: Motion, signal_rates: Array, *, keep_given: bool = True
+) -> None:
     """Change velocities as little as is needed to those the rows allow: M_w (v - v_0) + G' mu = 0.
 
     M_w is the mass matrix, heavier where the scene gives a velocity: those stay as they are given,
-    unless the rows contradict them. What the weights give way is put back in the next round.
+    unless the rows contradict them. What the weights give way is put back in the next round; in
+    the last one the rows have their way.
     """
-    free, weight = slice(mechanism.n_free), mechanism.section["velocity_weight"]
-    given = np.repeat(weight, mechanism.dim)[free] > 1.0
-    a, b = mechanism.mass_node.T
-    weighted = mechanism.section["mass"] * np.sqrt(weight[a] * weight[b])
-    M = mechanism.mass_matrix(weighted)[free, free]
-    G = rows_of(mechanism, motion)[0][:, free]
+    free = slice(mechanism.n_free)
     v, nothing = motion.v[free], np.zeros(mechanism.n_free)
-    for _ in range(3):
-        v[given] = mechanism.section["initial_velocity"][free][given]
+    weight = mechanism.section["velocity_weight"]
+    given = np.repeat(weight, mechanism.dim)[free] > 1.0
+    G = rows_of(mechanism, motion)[0][:, free]
+    for weights in [*([weight] * 3 if keep_given else []), np.ones_like(weight)]:
+        if weights is weight:
+            v[given] = mechanism.section["initial_velocity"][free][given]
+        a, b = mechanism.mass_node.T
+        weighted = mechanism.section["mass"] * np.sqrt(weights[a] * weights[b])
+        M = mechanism.mass_matrix(weighted)[free, free]
         rate = row_rates(mechanism, motion, signal_rates)
         v += constrained(mechanism, M, G, nothing, -rate)[0]
 
