@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -53,7 +55,7 @@ def test_a_joint_keeps_second_order(dimension: int, kind: str) -> None:
     for h in (0.04, 0.02, 0.01):
         run = _run(pair(dimension, kind, h), 1.0, 1.0)
         ends.append(np.array([run[name][-1] for name in names]))
-    coarse, fine = (float(np.linalg.norm(a - b)) for a, b in zip(ends, ends[1:], strict=False))
+    coarse, fine = (float(np.linalg.norm(a - b)) for a, b in pairwise(ends))
     if coarse < 1e-9:
         assert kind == "fixed"  # one free body: its centre moves on a straight line
         return

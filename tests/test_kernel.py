@@ -37,8 +37,8 @@ CASES = [
 
 
 BLURRED = {"double_wishbone", "conserving-al-beta nested"}
-"""Where rounding is multiplied: a tyre of 200 kN/m beside an arm without thickness; the root beta of
-a function that is almost quadratic, for which almost every beta will do."""
+"""Where rounding is multiplied: a tyre of 200 kN/m beside an arm without thickness; the root beta
+of a function that is almost quadratic, for which almost every beta will do."""
 
 
 @cache

@@ -42,7 +42,8 @@ enum holonom_status {
     HOLONOM_ZERO_LENGTH = 5,       /* a line element or a turned link has length zero: no direction       */
     HOLONOM_BAD_STEP = 6,          /* step length is not a finite positive number                        */
     HOLONOM_BAD_LAW = 7,           /* a stiffness, free length or damping is negative or not a number       */
-    HOLONOM_TURN_TOO_LARGE = 8     /* a body would turn by more than 2.5 rad in a half step                 */
+    HOLONOM_TURN_TOO_LARGE = 8,    /* a body would turn by more than 2.5 rad in a half step                 */
+    HOLONOM_DAMPING_REVERSED = 9   /* over a step of order > 2, which goes back in between, dampers fed energy */
 };
 
 enum holonom_formulation {

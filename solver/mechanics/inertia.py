@@ -45,9 +45,7 @@ def minors(E: Matrix) -> tuple[Number, Number, Number]:
     return a, plane, c * plane - a * f * f - b * e * e + 2.0 * d * e * f
 
 
-def floored(
-    E: Matrix, default: Callable[[Number], float], least: float = FLOOR
-) -> Matrix:
+def floored(E: Matrix, default: Callable[[Number], float], least: float = FLOOR) -> Matrix:
     """Return E with enough inertia along each of its axes.
 
     Along an axis v_k with less, `least` times the largest is given, and the axes that have enough

@@ -81,18 +81,6 @@ def formulation_problems(model: Model, formulation: str) -> list[str]:
     ]
 
 
-def order_problems(model: Model, numbers: Doubles, order: float) -> list[str]:
-    """Return a sentence if a damped mechanism is to be advanced by steps that go back in between."""
-    at = model.offsets["damping"]
-    damping = numbers[at : at + model.sizes["n_elements"]]
-    if order == 2.0 or not any(damping):
-        return []
-    return [
-        f"solver.order: steps of order {order:g} go back in between, where dampers would feed "
-        "energy; use order 2 with dampers"
-    ]
-
-
 def contradicted_rows(model: Model, engine: Engine) -> list[str]:
     """Return one sentence for each part whose rows the drawn mechanism contradicts.
 

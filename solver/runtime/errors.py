@@ -50,6 +50,7 @@ class Status(IntEnum):
     BAD_STEP = 6
     BAD_LAW = 7
     TURN_TOO_LARGE = 8
+    DAMPING_REVERSED = 9
 
 
 SENTENCE = {
@@ -85,6 +86,10 @@ SENTENCE = {
     Status.TURN_TOO_LARGE: (
         "a body turns by more than 2.5 rad within a half step, even halved 6 times; "
         "a smaller solver.step_size is needed to tell which way it turns"
+    ),
+    Status.DAMPING_REVERSED: (
+        "dampers fed energy, even with the step halved 6 times: steps of an order above 2 go back "
+        "in between, too far for dampers so strong; use solver.order = 2 or a smaller step_size"
     ),
 }
 """What each status means, and the remedy."""

@@ -11,7 +11,6 @@ from .assembly_checks import (
     broken_rules,
     contradicted_rows,
     formulation_problems,
-    order_problems,
     rules_of_laws,
 )
 from .errors import NO_EQUILIBRIUM, SENTENCE, AssemblyError, OptionError, Status, StepError
@@ -225,7 +224,6 @@ class Integrator:
         self._evaluate()
         problems = broken_rules(self.model.rules, self.engine.numbers)
         problems += formulation_problems(self.model, str(decode("formulation", self.state.head)))
-        problems += order_problems(self.model, self.engine.numbers, self.state.head["order"])
         if problems:
             raise AssemblyError("\n".join(problems))
         status = Status(self.engine.initialise())

@@ -60,12 +60,13 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     """Return the offset and length of each vector of a state behind its head.
 
     ``q, q_low, v, v_low`` (n each, free and driven nodes): coordinates [m], velocities [m/s], and
-    what rounding left over; ``start`` (n): coordinates at the start; ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a
-    pair; ``mu_first, mu_second`` (n_rows each): last multipliers; ``mean, mean_before``: means of two
-    neighbours; ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of
-    angles; ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of
-    continuous sign; ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped input stands
-    at the present time, and how fast it arrived there.
+    what rounding left over; ``start`` (n): coordinates at the start; ``a_first, a_second`` (n
+    each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first, mu_second`` (n_rows each):
+    last multipliers; ``mean, mean_before``: means of two neighbours; ``driven_...`` likewise:
+    forces that move the driven nodes; ``turns``: full turns of angles; ``signal``: prescribed
+    values at the present time; ``quaternion``: of the bodies, of continuous sign; ``inputs,
+    parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at the present time,
+    and how fast it arrived there.
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {

@@ -197,12 +197,15 @@ class Reference:
             self._single_step(mechanism, t, h, int(head["parity"]))
             self._average_multipliers(t, h)
             return
+        dissipated = head["dissipated"] - 1e-9 * head["energy_reference"]
         for part in stages(int(head["order"])):
             half = 0.5 * h * part
             self._single_step(mechanism, t, half, 0)
             self._single_step(mechanism, t + half, half, 1)
             self._average_multipliers(t + half, half)
             t += 2.0 * half
+        if head["order"] != 2.0 and not head["dissipated"] >= dissipated:
+            raise UnsolvedError(Status.DAMPING_REVERSED)
 
     def _average_multipliers(self, time: float, h: float) -> None:
         """Keep the means of the last two multipliers and forces, of the time between them."""
