@@ -114,11 +114,13 @@ def survey(model: Model) -> Survey:
     if sizes["n_rows"] <= LARGEST_RANKED:
         G = constraint_jacobian(integrator)
         free = G[:, : dim * n_free]
-        redundant = sizes["n_rows"] - _rank(free)
+        rank = _rank(free)
+        redundant = sizes["n_rows"] - rank
         parts = _dependent(free, model.row_names) if redundant else ()
-        mobility = dim * (n_free + n_driven) - _rank(G[~driver & ~velocity])
-        freedom = dim * n_free - _rank(free[~velocity])
-        velocity_freedom = dim * n_free - _rank(free)
+        plain = drivers == 0 and not velocity.any()  # then all of them are the same rank
+        mobility = dim * (n_free + n_driven) - (rank if plain else _rank(G[~driver & ~velocity]))
+        freedom = dim * n_free - (rank if plain else _rank(free[~velocity]))
+        velocity_freedom = dim * n_free - rank
     points = [kind == 0 for kind in model.tables["node_kind"]]
     return Survey(
         moving_points=sum(points[: n_free + n_driven]),
