@@ -1,0 +1,146 @@
+"""Gears and racks: their freedom, what free trains keep, second order, and closed forms."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import solver
+from solver.mechanics.survey import survey
+from tests.geared_scenes import PLANAR, SPATIAL, TRAINS, train
+from tests.mechanism_runs import run
+
+EVERY_TRAIN = pytest.mark.parametrize(("dimension", "kind"), TRAINS)
+
+
+@EVERY_TRAIN
+def test_a_coupling_takes_one_freedom_from_its_two_joints(dimension: int, kind: str) -> None:
+    rows = (SPATIAL if dimension == 3 else PLANAR)[kind][4]
+    found = survey(solver.assemble(solver.loads(train(dimension, kind, 0.01))))
+    assert found.degrees_of_freedom == (18 if dimension == 3 else 9) - rows
+    assert found.redundant_rows == 0
+
+
+@EVERY_TRAIN
+def test_a_free_train_keeps_energy_and_momenta_for_ten_thousand_large_steps(
+    dimension: int, kind: str
+) -> None:
+    """0.1 s at 1 to 2 rad/s; angles run on for hundreds of turns, and the coupling holds them."""
+    found = solver.simulate(
+        solver.loads(train(dimension, kind, 0.1)), stop_time=1000.0, step_size=10.0
+    )
+    axes, turning = ("xy", "z") if dimension == 2 else ("xyz", "xyz")
+    energy = found["energy.total"]
+    assert np.ptp(energy) < 1e-11 * energy[0]
+    assert np.max(found["constraint.position"]) < 1e-12
+    for name, parts in (("momentum", axes), ("angular_momentum", turning)):
+        vector = np.stack([found[f"{name}.{axis}"] for axis in parts])
+        drift = np.max(np.abs(vector - vector[:, :1]))
+        assert drift < 1e-11 * np.linalg.norm(vector[:, 0])
+    angle = found["first.angle"]
+    assert np.ptp(angle) > 100 * 2 * np.pi
+    second = found["second.angle" if kind[0] == "g" else "second.displacement"]
+    # 1e-12: a few last digits of angles of 1000 rad.
+    assert second == pytest.approx((-1.5 if kind[0] == "g" else 0.12) * angle, abs=1e-12)
+
+
+@EVERY_TRAIN
+def test_a_train_keeps_second_order(dimension: int, kind: str) -> None:
+    names = ["B.x", "B.y", "B.vx", "B.vy", "first.angle", "first.angular_velocity"]
+    drawn = [solver.loads(train(dimension, kind, h)) for h in (0.04, 0.02, 0.01)]
+    ends = [run(scene, names, scene.solver.step_size, 1.0)[-1] for scene in drawn]
+    coarse, fine = (float(np.linalg.norm(a - b)) for a, b in pairwise(ends))
+    assert coarse > 1e-6
+    assert np.log2(coarse / fine) == pytest.approx(2.0, abs=0.15)
+
+
+def wheels(dimension: int, ratio: float) -> str:
+    """Two wheels on the ground, 0.3 and 0.2 kg.m2, geared; 0.6 N.m turn the first."""
+    axis = ", axis = [0, 0, 1]" if dimension == 3 else ""
+    at = ("0, 0", "1, 0") if dimension == 2 else ("0, 0, 0", "1, 0, 0")
+    inertia = ("0.3", "0.2") if dimension == 2 else ("[0.2, 0.2, 0.3]", "[0.1, 0.1, 0.2]")
+    return f"""
+name = "wheels"
+dimension = {dimension}
+[bodies]
+one = {{ position = [{at[0]}], mass = 1.0, inertia = {inertia[0]} }}
+two = {{ position = [{at[1]}], mass = 1.0, inertia = {inertia[1]} }}
+[joints]
+a = {{ type = "revolute", bodies = ["ground", "one"], position = [{at[0]}]{axis} }}
+b = {{ type = "revolute", bodies = ["ground", "two"], position = [{at[1]}]{axis} }}
+mesh = {{ type = "gear", joints = ["a", "b"], ratio = {ratio} }}
+[forces]
+motor = {{ type = "joint_torque", joint = "a", value = 0.6 }}
+"""
+
+
+@pytest.mark.parametrize("ratio", [-2.0, 0.5])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_geared_wheels_speed_up_as_one_wheel(dimension: int, ratio: float) -> None:
+    """M = (J_1 + k^2 J_2) alpha; the gear turns the second wheel with J_2 k alpha.
+
+    In steps of 0.01 s a wheel of at most 3 rad/s turns by 0.03 rad, and a body's discrete rate is
+    2 sin(x/2)/x of the exact one: 4e-5, of which Richardson leaves some 1e-8.
+    """
+    names = ["a.angle", "a.angular_velocity", "b.angle", "mesh.torque"]
+    scene = solver.loads(wheels(dimension, ratio))
+    coarse, fine = (run(scene, names, h, 1.0)[-1] for h in (0.01, 0.005))
+    alpha = 0.6 / (0.3 + 0.2 * ratio**2)
+    exact = np.array([alpha / 2, alpha, ratio * alpha / 2, 0.2 * ratio * alpha])
+    assert (4 * fine - coarse) / 3 == pytest.approx(exact, rel=1e-7)
+
+
+@pytest.mark.parametrize("ratio", [-2.0, 0.5])
+@pytest.mark.parametrize("h", [0.5, 0.01])
+def test_a_motor_gives_geared_wheels_its_torque_times_its_angle(ratio: float, h: float) -> None:
+    """M theta, and none of it is lost in the gear, at 0.5 s as well, up to 1 rad a step."""
+    names = ["a.angle", "b.angle", "energy.kinetic", "energy.work"]
+    found = run(solver.loads(wheels(2, ratio)), names, h, 2.0, every=0.5)
+    angle, second, kinetic, work = found.T
+    assert angle[-1] > 1.0
+    assert second == pytest.approx(ratio * angle, abs=1e-14)
+    assert kinetic == pytest.approx(0.6 * angle, abs=1e-14)
+    assert work == pytest.approx(0.6 * angle, abs=1e-14)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_pinion_pulls_its_rack_with_what_speeds_it_up(dimension: int) -> None:
+    """M - R F = (J + m R^2) alpha with F = 2 N against it; the rack pulls with m R alpha + F."""
+    axes, at = ("[0, 0, 1]", "0, 0, 0") if dimension == 3 else ("", "0, 0")
+    inertia = "[1, 1, 0.3]" if dimension == 3 else "0.3"
+    scene = solver.loads(f"""
+name = "pinion"
+dimension = {dimension}
+[bodies]
+pinion = {{ position = [{at}], mass = 1.0, inertia = {inertia} }}
+bar = {{ position = [{at}], mass = 4.0, inertia = {inertia} }}
+[joints.hinge]
+type = "revolute"
+bodies = ["ground", "pinion"]
+position = [{at}]
+{f"axis = {axes}" if axes else ""}
+[joints.guide]
+type = "prismatic"
+bodies = ["ground", "bar"]
+axis = [{"0.6, 0.8" + ", 0" * (dimension - 2)}]
+[joints.mesh]
+type = "rack"
+joints = ["hinge", "guide"]
+radius = 0.25
+[forces.motor]
+type = "joint_torque"
+joint = "hinge"
+value = 0.9
+[forces.load]
+type = "force"
+point = "bar"
+value = [{"-1.2, -1.6" + ", 0" * (dimension - 2)}]
+""")
+    names = ["hinge.angle", "guide.displacement", "guide.velocity", "mesh.force"]
+    coarse, fine = (run(scene, names, h, 1.0)[-1] for h in (0.01, 0.005))
+    alpha = (0.9 - 0.25 * 2.0) / (0.3 + 4.0 * 0.25**2)
+    travel = 0.25 * alpha
+    exact = [alpha / 2, travel / 2, travel, 4.0 * travel + 2.0]
+    assert (4 * fine - coarse) / 3 == pytest.approx(np.array(exact), rel=1e-8)
