@@ -114,3 +114,42 @@ def test_a_constraint_scales_with_its_slope_and_the_size_of_the_mechanism():
     base = model.numbers[model.offsets["row_base"]]
     assert base == pytest.approx(1000.0, rel=1e-6)
     assert list(model.tables["row_power"]) == [1]
+
+
+def test_a_force_need_not_be_finite_where_its_sensors_read_nothing_yet():
+    # log(A.x) is 0 at the start; with a sensor that still reads 0 it would be refused.
+    moved = start('[forces]\nf = { type = "force", point = "A", value = ["log(A.x)", 0] }\n')
+    moved.advance(0.0, 0.01)
+    assert moved["A.vx"] == pytest.approx(0.5, abs=1e-4)
+
+
+@pytest.mark.parametrize("slope", ["t", "u"])
+def test_a_velocity_row_takes_the_time_and_inputs_in_the_middle_of_a_step(slope):
+    # y' = s x' with s = t, or an input that ramps as t does; a driver's signals, which are those of
+    # the end, must not take their place. Means of a step hold to h^2/8 v = 1e-5, its end to h/2.
+    text = '[points.D]\nposition = [0, 0]\n[drivers]\nd = { type = "position", point = "D", value'
+    text += ' = ["u**2", 0] }\n[constraints]\nc = { velocity = "A.vy - S*A.vx" }\n'
+    scene = POINTS.replace("u = {}", 'u = { interpolation = "ramp" }') + text.replace("S", slope)
+    moved = solver.Integrator(solver.assemble(solver.loads(scene)))
+    for k in range(5):
+        moved["u"] = 0.1 * (k + 1)
+        moved.advance(k * 0.1, 0.1)
+    assert moved["A.vy"] == pytest.approx(0.5 * float(moved["A.vx"]), abs=1e-4)
+
+
+def test_a_velocity_row_follows_the_time_where_nothing_else_does():
+    moved = start('[constraints]\nc = { velocity = "A.vy - t*A.vx" }\n')
+    for k in range(50):
+        moved.advance(k * 0.01, 0.01)
+    assert moved["A.vy"] == pytest.approx(0.5 * float(moved["A.vx"]), abs=1e-4)
+
+
+def test_a_tunable_parameter_that_turns_a_potential_does_work():
+    text = '[parameters]\np = { value = 1.0, variability = "tunable" }\n'
+    moved = start(text + '[forces]\nv = { type = "potential", value = "p*A.x**2" }\n')
+    moved.advance(0.0, 0.01)
+    stored = float(moved["v.energy"])
+    moved["p"] = 3.0
+    moved.advance(0.01, 0.01)
+    assert moved["energy.work"] == pytest.approx(2.0 * stored, rel=1e-12)
+    assert float(moved["energy.error"]) < 1e-13

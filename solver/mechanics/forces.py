@@ -20,6 +20,7 @@ from solver.scene import (
     Torque,
     TorsionDamper,
     TorsionSpring,
+    symbols,
 )
 from solver.scene.expression import sqrt
 
@@ -106,8 +107,8 @@ def _twist(
         mechanism.rule(force.damping, ">=", part, "damping must be >= 0 N.m.s/rad")
         _element(parts, name, Element(angle, damping=compiler.sensed(force.damping)))
     else:
-        mechanism.finite((force.value,), part, "value")
-        _element(parts, name, Element(angle, drive=compiler.sensed(force.value)))
+        (drive,) = _value(parts, compiler, (force.value,), part)
+        _element(parts, name, Element(angle, drive=drive))
 
 
 def _load(parts: Parts, compiler: Compiler, force: Force, part: Part) -> None:
@@ -142,6 +143,12 @@ def _torque(parts: Parts, compiler: Compiler, force: Torque, part: Part) -> None
 
 
 def _value(parts: Parts, compiler: Compiler, value: tuple[Number, ...], part: Part) -> Vector:
+    """Return a value with sensors for its quantities.
+
+    Components without quantities must be finite at the start; the others are not known before the
+    first step, which fails where they are not.
+    """
     sensed = tuple(compiler.sensed(number) for number in value)
-    parts.mechanism.finite(sensed, part, "value")
+    known = (x for x in sensed if not any(name.startswith("#") for name in symbols(x)))
+    parts.mechanism.finite(tuple(known), part, "value")
     return sensed

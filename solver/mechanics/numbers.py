@@ -55,6 +55,7 @@ class Numbers:
             self.segment_of[name] = latest
         self.formulas_vary = False
         """Whether a formula contains a number of the laws."""
+        self._copies: dict[int, int] = {}
         for place, number in enumerate(signals):
             target = self.offsets["signal"] + place
             if isinstance(number, Expr):
@@ -103,8 +104,15 @@ class Numbers:
     def _constant(self, number: Number | str) -> int:
         assert not isinstance(number, str)
         place, segment = self.tape.compile(number)
-        self.formulas_vary = self.formulas_vary or segment is Segment.LAWS
-        return place
+        if segment is not Segment.LAWS:
+            return place
+        self.formulas_vary = True
+        if place >= len(self.values):
+            return place
+        # The time, an input or a parameter itself: signals set it to other times, laws do not.
+        if place not in self._copies:
+            self._copies[place] = self.tape.copy(number)
+        return self._copies[place]
 
     def finish(self) -> list[float]:
         """Return all numbers, with the tape's constants in place."""

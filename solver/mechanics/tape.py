@@ -18,7 +18,7 @@ CODES = (
     "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
     "and", "or", "not", "select",
 )  # fmt: skip
-"""Operation codes in the order of ``solver/kernel/tape.c``."""
+"""Operation codes in the order of ``tape_code`` in ``solver/kernel/internal.h``."""
 
 CODE = {name: code for code, name in enumerate(CODES)}
 
@@ -113,6 +113,12 @@ class Tape:
         place, segment = self.compile(number, wanted)
         self._emit(segment, "copy", target, [place])
         return segment
+
+    def copy(self, number: Number) -> int:
+        """Have a number of the laws copied to a place that nothing else writes; return it."""
+        target = self._new()
+        self.write(target, number)
+        return target
 
 
 def padded(arguments: list[int]) -> list[int]:
