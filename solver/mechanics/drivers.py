@@ -53,7 +53,7 @@ def add_driver(parts: Parts, name: str, driver: Driver) -> None:
 def _row(parts: Parts, rows: Rows, quantity: int, value: Number, scale) -> int:
     mechanism = parts.mechanism
     leaves = (Leaf(VALUE, mechanism.use(quantity)), Leaf(SIGNAL, mechanism.signal(value)))
-    return rows.function(leaf_symbol(0) - leaf_symbol(1), leaves, scale, "driver", driver=True)
+    return rows.function(leaf_symbol(0) - leaf_symbol(1), leaves, scale, "driver")
 
 
 def _follow(parts: Parts, rows: Rows, name: str, driver: PositionDriver) -> None:
@@ -64,4 +64,3 @@ def _follow(parts: Parts, rows: Rows, name: str, driver: PositionDriver) -> None
         axis = parts.axis(k)
         row = _row(parts, rows, mechanism.component(place, axis), value, METRES)
         parts.joints[name].pushes.append((("function", row), 1.0, axis))
-    parts.places[name] = place

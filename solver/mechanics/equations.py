@@ -104,7 +104,6 @@ class FunctionRow:
     formula: Formula
     scale: Scale
     row: Row
-    driver: bool = False
 
 
 @dataclass(frozen=True, slots=True)

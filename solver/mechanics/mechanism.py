@@ -1,7 +1,7 @@
 """A mechanism as equations: nodes, masses, forms, quantities, rows, forces - all by index.
 
-Bodies, joints, forces and drivers add to it; ``tables`` turns it into the arrays of a model. Nodes
-are counted as they come; the order of a model (free, driven, fixed) is made at the end.
+Bodies, joints, forces and drivers add to it; ``Structure`` turns it into the arrays of a model.
+Nodes are counted as they come; the order of a model (free, driven, fixed) is made at the end.
 """
 
 from __future__ import annotations
@@ -113,10 +113,6 @@ class Mechanism:
     def drawn(self, combination: Combination) -> Vector:
         """Return the vector of a combination as drawn."""
         return self._sum((self.nodes[n].position, c, t) for n, c, t in combination.terms)
-
-    def moving(self, combination: Combination) -> Vector:
-        """Return the velocity of a combination as drawn."""
-        return self._sum((self.nodes[n].velocity, c, t) for n, c, t in combination.terms)
 
     def _sum(self, terms: Iterable[tuple[Vector, Number, Number]]) -> Vector:
         total: Vector = (0.0,) * self.dim

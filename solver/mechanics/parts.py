@@ -52,8 +52,6 @@ class Parts:
     joints: dict[str, JointParts] = field(default_factory=dict)
     driven: dict[str, int] = field(default_factory=dict)
     """Quantity that a driver prescribes."""
-    places: dict[str, Combination] = field(default_factory=dict)
-    """Place of a body that a driver moves."""
     elements: dict[str, int] = field(default_factory=dict)
     """Element of a force."""
     problems: list[tuple[str, str]] = field(default_factory=list)

@@ -62,12 +62,11 @@ class Rows:
         return len(rows) - 1
 
     def function(
-        self, value: Number, leaves: tuple[Leaf, ...], scale: Scale, kind: str = "value",
-        driver: bool = False,
-    ) -> int:  # fmt: skip
+        self, value: Number, leaves: tuple[Leaf, ...], scale: Scale, kind: str = "value"
+    ) -> int:
         """Hold a formula at zero; return the function row."""
         rows = self.mechanism.function_rows
-        rows.append(FunctionRow(Formula(value, leaves), scale, self._row(kind), driver))
+        rows.append(FunctionRow(Formula(value, leaves), scale, self._row(kind)))
         return len(rows) - 1
 
     def velocity(self, value: Number, leaves: tuple[Leaf, ...], scale: Scale) -> int:
