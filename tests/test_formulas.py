@@ -153,3 +153,39 @@ def test_a_tunable_parameter_that_turns_a_potential_does_work():
     moved.advance(0.01, 0.01)
     assert moved["energy.work"] == pytest.approx(2.0 * stored, rel=1e-12)
     assert float(moved["energy.error"]) < 1e-13
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        '[forces]\nv = { type = "potential", value = "A.x**2 if A.x > 0 else 3*A.x**2" }\n',
+        '[forces]\nv = { type = "potential", value = "A.x*sign(A.x)" }\n',
+        '[forces]\nv = { type = "spring", points = ["A", "B"], energy = "length*(length > 1)" }\n',
+        '[constraints]\nv = { value = "A.y - (2 if distance(A, B) < 9 else A.x)" }\n',
+    ],
+)
+def test_a_formula_that_switches_with_what_moves_is_refused(part):
+    # Its energy would jump in the midst of a step, by 6e-3 J for the second one.
+    text = report(part)
+    assert ".v" in text
+    assert "abs, min or max" in text
+
+
+def test_a_formula_may_switch_with_the_time_and_parameters():
+    moved = start('[constraints]\nc = { value = "A.x - (1 if t < 9 else 0)" }\n')
+    moved.advance(0.0, 0.01)
+    assert moved["A.x"] == pytest.approx(1.0, abs=1e-13)
+
+
+def test_a_spring_that_only_pulls_is_exact_where_it_goes_slack():
+    # V = 25 max(l - 2, 0)^2: it goes slack and taut again within 2 s.
+    energy = "25*max(length - 2, 0)**2"
+    moved = start(
+        f'[forces]\ns = {{ type = "spring", points = ["A", "B"], energy = "{energy}" }}\n'
+    )
+    forces = []
+    for k in range(200):
+        moved.advance(k * 0.01, 0.01)
+        forces.append(float(moved["s.force"]))
+    assert min(forces) == 0.0 < forces[0]
+    assert float(moved["energy.error"]) < 1e-12

@@ -17,6 +17,9 @@ from solver.mechanics.parts import Meaning, Parts
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
 from solver.scene.expression import calls, operate, symbol
 
+SWITCHES = frozenset({"sign", "lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+"""Operations that jump: no slope over a step is exact where they do."""
+
 
 def leaf_symbol(k: int) -> Expr:
     """Return the symbol that stands for leaf k of a formula; no name of a scene looks like it."""
@@ -39,6 +42,24 @@ def rewritten(number: Number, replace: Callable[[Expr], Number | None]) -> Numbe
         return known[part]
 
     return walk(number)
+
+
+def refuse_switches(value: Number) -> None:
+    """Raise `ExpressionError` if what a formula decides, or the sign it takes, moves."""
+
+    def refuse(part: Expr) -> Expr | None:
+        deciding = (
+            part.args[:1] if part.op == "select" else part.args if part.op in SWITCHES else ()
+        )
+        if any(
+            name.startswith("#") for x in deciding if isinstance(x, Expr) for name in symbols(x)
+        ):
+            message = "energy would jump where a condition or sign of what moves switches; "
+            message += "write it with abs, min or max, which are exact"
+            raise ExpressionError(message)
+        return part if part.op == "symbol" else None
+
+    rewritten(value, refuse)
 
 
 class Compiler:
@@ -105,6 +126,8 @@ class Compiler:
         if not any(leaf.kind != SIGNAL for leaf in leaves):
             message = "it depends on nothing that moves"
             raise ExpressionError(message)
+        if not any(leaf.kind == RATE for leaf in leaves):  # velocity rows do no work
+            refuse_switches(value)
         return Formula(value, tuple(leaves))
 
     def _has_quantity(self, part: Expr, own: Mapping[str, Meaning]) -> bool:

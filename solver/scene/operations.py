@@ -87,7 +87,7 @@ FUNCTIONS: dict[str, int] = {
 """Functions a scene may call, with their number of arguments (at least two for min and max)."""
 
 MECHANISM_FUNCTIONS: dict[str, int] = {"distance": 2}
-"""Functions of named parts, possible in outputs: ``distance(A, B)``."""
+"""Functions of named parts, possible where their positions are: ``distance(A, B)``."""
 
 INFIX: dict[str, str] = {
     "add": "+", "sub": "-", "mul": "*", "div": "/", "pow": "**",

@@ -1,8 +1,8 @@
 """The words of a scene: what the reader hands out, checked and with every default filled in.
 
 Lengths in m, masses in kg, times in s, forces in N, angles in rad. A vector has as many numbers as
-the scene has dimensions. A ``Number`` that is not a float depends on parameters or, in forces and
-outputs, on inputs, the time ``t`` and the mechanism's own quantities.
+the scene has dimensions. A ``Number`` that is not a float depends on parameters or, where
+``numbers`` allows it, on inputs, the time ``t`` and the mechanism's own quantities.
 """
 
 from __future__ import annotations
