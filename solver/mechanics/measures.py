@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.equations import FIXED
 from solver.mechanics.formulas import rewritten
-from solver.mechanics.parts import JointParts, Parts
+from solver.mechanics.parts import AXES, JointParts, Parts
 from solver.mechanics.structure import Structure
 from solver.mechanics.vectors import Vector, add, scale, turned
 from solver.scene import Expr, Number
@@ -50,6 +51,18 @@ class Named:
     text: str
     meaning: Ref | Number
     listed: bool = True
+
+
+Values = list[Ref] | Vector
+
+
+def components(
+    prefix: str, unit: str, text: str, values: Values, listed: bool = True
+) -> Iterator[Named]:  # fmt: skip
+    """Name the components of a vector, ``prefix`` and the axis; of a torque in the plane only z."""
+    axes = "z" if len(values) == 1 else AXES
+    for axis, value in zip(axes, values, strict=False):
+        yield Named(f"{prefix}{axis}", unit, f"{text}, {axis} component", value, listed)
 
 
 @dataclass(slots=True)
@@ -108,7 +121,7 @@ class Measures:
         leaf = found.own.get(str(part.args[0]))
         return part if leaf is None else self.value(Ref("quantity", leaf.index))
 
-    def motion(self, place: Combination) -> tuple[list[Ref] | Vector, list[Ref] | Vector]:
+    def motion(self, place: Combination) -> tuple[Values, Values]:
         """Return position and velocity of a place: measurements, or numbers where it stays."""
         mechanism = self.parts.mechanism
         dim = mechanism.dim

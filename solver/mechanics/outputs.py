@@ -10,10 +10,8 @@ from collections.abc import Iterator
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.measures import Measures, Named, Ref, references
-from solver.mechanics.parts import AXES
+from solver.mechanics.measures import Measures, Named, Ref, components, references
 from solver.mechanics.results import of_a_driver, of_a_force, reaction
-from solver.mechanics.vectors import Vector
 from solver.scene import Number, Rigid
 
 ENERGIES = {
@@ -56,20 +54,12 @@ def named(measures: Measures) -> Iterator[Named]:
     yield from _whole(parts.mechanism.dim)
 
 
-def _vector(
-    name: str, unit: str, text: str, values: list[Ref] | Vector, listed: bool = True
-) -> Iterator[Named]:  # fmt: skip
-    axes = "z" if len(values) == 1 else AXES
-    for axis, value in zip(axes, values, strict=False):
-        yield Named(f"{name}{axis}", unit, f"{text}, {axis} component", value, listed)
-
-
 def _motion(measures: Measures, name: str, place: Combination) -> Iterator[Named]:
     """Position and velocity of a place."""
     x, v = measures.motion(place)
     listed = measures.parts.mechanism.moves(place)
-    yield from _vector(f"{name}.", "m", f"position of {name}", x, listed)
-    yield from _vector(f"{name}.v", "m/s", f"velocity of {name}", v, listed)
+    yield from components(f"{name}.", "m", f"position of {name}", x, listed)
+    yield from components(f"{name}.v", "m/s", f"velocity of {name}", v, listed)
 
 
 def _body(measures: Measures, name: str, rigid: bool) -> Iterator[Named]:
@@ -90,7 +80,7 @@ def _body(measures: Measures, name: str, rigid: bool) -> Iterator[Named]:
             text = f"quaternion of {name}, {axis}, of continuous sign"
             yield Named(f"{name}.q{axis}", "1", text, Ref("quaternion", body, k))
         rates = references("body_rate", body, 3)
-        yield from _vector(f"{name}.w", "rad/s", f"angular velocity of {name}", rates)
+        yield from components(f"{name}.w", "rad/s", f"angular velocity of {name}", rates)
     for point in frame.points if isinstance(frame, RigidFrame) else ():
         yield from _motion(measures, f"{name}.{point}", parts.named(f"{name}.{point}"))
 
@@ -118,10 +108,10 @@ def _whole(dim: int) -> Iterator[Named]:
     text = "largest rate of a constraint residual over the size of its row"
     yield Named("constraint.velocity", "1/s", text, Ref("residual", 1))
     momentum = [Ref("momentum", k) for k in range(dim)]
-    yield from _vector("momentum.", "kg.m/s", "linear momentum", momentum)
+    yield from components("momentum.", "kg.m/s", "linear momentum", momentum)
     turning = [Ref("angular_momentum", k) for k in range(1 if dim == 2 else 3)]
     text = "angular momentum about the origin"
-    yield from _vector("angular_momentum.", "kg.m2/s", text, turning)
+    yield from components("angular_momentum.", "kg.m2/s", text, turning)
     for k, (name, text) in enumerate(COUNTERS.items()):
         yield Named(f"solver.{name}", "1", text, Ref("solver", k))
 

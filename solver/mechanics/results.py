@@ -12,9 +12,8 @@ from math import pi
 from solver.mechanics.derivative import derivative
 from solver.mechanics.drivers import driven_points
 from solver.mechanics.formulas import rewritten
-from solver.mechanics.measures import Measures, Named, Ref, references
-from solver.mechanics.parts import AXES
-from solver.mechanics.vectors import Vector, add, dot, scale
+from solver.mechanics.measures import Measures, Named, Ref, Values, components, references
+from solver.mechanics.vectors import add, dot, scale
 from solver.scene import (
     BodyJoint,
     ConstantAngle,
@@ -37,15 +36,6 @@ from solver.scene import (
     TorsionSpring,
 )
 from solver.scene.expression import symbol
-
-Values = list[Ref] | Vector
-
-
-def _vector(name: str, unit: str, text: str, values: Values) -> Iterator[Named]:
-    axes = "z" if len(values) == 1 else AXES
-    for axis, value in zip(axes, values, strict=False):
-        yield Named(f"{name}.{axis}", unit, f"{text}, {axis} component", value)
-
 
 # -------------------------------------------------------------------------------------- joints
 
@@ -70,7 +60,7 @@ def reaction(measures: Measures, name: str, joint: Joint) -> Iterator[Named]:
         if found.reaction is not None and not found.pushes:
             values = references("reaction_force", found.reaction, measures.parts.mechanism.dim)
         on = "the point" if isinstance(joint, PointOn) else "the disc"
-        yield from _vector(f"{name}.force", "N", f"force of {name} on {on}", values)
+        yield from components(f"{name}.force.", "N", f"force of {name} on {on}", values)
 
 
 def _of_bodies(measures: Measures, name: str, joint: BodyJoint) -> Iterator[Named]:
@@ -88,11 +78,11 @@ def _of_bodies(measures: Measures, name: str, joint: BodyJoint) -> Iterator[Name
         lead = joint.pitch / (2.0 * pi)
         force = add([measures.value(ref) for ref in force], scale(-1.0 * mu, axis))
         torque = add([measures.value(ref) for ref in torque], scale(mu * lead, axis))
-    yield from _vector(f"{name}.force", "N", f"force of {name} on its second body", force)
+    yield from components(f"{name}.force.", "N", f"force of {name} on its second body", force)
     kinds = {"spherical"} | ({"revolute"} if mechanism.dim == 2 else set())
     if joint.bodies is not None and joint.type not in kinds:
         text = f"torque of {name} on its second body, about the joint's place"
-        yield from _vector(f"{name}.torque", "N.m", text, torque)
+        yield from components(f"{name}.torque.", "N.m", text, torque)
 
 
 # -------------------------------------------------------------------------------------- forces
@@ -165,7 +155,9 @@ def _of_a_path(measures: Measures, name: str, driver: PositionDriver) -> Iterato
     if path is not None:
         assert place.single is not None
         force = references("driven_force", place.single, parts.mechanism.dim)
-    yield from _vector(f"{name}.force", "N", f"force of {name} on the point that it moves", force)
+    yield from components(
+        f"{name}.force.", "N", f"force of {name} on the point that it moves", force
+    )
     velocity = measures.motion(place)[1]
     f, v = (
         [measures.value(x) if isinstance(x, Ref) else x for x in values]
