@@ -110,12 +110,12 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
     const int32_t q = entry[1], kind = c->m->quantity_kind[q];
     const local_form *form = (const local_form *)c->k.local + entry[2];
     int32_t status = HOLONOM_OK;
-    memset(leaf, 0, sizeof(*leaf));
     if (kind == QUANTITY_FORM) {
         leaf->x0 = point ? form->s1 : form->s0;
         leaf->x1 = form->s1;
         leaf->dx = point ? 0.0 : form->ds;
         leaf->p[0] = leaf->e[0] = 1.0;
+        leaf->curve[0] = 0.0;
     } else if (kind == QUANTITY_LENGTH)
         status = set_length(point ? form->s1 : form->s0, form->s1, point ? 0.0 : form->ds, leaf);
     else {
@@ -123,8 +123,7 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
         const double first[2] = {form->s0, sine->s0}, change[2] = {form->ds, sine->ds};
         status = set_angle(first, change, c->k.sigma0[q], point, leaf);
     }
-    if (point)
-        for (int i = 0; i < 4; i++) leaf->curve[i] *= 2.0; /* both ends move */
+    for (int i = 0; point && i < (kind == QUANTITY_ANGLE ? 4 : 1); i++) leaf->curve[i] *= 2.0; /* both ends move */
     return status;
 }
 
@@ -142,7 +141,7 @@ static int32_t element_law(context *c, int32_t j, int tangent, composite_result 
     if (!(stiffness >= 0.0 && damping >= 0.0 && (rest >= 0.0 || !is_length) && fabs(drive) < INFINITY))
         return HOLONOM_BAD_LAW;
     const int32_t n = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-    memset(c->k.curve, 0, sizeof(double) * (size_t)(n * n));
+    if (tangent) memset(c->k.curve, 0, sizeof(double) * (size_t)(n * n));
     result->mechanical = 0.0;
     if (is_length && rest == 0.0 && damping == 0.0 && drive == 0.0) { /* V = k s/2: no direction is needed */
         c->k.slope[0] = 0.5 * stiffness;

@@ -176,11 +176,16 @@ static inline void add_gradient(const context *c, int32_t f, double factor, cons
                                 double *target)
 {
     const holonom_model *m = c->m;
+    const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
     const int32_t begin = m->form_ptr[f], end = begin + m->form_moving[f];
     for (int32_t e = begin; e < end; e++) {
-        double *node = target + DIM * m->form_node[e], g[DIM];
-        entry_gradient(c, f, e, u, w, g);
-        EACH(k) node[k] += factor * g[k];
+        double *node = target + DIM * m->form_node[e];
+        const double a = factor * alpha[e], b = factor * beta[e];
+        EACH(k) node[k] += a * w[k] + b * u[k];
+        if (m->form_kind[f] & FORM_TURNED) {
+            add_turned(-factor * c->number[m->alpha_turn_at + e], w, node);
+            add_turned(-factor * c->number[m->beta_turn_at + e], u, node);
+        }
     }
 }
 
