@@ -8,8 +8,8 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
     context c;
     open_context(&c, m, number, state, work);
     set_laws(&c, c.t, 0);
-    const int changed = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) ||
-                        memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
+    int changed = memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0;
+    for (int32_t i = 0; i < m->n_inputs; i++) changed |= !m->input_ramp[i] && c.s.inputs[i] != inputs[i];
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     load_inputs(&c, c.t);
@@ -128,7 +128,6 @@ static int32_t start_ramps(context *c, double step)
     stand_still(c);
     memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
     row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
-    for (int32_t i = m->n_rows - m->n_velocity_rows; i < m->n_rows; i++) c->k.phi[i] = 0.0;
     c->h = sqrt(2.0);
     inertia(c, c->k.w, c->k.momentum);
     const int32_t status = solve_at_state(c, NULL);

@@ -83,11 +83,7 @@ static int32_t set_angle(const double *first, const double *change, double theta
     const double cm = 0.5 * (c0 + c1), sm = 0.5 * (s0 + s1);
     const double x = cm * ds - sm * dc, y = c0 * c1 + s0 * s1, radius2 = x * x + y * y;
     if (!(radius2 > 0.0)) return HOLONOM_ZERO_LENGTH;
-    const double z2 = x * x / (y * y);
-    const int small = y > 0.0 && z2 < 1e-4;
-    const double g = small ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y : atan2(x, y) / x;
-    const double bend = small ? (-2.0 / 3.0 + z2 * (0.8 - z2 * (6.0 / 7.0 - z2 * 8.0 / 9.0))) / (y * y * y)
-                              : (y / radius2 - g) / (x * x); /* dg/dX = bend X, dg/dY = -1/(X^2 + Y^2) */
+    const double g = hm_angle_over(x, y), bend = hm_angle_over_bend(x, y, g); /* dg/dX = bend X */
     const double g_c = -bend * x * s0 - c0 / radius2, g_s = bend * x * c0 - s0 / radius2, end2 = c1 * c1 + s1 * s1;
     leaf->dx = g * x;
     leaf->x0 = theta0;

@@ -47,6 +47,9 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->forceless = 0;
+    memcpy(number + m->extent_at, c->s.derived, sizeof(double) * 2);
+    memcpy(number + m->row_scale_at, c->s.derived + 2, sizeof(double) * (size_t)m->n_rows);
+    memcpy(number + m->row_sigma_at, c->s.derived + 2 + m->n_rows, sizeof(double) * (size_t)m->n_rows);
 }
 
 /* x += factor J y, J the quarter turn; there is none in space. */

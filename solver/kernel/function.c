@@ -17,13 +17,6 @@ static double sinhc(double x)
     return x2 < 1e-4 ? 1.0 + x2 / 6.0 * (1.0 + x2 / 20.0 * (1.0 + x2 / 42.0)) : sinh(x) / x;
 }
 
-/* atan2(x, y)/x for y near a positive number or x far from zero. */
-static double angle_over(double x, double y)
-{
-    const double z2 = x * x / (y * y);
-    return y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y : atan2(x, y) / x;
-}
-
 /* (log x1 - log x0)/(x1 - x0), both positive: 2 atanh(z)/dx with z = dx/(x0 + x1). */
 static double log_slope(double x0, double x1, double dx)
 {
@@ -38,7 +31,7 @@ static double asin_slope(double x0, double x1, double dx)
 {
     const double c0 = sqrt((1.0 - x0) * (1.0 + x0)), c1 = sqrt((1.0 - x1) * (1.0 + x1));
     const double ratio = 0.5 * (c0 + c1) + 0.5 * (x0 + x1) * (x0 + x1) / (c0 + c1);
-    return angle_over(dx * ratio, c0 * c1 + x0 * x1) * ratio;
+    return hm_angle_over(dx * ratio, c0 * c1 + x0 * x1) * ratio;
 }
 
 /* (x1^n - x0^n)/(x1 - x0) for a whole number n: a sum of products, or of 1/x. */
@@ -102,9 +95,9 @@ static void operation_slopes(int32_t code, argument a, argument b, double f0, do
     case T_TAN: slope[0] = sinc(a.dx) / (cos(a.x0) * cos(a.x1)); break;
     case T_ASIN: slope[0] = asin_slope(a.x0, a.x1, a.dx); break;
     case T_ACOS: slope[0] = -asin_slope(a.x0, a.x1, a.dx); break;
-    case T_ATAN: slope[0] = angle_over(a.dx, 1.0 + a.x0 * a.x1); break;
+    case T_ATAN: slope[0] = hm_angle_over(a.dx, 1.0 + a.x0 * a.x1); break;
     case T_ATAN2: {
-        const double factor = angle_over(b.mean * a.dx - a.mean * b.dx, b.x0 * b.x1 + a.x0 * a.x1);
+        const double factor = hm_angle_over(b.mean * a.dx - a.mean * b.dx, b.x0 * b.x1 + a.x0 * a.x1);
         slope[0] = factor * b.mean;
         slope[1] = -factor * a.mean;
         break;

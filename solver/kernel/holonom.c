@@ -34,6 +34,7 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->turns = take(block, &used, m->n_quantities);
     s->signal = take(block, &used, m->n_signals);
     s->quaternion = take(block, &used, 4 * (int64_t)m->n_bodies);
+    s->derived = take(block, &used, 2 + 2 * (int64_t)m->n_rows);
     s->inputs = take(block, &used, m->n_inputs);
     s->inputs_before = take(block, &used, m->n_inputs);
     s->inputs_slope = take(block, &used, m->n_inputs);
@@ -123,7 +124,7 @@ int32_t holonom_initialise(const holonom_model *m, double *numbers, double *stat
 }
 
 /* The states below are not modified, but for what the signature says: the mapped view has no const twin. */
-void holonom_residuals(const holonom_model *m, const double *numbers, const double *state, double *work,
+void holonom_residuals(const holonom_model *m, double *numbers, const double *state, double *work,
                        double *phi, double *phi_dot)
 {
     (m->dim == 2 ? hm_residuals_planar : hm_residuals_spatial)(m, numbers, (double *)state, work, phi, phi_dot);

@@ -39,9 +39,9 @@ enum holonom_status {
     HOLONOM_UZAWA_DIVERGED = 2,    /* outer Uzawa iteration left the constraints unsatisfied              */
     HOLONOM_SINGULAR_TANGENT = 3,  /* a pivot of the tangent matrix is zero                              */
     HOLONOM_NOT_FINITE = 4,        /* an increment, a residual or a number of the model is not finite     */
-    HOLONOM_ZERO_LENGTH = 5,       /* a line element or a turned link has length zero: no direction       */
+    HOLONOM_ZERO_LENGTH = 5,       /* a length or a turned link is zero, an angle has no direction          */
     HOLONOM_BAD_STEP = 6,          /* step length is not a finite positive number                        */
-    HOLONOM_BAD_LAW = 7,           /* a stiffness, free length or damping is negative or not a number       */
+    HOLONOM_BAD_LAW = 7,           /* a stiffness, free length or damping is negative, or work not a number */
     HOLONOM_TURN_TOO_LARGE = 8,    /* a body would turn by more than 2.5 rad in a half step                 */
     HOLONOM_DAMPING_REVERSED = 9   /* over a step of order > 2, which goes back in between, dampers fed energy */
 };
@@ -194,8 +194,9 @@ HOLONOM_API void holonom_evaluate(const holonom_model *model, double *numbers, i
    and Phi'' = 0, and starts the ledger. The state's time, options, parameters and inputs are set beforehand.   */
 HOLONOM_API int32_t holonom_initialise(const holonom_model *model, double *numbers, double *state, double *work);
 
-/* Residuals of the rows and their rates, signals included: phi, phi_dot (n_rows each), both overwritten.      */
-HOLONOM_API void holonom_residuals(const holonom_model *model, const double *numbers, const double *state,
+/* Residuals of the rows and their rates, signals included: phi, phi_dot (n_rows each), both overwritten. Inputs, time
+   and signals among the numbers are modified.                                                                 */
+HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, const double *state,
                                    double *work, double *phi, double *phi_dot);
 
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option

@@ -4,6 +4,8 @@
 
 #include "holonom.h"
 
+#include <math.h>
+
 /* Operations, in the order of solver/mechanics/tape.py. */
 enum tape_code {
     T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
@@ -41,6 +43,21 @@ static inline void hm_add_product(double *high, double *low, double a, double b)
     *low += ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
+/* atan2(x, y)/x, whose 0/0 is removable for y > 0, and its derivative with respect to x over x; with respect to y it
+   is -1/(x^2 + y^2).                                                                                          */
+static inline double hm_angle_over(double x, double y)
+{
+    const double z2 = x * x / (y * y);
+    return y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y : atan2(x, y) / x;
+}
+
+static inline double hm_angle_over_bend(double x, double y, double angle_over)
+{
+    const double z2 = x * x / (y * y);
+    return y > 0.0 && z2 < 1e-4 ? (-2.0 / 3.0 + z2 * (0.8 - z2 * (6.0 / 7.0 - z2 * 8.0 / 9.0))) / (y * y * y)
+                                : (y / (x * x + y * y) - angle_over) / (x * x);
+}
+
 /* A function of a composite over a step, by the discrete chain rule: each operation has a slope that is symmetric
    in the two ends and exact, f_1 - f_0 = sum slope dx, so that the slopes of the whole give a discrete gradient.
    r0, r1, dr hold the leaves at both ends and their differences on entry, all registers on return; adjoint
@@ -69,6 +86,7 @@ typedef struct hm_state {
     double *turns;                 /* n_quantities: full turns of angles so far                               */
     double *signal;                /* n_signals: prescribed values at the present time                        */
     double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
+    double *derived;               /* 2 + 2 n_rows: the sections extent, row_scale, row_sigma of the numbers   */
     double *inputs;                /* n_inputs: last given                                                   */
     double *inputs_before, *inputs_slope; /* n_inputs: of ramps, at the present time, and how fast            */
     double *parameters;
@@ -106,7 +124,7 @@ int64_t hm_map_work(const holonom_model *model, double *block, hm_work *work);
 #define HM_DECLARE(suffix)                                                                                     \
     int32_t hm_initialise_##suffix(const holonom_model *, double *, double *, double *);                       \
     int32_t hm_advance_##suffix(const holonom_model *, double *, double *, double *, double);                  \
-    void hm_residuals_##suffix(const holonom_model *, const double *, double *, double *, double *, double *); \
+    void hm_residuals_##suffix(const holonom_model *, double *, double *, double *, double *, double *); \
     void hm_set_inputs_##suffix(const holonom_model *, double *, double *, double *, const double *,           \
                                 const double *);                                                               \
     void hm_measure_##suffix(const holonom_model *, double *, double *, double *);                             \

@@ -6,9 +6,7 @@
 static void moment_tangent(const double *moment, const double *u0, const double *cross, double size2, double y,
                            double factor, const double *f, double *tangent)
 {
-    const double z2 = size2 / (y * y), radius2 = size2 + y * y;
-    const double c1 = z2 < 1e-4 ? (-2.0 / 3.0 + z2 * (0.8 - z2 * (6.0 / 7.0 - z2 * 8.0 / 9.0))) / (y * y * y)
-                                : (y / radius2 - factor) / size2;
+    const double radius2 = size2 + y * y, c1 = hm_angle_over_bend(sqrt(size2), y, factor);
     double direction[DIM], axis[3] = {0.0, 0.0, 0.0};
 #if DIM == 2
     axis[2] = moment[0];
@@ -43,9 +41,7 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
     EACH(i) f[i] = moment[(i + 1) % 3] * g->um[(i + 2) % 3] - moment[(i + 2) % 3] * g->um[(i + 1) % 3];
 #endif
     if (!(size2 + y * y > 0.0)) return HOLONOM_ZERO_LENGTH;
-    const double size = sqrt(size2), z2 = size2 / (y * y);
-    const double factor = y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y
-                                               : atan2(size, y) / size;
+    const double factor = hm_angle_over(sqrt(size2), y);
     EACH(i) f[i] *= factor;
     if (tangent) {
         moment_tangent(moment, u0, cross, size2, y, factor, f, tangent);

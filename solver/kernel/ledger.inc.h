@@ -11,7 +11,7 @@ static void book(context *c, int account, double amount)
 static void book_composites(context *c)
 {
     const holonom_model *m = c->m;
-    composite_result result;
+    composite_result result = {0.0, 0.0, 0.0};
     for (int32_t j = 0; j < m->n_elements; j++) {
         const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
         if (damping == 0.0 && drive == 0.0) continue;

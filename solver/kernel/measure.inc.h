@@ -1,10 +1,10 @@
 /* Residuals, measurements, and a look into one step. Included once per dimension, after seek.inc.h.           */
 
-void NAME(hm_residuals)(const holonom_model *m, const double *number, double *state, double *work, double *phi,
+void NAME(hm_residuals)(const holonom_model *m, double *number, double *state, double *work, double *phi,
                         double *phi_dot)
 {
     context c;
-    open_context(&c, m, (double *)number, state, work);
+    open_context(&c, m, number, state, work);
     signal_rates_at(&c, c.t, c.k.signal_rate);
     row_values(&c, phi);
     row_rates(&c, c.s.q, c.s.q_low, c.s.v, c.s.signal, c.k.signal_rate, phi_dot);
@@ -122,8 +122,8 @@ static double *measure_energies(context *c, double *y)
     for (int32_t i = 0; i < m->n_rows; i++) {
         const double scale = c->number[m->row_scale_at + i];
         const double phi = fabs(c->k.phi[i]) / scale, rate = fabs(c->k.phi0[i]) / scale;
-        if (!(phi <= y[7])) y[7] = phi; /* not fmax, which would hide a NaN */
-        if (!(rate <= y[8])) y[8] = rate;
+        if (!(phi <= y[7]) && y[7] == y[7]) y[7] = phi; /* not fmax: a NaN stays */
+        if (!(rate <= y[8]) && y[8] == y[8]) y[8] = rate;
     }
     return y + 9;
 }
@@ -163,6 +163,7 @@ void NAME(hm_measure)(const holonom_model *m, double *number, double *state, dou
     y[1] = head[S_UZAWA];
     y[2] = head[S_SUBSTEPS];
     y[3] = head[S_STATUS];
+    load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
     hm_run_tape(m, number, 3);
 }
 

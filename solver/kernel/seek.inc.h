@@ -104,20 +104,24 @@ static int32_t settle(context *c)
 {
     const holonom_model *m = c->m;
     double h = c->s.head[S_STEP_SIZE], size = INFINITY;
-    int small = 0;
+    int small = 0, moved = 0;
+    int32_t failure = HOLONOM_NEWTON_DIVERGED;
     memset(c->s.v, 0, sizeof(double) * (size_t)(DIM * m->n_free));
     memset(c->s.mu[0], 0, sizeof(double) * (size_t)m->n_rows);
     for (int step = 0; step < 100 && small < 2; step++) {
-        if (seek_step(c, h, &size)) {
+        const int32_t status = seek_step(c, h, &size);
+        if (status) {
+            failure = status;
             h *= 0.25;
             continue;
         }
         take_over(c);
+        moved = 1;
         /* Once every motion is slower than a step, its size says how far the equilibrium is. */
         small = size <= 1e-10 * c->number[m->extent_at + 1] && h > 1e3 * c->s.head[S_STEP_SIZE] ? small + 1 : 0;
         if (h < 1e6 * c->s.head[S_STEP_SIZE]) h *= 4.0;
     }
-    if (small < 2) return HOLONOM_NEWTON_DIVERGED;
+    if (small < 2) return moved ? HOLONOM_NEWTON_DIVERGED : failure;
     return m->n_signals ? make_velocities_consistent(c, 0) : HOLONOM_OK; /* at rest, but for what drivers move */
 }
 
@@ -171,6 +175,9 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     c.h = 1.0;
     stand_still(&c);
     int32_t status = derive_scales(&c);
+    memcpy(c.s.derived, number + m->extent_at, sizeof(double) * 2);
+    memcpy(c.s.derived + 2, number + m->row_scale_at, sizeof(double) * (size_t)m->n_rows);
+    memcpy(c.s.derived + 2 + m->n_rows, number + m->row_sigma_at, sizeof(double) * (size_t)m->n_rows);
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = settle(&c);

@@ -42,6 +42,7 @@ static void derive_extent(context *c)
     EACH(k) extent2 += high[k] > low[k] ? pow(high[k] - low[k], 2) : 0.0;
     if (mass > 0.0) extent2 += gyration / mass;
     else if (gyration > 0.0) mass = gyration; /* pivoted bodies alone: their inertia, with unit arms */
+    if (!(extent2 > 0.0)) extent2 = 1.0; /* all in one place: nothing tells a size */
     c->number[m->extent_at] = sqrt(extent2);
     c->number[m->extent_at + 1] = sqrt(mass * extent2);
 }
@@ -72,7 +73,7 @@ static int32_t derive_scales(context *c)
     for (int32_t j = 0; j < first_potential(c); j++) {
         const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-        composite_result result;
+        composite_result result = {0.0, 0.0, 0.0};
         const int32_t status = is_row(c, j) ? composite_slopes(c, j, 1, &result) : HOLONOM_OK;
         if (status) return status;
         local = local_gradients(c, j, local);

@@ -1,4 +1,4 @@
-/* One conserving step, pairs of half steps, and a communication step. Included once per dimension.            */
+/* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after tangent.inc.h.      */
 
 /* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
@@ -82,7 +82,7 @@ static double constraint_defect(const context *c)
     for (int32_t i = 0; i < c->m->n_rows; i++) {
         const double phi = averaged ? 0.5 * (c->k.phi0[i] + c->k.phi[i]) : c->k.phi[i];
         const double scaled = fabs(phi) / c->number[c->m->row_scale_at + i];
-        if (!(scaled <= largest)) largest = scaled;
+        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
     }
     return largest;
 }
@@ -140,7 +140,7 @@ static double residual_energy(const context *c)
 {
     double sum = 0.0;
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) sum += c->k.d[k] * c->k.momentum[k];
-    return fabs(sum) / c->h;
+    return fabs(sum / c->h); /* h < 0 in the parts of a composition that go back */
 }
 
 static double constraint_energy(const context *c)

@@ -147,7 +147,7 @@ static int32_t composite_tangent(context *c, double *value)
     for (int32_t j = 0; j < n_composites(c); j++) {
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
-        composite_result result;
+        composite_result result = {0.0, 0.0, 0.0};
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
         const int32_t *after = local_gradients(c, j, local);
@@ -236,7 +236,7 @@ static int32_t add_composites(context *c)
     const holonom_model *m = c->m;
     for (int32_t j = 0; j < n_composites(c); j++) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
-        composite_result result;
+        composite_result result = {0.0, 0.0, 0.0};
         if (row < 0 && c->forceless) continue;
         const int32_t status = composite_slopes(c, j, 0, &result);
         if (status) return status;

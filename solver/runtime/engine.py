@@ -42,5 +42,5 @@ class Engine(Protocol):
         ...
 
     def residuals(self) -> tuple[list[float], list[float]]:
-        """Return Phi [m^2] and G v [m^2/s] of each row."""
+        """Return the residuals of the rows and their rates, each in the unit of its row."""
         ...

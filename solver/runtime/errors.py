@@ -72,16 +72,17 @@ SENTENCE = {
         "a smaller solver.step_size usually helps"
     ),
     Status.ZERO_LENGTH: (
-        "a spring, damper or torque acts on two points that coincide, so that its direction is "
-        "undefined; move the points apart, or use a spring with free_length = 0"
+        "a spring, damper, torque, driver or formula acts along two points that coincide, or by an "
+        "angle of a vector of length zero, so that its direction is undefined; move the points "
+        "apart, or use a spring with free_length = 0"
     ),
     Status.BAD_STEP: (
         "the step must be a finite number > 0 s and at most 1e9 internal steps long; "
         "use a shorter communication step or a larger solver.step_size"
     ),
     Status.BAD_LAW: (
-        "a stiffness, free length or damping became negative or not a number; "
-        "look at the expressions of springs and dampers at this time and with these inputs"
+        "a stiffness, free length or damping became negative, or a spring, damper or potential not "
+        "a number; look at their expressions at this time and with these inputs"
     ),
     Status.TURN_TOO_LARGE: (
         "a body turns by more than 2.5 rad within a half step, even halved 6 times; "
@@ -99,3 +100,22 @@ NO_EQUILIBRIUM = (
     "holds, or draw it closer to where it comes to rest"
 )
 """What is said where the setting start = "equilibrium" finds none."""
+
+AT_THE_START = {
+    Status.SINGULAR_TANGENT: (
+        "its equations have no unique solution as drawn; look for a part that nothing holds "
+        "against its constraints, or use a smaller solver.penalty"
+    ),
+    Status.NOT_FINITE: (
+        "a number of it is not finite; look at the expressions of positions, forces and drivers at "
+        "the start"
+    ),
+}
+"""What is said instead of `SENTENCE` where it happens before the first step."""
+
+
+def at_the_start(status: Status, equilibrium: bool) -> str:
+    """Return what is said of a start that failed; `equilibrium`: while one was sought."""
+    if status is Status.NEWTON_DIVERGED and equilibrium:
+        return NO_EQUILIBRIUM
+    return AT_THE_START.get(status, SENTENCE[status])

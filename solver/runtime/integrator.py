@@ -13,7 +13,7 @@ from .assembly_checks import (
     formulation_problems,
     rules_of_laws,
 )
-from .errors import NO_EQUILIBRIUM, SENTENCE, AssemblyError, OptionError, Status, StepError
+from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
@@ -175,13 +175,15 @@ class Integrator:
 
     def _turn(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
         """Change inputs and tunable parameters in motion, unless a law would break its rule."""
-        if not self._rules_of_laws:
+        if not (self._rules_of_laws or self.model.sizes["variable_potential"]):
             self.engine.set_inputs(inputs, parameters)
             return
         blocks = (self.state.block, self.engine.numbers)
         before = [bytes(block) for block in blocks]
         self.engine.set_inputs(inputs, parameters)
         problems = broken_rules(self._rules_of_laws, self.engine.numbers)
+        if not math.isfinite(self.state.head["work"]):
+            problems.append("with these values a spring or potential has no finite energy")
         if problems:
             for block, kept in zip(blocks, before, strict=True):
                 ctypes.memmove(block, kept, len(kept))
@@ -228,9 +230,7 @@ class Integrator:
             raise AssemblyError("\n".join(problems))
         status = Status(self.engine.initialise())
         if status is not Status.OK:
-            sentence = SENTENCE[status]
-            if status is Status.NEWTON_DIVERGED and self.state.head["equilibrium"]:
-                sentence = NO_EQUILIBRIUM
+            sentence = at_the_start(status, bool(self.state.head["equilibrium"]))
             message = f"the mechanism cannot be assembled: {sentence}"
             raise AssemblyError(message)
         self.phase = ASSEMBLED
@@ -288,10 +288,8 @@ class Integrator:
         phase = self.state.phase_of(data)
         self.state.fill(data)
         if phase != CONFIGURED:
-            # Numbers are no part of the state; it was assembled with these when it was saved, so
-            # nothing is asked again.
+            # Numbers are no part of the state: those of parameters follow from it, nothing else is
+            # asked again.
             self._evaluate()
-            self.engine.initialise()
-            self.state.fill(data)
         self.phase = phase
         self._measured = False

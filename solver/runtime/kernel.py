@@ -128,7 +128,7 @@ class Kernel:
         self._library.holonom_set_inputs(*self._pointers, _doubles(inputs), _doubles(parameters))
 
     def residuals(self) -> tuple[list[float], list[float]]:
-        """Return Phi [m^2] and G v [m^2/s] of each row."""
+        """Return the residuals of the rows and their rates, each in the unit of its row."""
         phi, phi_dot = (_doubles([0.0] * len(self.model.row_names)) for _ in range(2))
         self._library.holonom_residuals(*self._pointers, phi, phi_dot)
         count = len(self.model.row_names)

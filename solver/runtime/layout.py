@@ -64,9 +64,10 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first, mu_second`` (n_rows each):
     last multipliers; ``mean, mean_before``: means of two neighbours; ``driven_...`` likewise:
     forces that move the driven nodes; ``turns``: full turns of angles; ``signal``: prescribed
-    values at the present time; ``quaternion``: of the bodies, of continuous sign; ``inputs,
-    parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at the present time,
-    and how fast it arrived there.
+    values at the present time; ``quaternion``: of the bodies, of continuous sign; ``derived``: what
+    the start tells once and for all, the sections extent (2), row_scale and row_sigma (n_rows
+    each); ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at
+    the present time, and how fast it arrived there.
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
@@ -79,6 +80,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         "turns": sizes["n_quantities"],
         "signal": sizes["n_signals"],
         "quaternion": 4 * sizes["n_bodies"],
+        "derived": 2 + 2 * sizes["n_rows"],
         "inputs": sizes["n_inputs"],
         "inputs_before": sizes["n_inputs"],
         "inputs_slope": sizes["n_inputs"],

@@ -50,9 +50,8 @@ class Head(Mapping[str, float]):
 class State:
     """Named views of a state's block; writing to them writes the state.
 
-    `head` maps names to scalars. `vectors` maps ``q, q_low, v, v_low, a_first, a_second, mu_first,
-    mu_second, mean, mean_before, turns, inputs, parameters`` to memory views of doubles, which
-    `numpy.asarray` shares.
+    `head` maps names to scalars, `vectors` those of ``layout.state_sections`` to memory views of
+    doubles, which `numpy.asarray` shares.
     """
 
     def __init__(self, model: Model, block: ctypes.Array[ctypes.c_double]) -> None:

@@ -139,13 +139,10 @@ def book_loads(mechanism: Mechanism, motion: Motion, course: Course) -> None:
 
 
 def book_laws(mechanism: Mechanism, motion: Motion, course: Course) -> None:
-    """Book what dampers take out, and the work of drives and of signals in potentials."""
+    """Book what dampers take out, and the work of drives."""
     values = course.values
     for law in elements(mechanism):
         if law.damping != 0.0 or law.drive != 0.0:
             change = values.quantity(law.quantity)[0].d
             motion.book("dissipated", law.damping * change**2 / values.h)
             motion.book("work", law.drive * change)
-    for potential in mechanism.potentials:
-        slopes = over_step(mechanism, potential, values)
-        motion.book("work", float(slopes.signals @ values.dsignal))

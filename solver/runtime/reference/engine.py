@@ -56,7 +56,9 @@ class Reference:
         self._clock = Clock(model, self._numbers, self._motion)
 
     def _mechanism(self) -> Mechanism:
-        return Mechanism(self.model, self._numbers)
+        mechanism = Mechanism(self.model, self._numbers)
+        mechanism.derived = self._motion.vectors["derived"]
+        return mechanism
 
     # ------------------------------------------------------------------------------- numbers
 
@@ -72,7 +74,9 @@ class Reference:
         self._clock.set_laws(mechanism, t)
         given = {"inputs": inputs, "parameters": parameters}
         vectors = self._motion.vectors
-        changed = any(not np.array_equal(vectors[name], given[name]) for name in given)
+        held = ~np.array(self.model.tables["input_ramp"], dtype=bool)
+        changed = not np.array_equal(vectors["parameters"], parameters)
+        changed |= not np.array_equal(vectors["inputs"][held], np.array(inputs)[held])
         for name, values in given.items():
             vectors[name][:] = values
         self._clock.set_laws(mechanism, t, booked=True)
@@ -97,6 +101,7 @@ class Reference:
         signal_rates = self._take_initial(mechanism)
         self._clock.set_laws(mechanism, head["time"])
         derive_scales(mechanism, motion)
+        motion.vectors["derived"][:] = mechanism.derived
         if not np.all(np.isfinite(self._numbers[: self.model.offsets["measured"]])):
             raise UnsolvedError(Status.NOT_FINITE)
         if head["assemble"]:

@@ -75,6 +75,17 @@ class Mechanism:
         self.moment = section["moment"].reshape(-1, 1 if self.dim == 2 else 3)
         self.couples = section["body_moment"].reshape(-1, 3)
 
+    @property
+    def derived(self) -> Array:
+        """What the start tells once and for all: extent (2), row scales and sigma of the rows."""
+        return np.concatenate([self.section["extent"], self.row_scale, self.sigma])
+
+    @derived.setter
+    def derived(self, values: Array) -> None:
+        n_rows = len(self.sigma)
+        self.section["extent"][:] = values[:2]
+        self.row_scale[:], self.sigma[:] = values[2 : 2 + n_rows], values[2 + n_rows :]
+
     def _read_tables(self, model: Model) -> None:
         tables, sizes = model.tables, model.sizes
         self.row_form = np.array(tables["row_form"], dtype=int)

@@ -34,7 +34,6 @@ def start_ramps(mechanism: Mechanism, motion: Motion, clock: Clock, step: float)
     dv[mechanism.n_free :] = jump[: mechanism.n - mechanism.n_free]
     G, by_signals, _ = rows_of(mechanism, motion)
     rest = G @ dv + by_signals @ jump
-    rest[mechanism.row_kinds[3]] = 0.0
     M, impulse = mechanism.M[free, free], (mechanism.M @ dv)[free]
     dv[free], _ = constrained(mechanism, M, G[:, free], -impulse, -rest)
     add(motion.v, motion.v_low, dv)

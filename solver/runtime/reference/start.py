@@ -99,6 +99,7 @@ def derive_scales(mechanism: Mechanism, motion: Motion) -> None:
     box = np.ptp(points, axis=0) if len(points) else np.zeros(dim)
     extent = math.sqrt(float(box @ box) + (turning / mass if mass > 0.0 else 0.0))
     # Bodies that turn about fixed points alone: their inertia, with arms of 1.
+    extent = extent or 1.0  # all in one place: nothing tells a size
     section["extent"][:] = extent, math.sqrt(mass if mass > 0.0 else turning) * extent
     power = np.array(mechanism.model.tables["row_power"], dtype=float)
     mechanism.row_scale[:] = section["row_base"] * extent**power
