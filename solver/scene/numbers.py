@@ -72,7 +72,7 @@ class Known:
     """Name of each part and what it is: "point", "body", "bar", "parameter", "input", ..."""
     tunable: dict[str, str] = field(default_factory=dict)
     """Tunable parameters, and the one each of them is calculated from, or itself."""
-    ends: tuple[str, ...] = ()
+    ends: dict[str, None] = field(default_factory=dict)
     """Points, bodies with an origin, and points of bodies: what ``distance`` takes."""
     quantities: Mapping[str, Level] = field(default_factory=dict)
     """The mechanism's own quantities."""
