@@ -205,6 +205,11 @@ static int32_t first_multipliers(context *c)
             EACH(k) c->k.w[DIM * a + k] += c->k.rhs[m->node_position[a] + k];
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
     }
+    /* The pivot of a row is what is left of -G M^-1 G' - epsilon: of a dependent row no more than epsilon. */
+    c->s.head[S_DEPENDENT] = 0.0;
+    for (int32_t i = 0; i < m->n_rows; i++)
+        if (!(fabs(c->k.value[m->lu_ptr[m->row_position[i]]]) < 1e5 / c->number[m->row_sigma_at + i]))
+            c->s.head[S_DEPENDENT] = 1.0; /* pivots are stored inverted */
     memcpy(c->k.mu, mu, rows);
     memset(c->k.lambda, 0, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;

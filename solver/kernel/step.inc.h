@@ -30,9 +30,9 @@ static int turns_little(const context *c)
     return 1;
 }
 
-/* Part of the last multipliers that is forgotten at the beginning of a step. What dependent rows leave undetermined
-   would otherwise grow without bound, since every solve adds their inconsistency, a rounding error of the drawn
-   configuration, over epsilon. What is determined comes back in the first solve.                               */
+/* Part of the last multipliers that is forgotten at the beginning of a step where rows depend on each other. What
+   they leave undetermined would otherwise grow without bound, since every solve adds their inconsistency, a rounding
+   error of the drawn configuration, over epsilon. What is determined comes back in the first solves.             */
 #define LEAK 1e-3
 
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
@@ -54,9 +54,10 @@ static void prepare_step(context *c, int parity)
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
     rows_at_start(c);
+    const double kept = c->s.head[S_DEPENDENT] != 0.0 ? 1.0 - LEAK : 1.0;
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.epsilon[i] = row_compliance(c, i);
-        c->k.mu[i] = (1.0 - LEAK) * c->s.mu[parity][i];
+        c->k.mu[i] = kept * c->s.mu[parity][i];
     }
 }
 

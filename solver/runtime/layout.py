@@ -45,7 +45,7 @@ OFFSETS = (
 HEAD = (
     "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
     "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
-    "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps",
+    "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps", "dependent",
     "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation", "simultaneous",
     "paper_update", "paired", "step_size", "tolerance", "penalty", "xi", "omega", "max_newton",
     "max_uzawa", "assemble", "equilibrium", "order",

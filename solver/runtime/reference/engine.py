@@ -22,7 +22,7 @@ from .measurement import Measurement
 from .mechanism import Mechanism
 from .projection import assemble_positions, assemble_velocities, find_equilibrium
 from .ramps import start_ramps
-from .start import derive_scales, first_multipliers, row_rates
+from .start import derive_scales, first_multipliers, has_dependent_rows, row_rates
 from .state import Motion, add
 from .step import Step
 from .tape import run_tape
@@ -113,6 +113,7 @@ class Reference:
             if len(signal_rates):
                 assemble_velocities(mechanism, motion, signal_rates, keep_given=False)
         lam, a, driven_force = first_multipliers(mechanism, motion, self._clock)
+        head["dependent"] = float(has_dependent_rows(mechanism, motion))
         for half in (0, 1):
             motion.mu[half][:], motion.a[half][:] = lam, a
             motion.driven_force[half][:] = driven_force

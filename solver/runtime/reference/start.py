@@ -174,3 +174,10 @@ def first_multipliers(
     a[free], lam = constrained(mechanism, M, G[:, free], force, -rest)
     forces = (mechanism.M @ a + G.T @ lam - Q)[driven]
     return lam, a, forces
+
+
+def has_dependent_rows(mechanism: Mechanism, motion: Motion) -> bool:
+    """Whether some rows follow from the others at the present state."""
+    G = rows_of(mechanism, motion)[0][:, : mechanism.n_free]
+    scaled = G / np.sqrt(np.outer(mechanism.sigma, mechanism.m_node[: mechanism.n_free]))
+    return np.linalg.matrix_rank(scaled, tol=1e-4) < len(G) if scaled.size else False

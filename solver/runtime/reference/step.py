@@ -52,7 +52,8 @@ class Step:
         self.equations = Equations(mechanism, motion, h, signal_n1)
         # v and mu have a part of alternating sign: predict from the same half of the last pair.
         self.w = 0.5 * h**2 * motion.a[half][: mechanism.n_free]
-        self.mu = (1.0 - LEAK) * motion.mu[half]
+        leak = LEAK if self.head["dependent"] else 0.0
+        self.mu = (1.0 - leak) * motion.mu[half]
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
         self.target = self.head["tolerance"] * np.sqrt(
