@@ -122,3 +122,21 @@ start = "equilibrium"
         return
     run = solver.Integrator(solver.assemble(solver.loads(text)))
     assert run["A.z"] == pytest.approx(-0.981, abs=1e-10)
+
+
+def test_no_equilibrium_is_sought_of_loads_that_read_the_motion():
+    text = """
+name = "servo"
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+arm = { position = [0.4, 0], mass = 1.0, inertia = 0.01 }
+[joints]
+h = { type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }
+[forces]
+s = { type = "joint_torque", joint = "h", value = "-20*h.angle" }
+[solver]
+start = "equilibrium"
+"""
+    with pytest.raises(solver.SceneError, match="torsion_spring or potential"):
+        solver.assemble(solver.loads(text))

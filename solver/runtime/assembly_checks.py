@@ -81,6 +81,17 @@ def formulation_problems(model: Model, formulation: str) -> list[str]:
     ]
 
 
+def equilibrium_problems(model: Model, equilibrium: float) -> list[str]:
+    """Return a sentence if an equilibrium is sought of loads that would be held as drawn."""
+    if not (equilibrium and model.sizes["sensing"]):
+        return []
+    return [
+        "solver.start: an equilibrium is sought with the loads as drawn, and a force or torque of "
+        "this mechanism reads its motion; write it as a spring, torsion_spring or potential, or "
+        "begin as drawn"
+    ]
+
+
 def contradicted_rows(model: Model, engine: Engine) -> list[str]:
     """Return one sentence for each part whose rows the drawn mechanism contradicts.
 

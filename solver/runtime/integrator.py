@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from .assembly_checks import (
     broken_rules,
     contradicted_rows,
+    equilibrium_problems,
     formulation_problems,
     rules_of_laws,
 )
@@ -226,6 +227,7 @@ class Integrator:
         self._evaluate()
         problems = broken_rules(self.model.rules, self.engine.numbers)
         problems += formulation_problems(self.model, str(decode("formulation", self.state.head)))
+        problems += equilibrium_problems(self.model, self.state.head["equilibrium"])
         if problems:
             raise AssemblyError("\n".join(problems))
         status = Status(self.engine.initialise())

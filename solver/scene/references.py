@@ -147,7 +147,8 @@ class References:
         if kind == "body" or (kind == "bar" and bar) or (ground and name == "ground"):
             return True
         bodies = self.known.of("body", *(["bar"] if bar else []))
-        help = did_you_mean(name, bodies, "known bodies")
+        known = [*bodies, *(["ground"] if ground else [])]
+        help = did_you_mean(name, known, "known bodies")
         if name == "ground":
             message, help = "the ground does not move: name a body", None
         elif kind == "bar":
