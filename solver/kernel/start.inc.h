@@ -208,7 +208,7 @@ static int32_t first_multipliers(context *c)
     /* The pivot of a row is what is left of -G M^-1 G' - epsilon: of a dependent row no more than epsilon. */
     c->s.head[S_DEPENDENT] = 0.0;
     for (int32_t i = 0; i < m->n_rows; i++)
-        if (!(fabs(c->k.value[m->lu_ptr[m->row_position[i]]]) < 1e5 / c->number[m->row_sigma_at + i]))
+        if (!(fabs(c->k.value[m->lu_ptr[m->row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
             c->s.head[S_DEPENDENT] = 1.0; /* pivots are stored inverted */
     memcpy(c->k.mu, mu, rows);
     memset(c->k.lambda, 0, rows);
