@@ -8,6 +8,7 @@ not holonomic, take it from velocities and not from positions.
 
 from __future__ import annotations
 
+from array import array
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -68,19 +69,15 @@ def constraint_jacobian(integrator: Integrator) -> NDArray[np.float64]:
     kept = list(v)
     columns = []
     try:
-        v[:] = _doubles(0.0, len(v))
+        v[:] = memoryview(array("d", bytes(8 * len(v))))
         rest = np.array(integrator.engine.residuals()[1])
         for k in range(len(v)):
             v[k] = 1.0
             columns.append(np.array(integrator.engine.residuals()[1]) - rest)
             v[k] = 0.0
     finally:
-        v[:] = _doubles(kept, len(v))
+        v[:] = memoryview(array("d", kept))
     return np.array(columns).T.reshape(len(integrator.model.rows), len(v))
-
-
-def _doubles(values: float | Sequence[float], count: int) -> memoryview:
-    return memoryview(np.broadcast_to(np.asarray(values, dtype=float), count).copy())
 
 
 def _rank(rows: NDArray[np.float64]) -> int:
