@@ -12,7 +12,6 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
     for (int32_t i = 0; i < m->n_inputs; i++) changed |= !m->input_ramp[i] && c.s.inputs[i] != inputs[i];
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
-    load_inputs(&c, c.t);
     set_laws(&c, c.t, 1);
     if (changed) c.s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
 }
@@ -109,22 +108,27 @@ static int32_t interval(context *c, double h, int halvings)
     return status ? status : interval(c, 0.5 * h, halvings + 1);
 }
 
+/* How fast input i goes to its new value over a communication step; a held one does not. */
+static double ramp_slope(const context *c, int32_t i, double step)
+{
+    return c->m->input_ramp[i] ? (c->s.inputs[i] - c->s.inputs_before[i]) / step : 0.0;
+}
+
 /* Ramped inputs change their slopes at communication points, and with them the rates of signals jump. Velocities jump
    by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work.                      */
 static int32_t start_ramps(context *c, double step)
 {
     const holonom_model *m = c->m;
-    double change = 0.0, *jump = c->k.signal_rate;
-    signal_rates_at(c, c->t, c->k.signal1);
-    for (int32_t i = 0; i < m->n_inputs; i++) {
-        const double slope = m->input_ramp[i] ? (c->s.inputs[i] - c->s.inputs_before[i]) / step : 0.0;
-        change += fabs(slope - c->s.inputs_slope[i]);
-        c->s.inputs_slope[i] = slope;
-    }
-    if (!m->n_signals || change == 0.0) return HOLONOM_OK;
+    double *slope = c->s.inputs_slope, *before = c->k.signal1, *jump = c->k.signal_rate;
+    int changed = 0;
+    for (int32_t i = 0; i < m->n_inputs; i++) changed |= ramp_slope(c, i, step) != slope[i];
+    if (!changed) return HOLONOM_OK;
+    signal_rates_at(c, c->t, before);
+    for (int32_t i = 0; i < m->n_inputs; i++) slope[i] = ramp_slope(c, i, step);
+    if (!m->n_signals) return HOLONOM_OK;
     signal_rates_at(c, c->t, jump);
-    for (int32_t b = 0; b < m->n_signals; b++) jump[b] -= c->k.signal1[b];
-    const double before = kinetic_energy(c, c->k.momentum);
+    for (int32_t b = 0; b < m->n_signals; b++) jump[b] -= before[b];
+    const double kinetic = kinetic_energy(c, c->k.momentum);
     stand_still(c);
     memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
     row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
@@ -132,9 +136,9 @@ static int32_t start_ramps(context *c, double step)
     inertia(c, c->k.w, c->k.momentum);
     const int32_t status = solve_at_state(c, NULL);
     if (status) return status;
-    for (int32_t a = 0; a < m->n_free; a++) EACH(k) c->k.w[DIM * a + k] = c->k.rhs[m->node_position[a] + k];
+    add_solution(c, c->k.w);
     for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
-    book(c, S_WORK, kinetic_energy(c, c->k.momentum) - before);
+    book(c, S_WORK, kinetic_energy(c, c->k.momentum) - kinetic);
     c->s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
     return HOLONOM_OK;
 }
@@ -152,9 +156,7 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     head[S_NEWTON] = head[S_UZAWA] = head[S_SUBSTEPS] = 0.0;
     const int64_t n = count < 1.0 ? 1 : (int64_t)count;
     const double start = head[S_TIME], h = step / (double)n;
-    int32_t status = HOLONOM_OK;
-    load_inputs(&c, start); /* functions may read parameters where they stand */
-    status = start_ramps(&c, step);
+    int32_t status = start_ramps(&c, step);
     set_laws(&c, start, 0);
     for (int64_t i = 0; i < n && !status; i++) {
         c.t = start + h * (double)i;

@@ -123,13 +123,45 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
     return status;
 }
 
+/* Places of the composite behind those of composite j, which has one for each free entry of its forms. */
+static const int32_t *next_places(const context *c, int32_t j, const int32_t *local)
+{
+    const holonom_model *m = c->m;
+    for (int32_t at = m->composite_form_ptr[j]; at < m->composite_form_ptr[j + 1]; at++)
+        local += m->form_free[m->composite_form[at]];
+    return local;
+}
+
+/* Gradients of the composite's forms over its free nodes, at the lever and at the end; `local` are the places of
+   the entries among these nodes.                                                                             */
+static void local_gradients(const context *c, int32_t j, const int32_t *local)
+{
+    const holonom_model *m = c->m;
+    const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+    const local_form *motion = (const local_form *)c->k.local;
+    memset(c->k.gradient, 0, sizeof(double) * (size_t)(forms * size));
+    memset(c->k.gradient_end, 0, sizeof(double) * (size_t)(forms * size));
+    for (int32_t i = 0; i < forms; i++, motion++) {
+        const int32_t f = m->composite_form[m->composite_form_ptr[j] + i];
+        for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+            const int32_t at = size * i + DIM * *local++;
+            double g[DIM];
+            entry_gradient(c, f, e, motion->um, motion->wm, g);
+            EACH(k) c->k.gradient[at + k] += g[k];
+            entry_gradient(c, f, e, motion->u1, motion->w1, g);
+            EACH(k) c->k.gradient_end[at + k] += g[k];
+        }
+    }
+}
+
 /* Law of element j: N = k (sigma_m - rest) + c dsigma/h - drive along its quantity. Its work is then exactly
    -dV - c dsigma^2/h + drive dsigma (Gonzalez 2000; paper, eq 11).                                             */
 static int32_t element_law(context *c, int32_t j, int tangent, composite_result *result)
 {
     const holonom_model *m = c->m;
     const double stiffness = c->number[m->stiffness_at + j], rest = c->number[m->rest_at + j];
-    const double damping = c->forceless || is_seeking(c) ? 0.0 : c->number[m->damping_at + j];
+    const double damping = is_seeking(c) ? 0.0 : c->number[m->damping_at + j];
     const double drive = c->number[m->drive_at + j];
     const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
     const int is_length = m->quantity_kind[entry[1]] == QUANTITY_LENGTH;
@@ -141,7 +173,6 @@ static int32_t element_law(context *c, int32_t j, int tangent, composite_result 
     result->mechanical = 0.0;
     if (is_length && rest == 0.0 && damping == 0.0 && drive == 0.0) { /* V = k s/2: no direction is needed */
         c->k.slope[0] = 0.5 * stiffness;
-        c->k.curve[0] = 0.0;
         return HOLONOM_OK;
     }
     const int32_t status = set_leaf(c, entry, is_seeking(c), &leaf);
@@ -159,8 +190,17 @@ static int32_t element_law(context *c, int32_t j, int tangent, composite_result 
     return HOLONOM_OK;
 }
 
-/* Quantity j at the configuration (x, x_low), an angle on the turn that the state is on, and, if wanted, its rate with
-   velocities v. One whose direction is undefined has no rate: a length zero, an angle of a vector zero.         */
+/* Quantity j from its forms s, an angle on the turn that the state is on. */
+static double quantity_of(const context *c, int32_t j, const double *s)
+{
+    const int32_t kind = c->m->quantity_kind[j];
+    if (kind == QUANTITY_FORM) return s[0];
+    if (kind == QUANTITY_LENGTH) return sqrt(s[0]);
+    return atan2(s[1] + 0.0, s[0]) + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
+}
+
+/* Quantity j at the configuration (x, x_low) and, if wanted, its rate with velocities v. One whose direction is
+   undefined has no rate: a length zero, an angle of a vector zero.                                              */
 static double quantity_at(const context *c, int32_t j, const double *x, const double *x_low, const double *v, double *rate)
 {
     const holonom_model *m = c->m;
@@ -173,25 +213,25 @@ static double quantity_at(const context *c, int32_t j, const double *x, const do
         link_of(c, form[i], v, vu, vw);
         s_dot[i] = dot(u, vw) + dot(w, vu);
     }
-    if (rate) *rate = s_dot[0];
-    if (kind == QUANTITY_FORM) return s[0];
-    if (kind == QUANTITY_LENGTH) {
-        const double length = sqrt(s[0]);
-        if (rate) *rate = length > 0.0 ? 0.5 * s_dot[0] / length : 0.0;
-        return length;
-    }
-    const double size2 = s[0] * s[0] + s[1] * s[1];
-    if (rate) *rate = size2 > 0.0 ? (s[0] * s_dot[1] - s[1] * s_dot[0]) / size2 : 0.0;
-    return atan2(s[1] + 0.0, s[0]) + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
+    const double value = quantity_of(c, j, s), size2 = s[0] * s[0] + s[1] * s[1];
+    if (!rate) return value;
+    if (kind == QUANTITY_FORM) *rate = s_dot[0];
+    else if (kind == QUANTITY_LENGTH) *rate = value > 0.0 ? 0.5 * s_dot[0] / value : 0.0;
+    else *rate = size2 > 0.0 ? (s[0] * s_dot[1] - s[1] * s_dot[0]) / size2 : 0.0;
+    return value;
 }
 
-/* Quantity j from the links at the beginning of the step. */
-static double quantity_at_start(const context *c, int32_t j)
+/* Links of all forms at the state, which is the beginning of the step, and the quantities they make. */
+static void links_at_start(const context *c)
 {
-    const int32_t kind = c->m->quantity_kind[j], *form = c->m->quantity_form + 2 * j;
-    const double first = dot(c->k.u0 + DIM * form[0], c->k.w0 + DIM * form[0]);
-    if (kind == QUANTITY_FORM) return first;
-    if (kind == QUANTITY_LENGTH) return sqrt(first);
-    const double second = dot(c->k.u0 + DIM * form[1], c->k.w0 + DIM * form[1]);
-    return atan2(second + 0.0, first) + 6.283185307179586477 * c->s.turns[j];
+    const holonom_model *m = c->m;
+    for (int32_t f = 0; f < m->n_forms; f++) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    for (int32_t j = 0; j < m->n_active; j++) {
+        double s[2] = {0.0, 0.0};
+        for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {
+            const int32_t f = m->quantity_form[2 * j + i];
+            s[i] = dot(c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+        }
+        c->k.sigma0[j] = quantity_of(c, j, s);
+    }
 }

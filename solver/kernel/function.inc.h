@@ -13,11 +13,10 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
         const int32_t *entry = m->leaf + 4 * (m->leaf_ptr[j] + k);
         for (int32_t l = 0; l < n; l++) matrix[n * l + k] = 0.0;
         if (entry[0] != LEAF_VALUE) continue;
-        load_registers(c, j, OVER_STEP);
-        const double delta = 1e-6 * (fabs(r->r0[k]) + fabs(r->r1[k]) + 1e-2 * (1.0 + c->number[m->extent_at]));
         for (int side = 0; side < 2; side++) {
-            const double shift = side ? -delta : delta;
             load_registers(c, j, OVER_STEP);
+            const double delta = 1e-6 * (fabs(r->r0[k]) + fabs(r->r1[k]) + 1e-2 * (1.0 + c->number[m->extent_at]));
+            const double shift = side ? -delta : delta;
             r->r1[k] += shift;
             if (is_velocity || is_seeking(c)) r->r0[k] += shift;
             else r->dr[k] += shift;

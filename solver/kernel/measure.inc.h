@@ -151,10 +151,8 @@ void NAME(hm_measure)(const holonom_model *m, double *number, double *state, dou
     context c;
     open_context(&c, m, number, state, work);
     const double *head = c.s.head;
-    load_inputs(&c, head[S_TIME]);
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
-    number[m->time_at] = head[S_TIME];
     double *mu = measure_motion(&c, number + m->measured_at);
     double *y = measure_bodies(&c, measure_rows(&c, mu));
     y = measure_reactions(&c, mu + m->n_form_rows, y);

@@ -82,8 +82,7 @@ static int32_t make_velocities_consistent(context *c, int keep_given)
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
         const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
         if (status) return status;
-        for (int32_t a = 0; a < m->n_free; a++)
-            EACH(k) c->s.v[DIM * a + k] += c->k.rhs[m->node_position[a] + k];
+        add_solution(c, c->s.v);
     }
     return HOLONOM_OK;
 }
@@ -134,7 +133,6 @@ static void take_initial(context *c)
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
     memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     memset(c->s.inputs_slope, 0, sizeof(double) * (size_t)m->n_inputs);
-    load_inputs(c, c->t);
     signals_at(c, c->t, c->s.signal);
     signal_rates_at(c, c->t, c->k.signal_rate);
     memcpy(c->s.q + DIM * m->n_free, c->s.signal, driven);

@@ -13,8 +13,7 @@ static void stand_still(context *c)
 {
     const holonom_model *m = c->m;
     const size_t n = (size_t)(DIM * c->n_moving), rows = (size_t)m->n_rows;
-    for (int32_t f = 0; f < m->n_forms; f++) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
-    for (int32_t j = 0; j < m->n_active; j++) c->k.sigma0[j] = quantity_at_start(c, j);
+    links_at_start(c);
     memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
     memset(c->k.hv, 0, sizeof(double) * n);
     memset(c->k.w, 0, sizeof(double) * n);
@@ -70,14 +69,16 @@ static int32_t derive_scales(context *c)
             else EACH(k) sigma[m->n_form_rows + DIM * j + k] += square * inverse;
         }
     }
-    for (int32_t j = 0; j < first_potential(c); j++) {
+    for (int32_t j = 0; j < first_function(c); j++) local = next_places(c, j, local);
+    for (int32_t j = first_function(c); j < first_potential(c); j++) {
         const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         composite_result result = {0.0, 0.0, 0.0};
-        const int32_t status = is_row(c, j) ? composite_slopes(c, j, 1, &result) : HOLONOM_OK;
+        const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
-        local = local_gradients(c, j, local);
-        for (int32_t k = 0; k < DIM * size && is_row(c, j); k++) {
+        local_gradients(c, j, local);
+        local = next_places(c, j, local);
+        for (int32_t k = 0; k < DIM * size; k++) {
             double g = 0.0;
             for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
             sigma[row_of(c, j)] += g * g / node_mass[m->composite_node[m->composite_node_ptr[j] + k / DIM]];
@@ -201,8 +202,7 @@ static int32_t first_multipliers(context *c)
         row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
         for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = c->k.lambda[i] + rate[i];
         if ((status = solve_at_state(c, NULL))) return status;
-        for (int32_t a = 0; a < m->n_free; a++)
-            EACH(k) c->k.w[DIM * a + k] += c->k.rhs[m->node_position[a] + k];
+        add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
     }
     /* The pivot of a row is what is left of -G M^-1 G' - epsilon: of a dependent row no more than epsilon. */

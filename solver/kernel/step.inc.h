@@ -40,8 +40,7 @@ static void prepare_step(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const double h = c->h;
-    for (int32_t f = 0; f < m->n_forms; f++) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
-    for (int32_t j = 0; j < m->n_active; j++) c->k.sigma0[j] = quantity_at_start(c, j);
+    links_at_start(c);
     /* w is h^2/2 times an acceleration: predict that of the same half of the last pair, since v and mu have a
        component that changes sign from half to half. */
     for (int32_t k = 0; k < DIM * c->n_moving; k++) {

@@ -84,30 +84,6 @@ static const int32_t *scatter_block(const context *c, int32_t f, double factor, 
     return slot;
 }
 
-/* Gradients of the composite's forms over its free nodes, at the lever and at the end; `local` are the places of
-   the entries among these nodes. Returns the places behind.                                                  */
-static const int32_t *local_gradients(const context *c, int32_t j, const int32_t *local)
-{
-    const holonom_model *m = c->m;
-    const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
-    const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-    const local_form *motion = (const local_form *)c->k.local;
-    memset(c->k.gradient, 0, sizeof(double) * (size_t)(forms * size));
-    memset(c->k.gradient_end, 0, sizeof(double) * (size_t)(forms * size));
-    for (int32_t i = 0; i < forms; i++, motion++) {
-        const int32_t f = m->composite_form[m->composite_form_ptr[j] + i];
-        for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
-            const int32_t at = size * i + DIM * *local++;
-            double g[DIM];
-            entry_gradient(c, f, e, motion->um, motion->wm, g);
-            EACH(k) c->k.gradient[at + k] += g[k];
-            entry_gradient(c, f, e, motion->u1, motion->w1, g);
-            EACH(k) c->k.gradient_end[at + k] += g[k];
-        }
-    }
-    return local;
-}
-
 /* block = sum curve_fg grad s_f(lever) grad s_g(end)' + lever sum slope_f H_f. */
 static void composite_stiffness(const context *c, int32_t j, const int32_t *local)
 {
@@ -150,7 +126,7 @@ static int32_t composite_tangent(context *c, double *value)
         composite_result result = {0.0, 0.0, 0.0};
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
-        const int32_t *after = local_gradients(c, j, local);
+        local_gradients(c, j, local);
         const double factor = !row ? c->forceless ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
         composite_stiffness(c, j, local);
         for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * c->k.block[k];
@@ -158,7 +134,7 @@ static int32_t composite_tangent(context *c, double *value)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
         for (int32_t k = 0; k < size && row; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
-        local = after;
+        local = next_places(c, j, local);
     }
     return HOLONOM_OK;
 }
@@ -285,6 +261,13 @@ static void gather_rhs(context *c)
     for (int32_t a = 0; a < m->n_free; a++)
         EACH(k) c->k.rhs[m->node_position[a] + k] = -c->k.momentum[DIM * a + k];
     for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->row_position[i]] = -c->k.constraint[i];
+}
+
+/* Adds what was solved for, one vector a free node, to x (DIM n_free, modified). */
+static void add_solution(const context *c, double *x)
+{
+    for (int32_t a = 0; a < c->m->n_free; a++)
+        EACH(k) x[DIM * a + k] += c->k.rhs[c->m->node_position[a] + k];
 }
 
 static inline int32_t factorise(context *c)
