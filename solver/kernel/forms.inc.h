@@ -35,6 +35,9 @@ static inline double dot(const double *a, const double *b)
 
 static inline int is_seeking(const context *c) { return c->lever != 0.5; }
 
+/* The sections extent, row_scale and row_sigma lie side by side. */
+static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
+
 static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
 {
     c->m = m;
@@ -47,9 +50,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->forceless = 0;
-    memcpy(number + m->extent_at, c->s.derived, sizeof(double) * 2);
-    memcpy(number + m->row_scale_at, c->s.derived + 2, sizeof(double) * (size_t)m->n_rows);
-    memcpy(number + m->row_sigma_at, c->s.derived + 2 + m->n_rows, sizeof(double) * (size_t)m->n_rows);
+    memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
 
 /* x += factor J y, J the quarter turn; there is none in space. */

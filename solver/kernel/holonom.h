@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 3
+#define HOLONOM_ABI 4
 
 enum holonom_status {
     HOLONOM_OK = 0,
@@ -145,7 +145,9 @@ typedef struct holonom_model {
     int32_t alpha_turn_at, beta_turn_at; /* n_entries each, or none if no form is turned                   */
     int32_t row_constant_at;      /* n_form_rows: c                                                        */
     int32_t row_base_at;          /* n_rows                                                                */
-    int32_t row_scale_at;         /* n_rows: makes Phi dimensionless, derived: written by holonom_initialise */
+    int32_t extent_at;            /* 2: size of the mechanism [m], in the mass norm [kg^1/2 m]; derived: this and
+                                     the next two are written by holonom_initialise, and the state keeps them */
+    int32_t row_scale_at;         /* n_rows: makes Phi dimensionless, derived                               */
     int32_t row_sigma_at;         /* n_rows: (G M^-1 G')_ii, derived                                       */
     int32_t stiffness_at, rest_at, damping_at, drive_at; /* n_elements                                     */
     int32_t gravity_at;           /* dim [m/s^2]                                                           */
@@ -160,7 +162,6 @@ typedef struct holonom_model {
     int32_t node_mass_at;         /* moving nodes: share of the mass in norms [kg]                         */
     int32_t node_weight_at;       /* moving nodes: mass that gravity acts on [kg]                          */
     int32_t velocity_weight_at;   /* moving nodes: weight of their velocity when it is made consistent     */
-    int32_t extent_at;            /* 2: size of the mechanism [m], in the mass norm [kg^1/2 m]; derived     */
     int32_t measured_at;          /* measurements, see holonom_measure                                     */
 } holonom_model;
 

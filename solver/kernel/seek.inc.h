@@ -173,9 +173,7 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     c.h = 1.0;
     stand_still(&c);
     int32_t status = derive_scales(&c);
-    memcpy(c.s.derived, number + m->extent_at, sizeof(double) * 2);
-    memcpy(c.s.derived + 2, number + m->row_scale_at, sizeof(double) * (size_t)m->n_rows);
-    memcpy(c.s.derived + 2 + m->n_rows, number + m->row_sigma_at, sizeof(double) * (size_t)m->n_rows);
+    memcpy(c.s.derived, number + m->extent_at, derived_bytes(m));
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = settle(&c);

@@ -46,6 +46,28 @@ static void derive_extent(context *c)
     c->number[m->extent_at + 1] = sqrt(mass * extent2);
 }
 
+/* The part of derive_scales for rows that are functions; `local` is the first function's place in composite_local. */
+static int32_t add_function_sigmas(context *c, const int32_t *local, double *sigma)
+{
+    const holonom_model *m = c->m;
+    const double *node_mass = c->number + m->node_mass_at;
+    for (int32_t j = first_function(c); j < first_potential(c); j++) {
+        const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
+        const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+        composite_result result = {0.0, 0.0, 0.0};
+        const int32_t status = composite_slopes(c, j, 1, &result);
+        if (status) return status;
+        local_gradients(c, j, local);
+        local = next_places(c, j, local);
+        for (int32_t k = 0; k < DIM * size; k++) {
+            double g = 0.0;
+            for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
+            sigma[row_of(c, j)] += g * g / node_mass[m->composite_node[m->composite_node_ptr[j] + k / DIM]];
+        }
+    }
+    return HOLONOM_OK;
+}
+
 /* sigma_i = (G M^-1 G')_ii with the nodes' shares of the mass, for the scaling of the penalties; scales. */
 static int32_t derive_scales(context *c)
 {
@@ -70,20 +92,8 @@ static int32_t derive_scales(context *c)
         }
     }
     for (int32_t j = 0; j < first_function(c); j++) local = next_places(c, j, local);
-    for (int32_t j = first_function(c); j < first_potential(c); j++) {
-        const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
-        const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-        composite_result result = {0.0, 0.0, 0.0};
-        const int32_t status = composite_slopes(c, j, 1, &result);
-        if (status) return status;
-        local_gradients(c, j, local);
-        local = next_places(c, j, local);
-        for (int32_t k = 0; k < DIM * size; k++) {
-            double g = 0.0;
-            for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
-            sigma[row_of(c, j)] += g * g / node_mass[m->composite_node[m->composite_node_ptr[j] + k / DIM]];
-        }
-    }
+    const int32_t status = add_function_sigmas(c, local, sigma);
+    if (status) return status;
     for (int32_t i = 0; i < m->n_rows; i++)
         if (!(sigma[i] > 0.0)) { /* a gradient that vanishes here need not do so later */
             const double size2 = pow(c->number[m->extent_at + 1], 2);

@@ -30,6 +30,7 @@ def sections_of(
         "beta_turn": [entry.beta[1] for entry in turned],
         "row_constant": [row.constant for row in mechanism.form_rows],
         "row_base": _bases(structure),
+        "extent": [0.0, 0.0],
         "row_scale": zeros,
         "row_sigma": zeros,
         "stiffness": [element.stiffness for element in mechanism.elements],
@@ -52,7 +53,6 @@ def sections_of(
         "node_mass": [node.mass for node in moving],
         "node_weight": [node.weight for node in moving],
         "velocity_weight": [node.velocity_weight for node in moving],
-        "extent": [0.0, 0.0],
         "measured": [0.0] * measured_size(counts),
     }
 

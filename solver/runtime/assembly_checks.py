@@ -144,7 +144,7 @@ class _Drawn:
         self.model, self.numbers, self.state = model, engine.numbers, engine.state
         self.phi, self.rate = engine.residuals()
         self.sections = state_sections(model.sizes)
-        extent = self.numbers[model.offsets["extent"]] or 1.0
+        extent = self.numbers[model.offsets["extent"]]
         kinds = model.tables["node_kind"]
         self.fastest = max(
             (

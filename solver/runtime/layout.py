@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 3
+ABI = 4
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -35,10 +35,11 @@ TABLES = (
 """Integer arrays of a model, each a pointer."""
 
 OFFSETS = (
-    "mass", "alpha", "beta", "alpha_turn", "beta_turn", "row_constant", "row_base", "row_scale",
-    "row_sigma", "stiffness", "rest", "damping", "drive", "gravity", "support", "initial_position",
-    "initial_velocity", "load", "moment", "body_moment", "parameter", "input", "time", "signal",
-    "sensor", "sensor_rate", "node_mass", "node_weight", "velocity_weight", "extent", "measured",
+    "mass", "alpha", "beta", "alpha_turn", "beta_turn", "row_constant", "row_base", "extent",
+    "row_scale", "row_sigma", "stiffness", "rest", "damping", "drive", "gravity", "support",
+    "initial_position", "initial_velocity", "load", "moment", "body_moment", "parameter", "input",
+    "time", "signal", "sensor", "sensor_rate", "node_mass", "node_weight", "velocity_weight",
+    "measured",
 )  # fmt: skip
 """Sections of the vector of numbers, each a 32-bit offset."""
 

@@ -57,7 +57,7 @@ class Reference:
 
     def _mechanism(self) -> Mechanism:
         mechanism = Mechanism(self.model, self._numbers)
-        mechanism.derived = self._motion.vectors["derived"]
+        mechanism.derived[:] = self._motion.vectors["derived"]
         return mechanism
 
     # ------------------------------------------------------------------------------- numbers

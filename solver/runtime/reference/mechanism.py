@@ -78,13 +78,8 @@ class Mechanism:
     @property
     def derived(self) -> Array:
         """What the start tells once and for all: extent (2), row scales and sigma of the rows."""
-        return np.concatenate([self.section["extent"], self.row_scale, self.sigma])
-
-    @derived.setter
-    def derived(self, values: Array) -> None:
-        n_rows = len(self.sigma)
-        self.section["extent"][:] = values[:2]
-        self.row_scale[:], self.sigma[:] = values[2 : 2 + n_rows], values[2 + n_rows :]
+        start = self.model.offsets["extent"]  # the three sections lie side by side
+        return self.numbers[start : start + 2 + 2 * len(self.sigma)]
 
     def _read_tables(self, model: Model) -> None:
         tables, sizes = model.tables, model.sizes
