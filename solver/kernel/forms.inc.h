@@ -4,6 +4,7 @@
    dPhi = u_m . dw + w_m . du = G(q_m) d, so that its discrete gradient is its gradient at the midpoint.      */
 #include "internal.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 

@@ -92,6 +92,7 @@ typedef struct newton_record {
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
     int factorised, total, stiffened;
+    int updates;         /* Uzawa updates of the step                                                             */
 } newton_record;
 
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */
@@ -161,18 +162,41 @@ static int stiffen(context *c, int *stiffened)
     return 1;
 }
 
-/* Newton iteration with lambda held fixed (nested) or following mu (simultaneous). The error left behind is
-   estimated from the observed contraction theta. It ends a margin below the tolerance, or where round-off stops
-   the contraction below the tolerance. The factors are kept while they contract well.                        */
+/* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
+   iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
+#define EARLY_UPDATE_PENALTY 1e6
+#define GOOD_CONTRACTION 0.05
+
+/* Newton iteration after which lambda may follow early. Multipliers that dependent rows share get the rounding errors
+   of a solve over epsilon, which the next one with lambda held removes: the update waits for it.               */
+static int first_early_update(const context *c)
+{
+    const double *head = c->s.head;
+    if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return INT_MAX;
+    return head[S_DEPENDENT] != 0.0 ? 1 : 0;
+}
+
+/* Uzawa update, and what it changes in the residual of the rows. */
+static void hold_multipliers(context *c, newton_record *r)
+{
+    update_multipliers(c);
+    r->updates++;
+    for (int32_t i = 0; i < c->m->n_rows; i++)
+        c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
+}
+
+/* Newton iteration with lambda held fixed (nested) or following mu (simultaneous; nested, while it contracts well).
+   The error left behind is estimated from the observed contraction theta. It ends a margin below the tolerance, or
+   where round-off stops the contraction below the tolerance. The factors are kept while they contract well.   */
 static int32_t iterate_newton(context *c, newton_record *r)
 {
     const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0;
-    const int max_newton = (int)c->s.head[S_MAX_NEWTON];
+    const int max_newton = (int)c->s.head[S_MAX_NEWTON], first_update = first_early_update(c);
     const double tolerance = c->s.head[S_TOLERANCE];
     double previous = 0.0, defect = 0.0;
     for (int iteration = 0; iteration < max_newton; iteration++) {
         int32_t status = HOLONOM_OK;
-        const int keep = r->factorised && r->theta < 0.05;
+        const int keep = r->factorised && r->theta < GOOD_CONTRACTION;
         if (!keep) {
             status = factorise(c);
             if (status) return status;
@@ -191,7 +215,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
         if (simultaneous && !is_penalty(c)) defect = constraint_defect(c);
         const double added = residual_energy(c);
-        if (left <= NEWTON_MARGIN * r->target && defect <= CONSTRAINT_MARGIN * tolerance &&
+        if (left <= NEWTON_MARGIN * r->target && defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
             added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
             return HOLONOM_OK;
         if (stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise) return HOLONOM_OK;
@@ -200,7 +224,8 @@ static int32_t iterate_newton(context *c, newton_record *r)
             if ((status = evaluate_residual(c))) return status;
             r->factorised = 0;
             r->theta = 1.0;
-        }
+        } else if (iteration >= first_update && r->theta < GOOD_CONTRACTION)
+            hold_multipliers(c, r);
     }
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;
@@ -208,11 +233,13 @@ static int32_t iterate_newton(context *c, newton_record *r)
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
-   they are. Where steps have needed three or more again and again, the penalty of those to come is a hundred times
-   larger, twice at most. Not from the start: with dependent rows it would multiply their rounding errors.       */
-static void follow_contraction(double *head, int updates)
+   they are. Where steps have needed two or more again and again, the penalty of those to come is a hundred times
+   larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
+   `outer` updates are many: those that a converged Newton iteration did not bring along.                     */
+static void follow_contraction(double *head, int updates, int outer)
 {
-    head[S_SLOW_STEPS] = updates >= 3 ? head[S_SLOW_STEPS] + 1.0 : 0.0;
+    const int slow = head[S_DEPENDENT] != 0.0 ? outer >= 3 : updates >= 2;
+    head[S_SLOW_STEPS] = slow ? head[S_SLOW_STEPS] + 1.0 : 0.0;
     if (head[S_SLOW_STEPS] < 8.0 || head[S_PENALTY_LEVEL] >= 2.0) return;
     head[S_PENALTY_LEVEL] += 1.0;
     head[S_SLOW_STEPS] = 0.0;
@@ -224,7 +251,7 @@ static int32_t solve_step(context *c, int parity)
     double *head = c->s.head, last = INFINITY;
     const double tolerance = head[S_TOLERANCE];
     const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
-    newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0};
+    newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
     prepare_step(c, parity);
     update_multipliers(c);
     int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
@@ -250,12 +277,10 @@ static int32_t solve_step(context *c, int parity)
             return HOLONOM_UZAWA_DIVERGED;
         }
         last = defect;
-        head[S_UZAWA] += 1.0;
-        update_multipliers(c);
-        for (int32_t i = 0; i < c->m->n_rows; i++)
-            c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
+        hold_multipliers(c, &r);
     }
-    if (!status && !single && !r.stiffened) follow_contraction(head, uzawa);
+    head[S_UZAWA] += r.updates;
+    if (!status && !single && !r.stiffened) follow_contraction(head, r.updates, uzawa);
     return status;
 }
 
