@@ -14,6 +14,7 @@ from solver.runtime.reference.course import Course, Present
 from solver.runtime.reference.forces import couple
 from solver.runtime.reference.laws import elements, tangent
 from solver.runtime.reference.mechanism import Mechanism
+from solver.runtime.reference.prediction import Prediction
 from solver.runtime.reference.state import Motion, add
 from solver.runtime.reference.step import Step
 from tests.hand_models import Hand
@@ -144,7 +145,8 @@ def test_the_uzawa_iteration_contracts_by_the_penalty(chi):
     run = pendulum(step_size=h, penalty=chi)
     model = run.model
     mechanism = Mechanism(model, np.asarray(memoryview(run.engine.numbers).cast("B").cast("d")))
-    step = Step(mechanism, Motion(model, run.engine.state), h, 0)
+    motion = Motion(model, run.engine.state)
+    step = Step(mechanism, motion, h, Prediction(motion, 2))
     lam, defects = np.array([0.0]), []
     for _ in range(4):
         lam = step.updated(step.newton(lam))

@@ -1,6 +1,13 @@
-/* A communication step: pairs of half steps, halving on failure. Included once per dimension, after start.inc.h. */
+/* A communication step: pairs of half steps, halving on failure. Included once per dimension, after composition.inc.h. */
 
 enum { MAX_HALVINGS = 6 };
+
+/* No line through means and changes from before and after a jump. */
+static void start_anew(context *c)
+{
+    c->s.head[S_MEAN_TIME] = INFINITY;
+    forget_changes(c);
+}
 
 void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, double *work,
                          const double *inputs, const double *parameters)
@@ -13,12 +20,14 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
-    if (changed) c.s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
+    if (changed) start_anew(&c);
 }
 
-static int32_t single_step(context *c, double h, int parity)
+static int32_t single_step(context *c, double h, int half)
 {
+    const int parity = half % 2;
     c->h = h;
+    c->half = half;
     if (c->m->sensing) sense(c, h, parity);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
     signals_at(c, c->t + h, c->k.signal1);
@@ -46,42 +55,26 @@ static void average_multipliers(context *c, double time)
     }
 }
 
-/* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
-   The plain step is not near the identity as h goes to 0 (it reflects the velocity normal to the constraints), the
-   pair is, so that it composes (numerics 8). Parts beyond the middle repeat the first ones in reverse.
-   Order 4: Suzuki 1990; 6: Kahan and Li 1997, s9odr6a; 8: the 15 stages of Suzuki and Umeno 1993.              */
-static double stage(int order, int i, int *stages)
-{
-    static const double fourth[] = {0.41449077179437573714, 0.41449077179437573714, -0.65796308717750294857};
-    static const double sixth[] = {0.39216144400731413928, 0.33259913678935943860, -0.70624617255763935981,
-                                   0.082213596293550800230, 0.79854399093482996340};
-    static const double eighth[] = {0.74167036435061295344822780, -0.40910082580003159399730010,
-                                    0.19075471029623837995387626, -0.57386247111608226665638773,
-                                    0.29906418130365592384446354, 0.33462491824529818378495798,
-                                    0.31529309239676659663205666, -0.79688793935291635401978882};
-    static const double whole[] = {1.0};
-    const double *parts = order == 8 ? eighth : order == 6 ? sixth : order == 4 ? fourth : whole;
-    const int middle = order == 8 ? 7 : order == 6 ? 4 : order == 4 ? 2 : 0;
-    *stages = 2 * middle + 1;
-    return parts[i <= middle ? i : 2 * middle - i];
-}
-
 /* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
 static int32_t internal_step(context *c, double h)
 {
     const int order = (int)c->s.head[S_ORDER];
     int32_t status = HOLONOM_OK;
     if (c->s.head[S_PAIRED] == 0.0 && order == 2) {
+        begin_halves(c, 2);
         status = single_step(c, h, (int)c->s.head[S_PARITY]);
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
-    for (int i = 0, stages = 1; i < stages && !status; i++) {
+    int stages = 1;
+    stage(order, 0, &stages);
+    begin_halves(c, 2 * stages);
+    for (int i = 0; i < stages && !status; i++) {
         const double half = 0.5 * h * stage(order, i, &stages);
-        status = single_step(c, half, 0);
-        if (!status) status = single_step(c, half, 1);
+        status = single_step(c, half, 2 * i);
+        if (!status) status = single_step(c, half, 2 * i + 1);
         if (!status) average_multipliers(c, c->t - half);
     }
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
@@ -139,7 +132,7 @@ static int32_t start_ramps(context *c, double step)
     add_solution(c, c->k.w);
     for (int32_t k = 0; k < DIM * c->n_moving; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
     book(c, S_WORK, kinetic_energy(c, c->k.momentum) - kinetic);
-    c->s.head[S_MEAN_TIME] = INFINITY; /* no line through means from before and after a jump */
+    start_anew(c);
     return HOLONOM_OK;
 }
 

@@ -24,6 +24,7 @@ typedef struct context {
     /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
        by a step from rest whose forces and constraints act at its end.                                        */
     double lever;
+    int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int forceless;      /* 1: only the rows act                                                               */
 } context;
 
@@ -48,6 +49,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->formulation = (int)c->s.head[S_FORMULATION];
     c->t = c->start = c->s.head[S_TIME];
     c->h = 0.0;
+    c->half = 0;
+    c->halves = 2;
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->forceless = 0;

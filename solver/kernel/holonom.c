@@ -25,6 +25,8 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->a[1] = take(block, &used, n);
     s->mu[0] = take(block, &used, m->n_rows);
     s->mu[1] = take(block, &used, m->n_rows);
+    s->a_change = take(block, &used, n * m->n_slots);
+    s->mu_change = take(block, &used, (int64_t)m->n_rows * m->n_slots);
     s->mean = take(block, &used, m->n_rows);
     s->mean_before = take(block, &used, m->n_rows);
     s->driven[0] = take(block, &used, driven);

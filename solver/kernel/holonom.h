@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 4
+#define HOLONOM_ABI 5
 
 enum holonom_status {
     HOLONOM_OK = 0,
@@ -94,6 +94,7 @@ typedef struct holonom_model {
     int32_t n_local_forms; /* most forms of a composite                                                    */
     int32_t n_local_nodes; /* most free nodes of a composite                                               */
     int32_t n_lu_values;  /* stored entries of the factors                                                 */
+    int32_t n_slots;      /* half steps of an internal one whose changes a state keeps, see predict.inc.h   */
 
     const int32_t *node_kind;     /* moving and fixed nodes: 0 point, 1 direction                          */
     const int32_t *form_ptr;      /* n_forms + 1: entries of form f are form_ptr[f] .. form_ptr[f+1]-1     */
@@ -174,7 +175,7 @@ enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY,
-    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_NEWTON, S_UZAWA, S_SUBSTEPS,
+    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_KNOWN, S_HALVES, S_NEWTON, S_UZAWA, S_SUBSTEPS,
     S_STATUS, S_FORMULATION, S_SIMULTANEOUS, S_PAPER_UPDATE, S_PAIRED, S_STEP_SIZE, S_TOLERANCE, S_PENALTY,
     S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_ASSEMBLE, S_EQUILIBRIUM, S_ORDER, S_HEAD
 };

@@ -80,6 +80,7 @@ typedef struct hm_state {
     double *start;                 /* n: coordinates at the start, which energies are measured from           */
     double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
     double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
+    double *a_change, *mu_change;  /* n_slots of n and n_rows: from half to half of an internal step, see predict.inc.h */
     double *mean, *mean_before;    /* n_rows each: means of the last two multipliers, and those before them    */
     double *driven[2];             /* dim n_driven each: forces that move the driven nodes, likewise           */
     double *driven_mean, *driven_mean_before;

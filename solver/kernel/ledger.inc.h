@@ -123,6 +123,9 @@ static void accept_step(context *c, int parity)
     if (is_telling(c)) {
         for (int32_t k = 0; k < n; k++) c->s.a[parity][k] = 2.0 / (c->h * c->h) * c->k.w[k];
         memcpy(c->s.mu[parity], c->k.mu, sizeof(double) * (size_t)m->n_rows);
+        remember_changes(c, c->s.a[parity], c->s.a[1 - parity], c->s.a_change, n);
+        remember_changes(c, c->s.mu[parity], c->s.mu[1 - parity], c->s.mu_change, m->n_rows);
+        c->s.head[S_KNOWN] += 1.0;
         for (int32_t k = 0; k < DIM * m->n_driven; k++)
             c->s.driven[parity][k] = c->k.momentum[DIM * m->n_free + k] / c->h;
     }

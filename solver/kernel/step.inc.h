@@ -1,4 +1,4 @@
-/* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after tangent.inc.h.      */
+/* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after predict.inc.h.      */
 
 /* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
@@ -41,11 +41,12 @@ static void prepare_step(context *c, int parity)
     const holonom_model *m = c->m;
     const double h = c->h;
     links_at_start(c);
-    /* w is h^2/2 times an acceleration: predict that of the same half of the last pair, since v and mu have a
-       component that changes sign from half to half. */
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
+    const int reach = known_changes(c);
+    const int64_t n = DIM * c->n_moving;
+    double *const *a = c->s.a, *const *mu = c->s.mu;
+    for (int32_t k = 0; k < n; k++) { /* w is h^2/2 times an acceleration */
         c->k.hv[k] = h * c->s.v[k] + h * c->s.v_low[k];
-        c->k.w[k] = 0.5 * h * h * c->s.a[parity][k];
+        c->k.w[k] = 0.5 * h * h * predicted(c, reach, a[parity], a[1 - parity], c->s.a_change, n, k);
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     for (int32_t k = DIM * m->n_free, b = 0; k < DIM * c->n_moving; k++, b++) { /* driven nodes go where they must */
@@ -53,10 +54,12 @@ static void prepare_step(context *c, int parity)
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
     rows_at_start(c);
-    const double kept = c->s.head[S_DEPENDENT] != 0.0 ? 1.0 - LEAK : 1.0;
+    const int dependent = c->s.head[S_DEPENDENT] != 0.0;
+    const double kept = dependent ? 1.0 - LEAK : 1.0;
+    const int mu_reach = dependent ? 0 : reach; /* a line would amplify what rows leave undetermined */
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.epsilon[i] = row_compliance(c, i);
-        c->k.mu[i] = kept * c->s.mu[parity][i];
+        c->k.mu[i] = kept * predicted(c, mu_reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
     }
 }
 

@@ -9,6 +9,7 @@ from solver.mechanics.numbers import Numbers
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Segment
 from solver.runtime.layout import SIZES, measured_size
+from solver.runtime.options import SLOTS
 from solver.scene import Expr, Number, Scene
 
 
@@ -97,6 +98,7 @@ def sizes_of(
         "n_local_forms": max([1, *(len(c.forms) for c in composites)]),
         "n_local_nodes": max([1, *(len(c.nodes) for c in composites)]),
         "n_lu_values": tables["lu_ptr"][-1],
+        "n_slots": SLOTS[scene.solver.order],
     }
     return {name: known[name] for name in SIZES}
 

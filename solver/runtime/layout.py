@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 4
+ABI = 5
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -19,7 +19,7 @@ SIZES = (
     "n_places", "n_reactions", "n_reaction_entries", "n_signals", "n_parameters", "n_inputs",
     "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals", "n_tape_outputs",
     "time_dependent", "variable_potential", "sensing", "n_registers", "n_local_forms",
-    "n_local_nodes", "n_lu_values",
+    "n_local_nodes", "n_lu_values", "n_slots",
 )  # fmt: skip
 """Integers of a model, each a 32-bit field."""
 
@@ -47,9 +47,9 @@ HEAD = (
     "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
     "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
     "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps", "dependent",
-    "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation", "simultaneous",
-    "paper_update", "paired", "step_size", "tolerance", "penalty", "xi", "omega", "max_newton",
-    "max_uzawa", "assemble", "equilibrium", "order",
+    "known", "halves", "newton_iterations", "uzawa_iterations", "substeps", "status",
+    "formulation", "simultaneous", "paper_update", "paired", "step_size", "tolerance", "penalty",
+    "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
 )  # fmt: skip
 """Scalars at the head of a state."""
 
@@ -63,17 +63,21 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     ``q, q_low, v, v_low`` (n each, free and driven nodes): coordinates [m], velocities [m/s], and
     what rounding left over; ``start`` (n): coordinates at the start; ``a_first, a_second`` (n
     each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first, mu_second`` (n_rows each):
-    last multipliers; ``mean, mean_before``: means of two neighbours; ``driven_...`` likewise:
-    forces that move the driven nodes; ``turns``: full turns of angles; ``signal``: prescribed
-    values at the present time; ``quaternion``: of the bodies, of continuous sign; ``derived``: what
-    the start tells once and for all, the sections extent (2), row_scale and row_sigma (n_rows
-    each); ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at
-    the present time, and how fast it arrived there.
+    last multipliers; ``a_change, mu_change`` (n_slots of n and n_rows): how these changed from half
+    to half of the last internal steps; ``mean, mean_before``: means of two neighbours;
+    ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of angles;
+    ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of continuous
+    sign; ``derived``: what the start tells once and for all, the sections extent (2), row_scale and
+    row_sigma (n_rows each); ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped
+    input stands at the present time, and how fast it arrived there.
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
         **dict.fromkeys(("q", "q_low", "v", "v_low", "start", "a_first", "a_second"), n),
-        **dict.fromkeys(("mu_first", "mu_second", "mean", "mean_before"), sizes["n_rows"]),
+        **dict.fromkeys(("mu_first", "mu_second"), sizes["n_rows"]),
+        "a_change": n * sizes["n_slots"],
+        "mu_change": sizes["n_rows"] * sizes["n_slots"],
+        **dict.fromkeys(("mean", "mean_before"), sizes["n_rows"]),
         **dict.fromkeys(
             ("driven_first", "driven_second", "driven_mean", "driven_mean_before"),
             sizes["dim"] * n_driven,

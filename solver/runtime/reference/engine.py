@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,25 +11,21 @@ from numpy.typing import NDArray
 from ..errors import Status
 from ..layout import HEAD, PLACE, state_size
 from ..model import Model
-from .bodies import directors, quaternion
+from .advance import Advance, follow_bodies
 from .clock import Clock
-from .composition import stages
-from .course import ANGLE, Present, crossings
-from .energy import book_step, follow_energy_reference, start_ledger
+from .course import Present
+from .energy import follow_energy_reference, start_ledger
 from .equations import Equations, rows_at
 from .measurement import Measurement
 from .mechanism import Mechanism
 from .projection import assemble_positions, assemble_velocities, find_equilibrium
 from .ramps import start_ramps
 from .start import derive_scales, first_multipliers, has_dependent_rows, row_rates
-from .state import Motion, add
-from .step import Step
+from .state import Motion
 from .tape import run_tape
 from .unsolved import UnsolvedError
 
 Array = NDArray[np.float64]
-
-MAX_HALVINGS = 6
 
 
 def _quiet(method):  # type: ignore[no-untyped-def]
@@ -80,8 +75,8 @@ class Reference:
         for name, values in given.items():
             vectors[name][:] = values
         self._clock.set_laws(mechanism, t, booked=True)
-        if changed:  # no line is drawn through means of multipliers from before and after a jump
-            self._motion.head["mean_time"] = math.inf
+        if changed:
+            self._motion.start_anew()
 
     # ------------------------------------------------------------------------------- start
 
@@ -121,7 +116,7 @@ class Reference:
             motion.vectors[name][:] = motion.vectors[f"{name}_before"][:] = values
         head["mean_time"] = head["mean_time_before"] = head["time"]
         motion.quaternion[:] = [1.0, 0.0, 0.0, 0.0]
-        self._follow_bodies()
+        follow_bodies(self.model, motion)
         start_ledger(mechanism, motion)
         if not np.all(np.isfinite(motion.block)):
             raise UnsolvedError(Status.NOT_FINITE)
@@ -158,7 +153,8 @@ class Reference:
             head[name] = 0.0
         try:
             start_ramps(mechanism, motion, self._clock, step)
-            self._cover(mechanism, start, step, max(1, int(count)))
+            course = Advance(mechanism, motion, self._clock)
+            course.cover(start, step, max(1, int(count)))
         except UnsolvedError as failure:
             motion.block[:] = backup
             head["status"] = float(failure.status)
@@ -167,90 +163,6 @@ class Reference:
         head["time"], head["status"] = start + step, 0.0
         follow_energy_reference(mechanism, motion)
         return Status.OK
-
-    def _cover(self, mechanism: Mechanism, start: float, step: float, n: int) -> None:
-        """Cover a communication step by n internal ones."""
-        h = step / n
-        self._clock.set_laws(mechanism, start)
-        for i in range(n):
-            self._interval(mechanism, start + h * i, h, 0)
-        if self.model.sizes["time_dependent"]:
-            self._clock.set_laws(mechanism, start + step, booked=True)
-        if not math.isfinite(self._motion.head["work"]):
-            raise UnsolvedError(Status.BAD_LAW)
-
-    def _interval(self, mechanism: Mechanism, t: float, h: float, halvings: int) -> None:
-        """Cover [t, t + h] by one internal step, or by two of half the length if it fails."""
-        motion = self._motion
-        backup, numbers = motion.block.copy(), self._numbers.copy()
-        try:
-            self._internal_step(mechanism, t, h)
-        except UnsolvedError:
-            motion.block[:], self._numbers[:] = backup, numbers
-            motion.head["penalty_level"] = motion.head["slow_steps"] = 0.0
-            if halvings == MAX_HALVINGS:
-                raise
-            self._interval(mechanism, t, 0.5 * h, halvings + 1)
-            self._interval(mechanism, t + 0.5 * h, 0.5 * h, halvings + 1)
-
-    def _internal_step(self, mechanism: Mechanism, t: float, h: float) -> None:
-        """Pairs of half steps, or one plain step, whose velocities are less smooth.
-
-        The plain step reflects the velocity normal to the constraints; a pair reflects it twice.
-        """
-        head = self._motion.head
-        if not head["paired"] and head["order"] == 2.0:
-            self._single_step(mechanism, t, h, int(head["parity"]))
-            self._average_multipliers(t, h)
-            return
-        dissipated = head["dissipated"] - 1e-9 * head["energy_reference"]
-        for part in stages(int(head["order"])):
-            half = 0.5 * h * part
-            self._single_step(mechanism, t, half, 0)
-            self._single_step(mechanism, t + half, half, 1)
-            self._average_multipliers(t + half, half)
-            t += 2.0 * half
-        if head["order"] != 2.0 and not head["dissipated"] >= dissipated:
-            raise UnsolvedError(Status.DAMPING_REVERSED)
-
-    def _average_multipliers(self, time: float, h: float) -> None:
-        """Keep the means of the last two multipliers and forces, of the time between them."""
-        vectors, head, motion = self._motion.vectors, self._motion.head, self._motion
-        if not motion.is_telling(h):
-            return
-        for name, (first, second) in (("mean", motion.mu), ("driven_mean", motion.driven_force)):
-            vectors[f"{name}_before"][:] = vectors[name]
-            vectors[name][:] = 0.5 * (first + second)
-        head["mean_time_before"], head["mean_time"] = head["mean_time"], time
-
-    def _single_step(self, mechanism: Mechanism, t: float, h: float, half: int) -> None:
-        """Solve one step, laws at its middle and signals at its end, and take it over."""
-        motion, head = self._motion, self._motion.head
-        if self._clock.follows:
-            self._clock.set_laws_of_step(mechanism, t, h, half)
-        step = Step(mechanism, motion, h, half, self._clock.signals(t + h))
-        step.solve()
-        balance = book_step(step)
-        s_n, w = Present(mechanism, motion).s, step.equations.w_moving(step.w)
-        add(motion.q, motion.q_low, step.d)
-        add(motion.v, motion.v_low, 2.0 / h * w)
-        motion.signal[:] = step.equations.signal_n1
-        s_n1 = Present(mechanism, motion).s
-        for index, (kind, forms) in enumerate(mechanism.quantities):
-            if kind == ANGLE:
-                motion.turns[index] += crossings(*s_n[forms], *s_n1[forms])
-        self._follow_bodies()
-        if motion.is_telling(h):
-            motion.a[half][:], motion.mu[half][:] = 2.0 / h**2 * w, step.mu
-            motion.driven_force[half][:] = balance[mechanism.n_free :] / h
-        head["parity"] = 1.0 - half
-        motion.count("substeps")
-
-    def _follow_bodies(self) -> None:
-        """Let the quaternions follow the directors."""
-        motion = self._motion
-        for near, node in zip(motion.quaternion, self.model.tables["body_node"], strict=True):
-            near[:] = quaternion(directors(motion.q, node).T, near)
 
     # ------------------------------------------------------------------------------- looks
 

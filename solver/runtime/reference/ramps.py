@@ -9,8 +9,6 @@ the energy of which is the drivers' work.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from .clock import Clock
@@ -38,5 +36,4 @@ def start_ramps(mechanism: Mechanism, motion: Motion, clock: Clock, step: float)
     dv[free], _ = constrained(mechanism, M, G[:, free], -impulse, -rest)
     add(motion.v, motion.v_low, dv)
     motion.book("work", kinetic_energy(mechanism, motion) - kinetic)
-    # No line is drawn through means of multipliers from before and after a jump.
-    motion.head["mean_time"] = math.inf
+    motion.start_anew()

@@ -39,6 +39,9 @@ class Motion:
         self.v, self.v_low = vectors["v"], vectors["v_low"]
         self.a = (vectors["a_first"], vectors["a_second"])
         self.mu = (vectors["mu_first"], vectors["mu_second"])
+        slots = model.sizes["n_slots"]
+        self.a_change = vectors["a_change"].reshape(slots, len(self.q))
+        self.mu_change = vectors["mu_change"].reshape(slots, len(self.mu[0]))
         self.driven_force = (vectors["driven_first"], vectors["driven_second"])
         self.turns, self.signal = vectors["turns"], vectors["signal"]
         self.quaternion = vectors["quaternion"].reshape(-1, 4)
@@ -66,6 +69,15 @@ class Motion:
         gap = self.head["mean_time"] - self.head["mean_time_before"]
         beyond = self.head["time"] - self.head["mean_time"]
         return mean + (beyond / gap if 0.0 < gap < np.inf else 0.0) * (mean - before)
+
+    def start_anew(self) -> None:
+        """Draw no line through means and changes from before and after a jump."""
+        self.head["mean_time"] = np.inf
+        self.forget_changes()
+
+    def forget_changes(self) -> None:
+        """Draw no line through changes over internal steps of another kind."""
+        self.head["known"] = 0.0
 
     def follow_contraction(self, updates: int) -> None:
         """Raise the penalty of steps to come a hundredfold, twice at most, where Uzawa stays slow.

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..errors import Status
 from .equations import Equations
 from .mechanism import DIRECTION, Mechanism
+from .prediction import Prediction
 from .state import Motion
 from .unsolved import UnsolvedError
 
@@ -44,16 +45,15 @@ class Step:
         mechanism: Mechanism,
         motion: Motion,
         h: float,
-        half: int,
+        prediction: Prediction,
         signal_n1: Array | None = None,
     ) -> None:
-        self.mechanism, self.motion, self.h, self.half = mechanism, motion, h, half
+        self.mechanism, self.motion, self.h = mechanism, motion, h
         self.head = motion.head
         self.equations = Equations(mechanism, motion, h, signal_n1)
-        # v and mu have a part of alternating sign: predict from the same half of the last pair.
-        self.w = 0.5 * h**2 * motion.a[half][: mechanism.n_free]
+        self.w = 0.5 * h**2 * prediction.acceleration()[: mechanism.n_free]
         leak = LEAK if self.head["dependent"] else 0.0
-        self.mu = (1.0 - leak) * motion.mu[half]
+        self.mu = (1.0 - leak) * prediction.multipliers()
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
         self.target = self.head["tolerance"] * np.sqrt(

@@ -1,0 +1,43 @@
+/* Where the solution of a half step is sought first. Included once per dimension, after tangent.inc.h.
+
+   Accelerations and multipliers of a half step depend on its length and on which half of its pair it is, so that they
+   jump from half to half of an internal step, by nearly what they jumped by in the internal step before. The state
+   keeps these changes, one slot for each half of an internal step, as many as the order at assembly asks for.       */
+
+/* Of how many internal steps before it the changes are known and used: 1 and 2 give linear and quadratic extrapolation,
+   0 leaves the values of the same half of the last pair. The formulations that do not conserve swing up from half to
+   half, where a line leads astray. */
+static int known_changes(const context *c)
+{
+    const double known = c->s.head[S_KNOWN];
+    if (!is_conserving(c) || c->halves > c->m->n_slots || known < c->halves + 1) return 0;
+    return 2 * c->halves <= c->m->n_slots && known >= 2 * c->halves + 1 ? 2 : 1;
+}
+
+/* Predicted value i of n: `same` and `last` belong to the same half of the last pair and to the last half. */
+static inline double predicted(const context *c, int reach, const double *same, const double *last,
+                               const double *change, int64_t n, int64_t i)
+{
+    const double *now = change + n * c->half, *before = now + n * c->halves;
+    if (reach == 0) return same[i];
+    return last[i] + (reach == 1 ? now[i] : 2.0 * now[i] - before[i]);
+}
+
+/* Takes over the changes from the last half to this one; `fresh` (n) has just been solved for. */
+static void remember_changes(const context *c, const double *fresh, const double *last, double *change, int64_t n)
+{
+    double *now = change + n * c->half, *before = now + n * c->halves;
+    if (c->halves > c->m->n_slots) return;
+    if (2 * c->halves <= c->m->n_slots) memcpy(before, now, sizeof(double) * (size_t)n);
+    for (int64_t i = 0; i < n; i++) now[i] = fresh[i] - last[i];
+}
+
+/* No line through what was before and what is after a jump, or over internal steps of another kind. */
+static void forget_changes(context *c) { c->s.head[S_KNOWN] = 0.0; }
+
+/* Begins an internal step of so many halves. */
+static void begin_halves(context *c, int halves)
+{
+    if (c->s.head[S_HALVES] != halves) forget_changes(c);
+    c->s.head[S_HALVES] = c->halves = halves;
+}
