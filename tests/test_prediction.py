@@ -25,7 +25,7 @@ def swinging(order: int, h: float, *, slots: bool = True, kernel: str = "auto") 
 
 
 @pytest.mark.parametrize(
-    ("order", "h", "saved"), [(2, 0.005, 0.4), (4, 0.05, 0.1), (6, 0.05, 0.1), (8, 0.05, 0.1)]
+    ("order", "h", "saved"), [(2, 0.005, 0.25), (4, 0.05, 0.1), (6, 0.05, 0.07), (8, 0.05, 0.07)]
 )
 def test_changes_of_the_last_step_save_iterations_and_move_nothing(order, h, saved):
     runs = [swinging(order, h, slots=slots) for slots in (True, False)]

@@ -49,10 +49,9 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->formulation = (int)c->s.head[S_FORMULATION];
     c->t = c->start = c->s.head[S_TIME];
     c->h = 0.0;
-    c->half = 0;
-    c->halves = 2;
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
+    c->half = 0, c->halves = 2;
     c->forceless = 0;
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
