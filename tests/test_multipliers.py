@@ -41,7 +41,11 @@ def residuals_by_update(penalty: float, tolerances: Array) -> dict[int, float]:
     found = {}
     for tolerance in tolerances:
         integrator = start(
-            pendulum(ANGLE, RATE), h=0.01, penalty=penalty, tolerance=tolerance, max_uzawa=1000
+            pendulum(ANGLE, RATE),
+            h=0.01,
+            penalty=penalty,
+            newton_tolerance=tolerance,
+            max_uzawa=1000,
         )
         for name in ("mu_first", "mu_second"):
             view(integrator, name)[:] = 0.0

@@ -33,7 +33,7 @@ static int32_t seek_increment(context *c, double *increment, double *size)
 static int32_t seek_step(context *c, double h, double *size)
 {
     const holonom_model *m = c->m;
-    const double tolerance = c->s.head[S_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
     double last = INFINITY;
     /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the mechanism. */
     const double holding = c->forceless ? h : fmin(h, c->s.head[S_STEP_SIZE]);

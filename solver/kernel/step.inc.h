@@ -120,7 +120,7 @@ static int32_t newton_update(context *c, newton_record *r)
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
     r->size = sqrt(size2);
-    r->target = c->s.head[S_TOLERANCE] * sqrt(size2 + 2.0 * h2 * reference);
+    r->target = c->s.head[S_NEWTON_TOLERANCE] * sqrt(size2 + 2.0 * h2 * reference);
     r->energy = 0.5 * size2 / h2 + reference;
     r->noise = 0.5 * r->floor * r->floor / h2;
     r->total++;
@@ -195,7 +195,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
 {
     const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0;
     const int max_newton = (int)c->s.head[S_MAX_NEWTON], first_update = first_early_update(c);
-    const double tolerance = c->s.head[S_TOLERANCE];
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
     double previous = 0.0, defect = 0.0;
     for (int iteration = 0; iteration < max_newton; iteration++) {
         int32_t status = HOLONOM_OK;
@@ -252,7 +252,7 @@ static void follow_contraction(double *head, int updates, int outer)
 static int32_t solve_step(context *c, int parity)
 {
     double *head = c->s.head, last = INFINITY;
-    const double tolerance = head[S_TOLERANCE];
+    const double tolerance = head[S_NEWTON_TOLERANCE];
     const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
     newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
     prepare_step(c, parity);

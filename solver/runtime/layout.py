@@ -48,8 +48,9 @@ HEAD = (
     "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
     "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps", "dependent",
     "known", "halves", "newton_iterations", "uzawa_iterations", "substeps", "status",
-    "formulation", "simultaneous", "paper_update", "paired", "step_size", "tolerance", "penalty",
-    "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
+    "formulation", "simultaneous", "paper_update", "paired", "step_size",
+    "newton_tolerance", "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble",
+    "equilibrium", "order",
 )  # fmt: skip
 """Scalars at the head of a state."""
 

@@ -34,7 +34,7 @@ SWITCHES = ("paired", "assemble")
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
     "step_size": (0.0, 1e6, "s", "longest internal step"),
-    "tolerance": (0.0, 1e-3, "", "relative error of a step's solution in the energy norm"),
+    "newton_tolerance": (0.0, 1e-3, "", "relative error of a step's solution in the energy norm"),
     "penalty": (0.0, 1e14, "", "dimensionless penalty alpha h^2 sigma/4 of each constraint row"),
     "xi": (-5e-324, 1e6, "", "damping ratio of penalty-velocity"),
     "omega": (0.0, 1e9, "rad/s", "natural frequency of penalty-velocity"),
@@ -75,7 +75,7 @@ DEFAULTS: dict[str, str | bool | float] = {
     "multiplier_update": "end",
     "paired": True,
     "step_size": 0.01,
-    "tolerance": 1e-12,
+    "newton_tolerance": 1e-12,
     "penalty": 1e8,
     "xi": 1.0,
     "omega": 10.0,

@@ -65,7 +65,7 @@ class Solver(Part):
     order: Literal[2, 4, 6, 8] = 2
     paired: bool = True
     step_size: Expression | None = Field(None, description="s, at most the communication step")
-    tolerance: Expression | None = None
+    newton_tolerance: Expression | None = None
     penalty: Expression | None = None
     xi: Expression | None = None
     omega: Expression | None = Field(None, description="rad/s")

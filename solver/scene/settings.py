@@ -13,7 +13,7 @@ _COUNTS = ("max_newton", "max_uzawa")
 
 RANGES = {
     "step_size": up_to(1e6),
-    "tolerance": up_to(1e-3),
+    "newton_tolerance": up_to(1e-3),
     "penalty": up_to(1e14),
     "xi": up_to(1e6, NOT_NEGATIVE),
     "omega": up_to(1e9),
@@ -65,7 +65,7 @@ def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
     return SolverSettings(
         **{name: getattr(solver, name) for name in _CHOICES},
         step_size=step_size,
-        tolerance=setting("tolerance"),
+        newton_tolerance=setting("newton_tolerance"),
         penalty=setting("penalty"),
         xi=setting("xi"),
         omega=setting("omega"),

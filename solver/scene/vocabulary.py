@@ -112,7 +112,7 @@ class SolverSettings:
     """Advance by pairs of half steps, which smooths velocities and multipliers."""
     step_size: float = 0.01
     """Internal step in s; at most the communication step."""
-    tolerance: float = 1e-12
+    newton_tolerance: float = 1e-12
     """What a step must be solved to: Newton's error relative to the energy (in the energy norm),
     constraints relative to length squared."""
     penalty: float = 1e8

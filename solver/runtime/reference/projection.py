@@ -80,7 +80,7 @@ class Seeking:
 
     def solve(self, mu: Array) -> tuple[Array, Array, bool]:
         """Return d and mu, begun with `mu`, and whether rows hold and increments are round-off."""
-        mechanism, tolerance = self.mechanism, self.motion.head["tolerance"]
+        mechanism, tolerance = self.mechanism, self.motion.head["newton_tolerance"]
         d, last, done = np.zeros(mechanism.n), np.inf, False
         floor = FLOOR * float(mechanism.section["extent"][1])
         for _ in range(MAX_UPDATES):

@@ -56,7 +56,7 @@ class Step:
         self.mu = (1.0 - leak) * prediction.multipliers()
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
-        self.target = self.head["tolerance"] * np.sqrt(
+        self.target = self.head["newton_tolerance"] * np.sqrt(
             mechanism.norm(self.equations.d(self.w)) ** 2
             + 2.0 * h**2 * self.head["energy_reference"]
         )
@@ -108,7 +108,7 @@ class Step:
         added = self.d[: len(self.w)] @ self.equations.momentum(self.w, self.mu) / self.h
         energy = self.head["energy_reference"] + 0.5 * (self.mechanism.norm(self.d) / self.h) ** 2
         noise = 0.5 * (self.floor / self.h) ** 2  # kinetic energy of the round-off of positions
-        return bool(abs(added) <= self.head["tolerance"] * energy + noise)
+        return bool(abs(added) <= self.head["newton_tolerance"] * energy + noise)
 
     def newton_increment(self, lam: Array) -> float:
         """Add one Newton increment to w and mu; return its size in the mass norm."""
@@ -130,7 +130,7 @@ class Step:
 
     def newton(self, lam: Array) -> Array:
         """Iterate until increments below the tolerance stop shrinking; return lam."""
-        previous, tolerance, size = np.inf, self.head["tolerance"], np.inf
+        previous, tolerance, size = np.inf, self.head["newton_tolerance"], np.inf
         follows = self.simultaneous and self.equations.augmented
         for _ in range(int(self.head["max_newton"])):
             size = self.newton_increment(lam)
@@ -166,7 +166,7 @@ class Step:
 
     def uzawa(self, lam: Array) -> int:
         """Update lam until the rows hold; return how many updates it took."""
-        tolerance, last = self.head["tolerance"], np.inf
+        tolerance, last = self.head["newton_tolerance"], np.inf
         for updates in range(int(self.head["max_uzawa"])):
             defect = self.defect()
             if not defect < np.inf:
