@@ -24,6 +24,7 @@ SECTIONS = {
     "mechanisms": "benchmarks.scene_steps",
     "rigid-chains": "benchmarks.rigid_chains",
     "instructions": "benchmarks.instructions",
+    "stability": "benchmarks.stability",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""
 
@@ -78,7 +79,8 @@ def _draw(sections: Sequence[Section], folder: Path) -> None:
         if section.picture:
             from benchmarks.picture import draw_work_precision
 
-            draw_work_precision(section, folder / section.picture)
+            drawn = getattr(import_module(SECTIONS[section.name]), "draw", draw_work_precision)
+            drawn(section, folder / section.picture)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,202 @@
+"""Largest steps that survive: formulation, penalty, stiffness; Exudyn and MuJoCo beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from importlib.util import find_spec
+from typing import Any
+
+from benchmarks.effort import Effort
+from benchmarks.exudyn_peer import VARIABLE
+from benchmarks.report import Goal, Section, Table, Value
+from benchmarks.stability_cases import Case, chain, maps
+from benchmarks.stability_peers import present, scanned
+from benchmarks.stability_picture import draw as draw
+from benchmarks.stability_rules import CONSTRAINT, LOOKS, LOOSE, TIGHT, Seen, largest, scan
+from benchmarks.stability_runs import Ready, prepare, run
+from solver.runtime.options import CHOICES, DEFAULTS
+
+PENALTIES = (1e4, 1e8, 1e12)
+CHAINS = ((10, 1.0), (100, 1.0), (1000, 1.0), (10, 10.0), (100, 10.0))
+"""Points and seconds."""
+SHARE = 0.25
+"""Goal: no peer's largest step is more than a quarter of ours."""
+OURS = {"plain steps": {"paired": False}, "pairs of half steps": {"paired": True}}
+OWN = "holonom"
+
+Rows = list[dict[str, Value]]
+
+MAP = {
+    "solver": "solver",
+    "setting": "method or formulation",
+    "penalty": "penalty",
+    "stiffness": "stiffness, N/m",
+    "h": "largest step, s",
+    "newton": "Newton iterations",
+    "energy": "largest |ΔE|/E",
+    "constraint": "largest |Φ|",
+    "above": "at the next larger step",
+}
+FORMATS = {
+    "penalty": ".0e", "stiffness": ".0e", "h": ".3g", "newton": ".1f", "energy": ".1e",
+    "constraint": ".1e",
+}  # fmt: skip
+
+
+def measure(effort: Effort) -> Section:
+    peers = present()
+    coarse = [2.0 ** (-j / 2) for j in range(2 * effort.steps)]
+    fine = [2.0 ** (2 - j / 4) for j in range(3 * effort.steps + 3)]
+    remarks = [
+        f"{name} is not installed here (the extra `peers`; `{VARIABLE}` may name another "
+        "interpreter that has it): no steps of it"
+        for name in ("Exudyn", "MuJoCo")
+        if name not in peers
+    ]
+    remarks += [f"{name} {version}" for name, version in peers.items()]
+    chains, goals = _chains(effort, peers, fine, remarks)
+    rows: dict[str, Rows] = {}
+    for case in maps():
+        ready = prepare(case, _stop(case, effort))
+        rows.setdefault(case.name, []).extend(_map(ready, coarse))
+        rows[case.name].extend(_peers(peers, ready, coarse, remarks))
+    drawn = [
+        Table(title=name.capitalize(), columns=MAP, rows=found, formats=FORMATS)
+        for name, found in rows.items()
+    ]
+    return Section(
+        name="stability",
+        title="Stability: the largest step that survives",
+        method=METHOD,
+        tables=[chains, *drawn],
+        goals=goals,
+        remarks=[*remarks, *REMARKS],
+        picture="stability.png" if find_spec("matplotlib") else None,
+    )
+
+
+METHOD = (
+    "A run survives if it reaches its end with every step solved as it was asked for (ours: none "
+    f"divided), if the energy has never moved by more than {LOOSE:.0%} of the largest kinetic "
+    f"energy of the motion, and no constraint by more than {CONSTRAINT:.0%} of a link, looked at "
+    f"after every step or {LOOKS} times; the table of chains has a second bound, {TIGHT:.0%} of "
+    "the energy. The largest step is that below which all smaller ones of the grid survive as "
+    "well, for every solver; steps grow by a factor of √2, for chains of ⁴√2. Our energy is "
+    "kinetic and potential energy less the drivers' work, without what penalties store. Ours are "
+    "plain steps, one implicit solve each, where nothing else is said. Exudyn: generalized alpha "
+    "of index 3 and the trapezoidal rule of index 2, full Newton of up to 50 iterations; "
+    "MuJoCo: trees in joint coordinates, loops closed by `connect`. Runs last 10 s, the chain's "
+    "1 s, the car axis' 3 s."
+)
+REMARKS = (
+    "To survive is not to be exact: at its largest step the conserving scheme has the right "
+    "energy and closed joints, and phases that are wrong by radians. Work and precision are "
+    "another table.",
+    "Within a second neighbouring rods of the chain turn against each other by up to 3 rad for "
+    "N = 10, 0.3 for 100 and 0.03 for 1000: the longer it is, the less a second asks of a step; "
+    "an explicit method in joint coordinates then takes the chain of 100 in one.",
+    "Springs always act by their discrete gradient; `formulation` is about constraints.",
+    "The car axis has a driven point, which only two formulations know, and no peer's model. "
+    "MuJoCo takes a second for one step of the chain of 1000 and is left out there.",
+)
+
+
+def _stop(case: Case, effort: Effort) -> float:
+    return max(0.05, case.stop * effort.scale)
+
+
+# ------------------------------------------------------------------------------------------ chains
+
+
+def _chains(
+    effort: Effort, peers: Iterable[str], grid: Sequence[float], remarks: list[str]
+) -> tuple[Table, list[Goal]]:
+    """Largest steps of all solvers on the chains, and the goals."""
+    rows: dict[tuple[str, str], dict[str, Value]] = {}
+    columns, goals = {"solver": "solver", "setting": "method"}, []
+    for n, stop in CHAINS:
+        if n > effort.largest:
+            continue
+        case = chain(n, stop)
+        seen = _all(prepare(case, _stop(case, effort)), peers, grid, remarks)
+        for bound in (LOOSE, TIGHT):
+            key = f"{n} {stop:g} {bound:g}"
+            columns[key] = f"N = {n}, {stop:g} s, {bound:.0%}"
+            steps = {solver: largest(outcomes, bound) for solver, outcomes in seen.items()}
+            found = {solver: step[0] if step else None for solver, step in steps.items()}
+            for solver, h in found.items():
+                rows.setdefault(solver, {"solver": solver[0], "setting": solver[1]})[key] = h
+            if stop == 1.0 and len(found) > len(OURS):
+                goals.append(_goal(n, bound, found))
+    title = "Point chain: largest step, s, that survives with the energy within a bound"
+    formats = dict.fromkeys(columns, ".3g")
+    return Table(title=title, columns=columns, rows=list(rows.values()), formats=formats), goals
+
+
+def _all(
+    ready: Ready, peers: Iterable[str], grid: Sequence[float], remarks: list[str]
+) -> dict[tuple[str, str], Seen]:
+    """What was seen, by solver and method."""
+    seen = {
+        (OWN, name): scan(grid, lambda h, s=settings: run(ready, h, s))
+        for name, settings in OURS.items()
+    }
+    for peer in peers:
+        theirs, problem = scanned(peer, ready, grid)
+        remarks.extend([problem] if problem else [])
+        seen |= {(peer, method): outcomes for method, outcomes in theirs.items()}
+    return seen
+
+
+def _goal(n: int, bound: float, found: dict[tuple[str, str], float | None]) -> Goal:
+    """The peers' best over ours, counted in implicit solves: plain steps, not pairs."""
+    theirs = max(h or 0.0 for (solver, _), h in found.items() if solver != OWN)
+    ours = found[OWN, "plain steps"]
+    return Goal(
+        what=f"largest step of any peer over ours, chain of {n}, 1 s, energy within {bound:.0%}",
+        unit="1",
+        goal=SHARE,
+        value=theirs / ours if ours else None,
+    )
+
+
+# -------------------------------------------------------------------------------------------- maps
+
+
+def _map(ready: Ready, grid: Sequence[float]) -> Rows:
+    """Formulation x penalty, each with the largest of the grid's steps."""
+    case = ready.case
+    penalties = (DEFAULTS["penalty"],) if case.stiffness else PENALTIES
+    rows: Rows = []
+    for formulation in case.formulations or CHOICES["formulation"]:
+        for penalty in penalties:
+            settings: dict[str, Any] = {"formulation": formulation, "penalty": penalty}
+            settings["paired"] = False
+            seen = scan(grid, lambda h, s=settings: run(ready, h, s))
+            row = {"solver": OWN, "setting": formulation, "penalty": penalty}
+            rows.append(row | _found(ready, seen))
+    return rows
+
+
+def _peers(peers: Iterable[str], ready: Ready, grid: Sequence[float], remarks: list[str]) -> Rows:
+    rows: Rows = []
+    for peer in peers:
+        theirs, problem = scanned(peer, ready, grid)
+        remarks.extend([problem] if problem else [])
+        for method, seen in theirs.items():
+            row = {"solver": peer, "setting": method, "penalty": ""}
+            rows.append(row | _found(ready, seen))
+    return rows
+
+
+def _found(ready: Ready, seen: Seen) -> dict[str, Value]:
+    """Outcome at the largest step, and what ended the next larger one."""
+    step = largest(seen, LOOSE)
+    row: dict[str, Value] = {"stiffness": ready.case.stiffness or ""}
+    row["above"] = seen[-1][1].end or "(none tried)"
+    if step is None:
+        return row | dict.fromkeys(("h", "newton", "energy", "constraint"))
+    h, at = step
+    return row | {
+        "h": h, "newton": at.newton, "energy": at.energy, "constraint": at.constraint,
+    }  # fmt: skip

@@ -1,0 +1,70 @@
+"""Our own runs of the stability maps, watched on the way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import solver
+from benchmarks.stability_cases import Case
+from benchmarks.stability_rules import Outcome, steps, stride
+from solver.runtime import Integrator, Model, StepError
+
+ENERGY = ("energy.kinetic", "energy.potential", "energy.work")
+LEDGER = (*ENERGY, "constraint.position", "solver.substeps", "solver.newton_iterations")
+FINE = 2e-3
+"""Step [s] with which the reference energy is found."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """A case with its model, its length in time [s] and its reference energy [J]."""
+
+    case: Case
+    model: Model
+    stop: float
+    reference: float
+    """Largest kinetic energy of the motion."""
+
+
+def prepare(case: Case, stop: float) -> Ready:
+    """Assemble a case and take its reference energy from a run with short steps of the default."""
+    model = solver.assemble(case.drawn)
+    integrator = _started(model, {"step_size": FINE, "paired": True})
+    kinetic = float(integrator["energy.kinetic"])
+    for _ in range(max(1, round(stop / (10 * FINE)))):
+        integrator.advance(integrator.time, 10 * FINE)
+        kinetic = max(kinetic, float(integrator["energy.kinetic"]))
+    return Ready(case, model, stop, kinetic)
+
+
+def _started(model: Model, settings: dict[str, Any]) -> Integrator:
+    integrator = Integrator(model, kernel="c")
+    for name, value in settings.items():
+        integrator[f"solver.{name}"] = value
+    integrator.initialise()
+    return integrator
+
+
+def run(ready: Ready, h: float, settings: dict[str, Any]) -> Outcome:
+    """Steps of h [s] with settings of the solver until the end, or until one is lost or divided."""
+    integrator = _started(ready.model, settings | {"step_size": h})
+    solves = 2 if integrator["solver.paired"] else 1
+    places = [ready.model.index(name) for name in LEDGER]
+    outcome, count, taken, iterations = Outcome(), steps(ready.stop, h), 0, 0.0
+    before = sum(map(float, integrator.get(places[:2])))
+    while taken < count and not outcome.end:
+        more = min(stride(count), count - taken)
+        try:
+            integrator.advance(integrator.time, more * h)
+            values = map(float, integrator.get(places))
+        except StepError:
+            outcome.end = f"a step failed after {integrator.time:.3g} s"
+            break
+        kinetic, potential, work, constraint, substeps, newton = values
+        taken, iterations = taken + more, iterations + newton
+        energy = (kinetic + potential - work - before) / ready.reference
+        if outcome.see(energy, constraint, integrator.time) and substeps != more * solves:
+            outcome.end = f"a step was divided before {integrator.time:.3g} s"
+    outcome.newton = iterations / (max(taken, 1) * solves)
+    return outcome
