@@ -13,12 +13,13 @@ from solver.mechanics.sections import sections_of, sizes_of
 from solver.mechanics.slots import Layout
 from solver.mechanics.structure import Structure, pointers
 from solver.mechanics.tape import Segment
-from solver.mechanics.variables import distance_between, meanings, output, variable_table
+from solver.mechanics.variables import Symbols, distance_between, output, variable_table
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import TABLES, measured_sections
 from solver.runtime.model import Row, Variable
 from solver.runtime.options import DEFAULTS
 from solver.scene import Expr, Scene
+from solver.scene.collector import collector_paused
 
 
 def assemble(scene: Scene) -> Model:
@@ -53,6 +54,7 @@ def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
     scene.fail(problems)
 
 
+@collector_paused()
 def model_of(scene: Scene) -> Model:
     """Return the model of a scene; its numbers are not yet checked."""
     parts = collect(scene)
@@ -60,12 +62,12 @@ def model_of(scene: Scene) -> Model:
     table = list(named(measures))
     structure = Structure(parts.mechanism)
     counts = _counts(scene, structure)
-    known = meanings(scene, measures, table, structure, counts)
+    known = Symbols(scene, measures, table, structure, counts)
     sections = sections_of(scene, structure, counts)
     dim = scene.dimension
     mechanism = parts.mechanism
     signals = [*mechanism.driven_signals, *mechanism.signals]
-    numbers = Numbers(sections, signals, known, lambda call: distance_between(dim, call))
+    numbers = Numbers(sections, signals, known.meaning, lambda call: distance_between(dim, call))
     tables = structure.tables() | Layout(structure).tables() | _functions(structure, numbers)
     numbers_of_rules = [numbers.place(number) for number in mechanism.rule_numbers]
     tables["input_ramp"] = array("i", (x.interpolation == "ramp" for x in scene.inputs.values()))

@@ -152,7 +152,7 @@ def add_rigid(mechanism: Mechanism, name: str, body: Rigid, places: Iterable[Vec
     _add_inertia(mechanism, frame, body, places, part)
     _add_unit_rows(mechanism, frame, part)
     if mechanism.dim == 3:
-        mechanism.bodies.append(directors[0])
+        mechanism.bodies[directors[0]] = len(mechanism.bodies)
     return frame
 
 

@@ -87,9 +87,13 @@ def _defaults(scene: Scene) -> dict[str, float]:
     numbers = {name: parameter.value for name, parameter in scene.parameters.items()}
     values |= {name: float(x) for name, x in numbers.items() if not isinstance(x, Expr)}
     pending = {name: x for name, x in numbers.items() if isinstance(x, Expr)}
-    for _ in numbers:  # the reader has seen to it that they do not go in circles
-        for name in [name for name, x in pending.items() if symbols(x) <= values.keys()]:
-            values[name] = evaluate(pending.pop(name), values)
+    while pending:
+        known = len(values)
+        for name, x in [*pending.items()]:
+            if symbols(x) <= values.keys():
+                values[name] = evaluate(pending.pop(name), values)
+        if len(values) == known:  # a circle, which the reader has reported
+            break
     return values
 
 
@@ -100,9 +104,9 @@ def _varying(scene: Scene) -> frozenset[str]:
 
 def _add_points_and_bodies(parts: Parts) -> None:
     mechanism, scene = parts.mechanism, parts.scene
-    driven = driven_points(scene)
+    parts.paths = driven_points(scene)
     for name, point in scene.points.items():
-        path = driven[name][1] if name in driven else None
+        path = parts.paths[name][1] if name in parts.paths else None
         parts.points[name] = add_point(mechanism, name, point, path)
     places = _places_of_bodies(scene)
     for name, body in scene.bodies.items():

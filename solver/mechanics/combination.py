@@ -35,7 +35,7 @@ class Combination:
         return Combination.of((*self.terms, *other.terms))
 
     def __sub__(self, other: Combination) -> Combination:
-        return self + other.scaled(-1.0)
+        return Combination.of((*self.terms, *((n, -1.0 * c, -1.0 * t) for n, c, t in other.terms)))
 
     def scaled(self, factor: Number) -> Combination:
         """Return factor x."""
@@ -48,7 +48,7 @@ class Combination:
     @property
     def nodes(self) -> tuple[int, ...]:
         """Nodes that take part."""
-        return tuple(node for node, _, _ in self.terms)
+        return tuple([node for node, _, _ in self.terms])
 
     @property
     def single(self) -> int | None:

@@ -31,7 +31,7 @@ def add_driver(parts: Parts, name: str, driver: Driver) -> None:
     rows = Rows(parts.mechanism, f"drivers.{name}", f"driver '{name}'")
     parts.joints[name] = JointParts()
     if isinstance(driver, PositionDriver):
-        if driver.point.point not in driven_points(parts.scene):
+        if driver.point.point not in parts.paths:
             _follow(parts, rows, name, driver)
         return
     if isinstance(driver, JointDriver):

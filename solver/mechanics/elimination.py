@@ -12,33 +12,76 @@ and linear coincidences couple equal components only. (Tinney & Walker 1967; Geo
 from __future__ import annotations
 
 import heapq
-from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Integers = NDArray[np.integer]
+
+PAIRS_AT_ONCE = 100_000
+"""Pairs whose stored entries are looked up in one go, which takes some 100 bytes a pair."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Pattern:
     """Places of the unknowns in the elimination order, and the stored entries of the factors.
 
-    Pivot k owns the entries ``ptr[k]:ptr[k + 1]``: diagonal, U row, L column; ``column`` lists its
-    later places, ``target`` the entries that its update goes to, row by row.
+    Pivot k owns the entries ``ptr[k]:ptr[k + 1]``: diagonal, U row, L column.
     """
 
-    position: array
+    position: Integers
     """First place of each block."""
-    ptr: array
-    column: array
-    target: array
-    _index: Sequence[dict[int, int]]
+    counts: Integers
+    """Number of later places of each pivot."""
+    column: Integers
+    """These places, increasing, of one pivot after the other."""
 
-    def slot(self, i: int, j: int) -> int:
-        """Return the stored entry of matrix element (i, j), both places in the order."""
-        if i == j:
-            return self.ptr[i]
-        first, second = min(i, j), max(i, j)
-        place = self.ptr[first] + 1 + self._index[first][second]
-        return place if i < j else place + len(self._index[first])
+    @cached_property
+    def ptr(self) -> Integers:
+        """Where the entries of each pivot begin, and the end of all."""
+        return _pointers(1 + 2 * self.counts)
+
+    @cached_property
+    def _first(self) -> Integers:
+        """Where the later places of each pivot begin, and the end of all."""
+        return _pointers(self.counts)
+
+    @cached_property
+    def _elements(self) -> Integers:
+        """Of each stored element (i, j) above the diagonal n i + j; increasing."""
+        n = len(self.counts)
+        return n * np.repeat(np.arange(n), self.counts) + self.column
+
+    def slots(self, i: Integers, j: Integers) -> Integers:
+        """Return the stored entries of the matrix elements (i, j), both places in the order."""
+        first, second = np.minimum(i, j), np.maximum(i, j)
+        element = len(self.counts) * first + second
+        found = np.searchsorted(self._elements, element)
+        assert np.all((i == j) | (np.append(self._elements, -1)[found] == element)), "not stored"
+        above = self.ptr[first] + 1 + found - self._first[first]
+        slots = np.where(i < j, above, above + self.counts[first])
+        return np.where(i == j, self.ptr[first], slots)
+
+    @cached_property
+    def target(self) -> Integers:
+        """Entries that the update of each pivot goes to: all pairs of its places, row by row."""
+        begin = _pointers(self.counts**2)
+        target = np.empty(begin[-1], dtype=np.intc)
+        for m in np.unique(self.counts):
+            alike = np.flatnonzero(self.counts == m)
+            for pivots in np.array_split(alike[:, None], 1 + len(alike) * m * m // PAIRS_AT_ONCE):
+                places = self.column[self._first[pivots] + np.arange(m)]
+                rows, columns = np.repeat(places, m, axis=1), np.tile(places, (1, m))
+                target[begin[pivots] + np.arange(m * m)] = self.slots(rows, columns)
+        return target
+
+
+def _pointers(counts: Integers) -> Integers:
+    """Where each of consecutive pieces begins, and the end of all."""
+    return np.concatenate([[0], np.cumsum(counts)])
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,18 +211,33 @@ def _take_out(
 def eliminate(graph: Graph) -> Pattern:
     """Return the order and the pattern of the factors of a graph."""
     order = block_order(graph)
-    position, size = [0] * len(order), 0
-    for block in order:
-        position[block] = size
-        size += graph.sizes[block]
-    coupled: list[list[int]] = [[] for _ in range(size)]
-    for (a, b), full in graph.couplings.items():
-        for i in range(graph.sizes[a]):
-            for k in range(graph.sizes[b]) if full else (i,):
-                first, second = sorted((position[a] + i, position[b] + k))
-                if first != second:
-                    coupled[first].append(second)
-    return _pattern(position, _fill(coupled))
+    sizes = np.array(graph.sizes)
+    position = np.empty(len(order), dtype=np.int64)
+    position[order] = _pointers(sizes[order])[:-1]
+    columns = _fill(_coupled(graph, position, sizes))
+    return Pattern(
+        position=position,
+        counts=np.array([len(places) for places in columns]),
+        column=np.array([p for places in columns for p in places], dtype=np.int64),
+    )
+
+
+def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int]]:
+    """Later places that the matrix couples each place to, increasing."""
+    n = int(sizes.sum())
+    pairs = np.array([*graph.couplings], dtype=np.int64).reshape(-1, 2)
+    full = np.fromiter(graph.couplings.values(), dtype=bool)
+    elements = [np.empty(0, dtype=np.int64)]
+    for i in range(sizes.max()):
+        for k in range(sizes.max()):
+            a, b = pairs[full | (i == k)].T
+            x, y = position[a] + i, position[b] + k
+            kept = (i < sizes[a]) & (k < sizes[b]) & (x != y)
+            elements.append((n * np.minimum(x, y) + np.maximum(x, y))[kept])
+    first, second = np.divmod(np.unique(np.concatenate(elements)), n)
+    begin = np.searchsorted(first, np.arange(n + 1)).tolist()
+    later = second.tolist()
+    return [later[begin[k] : begin[k + 1]] for k in range(n)]
 
 
 def _fill(coupled: Sequence[Sequence[int]]) -> list[list[int]]:
@@ -195,33 +253,3 @@ def _fill(coupled: Sequence[Sequence[int]]) -> list[list[int]]:
         if places:
             children[columns[k][0]].append(k)
     return columns
-
-
-def _pattern(position: list[int], columns: list[list[int]]) -> Pattern:
-    ptr = array("i", [0])
-    for places in columns:
-        ptr.append(ptr[-1] + 1 + 2 * len(places))
-    pattern = Pattern(
-        position=array("i", position),
-        ptr=ptr,
-        column=array("i", [p for places in columns for p in places]),
-        target=array("i"),
-        _index=[{p: i for i, p in enumerate(places)} for places in columns],
-    )
-    for places in columns:
-        pattern.target.extend(_targets(pattern, places))
-    return pattern
-
-
-def _targets(pattern: Pattern, places: list[int]) -> list[int]:
-    """Stored entries of all pairs of places, row by row."""
-    m = len(places)
-    targets = [0] * (m * m)
-    for i, first in enumerate(places):
-        index, start = pattern._index[first], pattern.ptr[first]
-        targets[i * m + i] = start
-        for k in range(i + 1, m):
-            upper = start + 1 + index[places[k]]
-            targets[i * m + k] = upper
-            targets[k * m + i] = upper + len(index)
-    return targets

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.equations import FIXED
@@ -14,9 +15,17 @@ from solver.mechanics.vectors import Vector, add, scale, turned
 from solver.scene import Expr, Number
 from solver.scene.expression import symbol
 
+_VECTORS = ("position", "velocity", "place", "place_velocity", "reaction_force", "driven_force")
 
-@dataclass(frozen=True, slots=True)
-class Ref:
+WIDTHS = {
+    dim: {"quaternion": 4, "body_rate": 3, "reaction_torque": turning}
+    | dict.fromkeys(_VECTORS, dim)
+    for dim, turning in ((2, 1), (3, 3))
+}
+"""Components of an item of each section, by the dimension; 1 where nothing is said."""
+
+
+class Ref(NamedTuple):
     """A measurement: component k of an item of a section, the item by its index before ordering."""
 
     section: str
@@ -25,8 +34,6 @@ class Ref:
 
     def place(self, structure: Structure, sections: dict[str, tuple[int, int]]) -> int:
         """Return its place among the measurements."""
-        mechanism = structure.mechanism
-        dim, turning = mechanism.dim, 1 if mechanism.dim == 2 else 3
         item = self.item
         if self.section in ("position", "velocity"):
             item = structure.node_of[item]
@@ -34,16 +41,11 @@ class Ref:
             item = structure.node_of[item] - structure.n_free
         elif self.section in ("quantity", "quantity_rate"):
             item = structure.quantity_of[item]
-        width = {
-            "quaternion": 4, "body_rate": 3, "reaction_torque": turning,
-            **dict.fromkeys(("position", "velocity", "place", "place_velocity"), dim),
-            **dict.fromkeys(("reaction_force", "driven_force"), dim),
-        }.get(self.section, 1)  # fmt: skip
+        width = WIDTHS[structure.mechanism.dim].get(self.section, 1)
         return sections[self.section][0] + width * item + self.k
 
 
-@dataclass(frozen=True, slots=True)
-class Named:
+class Named(NamedTuple):
     """A quantity with a name; one that is `listed` is a variable of the model."""
 
     name: str

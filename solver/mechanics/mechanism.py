@@ -6,7 +6,7 @@ Nodes are counted as they come; the order of a model (free, driven, fixed) is ma
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -63,8 +63,8 @@ class Mechanism:
     loads: list[Load] = field(default_factory=list)
     moments: list[Moment] = field(default_factory=list)
     body_moments: list[Moment] = field(default_factory=list)
-    bodies: list[int] = field(default_factory=list)
-    """First directors of spatial bodies."""
+    bodies: dict[int, int] = field(default_factory=dict)
+    """Number of each spatial body by its first director."""
     places: list[int] = field(default_factory=list)
     """Forms of measured places."""
     reactions: list[list[tuple[int, int, int]]] = field(default_factory=list)
@@ -97,11 +97,11 @@ class Mechanism:
 
     def moves(self, combination: Combination) -> bool:
         """Whether any node of a combination moves."""
-        return any(self.nodes[n].motion != FIXED for n in combination.nodes)
+        return any([self.nodes[n].motion != FIXED for n, _, _ in combination.terms])
 
     def is_free(self, combination: Combination) -> bool:
         """Whether any node of a combination is unknown."""
-        return any(self.nodes[n].motion == FREE for n in combination.nodes)
+        return any([self.nodes[n].motion == FREE for n, _, _ in combination.terms])
 
     def add_mass(self, a: int, b: int, mass: Number) -> None:
         """Couple two nodes by a mass, in both triangles; to nodes that stay it does nothing."""
@@ -112,14 +112,12 @@ class Mechanism:
 
     def drawn(self, combination: Combination) -> Vector:
         """Return the vector of a combination as drawn."""
-        return self._sum((self.nodes[n].position, c, t) for n, c, t in combination.terms)
-
-    def _sum(self, terms: Iterable[tuple[Vector, Number, Number]]) -> Vector:
         total: Vector = (0.0,) * self.dim
-        for vector, straight, turn in terms:
-            total = add(total, scale(straight, vector))
+        for n, straight, turn in combination.terms:
+            position = self.nodes[n].position
+            total = tuple([x + straight * y for x, y in zip(total, position, strict=True)])
             if turn != 0.0:
-                total = add(total, scale(turn, turned(vector)))
+                total = add(total, scale(turn, turned(position)))
         return total
 
     # ------------------------------------------------------------------- forms and quantities
@@ -131,10 +129,10 @@ class Mechanism:
         """
         swapped = self.moves(w) and not self.moves(u)
         key = (w, u) if swapped else (u, w)
-        if key not in self._forms:
-            self._forms[key] = len(self.forms)
+        index = self._forms.setdefault(key, len(self.forms))
+        if index == len(self.forms):
             self.forms.append(Form(*key))
-        return self._forms[key], -1 if swapped else 1
+        return index, -1 if swapped else 1
 
     def link(self, u: Combination) -> int:
         """Return the form whose link is u: where a force acts, or what is measured."""
@@ -142,7 +140,9 @@ class Mechanism:
 
     def value(self, form: int) -> Number:
         """Return a form as drawn."""
-        return dot(self.drawn(self.forms[form].u), self.drawn(self.forms[form].w))
+        u, w = self.forms[form]
+        drawn = self.drawn(u)
+        return dot(drawn, drawn if w is u else self.drawn(w))
 
     def quantity(self, kind: int, *forms: int) -> int:
         """Return the index of a quantity."""

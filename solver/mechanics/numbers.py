@@ -18,8 +18,8 @@ class Numbers:
         Contents of each section. Those that the kernel or the caller fills hold zeros.
     signals : sequence of Number
         Prescribed values, written to the section ``signal``.
-    symbols : mapping of str to (section, place, Segment) or Number
-        What each symbol of an expression means.
+    symbols : callable
+        Returns what a symbol of an expression means: (section, place, Segment) or a Number.
     calls : callable
         Returns the expression of a mechanism function.
     """
@@ -28,7 +28,7 @@ class Numbers:
         self,
         sections: Mapping[str, Sequence[Number]],
         signals: Sequence[Number],
-        symbols: Mapping[str, tuple[str, int, Segment] | Number],
+        symbols: Callable[[str], tuple[str, int, Segment] | Number],
         calls: Callable[[Expr], Number],
     ) -> None:
         assert tuple(sections) == OFFSETS
@@ -36,14 +36,16 @@ class Numbers:
         self.values: list[float] = []
         for name, content in sections.items():
             self.offsets[name] = len(self.values)
-            self.values.extend(0.0 if isinstance(x, Expr) else float(x) for x in content)
-        places = {
-            name: (self.offsets[meaning[0]] + meaning[1], meaning[2])
-            if isinstance(meaning, tuple)
-            else meaning
-            for name, meaning in symbols.items()
-        }
-        self.tape = Tape(places, calls, len(self.values))
+            self.values.extend([0.0 if isinstance(x, Expr) else float(x) for x in content])
+
+        def place_of(name: str) -> tuple[int, Segment] | Number:
+            meaning = symbols(name)
+            if not isinstance(meaning, tuple):
+                return meaning
+            section, place, segment = meaning
+            return self.offsets[section] + place, segment
+
+        self.tape = Tape(place_of, calls, len(self.values))
         self.segment_of: dict[str, Segment] = {}
         """Latest segment that writes to each section."""
         for name, content in sections.items():

@@ -12,7 +12,7 @@ from solver.mechanics.combination import Combination
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.measures import Measures, Named, Ref, components, references
 from solver.mechanics.results import of_a_driver, of_a_force, reaction
-from solver.scene import Number, Rigid
+from solver.scene import Rigid
 
 ENERGIES = {
     "kinetic": "kinetic energy",
@@ -75,7 +75,7 @@ def _body(measures: Measures, name: str, rigid: bool) -> Iterator[Named]:
         rate = Ref("quantity_rate", angle)
         yield Named(f"{name}.angular_velocity", "rad/s", f"angular velocity of {name}", rate)
     elif isinstance(frame, RigidFrame):
-        body = mechanism.bodies.index(frame.directors[0])
+        body = mechanism.bodies[frame.directors[0]]
         for k, axis in enumerate("wxyz"):
             text = f"quaternion of {name}, {axis}, of continuous sign"
             yield Named(f"{name}.q{axis}", "1", text, Ref("quaternion", body, k))
@@ -114,8 +114,3 @@ def _whole(dim: int) -> Iterator[Named]:
     yield from components("angular_momentum.", "kg.m2/s", text, turning)
     for k, (name, text) in enumerate(COUNTERS.items()):
         yield Named(f"solver.{name}", "1", text, Ref("solver", k))
-
-
-def meanings(measures: Measures, table: list[Named]) -> dict[str, Ref | Number]:
-    """What each name, and each symbol of the expressions behind a name, stands for."""
-    return {quantity.name: quantity.meaning for quantity in table} | measures.refs

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination, node
 from solver.mechanics.equations import DIRECTION, POINT, RATE, VALUE, Leaf
 from solver.mechanics.frames import Frame, Ground, RigidFrame
 from solver.mechanics.mechanism import Mechanism
-from solver.mechanics.vectors import identity, norm
+from solver.mechanics.vectors import Vector, identity, norm
 from solver.scene import Expr, Number, PointReference, Scene
 
 AXES = "xyz"
@@ -50,6 +51,8 @@ class Parts:
     links: dict[str, Combination] = field(default_factory=dict)
     """From the first to the second end of bars, springs, dampers, gravitations."""
     joints: dict[str, JointParts] = field(default_factory=dict)
+    paths: Mapping[str, tuple[str, Vector]] = field(default_factory=dict)
+    """Driver of each driven point, and the path that it prescribes."""
     driven: dict[str, int] = field(default_factory=dict)
     """Quantity that a driver prescribes."""
     elements: dict[str, int] = field(default_factory=dict)

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from math import pi
 
 from solver.mechanics.derivative import derivative
-from solver.mechanics.drivers import driven_points
 from solver.mechanics.formulas import rewritten
 from solver.mechanics.measures import Measures, Named, Ref, Values, components, references
 from solver.mechanics.vectors import add, dot, scale
@@ -150,7 +149,7 @@ def of_a_driver(measures: Measures, name: str, driver: Driver) -> Iterator[Named
 def _of_a_path(measures: Measures, name: str, driver: PositionDriver) -> Iterator[Named]:
     parts = measures.parts
     place = parts.place(driver.point)
-    path = driven_points(parts.scene).get(driver.point.point or "")
+    path = parts.paths.get(driver.point.point or "")
     force: Values = measures.pushed(parts.joints[name])
     if path is not None:
         assert place.single is not None

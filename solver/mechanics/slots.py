@@ -9,12 +9,11 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
 
-from solver.mechanics.elimination import Graph, Pattern, eliminate
-from solver.mechanics.structure import LINEAR, TURNED, Structure
-from solver.mechanics.vectors import add, dot, scale, turned
+import numpy as np
 
-WEAK = 1e-4
-"""A node whose share of a row's G M^-1 G' is smaller than this part of the largest carries none."""
+from solver.mechanics.anchors import Anchors
+from solver.mechanics.elimination import Graph, Integers, Pattern, eliminate
+from solver.mechanics.structure import LINEAR, TURNED, Structure
 
 
 class Layout:
@@ -26,8 +25,6 @@ class Layout:
         self.dim, self.n_nodes = mechanism.dim, structure.n_free
         self.form_rows = [row.form for row in mechanism.form_rows]
         self.coincidences = [row.form for row in mechanism.coincidences]
-        own = ((a, mechanism.default(mass)) for a, b, mass in structure.masses if a == b)
-        self._masses = {node: mass for node, mass in own if mass > 0.0}
         n_rows = len(mechanism.function_rows) + len(mechanism.velocity_rows)
         n_elements = len(mechanism.elements)
         self.row_composites = range(n_elements, n_elements + n_rows)
@@ -95,57 +92,22 @@ class Layout:
         return list(range(first, first + count))
 
     def _anchors(self) -> dict[int, list[int]]:
-        rows = {self.n_nodes + k: [form] for k, form in enumerate(self.form_rows)}
+        anchors, composites = Anchors(self.structure), self.structure.composites
+        rows = {self.n_nodes + k: anchors.of_forms([f]) for k, f in enumerate(self.form_rows)}
         for k, composite in enumerate(self.row_composites):
-            rows[self.first_function + k] = list(self.structure.composites[composite].forms)
-        anchors = {row: self._carriers(forms) for row, forms in rows.items()}
+            rows[self.first_function + k] = anchors.of_forms(composites[composite].forms)
         for row, form in enumerate(self.coincidences, start=self.first_coincidence):
-            anchors[row] = self._heavy(
-                {e.node: self._square((e.alpha,)) for e in self.structure.entries[form]}
-            )
-        return anchors
-
-    def _carriers(self, forms: Iterable[int]) -> list[int]:
-        """Nodes in which the gradient of a row does not vanish as drawn."""
-        mechanism, shares = self.structure.mechanism, {}
-        for f in forms:
-            form = mechanism.forms[f]
-            u, w = (
-                [mechanism.default(x) for x in mechanism.drawn(side)] for side in (form.u, form.w)
-            )
-            for entry in self.structure.entries[f]:
-                (a, a_turn), (b, b_turn) = (
-                    [mechanism.default(x) for x in pair] for pair in (entry.alpha, entry.beta)
-                )
-                gradient = add(scale(a, w), scale(b, u))
-                if self.dim == 2:  # the transpose of J is -J
-                    turn = add(scale(a_turn, turned(w)), scale(b_turn, turned(u)))
-                    gradient = add(gradient, scale(-1.0, turn))
-                share = float(dot(gradient, gradient))  # pyright: ignore[reportArgumentType]
-                shares[entry.node] = shares.get(entry.node, 0.0) + share
-        return self._heavy(shares)
-
-    def _square(self, pairs: Iterable[tuple]) -> float:
-        default = self.structure.mechanism.default
-        return sum(default(x) ** 2 for pair in pairs for x in pair)
-
-    def _heavy(self, shares: dict[int, float]) -> list[int]:
-        """Free nodes with a share of G M^-1 G' that is not negligible."""
-        sizes = {
-            node: share / self._masses.get(node, 1.0)
-            for node, share in shares.items()
-            if node < self.n_nodes
-        }
-        least = WEAK * max(sizes.values(), default=0.0)
-        return [node for node, size in sizes.items() if size >= least]
+            rows[row] = anchors.of_coincidence(form)
+        return rows
 
     # --------------------------------------------------------------------------------- the slots
 
     def tables(self) -> dict[str, array]:
         """Return the tables of the elimination."""
         self.pattern: Pattern = eliminate(self.graph())
-        position = self.pattern.position
-        rows = [*position[self.n_nodes : self.first_coincidence]]
+        position = self._position = self.pattern.position.tolist()
+        self._n = len(self.pattern.counts)
+        rows = position[self.n_nodes : self.first_coincidence]
         for block in range(self.first_coincidence, self.first_function):
             rows.extend(position[block] + k for k in range(self.dim))
         rows.extend(position[self.first_function :])
@@ -153,48 +115,61 @@ class Layout:
             self._equal(a, b) for a, b, _ in self.structure.masses if max(a, b) < self.n_nodes
         )
         return {
-            "node_position": position[: self.n_nodes],
+            "node_position": array("i", position[: self.n_nodes]),
             "row_position": array("i", rows),
-            "lu_ptr": self.pattern.ptr,
-            "lu_column": self.pattern.column,
-            "lu_target": self.pattern.target,
-            "mass_slot": _joined(masses),
-            "row_slot": _joined(self._of_form_rows()),
-            "coincidence_slot": _joined(self._of_coincidences()),
-            "composite_slot": _joined(self._of_composites()),
-            "load_slot": _joined(self._of_loads()),
-            "moment_slot": _joined(
+            "lu_ptr": _table(self.pattern.ptr),
+            "lu_column": _table(self.pattern.column),
+            "lu_target": _table(self.pattern.target),
+            "mass_slot": self._slots(masses),
+            "row_slot": self._slots(self._of_form_rows()),
+            "coincidence_slot": self._slots(self._of_coincidences()),
+            "composite_slot": self._slots(self._of_composites()),
+            "load_slot": self._slots(self._of_loads()),
+            "moment_slot": self._slots(
                 self._full(free, free)
                 for free in map(self.structure.free, self._moment_forms())
             ),
-            "body_moment_slot": _joined(self._of_body_moments()),
+            "body_moment_slot": self._slots(self._of_body_moments()),
         }  # fmt: skip
 
     def _moment_forms(self) -> list[int]:
         return [moment.place for moment in self.structure.mechanism.moments]
 
+    def _slots(self, elements: Iterable[Iterable[int]]) -> array:
+        """Slots of lists of elements, one list after the other."""
+        flat = np.fromiter((x for listed in elements for x in listed), dtype=np.int64)
+        return _table(self.pattern.slots(*np.divmod(flat, self._n)))
+
     def _equal(self, a: int, b: int) -> list[int]:
-        """Slots of equal components of two blocks."""
-        at = self.pattern.position
-        return [self.pattern.slot(at[a] + k, at[b] + k) for k in range(self.dim)]
+        """Elements of equal components of two blocks; element (i, j) is n i + j."""
+        first = self._n * self._position[a] + self._position[b]
+        return [first + k * (self._n + 1) for k in range(self.dim)]
 
     def _full(self, firsts: Sequence[int], seconds: Sequence[int]) -> list[int]:
-        """Slots of blocks, in the order first node, second node, component, component."""
-        at, components = self.pattern.position, range(self.dim)
+        """Elements of blocks, in the order first node, second node, component, component."""
+        at, n, components = self._position, self._n, range(self.dim)
         return [
-            self.pattern.slot(at[a] + i, at[b] + k)
+            n * (at[a] + i) + at[b] + k
             for a in firsts
             for b in seconds
             for i in components
             for k in components
         ]
 
-    def _border(self, nodes: Sequence[int], row: int) -> list[int]:
-        """Slots of a row: the upper ones of all its nodes, then the lower ones."""
-        at = self.pattern.position
-        places = [at[a] + k for a in nodes for k in range(self.dim)]
-        upper = [self.pattern.slot(p, at[row]) for p in places]
-        return upper + [self.pattern.slot(at[row], p) for p in places]
+    def _places(self, nodes: Iterable[int]) -> list[int]:
+        """Places of all components of some nodes."""
+        return [self._position[a] + k for a in nodes for k in range(self.dim)]
+
+    def _square(self, nodes: Iterable[int]) -> list[int]:
+        """Elements of some nodes, in the order of their places."""
+        places = self._places(nodes)
+        return [self._n * p + q for p in places for q in places]
+
+    def _border(self, nodes: Iterable[int], row: int) -> list[int]:
+        """Elements of a row: the upper ones of all its nodes, then the lower ones."""
+        places, last = self._places(nodes), self._position[row]
+        upper = [self._n * p + last for p in places]
+        return upper + [self._n * last + p for p in places]
 
     def _of_form_rows(self) -> Iterator[list[int]]:
         for row, form in enumerate(self.form_rows, start=self.n_nodes):
@@ -202,7 +177,7 @@ class Layout:
             if kind & TURNED and not kind & LINEAR:
                 yield self._full(free, free)
             elif not kind & LINEAR:
-                yield [slot for a in free for b in free for slot in self._equal(a, b)]
+                yield [x for a in free for b in free for x in self._equal(a, b)]
             yield self._border(free, row)
 
     def _of_coincidences(self) -> Iterator[list[int]]:
@@ -214,10 +189,8 @@ class Layout:
                     yield [*self._equal(a, row), *self._equal(row, a)]
 
     def _of_composites(self) -> Iterator[list[int]]:
-        at, dim = self.pattern.position, self.dim
         for k, composite in enumerate(self.structure.composites):
-            places = [at[a] + i for a in composite.nodes for i in range(dim)]
-            yield [self.pattern.slot(p, q) for p in places for q in places]
+            yield self._square(composite.nodes)
             if k in self.row_composites:
                 row = self.first_function + k - self.row_composites.start
                 yield self._border(composite.nodes, row)
@@ -230,12 +203,9 @@ class Layout:
                 yield self._full(structure.free(load.form), axes)
 
     def _of_body_moments(self) -> Iterator[list[int]]:
-        at = self.pattern.position
         for moment in self.structure.mechanism.body_moments:
-            axes = self.directors(self.structure.node_of[moment.place], 3)
-            places = [at[a] + i for a in axes for i in range(3)]
-            yield [self.pattern.slot(p, q) for p in places for q in places]
+            yield self._square(self.directors(self.structure.node_of[moment.place], 3))
 
 
-def _joined(lists: Iterable[Iterable[int]]) -> array:
-    return array("i", (slot for items in lists for slot in items))
+def _table(integers: Integers) -> array:
+    return array("i", integers.astype("i").tobytes())

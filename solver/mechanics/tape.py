@@ -8,7 +8,7 @@ subexpressions of a segment are computed once.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from enum import IntEnum
 
 from solver.scene import Expr, Number
@@ -37,9 +37,9 @@ class Tape:
 
     Parameters
     ----------
-    symbols : mapping of str to (int, Segment) or Number
-        Where each symbol lies in the vector of numbers, and PARAMETERS if it is fixed; or what it
-        stands for.
+    symbols : callable
+        Returns where a symbol lies in the vector of numbers, and PARAMETERS if it is fixed; or the
+        Number that it stands for.
     calls : callable
         Returns the expression of a mechanism function such as ``distance(A, B)``.
     first : int
@@ -48,7 +48,7 @@ class Tape:
 
     def __init__(
         self,
-        symbols: Mapping[str, tuple[int, Segment] | Number],
+        symbols: Callable[[str], tuple[int, Segment] | Number],
         calls: Callable[[Expr], Number],
         first: int,
     ) -> None:
@@ -93,7 +93,7 @@ class Tape:
         if number.op == "symbol":
             name = str(number.args[0])
             self.used[wanted].add(name)
-            found = self._symbols[name]
+            found = self._symbols(name)
             if not isinstance(found, tuple):
                 return self.compile(found, wanted)
             fixed = found[1] is Segment.PARAMETERS

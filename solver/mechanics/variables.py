@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
 
 from solver.mechanics.measures import Measures, Named, Ref
-from solver.mechanics.outputs import meanings as named_meanings
 from solver.mechanics.parts import AXES
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Segment
@@ -15,36 +15,58 @@ from solver.runtime.options import DEFAULTS, MEANINGS, RANGES
 from solver.scene import Expr, Number, Scene
 from solver.scene.expression import sqrt, symbol
 
-Meanings = dict[str, tuple[str, int, Segment] | Number]
+Meaning = tuple[str, int, Segment] | Number
+"""A place - section, index there, and when it is known - or an expression."""
 
 
-def meanings(
-    scene: Scene, measures: Measures, table: list[Named], structure: Structure,
-    sizes: Mapping[str, int],
-) -> Meanings:  # fmt: skip
-    """What each symbol of an expression stands for: a place with its segment, or an expression."""
-    known: Meanings = {"t": ("time", 0, Segment.LAWS)}
-    sections = measured_sections(sizes)
-    for name, meaning in named_meanings(measures, table).items():
-        if isinstance(meaning, Ref):
-            place = meaning.place(structure, sections)
-            known[name] = ("measured", place, Segment.OUTPUTS)
-        else:
-            known[name] = meaning
-    for q, place in structure.quantity_of.items():
-        known[f"#value {q}"] = ("sensor", place, Segment.LAWS)
-        known[f"#rate {q}"] = ("sensor_rate", place, Segment.LAWS)
+class Symbols:
+    """What the symbols of expressions stand for.
+
+    A large mechanism has many more names than its expressions mention: each is found when it is
+    asked for.
+    """
+
+    def __init__(
+        self, scene: Scene, measures: Measures, table: Iterable[Named], structure: Structure,
+        sizes: Mapping[str, int],
+    ) -> None:  # fmt: skip
+        self._structure, self._measures, self._table = structure, measures, table
+        self._sections = measured_sections(sizes)
+        self._given = dict(_given(scene))
+
+    def meaning(self, name: str) -> Meaning:
+        """Return what a symbol stands for."""
+        if name in self._given:
+            return self._given[name]
+        kind, _, quantity = name.partition(" ")
+        if kind in SENSORS:
+            return SENSORS[kind], self._structure.quantity_of[int(quantity)], Segment.LAWS
+        found = self._measures.refs.get(name) or self._named[name]
+        if not isinstance(found, Ref):
+            return found
+        return "measured", found.place(self._structure, self._sections), Segment.OUTPUTS
+
+    @cached_property
+    def _named(self) -> dict[str, Ref | Number]:
+        return {quantity.name: quantity.meaning for quantity in self._table}
+
+
+SENSORS = {"#value": "sensor", "#rate": "sensor_rate"}
+
+
+def _given(scene: Scene) -> Iterator[tuple[str, Meaning]]:
+    """Yield the time, parameters and inputs."""
+    yield "t", ("time", 0, Segment.LAWS)
     place = 0
     for name, parameter in scene.parameters.items():
         if isinstance(parameter.value, Expr):
-            known[name] = parameter.value
+            yield name, parameter.value
             continue
         tunable = parameter.variability == "tunable"
-        known[name] = ("parameter", place, Segment.LAWS if tunable else Segment.PARAMETERS)
+        yield name, ("parameter", place, Segment.LAWS if tunable else Segment.PARAMETERS)
         place += 1
     for place, name in enumerate(scene.inputs):
-        known[name] = ("input", place, Segment.LAWS)
-    return known
+        yield name, ("input", place, Segment.LAWS)
 
 
 def distance_between(dim: int, call: Expr) -> Number:

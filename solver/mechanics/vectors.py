@@ -14,17 +14,17 @@ Matrix = tuple[Vector, ...]
 
 def add(a: Sequence[Number], b: Sequence[Number]) -> Vector:
     """Return a + b."""
-    return tuple(x + y for x, y in zip(a, b, strict=True))
+    return tuple([x + y for x, y in zip(a, b, strict=True)])
 
 
 def subtract(a: Sequence[Number], b: Sequence[Number]) -> Vector:
     """Return a - b."""
-    return tuple(x - y for x, y in zip(a, b, strict=True))
+    return tuple([x - y for x, y in zip(a, b, strict=True)])
 
 
 def scale(factor: Number, a: Sequence[Number]) -> Vector:
     """Return factor a."""
-    return tuple(factor * x for x in a)
+    return tuple([factor * x for x in a])
 
 
 def dot(a: Sequence[Number], b: Sequence[Number]) -> Number:

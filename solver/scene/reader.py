@@ -10,6 +10,7 @@ from pathlib import Path as FilePath
 from typing import Any, NoReturn
 
 from solver.scene.build import build
+from solver.scene.collector import collector_paused
 from solver.scene.draft import Draft
 from solver.scene.fields import shown
 from solver.scene.overrides import apply_overrides
@@ -51,6 +52,7 @@ def read_file(path: str, overrides: Mapping[str, object]) -> Scene:
     return read_text(text, path, notation, overrides)
 
 
+@collector_paused()
 def read_text(text: str, name: str, notation: str, overrides: Mapping[str, object]) -> Scene:
     """Read the text of a scene; see ``solver.scene.loads``."""
     problems: list[Problem] = []
