@@ -18,9 +18,8 @@ from solver.scene.expression import symbol
 _VECTORS = ("position", "velocity", "place", "place_velocity", "reaction_force", "driven_force")
 
 WIDTHS = {
-    dim: {"quaternion": 4, "body_rate": 3, "reaction_torque": turning}
-    | dict.fromkeys(_VECTORS, dim)
-    for dim, turning in ((2, 1), (3, 3))
+    2: {"quaternion": 4, "body_rate": 3} | dict.fromkeys(_VECTORS, 2),
+    3: {"quaternion": 4, "body_rate": 3, "reaction_torque": 3} | dict.fromkeys(_VECTORS, 3),
 }
 """Components of an item of each section, by the dimension; 1 where nothing is said."""
 

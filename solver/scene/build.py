@@ -21,7 +21,6 @@ from solver.scene.names import (
     kinds_of_names,
 )
 from solver.scene.numbers import OUTPUT, Known, Numbers
-from solver.scene.quantities import quantities
 from solver.scene.references import References
 from solver.scene.report import did_you_mean
 from solver.scene.schema import File, Heading
@@ -40,9 +39,8 @@ def build(draft: Draft) -> Scene:
     numbers = Numbers(draft, known)
     geometry = Geometry(numbers, heading.dimension)
     bodies = Bodies(geometry, References(geometry))
-    inventory = inventory_of_draft(draft, geometry.dimension or 3)
-    check_body_points(draft, inventory)
-    known.quantities = quantities(inventory)
+    inventory = known.inventory = inventory_of_draft(draft, geometry.dimension or 3)
+    check_body_points(draft, known)
     ends = (*inventory.points, *known.of("body"), *inventory.body_points)
     known.ends = dict.fromkeys(ends)
     parameters = read_parameters(numbers)

@@ -57,7 +57,7 @@ def _number(value: object) -> Reading:
     if not math.isfinite(number):
         about = {"message": f"must be a finite number, got {str(value)[:20]}"}
         raise mistake(about)
-    return Reading(str(value), number)
+    return Reading(value, number)
 
 
 Expression = Annotated[

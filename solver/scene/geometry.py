@@ -41,6 +41,8 @@ class Geometry:
 
     def entries(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector:
         """Read the numbers of a list."""
+        if all([reading.is_constant for reading in readings]):
+            return tuple([reading.number for reading in readings])
         return tuple(
             self.numbers.number((*path, i), reading, place) for i, reading in enumerate(readings)
         )

@@ -11,7 +11,7 @@ import re
 import warnings
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Literal, NoReturn
+from typing import Literal, NamedTuple, NoReturn
 
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS, ExpressionError
 from solver.scene.tree import Expr, Number, operate, symbol
@@ -47,13 +47,23 @@ class Mention:
     role: Literal["symbol", "function", "part"] = "symbol"
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """A number together with its text and every name mentioned there, folded away or not."""
+class Reading(NamedTuple):
+    """A number together with every name mentioned in its text, folded away or not."""
 
-    text: str
+    given: str | float
+    """As it stands in the file."""
     number: Number
     mentions: tuple[Mention, ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The number as text."""
+        return str(self.given)
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether it is a plain number, which may stand anywhere."""
+        return not self.mentions and isinstance(self.number, float)
 
 
 def parse(text: str) -> Number:

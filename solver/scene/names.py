@@ -8,8 +8,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from solver.scene.draft import Draft
+from solver.scene.numbers import Known
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
-from solver.scene.quantities import Inventory, quantities
+from solver.scene.quantities import Inventory
 from solver.scene.report import Path
 from solver.scene.schema import TYPES
 from solver.scene.types_of_parts import SHARED_POINT
@@ -66,16 +67,15 @@ def check_names(draft: Draft) -> None:
             taken.setdefault(name, path)
 
 
-def check_body_points(draft: Draft, inventory: Inventory) -> None:
+def check_body_points(draft: Draft, known: Known) -> None:
     """Report points of bodies whose names cannot be used after the name of their body."""
-    own = quantities(inventory)
     for body, point in _body_points(draft):
         path = ("bodies", body, "points", point)
         if not NAME.fullmatch(point):
             draft.error(path, f"'{point}' is not a name: a letter, then letters, digits or _")
         elif keyword.iskeyword(point):
             draft.error(path, f"the name '{point}' is reserved for {RESERVED[point]}")
-        elif f"{body}.{point}" in own:
+        elif f"{body}.{point}" in known.quantities:
             draft.error(path, f"the name '{body}.{point}' is that of a quantity of the body")
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from solver.scene.draft import Draft
@@ -15,7 +16,7 @@ from solver.scene.expression import ExpressionError, Number, evaluate
 from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, Reading
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
-from solver.scene.quantities import Level
+from solver.scene.quantities import Inventory, Level, quantities
 from solver.scene.report import Path, did_you_mean
 
 
@@ -64,7 +65,7 @@ def up_to(highest: float, above: Rule = POSITIVE) -> Rule:
     return Rule(lambda x: above.holds(x) and x <= highest, words)
 
 
-@dataclass(slots=True)
+@dataclass
 class Known:
     """Everything an expression can mention."""
 
@@ -74,10 +75,15 @@ class Known:
     """Tunable parameters, and the one each of them is calculated from, or itself."""
     ends: dict[str, None] = field(default_factory=dict)
     """Points, bodies with an origin, and points of bodies: what ``distance`` takes."""
-    quantities: Mapping[str, Level] = field(default_factory=dict)
-    """The mechanism's own quantities."""
+    inventory: Inventory | None = None
+    """The mechanism's parts, once they are counted."""
     values: dict[str, float] = field(default_factory=dict)
     """Default values of the parameters that have one."""
+
+    @cached_property
+    def quantities(self) -> Mapping[str, Level]:
+        """The mechanism's own quantities; many, of which few scenes mention any."""
+        return {} if self.inventory is None else quantities(self.inventory)
 
     def of(self, *kinds: str) -> list[str]:
         """Names of all parts of these kinds."""
@@ -95,9 +101,14 @@ class Numbers:
         self, path: Path, reading: Any, place: Place, rule: Rule | None = None, unit: str = ""
     ) -> Number:
         """Check one number and return it; 0.0 stands for a broken one."""
-        if reading is BROKEN or not self.mentions_are_allowed(path, reading, place):
+        if reading is BROKEN:
             return 0.0
-        value = self.default(path, reading)
+        if reading.is_constant:
+            value = reading.number
+        elif self.mentions_are_allowed(path, reading, place):
+            value = self.default(path, reading)
+        else:
+            return 0.0
         if value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
             how = "" if isinstance(reading.number, float) else f" (= {reading.text})"

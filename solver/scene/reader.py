@@ -91,10 +91,10 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
     twice: list[str] = []
 
     def table(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        keys = [key for key, _ in pairs]
-        if len(set(keys)) < len(keys):
-            twice.extend(keys)
-        return dict(pairs)
+        entries = dict(pairs)
+        if len(entries) < len(pairs):
+            twice.extend(key for key, _ in pairs)
+        return entries
 
     try:
         data = json.loads(text, object_pairs_hook=table)

@@ -33,7 +33,7 @@ class Parameter(Part):
 class Input(Part):
     """A number that arrives from outside at every communication step."""
 
-    start: Expression = Reading("0", 0.0)
+    start: Expression = Field(Reading(0.0, 0.0), json_schema_extra={"default": 0})
     unit: str = ""
     description: str = ""
     min: Expression | None = None
