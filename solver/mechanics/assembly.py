@@ -16,7 +16,7 @@ from solver.mechanics.tape import Segment
 from solver.mechanics.variables import Symbols, distance_between, output, variable_table
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import TABLES, measured_sections
-from solver.runtime.model import Row, Variable
+from solver.runtime.model import Row, Rule, Variable
 from solver.runtime.options import DEFAULTS
 from solver.scene import Expr, Scene
 from solver.scene.collector import collector_paused
@@ -69,12 +69,9 @@ def model_of(scene: Scene) -> Model:
     signals = [*mechanism.driven_signals, *mechanism.signals]
     numbers = Numbers(sections, signals, known.meaning, lambda call: distance_between(dim, call))
     tables = structure.tables() | Layout(structure).tables() | _functions(structure, numbers)
-    numbers_of_rules = [numbers.place(number) for number in mechanism.rule_numbers]
+    places = map(numbers.place, mechanism.rule_numbers)
+    rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
     tables["input_ramp"] = array("i", (x.interpolation == "ramp" for x in scene.inputs.values()))
-    rules = tuple(
-        rule._replace(number=place)
-        for rule, place in zip(mechanism.rules, numbers_of_rules, strict=True)
-    )
     variables = _variables(scene, table, structure, counts, numbers)
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
     return Model(
@@ -83,7 +80,7 @@ def model_of(scene: Scene) -> Model:
         sizes=sizes_of(scene, structure, counts, numbers, tables),
         tables={name: tables[name] for name in TABLES},
         offsets=numbers.offsets,
-        numbers=array("d", numbers.finish()),
+        numbers=numbers.finish(),
         variables=variables,
         rules=rules,
         rows=tuple(_rows(structure)),

@@ -15,6 +15,7 @@ import heapq
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -158,7 +159,7 @@ class Carriers:
 def block_order(graph: Graph) -> list[int]:
     """Return the blocks in their elimination order."""
     neighbours, weight = _neighbours(graph), graph.sizes
-    degree = [sum(weight[b] for b in near) for near in neighbours]
+    degree = [sum([weight[b] for b in near]) for near in neighbours]
     done = [False] * len(weight)
     carriers, waiting = Carriers(graph), set()
     # Rows enter the heap as neighbours of an eliminated block, so after one of their nodes.
@@ -202,10 +203,11 @@ def _take_out(
     """Take a block out of the graph: its neighbours become neighbours of each other."""
     near = neighbours[block]
     for other in near:
-        neighbours[other] |= near
-        neighbours[other] -= {other, block}
-    for other in near:
-        degree[other] = sum(weight[b] for b in neighbours[other])
+        around = neighbours[other]
+        around |= near
+        around.discard(block)
+        around.discard(other)
+        degree[other] = sum([weight[b] for b in around])
 
 
 def eliminate(graph: Graph) -> Pattern:
@@ -218,14 +220,14 @@ def eliminate(graph: Graph) -> Pattern:
     return Pattern(
         position=position,
         counts=np.array([len(places) for places in columns]),
-        column=np.array([p for places in columns for p in places], dtype=np.int64),
+        column=np.fromiter(chain.from_iterable(columns), dtype=np.int64),
     )
 
 
 def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int]]:
     """Later places that the matrix couples each place to, increasing."""
     n = int(sizes.sum())
-    pairs = np.array([*graph.couplings], dtype=np.int64).reshape(-1, 2)
+    pairs = np.fromiter(chain.from_iterable(graph.couplings), dtype=np.int64).reshape(-1, 2)
     full = np.fromiter(graph.couplings.values(), dtype=bool)
     elements = [np.empty(0, dtype=np.int64)]
     for i in range(sizes.max()):

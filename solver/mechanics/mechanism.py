@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from sys import intern
 from typing import Literal
 
 from solver.mechanics.combination import Combination, node
@@ -206,7 +207,7 @@ class Mechanism:
 
         `part` is where in the scene the number stands and what it is called there.
         """
-        message = text if "{value" in text else f"{text}, got {{value!r}}"
+        message = intern(text if "{value" in text else f"{text}, got {{value!r}}")
         self.rule_numbers.append(number)
         self.rules.append(Rule(-1, relation, 0.0, *part, message))
 

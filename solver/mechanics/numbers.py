@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Callable, Mapping, Sequence
 
 from solver.mechanics.tape import CODE, Segment, Tape, padded
@@ -33,10 +34,15 @@ class Numbers:
     ) -> None:
         assert tuple(sections) == OFFSETS
         self.offsets: dict[str, int] = {}
-        self.values: list[float] = []
+        self.values = array("d")
+        formulas: dict[str, list[tuple[int, Expr]]] = {}
         for name, content in sections.items():
             self.offsets[name] = len(self.values)
-            self.values.extend([0.0 if isinstance(x, Expr) else float(x) for x in content])
+            formulas[name] = []
+            if Expr in set(map(type, content)):  # few are, among many plain numbers
+                formulas[name] = [(k, x) for k, x in enumerate(content) if isinstance(x, Expr)]
+                content = [0.0 if isinstance(x, Expr) else x for x in content]
+            self.values.extend(map(float, content))
 
         def place_of(name: str) -> tuple[int, Segment] | Number:
             meaning = symbols(name)
@@ -48,12 +54,10 @@ class Numbers:
         self.tape = Tape(place_of, calls, len(self.values))
         self.segment_of: dict[str, Segment] = {}
         """Latest segment that writes to each section."""
-        for name, content in sections.items():
+        for name, found in formulas.items():
             latest = Segment.PARAMETERS
-            for place, number in enumerate(content):
-                if isinstance(number, Expr):
-                    target = self.offsets[name] + place
-                    latest = max(latest, self.tape.write(target, number))
+            for place, number in found:
+                latest = max(latest, self.tape.write(self.offsets[name] + place, number))
             self.segment_of[name] = latest
         self.formulas_vary = False
         """Whether a formula contains a number of the laws."""
@@ -116,10 +120,9 @@ class Numbers:
             self._copies[place] = self.tape.copy(number)
         return self._copies[place]
 
-    def finish(self) -> list[float]:
+    def finish(self) -> array[float]:
         """Return all numbers, with the tape's constants in place."""
-        tail = [0.0] * (self.tape.end - len(self.values))
-        values = self.values + tail
+        values = self.values + array("d", bytes(8 * (self.tape.end - len(self.values))))
         for place, constant in self.tape.constants.items():
             values[place] = constant
         return values

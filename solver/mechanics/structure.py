@@ -10,6 +10,7 @@ from array import array
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 from solver.mechanics.equations import DRIVEN, FIXED, FREE, SIGNAL, VALUE, Form, Leaf
 from solver.mechanics.mechanism import Mechanism
@@ -19,8 +20,7 @@ SQUARE, LINEAR, TURNED = 1, 2, 4
 """Flags of forms."""
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(NamedTuple):
     """One node of a form, with its coefficients (straight, turned) in u and in w."""
 
     node: int
@@ -83,8 +83,8 @@ class Structure:
 
     def _kind(self, f: int, form: Form) -> int:
         moving = self.entries[f][: self.moving(f)]
-        turned = any(c[1] != 0.0 for e in self.entries[f] for c in (e.alpha, e.beta))
-        linear = all(x == 0.0 for entry in moving for x in entry.beta)
+        turned = any([e.alpha[1] != 0.0 or e.beta[1] != 0.0 for e in self.entries[f]])
+        linear = all([x == 0.0 for entry in moving for x in entry.beta])
         return SQUARE * (form.u == form.w) | LINEAR * linear | TURNED * turned
 
     @cached_property

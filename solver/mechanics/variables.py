@@ -103,10 +103,8 @@ def variable_table(
 
 def output(name: str, unit: str, text: str, kind: str, place: int) -> Variable:
     """Return the variable of an output: a measurement or a number of the tape."""
-    return Variable(
-        name=name, type="Real", causality="output", variability="continuous", unit=unit,
-        description=text, kind=kind, place=place,
-    )  # fmt: skip
+    limits = None, None, None  # start, minimum, maximum
+    return Variable(name, "Real", "output", "continuous", unit, text, *limits, kind, place)
 
 
 def _parameters(scene: Scene, calculated: Mapping[str, int]) -> Iterator[Variable]:

@@ -178,6 +178,8 @@ class _Drawn:
         sizes = self.model.sizes
         scale = self.numbers[self.model.offsets["row_scale"] + row]
         size = ROUNDING * scale * self.fastest  # of velocities that were made consistent
+        if abs(self.rate[row]) <= size:  # then its bound, which takes long, need not be known
+            return 0.0
         if row < sizes["n_form_rows"]:
             size += DRAWN * self._bound(self.model.tables["row_form"][row])
         elif row < sizes["n_form_rows"] + sizes["dim"] * sizes["n_coincidences"]:

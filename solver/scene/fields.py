@@ -37,6 +37,8 @@ def mistake(about: dict[str, Any]) -> PydanticCustomError:
 
 def _number(value: object) -> Reading:
     """Read a number or the text of an expression."""
+    if type(value) is float and math.isfinite(value):  # most are
+        return Reading(value, value)
     if isinstance(value, str):
         try:
             return read(value)
