@@ -1,4 +1,4 @@
-"""`python -m benchmarks.chain_run N COUNT REPETITIONS`: one long chain in a process of its own.
+"""`python -m benchmarks.chain_run KIND N COUNT REPETITIONS`: a long chain in its own process.
 
 Prints as JSON what it took to read and assemble the chain, to step it, and the memory it needed.
 """
@@ -11,22 +11,32 @@ import sys
 import time
 from pathlib import Path
 
+import solver
 from benchmarks.effort import Effort
-from benchmarks.mechanisms import scene, start_scene, waving_chain
+from benchmarks.mechanisms import start_scene, waving_chain
 from benchmarks.stepping import Repeated
 from benchmarks.timing import interleave
+from scenes.generate import rigid_chain
 from solver.runtime import Integrator, Model
 
 STEP = 1e-3
 WARM_UP = 5
 
 
-def run(n: int, count: int, repetitions: int) -> list[dict[str, float | str | None]]:
-    """Measure a spatial chain of n points, `count` plain steps at a time; one row an algorithm."""
-    start_scene(scene(waving_chain(10, 3)))  # what the first scene imports is no part of it
+def text_of(kind: str, n: int) -> dict[str, str]:
+    """Text and notation of a spatial chain of n points on rods, or of n hinged rigid bodies."""
+    if kind == "points":
+        return {"text": json.dumps(waving_chain(n, 3)), "format": "json"}
+    return {"text": rigid_chain(n), "format": "toml"}
+
+
+def run(kind: str, n: int, count: int, repetitions: int) -> list[dict[str, float | str | None]]:
+    """Measure a chain, `count` plain steps at a time; one row an algorithm."""
+    start_scene(solver.loads(**text_of(kind, 10)))  # what the first scene imports is no part of it
+    text = text_of(kind, n)
     before = peak_bytes()
     begin = time.process_time()
-    drawn = scene(waving_chain(n, 3), step_size=STEP, paired=False)
+    drawn = solver.loads(**text, overrides={"solver.step_size": STEP, "solver.paired": False})
     read = time.process_time()
     integrator = start_scene(drawn)
     assembled = time.process_time()
@@ -35,6 +45,7 @@ def run(n: int, count: int, repetitions: int) -> list[dict[str, float | str | No
     integers = sum(len(table) for table in model.tables.values())
     after = peak_bytes()
     facts: dict[str, float | str | None] = {
+        "kind": kind,
         "n": n,
         "read": read - begin,
         "assemble": assembled - read,
@@ -63,6 +74,8 @@ def steps(
         "step": times.minimum / count,
         "noise": times.noise,
         "newton": repeated.newton_per_solve,
+        "energy": float(integrator["energy.error"]),
+        "constraint": float(integrator["constraint.position"]),
         "failure": "some steps halved" if repeated.halved else "",
     }
 
@@ -82,4 +95,4 @@ def peak_bytes() -> float | None:
 
 
 if __name__ == "__main__":
-    print(json.dumps(run(*(int(argument) for argument in sys.argv[1:4]))))
+    print(json.dumps(run(sys.argv[1], *(int(argument) for argument in sys.argv[2:5]))))

@@ -6,75 +6,111 @@ import json
 import math
 import subprocess
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.effort import Effort
 from benchmarks.report import Goal, Section, Table, Value
 
-POINTS = (10, 100, 1000, 10_000, 100_000)
-STEPS_TIMES_POINTS = 50_000
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A chain of any length."""
+
+    key: str
+    what: str
+    sizes: tuple[int, ...]
+    share: int
+    """Points of the longest chain of points for each body of the longest one of this kind."""
+    steps_times_n: int
+
+
+KINDS = (
+    Kind("points", "points on rods", (10, 100, 1000, 10_000, 100_000), 1, 50_000),
+    Kind("bodies", "hinged rigid bodies", (10, 100, 1000, 10_000), 10, 5_000),
+)
 LINEAR = 1.1
 FIRST_OF_FIT = 100
 """Below that, what does not depend on N is a large part of a step."""
 
 COLUMNS = {
+    "what": "chain of",
     "n": "N",
     "algorithm": "algorithm",
     "step": "µs per step",
-    "node": "µs per step and point",
+    "node": "µs per step and part",
     "newton": "Newton iterations",
+    "energy": "energy.error",
+    "constraint": "constraint.position",
     "noise": "noise",
     "read": "read, s",
     "assemble": "assemble, s",
-    "kernel": "kernel, bytes per point",
-    "peak": "process, bytes per point",
+    "kernel": "kernel, bytes per part",
+    "peak": "process, bytes per part",
     "remark": "",
 }
 FORMATS = {
     "n": ".0f", "step": ".4g", "node": ".3f", "newton": ".1f", "noise": ".2f",
+    "energy": ".1e", "constraint": ".1e",
     "read": ".2f", "assemble": ".2f", "kernel": ".0f", "peak": ".0f",
 }  # fmt: skip
 
 
 def measure(effort: Effort) -> Section:
-    rows = [_row(f) for n in POINTS if n <= effort.largest for f in _child(n, effort)]
-    largest = max(n for n in POINTS if n <= effort.largest)
+    rows = [
+        _row(kind, f)
+        for kind in KINDS
+        for n in _sizes(kind, effort)
+        for f in _child(kind, n, effort)
+    ]
     return Section(
         name="chains",
         title="Cost against the number of bodies",
         method=(
-            "The spatial chain of the table above, plain steps of 1 ms, each N in a "
+            "The spatial chain of the table above, and spatial rigid bodies on hinges that turn "
+            "across each other, let go from the horizontal; plain steps of 1 ms, each N in a "
             "process of its own. *Read* is from the text of the scene to a checked scene, "
             "*assemble* from there to the first step. *Kernel* is all memory that the compiled "
             "kernel works on; *process* is the growth of the largest memory of the process, with "
             "Python's objects."
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
-        goals=[
-            Goal(
-                what=f"p in cost of a step ~ N^p, N = {FIRST_OF_FIT} to {largest}, {algorithm}",
-                unit="1",
-                goal=LINEAR,
-                value=_exponent(rows, algorithm),
-            )
-            for algorithm in ("nested", "simultaneous")
-        ]
-        if largest > FIRST_OF_FIT
-        else [],
+        goals=[goal for kind in KINDS for goal in _goals(kind, rows, effort)],
         remarks=[
-            f"N = {row['n']}, {row.get('algorithm', 'both')}: {row['failure']}"
+            f"{row['what']}, N = {row['n']}, {row.get('algorithm', 'both')}: {row['failure']}"
             for row in rows
             if row["failure"]
         ],
     )
 
 
-def _child(n: int, effort: Effort) -> list[dict[str, Value]]:
+def _sizes(kind: Kind, effort: Effort) -> list[int]:
+    largest = max(kind.sizes[0], effort.largest // kind.share)
+    return [n for n in kind.sizes if n <= largest]
+
+
+def _goals(kind: Kind, rows: list[dict[str, Value]], effort: Effort) -> list[Goal]:
+    """Growth of a step and of reading with assembly, from 100 parts to the longest chain."""
+    largest = _sizes(kind, effort)[-1]
+    if largest <= FIRST_OF_FIT:
+        return []
+    mine = [row for row in rows if row["kind"] == kind.key]
+    span = f"~ N^p, N = {FIRST_OF_FIT} to {largest}, {kind.what}"
+    found = [
+        (f"p in cost of a step {span}, {name}", _exponent(mine, largest, "step", name))
+        for name in ("nested", "simultaneous")
+    ]
+    start = f"p in time to read and assemble {span}"
+    found.append((start, _exponent(mine, largest, "start", "nested")))
+    return [Goal(what=what, unit="1", goal=LINEAR, value=value) for what, value in found]
+
+
+def _child(kind: Kind, n: int, effort: Effort) -> list[dict[str, Value]]:
     """One row for each algorithm, from a process of its own."""
-    count = effort.count(max(2, STEPS_TIMES_POINTS // n), least=2)
+    count = effort.count(max(2, kind.steps_times_n // n), least=2)
     numbers = [str(number) for number in (n, count, effort.repetitions)]
     run = subprocess.run(
-        [sys.executable, "-m", "benchmarks.chain_run", *numbers],
+        [sys.executable, "-m", "benchmarks.chain_run", kind.key, *numbers],
         capture_output=True,
         text=True,
         check=False,
@@ -82,12 +118,12 @@ def _child(n: int, effort: Effort) -> list[dict[str, Value]]:
     )
     if run.returncode:
         reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
-        return [{"n": n, "failure": reason}]
+        return [{"kind": kind.key, "n": n, "failure": reason}]
     return json.loads(run.stdout)
 
 
-def _row(facts: dict[str, Value]) -> dict[str, Value]:
-    """Divide what was measured of one chain by its points."""
+def _row(kind: Kind, facts: dict[str, Value]) -> dict[str, Value]:
+    """Divide what was measured of one chain by its parts."""
     row, n = dict(facts), float(facts["n"] or 0)
     for key, source, factor in (
         ("kernel", "kernel_bytes", 1.0 / n),
@@ -97,17 +133,22 @@ def _row(facts: dict[str, Value]) -> dict[str, Value]:
     ):
         value = facts.get(source)
         row[key] = None if value is None else factor * float(value)
+    row["what"] = kind.what
+    row["start"] = float(facts.get("read") or 0) + float(facts.get("assemble") or 0) or None
     row["remark"] = "see below" if facts["failure"] else ""
     return row
 
 
-def _exponent(rows: list[dict[str, Value]], algorithm: str) -> float | None:
-    """Slope between the chain of 100 points and the longest; None when either was not measured."""
-    ends = [row for row in rows if row["n"] in (FIRST_OF_FIT, rows[-1]["n"])]
+def _exponent(
+    rows: list[dict[str, Value]], largest: int, column: str, algorithm: str
+) -> float | None:
+    """Slope between the chain of 100 parts and the longest; None when either was not measured."""
     points = [
-        (math.log(float(row["n"] or 0)), math.log(float(step)))
-        for row in ends
-        if row.get("algorithm") == algorithm and (step := row.get("step")) is not None
+        (math.log(float(row["n"] or 0)), math.log(float(value)))
+        for row in rows
+        if row["n"] in (FIRST_OF_FIT, largest)
+        and row.get("algorithm") == algorithm
+        and (value := row.get(column)) is not None
     ]
     if len(points) != 2:
         return None
