@@ -77,10 +77,7 @@ def _measure(name: str, effort: Effort) -> Section:
 def _draw(sections: Sequence[Section], folder: Path) -> None:
     for section in sections:
         if section.picture:
-            from benchmarks.picture import draw_work_precision
-
-            drawn = getattr(import_module(SECTIONS[section.name]), "draw", draw_work_precision)
-            drawn(section, folder / section.picture)
+            import_module(SECTIONS[section.name]).draw(section, folder / section.picture)
 
 
 if __name__ == "__main__":

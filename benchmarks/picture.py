@@ -1,4 +1,4 @@
-"""Work-precision curves as a picture: error and energy error against CPU time."""
+"""Work-precision curves as pictures: errors against CPU time, one picture per mechanism."""
 
 from __future__ import annotations
 
@@ -10,41 +10,87 @@ from benchmarks.report import Section, Table
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-STYLES: dict[str, dict[str, Any]] = {
-    "holonom nested": {"color": "tab:blue", "marker": "o"},
-    "holonom simultaneous": {"color": "tab:cyan", "marker": "s"},
-    "SciPy solve_ivp DOP853": {"color": "tab:red", "marker": "^"},
-    "SciPy ode dop853 (compiled)": {"color": "tab:orange", "marker": "v"},
+OURS = "holonom"
+BLUES = ("#9ecae1", "#6baed6", "#2171b5", "#08306b")
+"""Of our curves, in their order."""
+OTHERS = (
+    "tab:orange", "tab:red", "tab:brown", "tab:green", "tab:olive", "tab:purple", "tab:pink",
+    "tab:gray", "goldenrod", "black", "teal", "salmon",
+)  # fmt: skip
+MARKERS = "osD^v<>pPX*h"
+ERRORS = {
+    "position": "position error, m",
+    "velocity": "velocity error, m/s",
+    "energy": "energy error, J",
 }
-ROWS = {"position": "position error at 10 s, m", "energy": "largest |ΔE|, J"}
-LEAST = 1e-16
+LEAST = 1e-17
 """An error of exactly zero has no place on a logarithmic axis."""
 
 
-def draw_work_precision(section: Section, path: Path) -> None:
-    """Write a PNG: one column per problem, position error above, energy error below."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
+def draw(section: Section, path: Path) -> None:
+    """Write a PNG of position errors of all mechanisms, and beside it one PNG for each."""
     curves = [table for table in section.tables if "position" in table.columns]
-    figure = Figure(figsize=(4.2 * len(curves), 6.4), layout="constrained")
-    FigureCanvasAgg(figure)
-    axes = figure.subplots(len(ROWS), len(curves), sharex="col", squeeze=False)
-    for column, table in enumerate(curves):
-        axes[0][column].set_title(table.title, fontsize=9)
-        axes[-1][column].set_xlabel("CPU time, ms")
-        for row, (key, label) in enumerate(ROWS.items()):
-            _curves(axes[row][column], table, key)
-            if column == 0:
-                axes[row][column].set_ylabel(label)
-    axes[0][0].legend(fontsize=7)
+    figure, axes = _figure(3, -(-len(curves) // 3))
+    for table, panel in zip(curves, axes, strict=False):
+        panel.set_title(table.title, fontsize=9)
+        draw_curves(panel, table, "position")
+        panel.set_xlabel("CPU time, ms", fontsize=8)
+    for panel in axes[len(curves) :]:
+        panel.axis("off")
+    axes[0].set_ylabel(ERRORS["position"])
+    figure.legend(*_legend(axes[: len(curves)]), fontsize=7, loc="outside lower center", ncols=5)
+    figure.savefig(path, dpi=80)
+    for table in curves:
+        if table.picture:
+            _draw_one(table, path.with_name(table.picture))
+
+
+def _draw_one(table: Table, path: Path) -> None:
+    figure, axes = _figure(len(ERRORS), 1)
+    figure.suptitle(table.title, fontsize=10)
+    for (key, label), panel in zip(ERRORS.items(), axes, strict=True):
+        draw_curves(panel, table, key)
+        panel.set_ylabel(label)
+        panel.set_xlabel("CPU time, ms")
+    figure.legend(*_legend(axes[:1]), fontsize=7, loc="outside lower center", ncols=5)
     figure.savefig(path, dpi=80)
 
 
-def _curves(axes: Axes, table: Table, key: str) -> None:
-    for solver, style in STYLES.items():
+def _figure(columns: int, rows: int) -> tuple[Any, list[Any]]:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(4.2 * columns, 3.2 * rows + 0.8), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure, list(figure.subplots(rows, columns, squeeze=False).flat)
+
+
+def _legend(axes: list[Any]) -> tuple[list[Any], list[str]]:
+    """Each solver once, whichever panels it is in."""
+    known: dict[str, Any] = {}
+    for panel in axes:
+        for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
+            known.setdefault(label, handle)
+    return list(known.values()), list(known)
+
+
+def style(solver: str, place: int) -> dict[str, Any]:
+    """Blue for us, another colour for everybody else; `place` counts within either."""
+    if solver.startswith(OURS):
+        return {"color": BLUES[place % len(BLUES)], "marker": "o", "linewidth": 1.4}
+    marker = MARKERS[1 + place % (len(MARKERS) - 1)]
+    return {"color": OTHERS[place % len(OTHERS)], "marker": marker, "linewidth": 0.8}
+
+
+def draw_curves(axes: Axes, table: Table, key: str) -> None:
+    """Curve of each solver: an error by its key against CPU time."""
+    places = {True: 0, False: 0}
+    for solver in dict.fromkeys(str(row["solver"]) for row in table.rows):
+        look = style(solver, places[solver.startswith(OURS)])
         rows = [row for row in table.rows if row["solver"] == solver and row.get("ms")]
-        times = [row["ms"] for row in rows]
-        errors = [max(float(row[key] or 0.0), LEAST) for row in rows]
-        axes.loglog(times, errors, label=solver, markersize=4, linewidth=1, **style)
+        if rows:
+            places[solver.startswith(OURS)] += 1
+            times = [row["ms"] for row in rows]
+            errors = [max(float(row[key] or 0.0), LEAST) for row in rows]  # type: ignore[arg-type]
+            axes.loglog(times, errors, label=solver, markersize=3, **look)
     axes.grid(visible=True, which="major", alpha=0.3)

@@ -38,6 +38,8 @@ class Table:
     columns: Mapping[str, str]
     rows: Sequence[Mapping[str, Value]]
     formats: Mapping[str, str] = field(default_factory=dict)
+    picture: str | None = None
+    """A file beside the page that shows these rows; `draw` of the section's module writes it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -125,6 +127,8 @@ def _section(section: Section) -> list[str]:
             for row in table.rows
         ]
         parts.append(markdown_table([table.columns[key] for key in used], rows))
+        if table.picture:
+            parts.append(f"![{table.title}]({table.picture})")
     if section.picture:
         parts.append(f"![{section.title}]({section.picture})")
     if section.remarks:

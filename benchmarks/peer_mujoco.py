@@ -1,0 +1,258 @@
+"""MuJoCo on the problems of the work-precision curves; runs where the package `mujoco` is.
+
+E. Todorov, T. Erez, Y. Tassa, "MuJoCo: a physics engine for model-based control", IROS 2012. A
+mechanism is a tree of hinges, in fewest coordinates; what closes its loops are equality
+constraints, which are soft: the integrators then see stiff springs.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from xml.etree import ElementTree as Xml
+
+import mujoco
+import numpy as np
+
+from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
+from benchmarks.problems_parts import GROUND, Array, Joint, Problem, rotation
+from benchmarks.timing import Entry
+
+SPECK = "2e-15 2e-15 2e-15"
+"""Moments of inertia of a point [kg m2], which MuJoCo wants to be positive."""
+
+
+@dataclass
+class Tree:
+    """XML of a problem: joints that lead to a body nobody reached yet, and the loops they leave."""
+
+    problem: Problem
+    reached: dict[str, Xml.Element] = field(default_factory=dict)
+    loops: list[Joint] = field(default_factory=list)
+    _step: float = 0.0
+
+    def model(self, step: float, integrator: str) -> mujoco.MjModel:
+        """Compiled model."""
+        self._step = step
+        root = Xml.Element("mujoco")
+        gravity = " ".join(map(repr, self.problem.gravity))
+        option = {"timestep": repr(step), "integrator": integrator, "gravity": gravity}
+        flags = {"contact": "disable", "warmstart": "enable"}
+        Xml.SubElement(root, "compiler", {"angle": "radian", "inertiafromgeom": "false"})
+        options = Xml.SubElement(root, "option", option | SHARP)
+        Xml.SubElement(options, "flag", flags)
+        self.reached = {GROUND: Xml.SubElement(root, "worldbody")}
+        self.loops = []
+        waiting = list(self.problem.joints)
+        while waiting:
+            joint = next((j for j in waiting if self._leads_on(j)), waiting[0])
+            waiting.remove(joint)
+            self._add(joint)
+        self._close(root)
+        self._springs(root)
+        return mujoco.MjModel.from_xml_string(Xml.tostring(root, encoding="unicode"))
+
+    def _leads_on(self, joint: Joint) -> bool:
+        return sum(name in self.reached for name in joint.pair) == 1
+
+    def _add(self, joint: Joint) -> None:
+        if not self._leads_on(joint):
+            self.loops.append(joint)
+            return
+        a, b = joint.pair if joint.pair[0] in self.reached else joint.pair[::-1]
+        bodies = self.problem.bodies
+        body = bodies[b]
+        anchor = joint.position
+        if joint.kind == "distance" and a != GROUND:
+            anchor = bodies[a].position
+        # All frames are drawn parallel to the global ones, with their origins in the joints.
+        origin = self._origin(a)
+        place = " ".join(repr(p - o) for p, o in zip(anchor, origin, strict=True))
+        element = Xml.SubElement(self.reached[a], "body", {"name": b, "pos": place})
+        element.set("origin", " ".join(map(repr, anchor)))
+        tensor = body.attitude @ np.diag(body.inertia) @ body.attitude.T
+        full = [tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]]
+        com = " ".join(repr(float(p - q)) for p, q in zip(body.position, anchor, strict=True))
+        inertial = {"pos": com, "mass": repr(body.mass)}
+        if body.is_point:
+            inertial["diaginertia"] = SPECK
+        else:
+            inertial["fullinertia"] = " ".join(repr(float(x)) for x in full)
+        Xml.SubElement(element, "inertial", inertial)
+        for kind, axis in _freedoms(joint, self.problem.planar):
+            Xml.SubElement(element, "joint", {"type": kind, "axis": axis})
+        self._sites(element, b, anchor)
+        self.reached[b] = element
+
+    def _origin(self, name: str) -> tuple[float, ...]:
+        text = self.reached[name].get("origin", "0 0 0")
+        return tuple(map(float, text.split()))
+
+    def _sites(self, element: Xml.Element, name: str, anchor: tuple[float, ...]) -> None:
+        """Watched places and ends of springs."""
+        body = self.problem.bodies[name]
+        wanted = {f"watch{i}": at for i, (b, at) in enumerate(self.problem.watch) if b == name}
+        for i, spring in enumerate(self.problem.springs):
+            ends = enumerate(spring.ends)
+            wanted |= {f"spring{i}{j}": at for j, (b, at) in ends if b == name}
+        for site, at in wanted.items():
+            place = np.array(body.position) + body.attitude @ np.array(at) - np.array(anchor)
+            text = " ".join(repr(float(x)) for x in place)
+            Xml.SubElement(element, "site", {"name": site, "pos": text})
+
+    def _close(self, root: Xml.Element) -> None:
+        equality = Xml.SubElement(root, "equality")
+        for joint in self.loops:
+            a, b = (name or "world" for name in joint.pair)
+            first = self._origin(joint.pair[0])
+            place = np.array(joint.position) - np.array(first)
+            text = " ".join(repr(float(x)) for x in place)
+            # A hinge whose axis the others do not hold yet also keeps a second point in place.
+            points = [text]
+            if not self.problem.planar:
+                points.append(" ".join(repr(float(x)) for x in place + np.array(joint.axis)))
+            for point in points:
+                pair = {"body1": a, "body2": b, "anchor": point}
+                soft = {"solref": f"{2 * self._step!r} 1", "solimp": "0.9999 0.9999 0.001 0.5 2"}
+                Xml.SubElement(equality, "connect", pair | soft)
+
+    def _springs(self, root: Xml.Element) -> None:
+        tendons = Xml.SubElement(root, "tendon")
+        for i, spring in enumerate(self.problem.springs):
+            law = {
+                "stiffness": repr(spring.stiffness),
+                "damping": repr(spring.damping),
+                "springlength": repr(spring.length),
+            }
+            tendon = Xml.SubElement(tendons, "spatial", law)
+            for j, (name, place) in enumerate(spring.ends):
+                site = f"spring{i}{j}"
+                if name == GROUND:
+                    text = " ".join(repr(float(x)) for x in place)
+                    Xml.SubElement(self.reached[GROUND], "site", {"name": site, "pos": text})
+                Xml.SubElement(tendon, "site", {"site": site})
+        for element in root.iter("body"):
+            element.attrib.pop("origin", None)
+
+
+SHARP = {"tolerance": "1e-14", "iterations": "100", "solver": "Newton"}
+"""Of the solver of constraints. The constraints of loops are as stiff as MuJoCo lets them be: a time
+constant of two steps and an impedance of 0.9999, its largest."""
+
+
+def _freedoms(joint: Joint, planar: bool) -> list[tuple[str, str]]:
+    if planar or joint.kind == "revolute":
+        return [("hinge", " ".join(map(repr, joint.axis)))]
+    if joint.kind == "distance":
+        return [("hinge", "0 0 1"), ("hinge", "0 1 0")]
+    if joint.kind == "spherical":
+        return [("ball", "0 0 1")]
+    return [("slide", " ".join(map(repr, joint.axis)))]
+
+
+class Build:
+    """Model and data of a problem with a number of steps, and the velocities of its joints."""
+
+    def __init__(self, problem: Problem, count: int, integrator: str) -> None:
+        self.problem, self.count = problem, count
+        self.model = Tree(problem).model(problem.stop / count, integrator)
+        self.data = mujoco.MjData(self.model)
+        mujoco.mj_forward(self.model, self.data)
+        self._speeds = self._start()
+        self.reset()
+
+    def _start(self) -> Array:
+        """Rates of the joints for which all bodies have the velocities of the problem."""
+        rows, right = [], []
+        along, about = np.zeros((2, 3, self.model.nv))
+        for name, body in self.problem.bodies.items():
+            index = self.model.body(name).id
+            mujoco.mj_jacBodyCom(self.model, self.data, along, about, index)
+            rows.append(along.copy())
+            right.append(np.array(body.velocity))
+            if not body.is_point:
+                rows.append(about.copy())
+                right.append(rotation(body.turn) @ np.array(body.omega))
+        speeds, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=None)
+        return speeds
+
+    def reset(self) -> None:
+        """Return to the start."""
+        mujoco.mj_resetData(self.model, self.data)
+        self.data.qvel[:] = self._speeds
+        if self.problem.torque:
+            name, value = self.problem.torque
+            first = self.model.body(name).dofadr[0]
+            self.data.qfrc_applied[first] = value
+
+    def run(self, steps: int | None = None) -> None:
+        """Take steps, by default all."""
+        mujoco.mj_step(self.model, self.data, nstep=steps or self.count)
+
+    def energy(self) -> float:
+        """Kinetic and potential energy [J]."""
+        mujoco.mj_forward(self.model, self.data)
+        mujoco.mj_energyPos(self.model, self.data)
+        mujoco.mj_energyVel(self.model, self.data)
+        return float(self.data.energy.sum())
+
+    def watched(self) -> tuple[Array, Array]:
+        """Positions and velocities of the watched places."""
+        q, v = np.zeros((2, len(self.problem.watch), 3))
+        velocity = np.zeros(6)
+        for i in range(len(q)):
+            site = self.model.site(f"watch{i}").id
+            kind = mujoco.mjtObj.mjOBJ_SITE
+            mujoco.mj_objectVelocity(self.model, self.data, kind, site, velocity, 0)
+            q[i], v[i] = self.data.site(site).xpos, velocity[3:]
+        return q, v
+
+
+def _observe(problem: Problem, count: int, integrator: str) -> Observed:
+    build = Build(problem, count, integrator)
+    found = [build.energy()]
+    pieces = max(k for k in range(1, min(SAMPLES, count) + 1) if count % k == 0)
+    for _ in range(pieces):
+        build.run(count // pieces)
+        found.append(build.energy())
+    q, v = build.watched()
+    # MuJoCo returns to the start where numbers overflow, and counts it as a warning.
+    if not np.all(np.isfinite(q)) or any(w.number for w in build.data.warning):
+        message = "diverged"
+        raise GaveUpError(message)
+    return Observed.of(q, v, found)
+
+
+def _method(integrator: str) -> Method:
+    def entry(problem: Problem, count: float) -> Entry:
+        build = Build(problem, int(count), integrator)
+        return Entry(build.run, build.reset)
+
+    return Method(
+        name=f"MuJoCo {integrator}",
+        label="{:g} steps",
+        settings=_counts,
+        observe=lambda problem, count: _observe(problem, int(count), integrator),
+        entry=entry,
+        excuse=_excuse,
+    )
+
+
+FIRST = {"andrews": 50, "governor": 1000}
+"""Steps of the coarsest run."""
+
+
+def _counts(problem: Problem) -> list[float]:
+    if problem.key.startswith("chain_"):
+        return [8.0, 40.0, 200.0, 1000.0, 4000.0, 16000.0]
+    return [float(FIRST.get(problem.key, 100) * 4**k) for k in range(9)]
+
+
+def _excuse(problem: Problem) -> str:
+    if problem.key == "car_axis":
+        return "cannot model it: nothing moves as told but by soft constraints"
+    if problem.key == "chain_1000":
+        return "not measured: its mass matrix is full, a step takes seconds"
+    return ""
+
+
+METHODS = tuple(_method(integrator) for integrator in ("RK4", "implicitfast"))

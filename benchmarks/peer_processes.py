@@ -1,0 +1,104 @@
+"""Other codes, each in a process of its own: which are there, and what they measured.
+
+Their interpreter is that of the variable `EXUDYN_PYTHON`, or else this one; the extra `peers` has
+them. What is not installed gives a row that says so.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from benchmarks.exudyn_peer import VARIABLE
+from benchmarks.peer_methods import Limits, Row
+from benchmarks.problems_parts import Problem
+
+MODULES = {"peer_exudyn": ("Exudyn", "exudyn"), "peer_mujoco": ("MuJoCo", "mujoco")}
+"""Module of each code, its name and that of its package."""
+PATIENCE = 120.0
+"""Seconds after which a code is stopped at a problem."""
+ONE = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
+ROOT = Path(__file__).resolve().parents[1]
+
+Versions = Mapping[str, str | None]
+"""Version of each module's package, None where it is not installed."""
+
+ASK = """
+import json, sys
+from importlib.metadata import PackageNotFoundError, version
+def ask(name):
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return None
+print(json.dumps([ask(name) for name in sys.argv[1:]]))
+"""
+
+
+def found() -> Versions:
+    """Which codes the interpreter has."""
+    packages = [package for _, package in MODULES.values()]
+    run = _python(["-c", ASK, *packages], "")
+    versions = json.loads(run.stdout) if run.returncode == 0 else [None] * len(packages)
+    return dict(zip(MODULES, versions, strict=True))
+
+
+def remarks(versions: Versions) -> list[str]:
+    """A sentence about each code."""
+    sentences = []
+    for module, (name, package) in MODULES.items():
+        version = versions[module]
+        text = f"version {version}" if version else f"not measured: `{package}` is not installed"
+        sentences.append(f"{name}: {text}")
+    if not all(versions.values()):
+        sentences.append(f"`{VARIABLE}` may name an interpreter that has the extra `peers`.")
+    return sentences
+
+
+def measured(
+    problem: Problem, limits: Limits, expected: Sequence[Sequence[float]], versions: Versions
+) -> list[Row]:
+    """Rows of all codes on a problem."""
+    rows: list[Row] = []
+    for module, (name, _) in MODULES.items():
+        if versions[module] is None:
+            remark = "not measured: not installed"
+            rows.append({"solver": name, "setting": "", "remark": remark})
+            continue
+        request = {
+            "module": module,
+            "problem": problem.key,
+            "expected": expected,
+            "limits": asdict(limits),
+        }
+        try:
+            run = _python(["-m", "benchmarks.peer_run"], json.dumps(request))
+        except subprocess.TimeoutExpired:
+            remark = f"no end within {PATIENCE:g} s"
+            rows.append({"solver": name, "setting": "", "remark": remark})
+            continue
+        if run.returncode:
+            reason = run.stderr.strip().rpartition("\n")[2] or f"code {run.returncode}"
+            rows.append({"solver": name, "setting": "", "remark": f"failed: {reason[:120]}"})
+            continue
+        rows += json.loads(run.stdout.strip().rpartition("\n")[2])
+    return rows
+
+
+def _python(arguments: list[str], text: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [os.environ.get(VARIABLE, sys.executable), *arguments],
+        input=text,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=PATIENCE,
+        cwd=ROOT,
+        # Exudyn's compiled module without range checks is the faster one.
+        env={**os.environ, **ONE, "EXUDYN_MODULE": "fast"},
+    )

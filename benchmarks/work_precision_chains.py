@@ -1,0 +1,84 @@
+"""Microseconds of a step of the chains of points: ours of 1 ms, and the finest of other codes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from benchmarks.effort import Effort
+from benchmarks.mechanisms import start, waving_chain
+from benchmarks.report import Goal, Table, Value
+from benchmarks.stepping import Repeated
+from benchmarks.timing import interleave
+
+STEP = 1e-3
+COUNT = 300
+"""Steps that are timed."""
+GOALS = {10: 4.0, 100: 30.0, 1000: 200.0}
+"""Points, and goal of a step of ours [microseconds]."""
+COLUMNS = {
+    "points": "points",
+    "solver": "solver",
+    "length": "step, ms",
+    "step": "µs per step",
+    "noise": "noise",
+}
+
+Row = Mapping[str, Any]
+
+
+def steps(curves: Mapping[int, Sequence[Row]], effort: Effort) -> list[dict[str, Value]]:
+    """Rows by number of points: our step and pair, and the finest steps of peers that count them."""
+    count = effort.count(COUNT)
+    rows: list[dict[str, Value]] = []
+    for n, curve in curves.items():
+        for name, paired in (("holonom, one step", False), ("holonom, a pair of halves", True)):
+            runs = {
+                algorithm: Repeated(
+                    start(waving_chain(n, 3), step_size=STEP, paired=paired, algorithm=algorithm),
+                    STEP,
+                    count,
+                )
+                for algorithm in ("nested", "simultaneous")
+            }
+            times = interleave({key: run.entry for key, run in runs.items()}, effort)
+            fastest = min(times, key=lambda key, times=times: times[key].minimum)
+            seconds, noise = times[fastest].minimum, times[fastest].noise
+            step = 1e6 * seconds / count
+            rows.append(_row(n, f"{name} ({fastest})", 1e3 * STEP, step, noise))
+        finest = {
+            str(row["solver"]): row
+            for row in curve
+            if str(row["setting"]).endswith("steps") and row.get("ms")
+        }
+        rows += [
+            _row(n, solver, 1e3 / float(row["value"]), 1e3 * row["ms"] / row["value"], row["noise"])
+            for solver, row in finest.items()
+            if not solver.startswith("holonom")
+        ]
+    return rows
+
+
+def _row(points: int, solver: str, length: float, step: float, noise: Value) -> dict[str, Value]:
+    return {"points": points, "solver": solver, "length": length, "step": step, "noise": noise}
+
+
+def table(rows: Sequence[dict[str, Value]]) -> Table:
+    """Chains beside each other."""
+    formats = {"points": "d", "length": ".3g", "step": ".3g", "noise": ".2f"}
+    return Table(title="Chains of points", columns=COLUMNS, rows=rows, formats=formats)
+
+
+def goals(rows: Sequence[dict[str, Value]]) -> list[Goal]:
+    """Our plain step, whose energy is as exact as that of a pair."""
+    return [
+        Goal(
+            what=f"step of 1 ms, chain of {row['points']} points in space, energy exact",
+            unit="µs",
+            goal=GOALS[int(row["points"])],  # type: ignore[arg-type]
+            value=float(row["step"]),  # type: ignore[arg-type]
+            noise=float(row["noise"]),  # type: ignore[arg-type]
+        )
+        for row in rows
+        if str(row["solver"]).startswith("holonom, one step")
+    ]

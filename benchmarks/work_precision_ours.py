@@ -1,0 +1,167 @@
+"""holonom on the problems of the work-precision curves: its scenes, and each order as a method."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.mechanisms import Content, hanging_chain, scene, start_scene, waving_chain
+from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
+from benchmarks.problems_parts import Array, Problem
+from benchmarks.timing import Entry
+from scenes import generate
+from solver.runtime import Integrator, StepError
+
+try:
+    import tomllib
+except ImportError:  # Python 3.10
+    import tomli as tomllib
+
+SCENES = Path(__file__).resolve().parents[1] / "scenes"
+ORDERS = (2, 4, 6, 8)
+STAGES = {2: 1, 4: 5, 6: 9, 8: 15}
+"""Pairs of half steps in a step of each order."""
+
+
+def _drawn(name: str) -> Content:
+    return tomllib.loads((SCENES / f"{name}.toml").read_text(encoding="utf-8"))
+
+
+def _hanging_chain() -> Content:
+    content = tomllib.loads(generate.hanging_chain(10))
+    content["points"]["foot"] = {"position": [0.0, -2.0], "fixed": True}
+    damper = {"type": "damper", "points": ["foot", "P5"], "damping": 0.5}
+    return content | {"forces": {"damper": damper}}
+
+
+CONTENTS: dict[str, Callable[[], Content]] = {
+    "double_pendulum_30": lambda: hanging_chain(2, math.radians(30.0)),
+    "double_pendulum_90": lambda: hanging_chain(2),
+    "four_bar_2": lambda: tomllib.loads(generate.n_four_bar(2)),
+    "four_bar_40": lambda: tomllib.loads(generate.n_four_bar(40)),
+    "andrews": lambda: _drawn("andrews"),
+    "bricard": lambda: _drawn("bricard"),
+    "heavy_top": lambda: _drawn("heavy_top"),
+    "car_axis": lambda: _drawn("car_axis"),
+    "chain_10": lambda: waving_chain(10, 3),
+    "chain_100": lambda: waving_chain(100, 3),
+    "chain_1000": lambda: waving_chain(1000, 3),
+    "hanging_chain": _hanging_chain,
+    "governor": lambda: _drawn("flyball_governor"),
+}
+"""Scenes by the key of the problem."""
+WATCHED = {
+    "double_pendulum_30": ("P1", "P2"),
+    "double_pendulum_90": ("P1", "P2"),
+    "four_bar_2": ("B0", "B2"),
+    "four_bar_40": ("B0", "B40"),
+    "andrews": ("K1.tip", "K2.tip"),
+    "bricard": ("rod3.end",),
+    "heavy_top": ("top.nose",),
+    "car_axis": ("A", "B"),
+    "chain_10": ("P10", "P5"),
+    "chain_100": ("P100", "P50"),
+    "chain_1000": ("P1000", "P500"),
+    "hanging_chain": ("P5", "P2"),
+    "governor": ("slider", "right_ball"),
+}
+"""Our names of the places that a problem watches."""
+FIRST = {
+    "double_pendulum_30": 20, "double_pendulum_90": 40, "four_bar_2": 40, "four_bar_40": 40,
+    "andrews": 8, "bricard": 10, "heavy_top": 10, "car_axis": 8, "chain_10": 1, "chain_100": 1,
+    "chain_1000": 1, "hanging_chain": 4, "governor": 40,
+}  # fmt: skip
+"""Steps of the coarsest run of order 8; the lower orders begin with more of them."""
+WHEEL = 5e-4
+"""Mass of the car's driven wheel in our scene [kg]; gravity is 1 m/s2 there."""
+NESTED = ("chain_100", "chain_1000")
+"""Problems that Uzawa's iteration solves sooner than the simultaneous one."""
+
+
+def methods(problem: Problem) -> list[Method]:
+    """One for each order; settings are numbers of steps."""
+    model = _Model(problem)
+    return [model.method(order) for order in ORDERS]
+
+
+class _Model:
+    """A problem's scene, assembled once for each setting."""
+
+    def __init__(self, problem: Problem) -> None:
+        self._key = problem.key
+        experiment = {"stop_time": problem.stop, "step_size": problem.stop}
+        self._content = CONTENTS[problem.key]() | {"experiment": experiment}
+        self._algorithm = "nested" if problem.key in NESTED else "simultaneous"
+
+    def method(self, order: int) -> Method:
+        """Curve of an order."""
+
+        def observe(problem: Problem, count: float) -> Observed:
+            return self._observe(problem, order, int(count))
+
+        def entry(problem: Problem, count: float) -> Entry:
+            integrator = self._start(order, problem.stop / count)
+            state = integrator.save()
+            return Entry(
+                lambda: integrator.advance(0.0, problem.stop), lambda: integrator.restore(state)
+            )
+
+        return Method(
+            name=f"holonom order {order}",
+            label="{:g} steps",
+            settings=lambda problem: steps(problem, order),
+            observe=observe,
+            entry=entry,
+        )
+
+    def _start(self, order: int, h: float) -> Integrator:
+        own: Mapping[str, Any] = self._content.get("solver", {})
+        settings = {**own, "order": order, "step_size": h, "algorithm": self._algorithm}
+        return start_scene(scene(self._content, **settings))
+
+    def _observe(self, problem: Problem, order: int, count: int) -> Observed:
+        integrator = self._start(order, problem.stop / count)
+        pieces = max(k for k in range(1, min(SAMPLES, count) + 1) if count % k == 0)
+        energies, substeps = [self._energy(integrator)], 0.0
+        try:
+            for i in range(pieces):
+                integrator.advance(
+                    integrator.time, (i + 1) / pieces * problem.stop - integrator.time
+                )
+                energies.append(self._energy(integrator))
+                substeps += float(integrator["solver.substeps"])
+        except StepError as error:
+            raise GaveUpError(str(error).partition(";")[0]) from error
+        remark = "some steps halved" if substeps > 2 * STAGES[order] * count else ""
+        if integrator["solver.order"] != order:
+            remark = f"limited to order {integrator['solver.order']:g}: dampers"
+        return Observed.of(*watched(problem, integrator), energies, remark)
+
+    def _energy(self, integrator: Integrator) -> float:
+        """Energy [J] without that of the car's wheel, which is told where to be."""
+        energy = float(integrator["energy.total"])
+        if self._key == "car_axis":
+            y, vx, vy = (float(integrator[f"R.{name}"]) for name in ("y", "vx", "vy"))
+            energy -= WHEEL * (0.5 * (vx * vx + vy * vy) + y)
+        return energy
+
+
+def steps(problem: Problem, order: int) -> list[float]:
+    """Numbers of steps from coarse to fine."""
+    first = FIRST[problem.key] * {2: 8, 4: 2, 6: 1, 8: 1}[order]
+    return [float(first * 2**k) for k in range(14)]
+
+
+def watched(problem: Problem, integrator: Integrator) -> tuple[Array, Array]:
+    """Positions and velocities of the watched places, shape (places, 3)."""
+    axes = "xy" if problem.planar else "xyz"
+    values = np.zeros((2, len(problem.watch), 3))
+    for i, name in enumerate(WATCHED[problem.key]):
+        for k, axis in enumerate(axes):
+            values[0, i, k] = integrator[f"{name}.{axis}"]
+            values[1, i, k] = integrator[f"{name}.v{axis}"]
+    return values[0], values[1]

@@ -1,0 +1,42 @@
+"""Where the problems are at their end: closed forms, or the reduced equations at their limit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from benchmarks.exact import double_pendulum_motion, four_bar_motion
+from benchmarks.peers import compiled_path, equations
+from benchmarks.problems_parts import Problem
+
+SHARPEST = 1e-13
+"""Tolerance of the solutions that stand for exact ones, relative and absolute."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """Positions and velocities of the watched places at the end, and the change of energy [J]."""
+
+    q: list[list[float]]
+    v: list[list[float]]
+    change: float
+    source: str
+
+
+def reference(problem: Problem) -> Reference:
+    """What is known of the end of a problem, independently of our solver."""
+    family = problem.key.rpartition("_")[0]
+    if family == "double_pendulum":
+        state = double_pendulum_motion(problem.data["angle"], problem.stop)
+        source = "reduced equations, extrapolated to order 20 in extended precision"
+    elif family == "four_bar":
+        state = four_bar_motion(problem.stop, loops=round(problem.data["loops"]))
+        source = "Jacobi's elliptic functions"
+    else:
+        state = compiled_path(problem, SHARPEST)[1][-1]
+        source = f"reduced equations, DOP853 with tolerance {SHARPEST:g}"
+    look, start = equations(problem.key).look, equations(problem.key).start
+    energy = look(0.0, start)[2]
+    q, v, last = look(problem.stop, np.array(state, dtype=float))
+    return Reference(q.tolist(), v.tolist(), last - energy, source)
