@@ -46,21 +46,6 @@ def double_pendulum_rates(
     return [da, db, (f - c * g) / determinant, (2.0 * g - c * f) / determinant]
 
 
-def double_pendulum_energy(y: Array) -> Array:
-    """Energy [J] of states (4, n)."""
-    a, b, da, db = y
-    kinetic = da**2 + da * db * np.cos(a - b) + 0.5 * db**2
-    return kinetic - GRAVITY * (2.0 * np.cos(a) + np.cos(b))
-
-
-def double_pendulum_points(y: Sequence[float]) -> tuple[Array, Array]:
-    """Positions and velocities (2, 2) of the two masses."""
-    a, b, da, db = (float(value) for value in y)
-    upper, lower = (np.array([math.sin(x), -math.cos(x)]) for x in (a, b))
-    along, below = (rate * np.array([math.cos(x), math.sin(x)]) for x, rate in ((a, da), (b, db)))
-    return np.array([upper, upper + lower]), np.array([along, along + below])
-
-
 def double_pendulum_motion(angle: float, stop: float, step: float = 0.0125) -> Extended:
     """Return (a, b, a', b') at `stop`, released from rest with both rods at `angle`."""
 
@@ -92,16 +77,6 @@ def _extrapolated_step(rates: Callable[[Any], Any], y: Extended, h: np.longdoubl
     return row[0]
 
 
-def four_bar_rates(_t: float, y: Sequence[float]) -> list[float]:
-    """Derivatives of (phi, phi') for two loops, written for speed in plain Python."""
-    return [y[1], 3.5 / 3.0 * GRAVITY * math.sin(y[0])]
-
-
-def four_bar_energy(y: Array) -> Array:
-    """Energy [J] of states (2, n) of two loops, zero height at the pivots."""
-    return 1.5 * y[1] ** 2 + 3.5 * GRAVITY * np.cos(y[0])
-
-
 def four_bar_motion(t: float, loops: int = 2, rate: float = 1.0) -> tuple[float, float]:
     """Return phi and phi' at `t`, started upright with `rate` [rad/s]."""
     inertia, weight = (loops + 1) / 3 + loops, (loops + 1) / 2 + loops
@@ -110,9 +85,3 @@ def four_bar_motion(t: float, loops: int = 2, rate: float = 1.0) -> tuple[float,
     rest = (rate / fastest) ** 2
     _, _, dn, amplitude = ellipj(0.5 * fastest * t - ellipkm1(rest), 1.0 - rest)
     return math.pi + 2.0 * float(amplitude), fastest * float(dn)
-
-
-def four_bar_points(phi: float, rate: float) -> tuple[Array, Array]:
-    """Position, relative to its pivot, and velocity (1, 2) of the upper end of a crank."""
-    s, c = math.sin(phi), math.cos(phi)
-    return np.array([[s, c]]), rate * np.array([[c, -s]])

@@ -81,7 +81,7 @@ class Build:
         system = self.system
         if body.is_point and not slides:
             node = system.AddNode(NodePoint2D(referenceCoordinates=place, initialVelocities=speed))
-            number = system.AddObject(ObjectMassPoint2D(physicsMass=body.mass, nodeNumber=node))
+            number = system.AddObject(ObjectMassPoint2D(mass=body.mass, nodeNumber=node))
         else:
             node = NodeRigidBody2D(
                 referenceCoordinates=[*place, body.turn[2]],

@@ -18,7 +18,7 @@ from benchmarks.timing import Entry, interleave
 
 FLOOR = 3e-12
 """Error [m] below which no finer setting is tried: the last digits of the references."""
-LONGEST = 0.12
+LONGEST = 0.08
 """CPU seconds of a run after which no finer one is tried in a full run."""
 PATIENCE = 4
 """Settings that fail, after which a curve is given up."""
@@ -83,7 +83,7 @@ class Limits:
     @classmethod
     def of(cls, effort: Effort) -> Limits:
         """Those of an effort: a quick or tiny run has coarse settings alone."""
-        return cls(LONGEST * effort.scale**0.5, effort.steps, min(7, effort.repetitions), 0.03)
+        return cls(LONGEST * effort.scale**0.5, effort.steps, min(5, effort.repetitions), 0.02)
 
 
 def measured(

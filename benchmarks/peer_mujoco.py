@@ -135,8 +135,8 @@ class Tree:
 
 
 SHARP = {"tolerance": "1e-14", "iterations": "100", "solver": "Newton"}
-"""Of the solver of constraints. The constraints of loops are as stiff as MuJoCo lets them be: a time
-constant of two steps and an impedance of 0.9999, its largest."""
+"""Of the solver of constraints. The constraints of loops are as stiff as MuJoCo lets them be: a
+time constant of two steps and an impedance of 0.9999, its largest."""
 
 
 def _freedoms(joint: Joint, planar: bool) -> list[tuple[str, str]]:

@@ -1,7 +1,7 @@
 """Other codes, each in a process of its own: which are there, and what they measured.
 
-Their interpreter is that of the variable `EXUDYN_PYTHON`, or else this one; the extra `peers` has
-them. What is not installed gives a row that says so.
+Their interpreter is that of the variable `EXUDYN_PYTHON`, or else this one; the extra `benchmarks`
+has them. What is not installed gives a row that says so.
 """
 
 from __future__ import annotations
@@ -18,7 +18,13 @@ from benchmarks.exudyn_peer import VARIABLE
 from benchmarks.peer_methods import Limits, Row
 from benchmarks.problems_parts import Problem
 
-MODULES = {"peer_exudyn": ("Exudyn", "exudyn"), "peer_mujoco": ("MuJoCo", "mujoco")}
+MODULES = {
+    "peer_exudyn": ("Exudyn", "exudyn"),
+    "peer_mujoco": ("MuJoCo", "mujoco"),
+    "peer_sundials": ("SUNDIALS CVODE", "scikit-sundae"),
+    "peer_ida": ("SUNDIALS IDAS by CasADi", "casadi"),
+    "peer_drake": ("Drake", "drake"),
+}
 """Module of each code, its name and that of its package."""
 PATIENCE = 120.0
 """Seconds after which a code is stopped at a problem."""
@@ -56,7 +62,7 @@ def remarks(versions: Versions) -> list[str]:
         text = f"version {version}" if version else f"not measured: `{package}` is not installed"
         sentences.append(f"{name}: {text}")
     if not all(versions.values()):
-        sentences.append(f"`{VARIABLE}` may name an interpreter that has the extra `peers`.")
+        sentences.append(f"`{VARIABLE}` may name an interpreter that has the extra `benchmarks`.")
     return sentences
 
 

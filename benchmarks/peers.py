@@ -52,7 +52,9 @@ def compiled_path(problem: Problem, tolerance: float) -> Path:
 
     integrator = _dop853(equation, tolerance)
     integrator.set_solout(note)
-    _advance(integrator, equation, problem.stop)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # it warns of stiffness, and then ends with a code
+        _advance(integrator, equation, problem.stop)
     return np.array(times), np.array(states)
 
 

@@ -154,34 +154,23 @@ def andrews() -> Problem:
     gamma, phi = 0.455279819163070380, 0.222668390165885885
     delta, epsilon, half = 0.487364979543842550, 1.23054744454982119, math.pi / 2
     A, B = (k["xa"], k["ya"], 0.0), (k["xb"], k["yb"], 0.0)
-    upper, lower = (
-        added(A, _turned(delta, (k["zt"], 0))),
-        added(A, _turned(epsilon - half, (k["u"], 0))),
-    )
+    upper = added(A, _turned(delta, (k["zt"], 0)))
+    lower = added(A, _turned(epsilon - half, (k["u"], 0)))
     tip = _turned(k["beta"], (k["rr"], 0))
-    rows = {
-        "K1": (O, k["beta"], (k["ra"], 0)),
-        "K2": (tip, k["beta"] + math.pi, (k["da"], 0)),
-        "K3": (B, gamma - half, (k["sa"], k["sb"])),
-        "K4": (upper, phi + delta - half, (k["e"] - k["ea"], 0)),
-        "K5": (A, delta, (k["ta"], k["tb"])),
-        "K6": (lower, epsilon - phi, (k["zf"] - k["fa"], 0)),
-        "K7": (A, epsilon - half, (k["ua"], k["ub"])),
-    }
-    bodies = {}
-    for i, (name, (at, angle, com)) in enumerate(rows.items(), start=1):
-        where, moment = added(at, _turned(angle, com)), k[f"i{i}"]
-        bodies[name] = Body(
-            mass=k[f"m{i}"], position=where, inertia=(moment,) * 3, turn=(0.0, 0.0, angle)
-        )
+    rows = (
+        (O, k["beta"], (k["ra"], 0)),
+        (tip, k["beta"] + math.pi, (k["da"], 0)),
+        (B, gamma - half, (k["sa"], k["sb"])),
+        (upper, phi + delta - half, (k["e"] - k["ea"], 0)),
+        (A, delta, (k["ta"], k["tb"])),
+        (lower, epsilon - phi, (k["zf"] - k["fa"], 0)),
+        (A, epsilon - half, (k["ua"], k["ub"])),
+    )
+    bodies = {f"K{i}": _squeezer_body(i, *row) for i, row in enumerate(rows, start=1)}
     pin = added(tip, _turned(k["beta"] + math.pi, (k["d"], 0)))
     pins = [(GROUND, "K1", O), (GROUND, "K3", B), (GROUND, "K5", A), (GROUND, "K7", A)]
     pins += [("K1", "K2", tip), ("K5", "K4", upper), ("K7", "K6", lower)]
     pins += [("K2", name, pin) for name in ("K3", "K4", "K6")]
-    ends: tuple[Place, Place] = (
-        ("K3", (k["sc"] - k["sa"], k["sd"] - k["sb"], 0)),
-        (GROUND, (k["xc"], k["yc"], 0)),
-    )
     return Problem(
         key="andrews",
         title="Andrews' squeezer",
@@ -190,11 +179,26 @@ def andrews() -> Problem:
         bodies=bodies,
         joints=tuple(Joint(kind="revolute", pair=(a, b), position=at) for a, b, at in pins),
         watch=(("K1", (k["rr"] - k["ra"], 0, 0)), ("K2", (k["d"] - k["da"], 0, 0))),
-        springs=(Spring(ends=ends, stiffness=k["c0"], length=k["l0"]),),
+        springs=(_squeezer_spring(k),),
         torque=("K1", k["torque"]),
         conserves=False,
         data=k,
     )
+
+
+def _squeezer_body(i: int, at: Vector, angle: float, com: Vector) -> Body:
+    return Body(
+        mass=ANDREWS[f"m{i}"],
+        position=added(at, _turned(angle, com)),
+        inertia=(ANDREWS[f"i{i}"],) * 3,
+        turn=(0.0, 0.0, angle),
+    )
+
+
+def _squeezer_spring(k: dict[str, float]) -> Spring:
+    eye = (k["sc"] - k["sa"], k["sd"] - k["sb"], 0.0)
+    ends: tuple[Place, Place] = (("K3", eye), (GROUND, (k["xc"], k["yc"], 0.0)))
+    return Spring(ends=ends, stiffness=k["c0"], length=k["l0"])
 
 
 CAR_AXIS = {

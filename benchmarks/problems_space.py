@@ -85,39 +85,35 @@ def heavy_top() -> Problem:
     )
 
 
+GOVERNOR = {
+    "rod": 0.3, "ball": 5.0, "slider": 3.0, "stiffness": 8e5, "damping": 4e4, "gravity": GRAVITY,
+    "speed": 2 * math.pi, "alpha": math.pi / 6,
+}  # fmt: skip
+"""Masses [kg], SI units, angle of the rods below the horizontal [rad]."""
+
+
 def governor() -> Problem:
     """Flyball governor (IFToMM A05): 3000 kg/m3, balls of 5 kg, stiff spring-dampers."""
-    speed, alpha = 2 * math.pi, math.pi / 6
-    spun = {"omega": (0.0, 0.0, speed)}
+    middle = (0.0, 0.0, 0.5)
+    spun = {"position": middle, "omega": (0.0, 0.0, GOVERNOR["speed"])}
     bodies = {
-        "shaft": Body(mass=0.3, position=(0, 0, 0.5), inertia=_box(0.3, (0.01, 0.01, 1)), **spun),
-        "slider": Body(mass=3.0, position=(0, 0, 0.5), inertia=_box(3.0, (0.1,) * 3), **spun),
+        "shaft": Body(mass=0.3, inertia=_box(0.3, (0.01, 0.01, 1)), **spun),
+        "slider": Body(mass=3.0, inertia=_box(3.0, (0.1,) * 3), **spun),
+        "right": _loaded_rod(1),
+        "left": _loaded_rod(-1),
     }
     joints = [
         Joint(kind="revolute", pair=(GROUND, "shaft")),
-        Joint(kind="prismatic", pair=("shaft", "slider"), position=(0.0, 0.0, 0.5)),
+        Joint(kind="prismatic", pair=("shaft", "slider"), position=middle),
     ]
     springs = []
     for side, name in ((1, "right"), (-1, "left")):
-        rod, offset = _loaded_rod()
-        c, s = math.cos(alpha), math.sin(alpha)
-        radius, height = 0.05 + (0.5 + offset) * c, 1.0 - (0.5 + offset) * s
-        bodies[name] = Body(
-            mass=5.3,
-            position=(side * radius, 0.0, height),
-            inertia=rod,
-            turn=(0.0, side * alpha, 0.0),
-            velocity=(0.0, side * speed * radius, 0.0),
-            omega=(-side * speed * s, 0.0, speed * c),
-        )
         joints.append(
             Joint(kind="revolute", pair=("shaft", name), position=(0.05 * side, 0, 1), axis=Y)
         )
-        ends: tuple[Place, Place] = (
-            ("slider", (0.05 * side, 0, 0)),
-            (name, (-side * offset, 0, 0)),
-        )
-        springs.append(Spring(ends=ends, stiffness=8e5, length=0.5, damping=4e4))
+        eye: Place = (name, (-side * OFFSET, 0.0, 0.0))
+        law = {"stiffness": GOVERNOR["stiffness"], "damping": GOVERNOR["damping"]}
+        springs.append(Spring(ends=(("slider", (0.05 * side, 0, 0)), eye), length=0.5, **law))
     return Problem(
         key="governor",
         title="Flyball governor (IFToMM A05)",
@@ -125,26 +121,30 @@ def governor() -> Problem:
         gravity=(0.0, 0.0, -GRAVITY),
         bodies=bodies,
         joints=tuple(joints),
-        watch=(("slider", O), ("right", (0.5 - _loaded_rod()[1], 0.0, 0.0))),
+        watch=(("slider", O), ("right", (0.5 - OFFSET, 0.0, 0.0))),
         springs=tuple(springs),
         planar=False,
         conserves=False,
-        data={
-            "rod": 0.3,
-            "ball": 5.0,
-            "slider": 3.0,
-            "stiffness": 8e5,
-            "damping": 4e4,
-            "gravity": GRAVITY,
-            "speed": speed,
-            "alpha": alpha,
-        },
+        data=GOVERNOR,
     )
 
 
-def _loaded_rod() -> tuple[Vector, float]:
-    """Inertia of a rod with its ball about their common centre, and how far out that is [m]."""
-    offset = 5.0 * 0.5 / 5.3
+OFFSET = 5.0 * 0.5 / 5.3
+"""From the middle of a rod to the centre of mass of rod and ball [m]."""
+
+
+def _loaded_rod(side: int) -> Body:
+    """Rod with its ball, on the right (1) or left (-1) of the shaft."""
+    c, s = math.cos(GOVERNOR["alpha"]), math.sin(GOVERNOR["alpha"])
+    speed = GOVERNOR["speed"]
+    radius, height = 0.05 + (0.5 + OFFSET) * c, 1.0 - (0.5 + OFFSET) * s
     ix, iy, iz = _box(0.3, (1.0, 0.01, 0.01))
-    across = 0.3 * offset**2 + 5.0 * (0.5 - offset) ** 2
-    return (ix, iy + across, iz + across), offset
+    across = 0.3 * OFFSET**2 + 5.0 * (0.5 - OFFSET) ** 2
+    return Body(
+        mass=5.3,
+        position=(side * radius, 0.0, height),
+        inertia=(ix, iy + across, iz + across),
+        turn=(0.0, side * GOVERNOR["alpha"], 0.0),
+        velocity=(0.0, side * speed * radius, 0.0),
+        omega=(-side * speed * s, 0.0, speed * c),
+    )

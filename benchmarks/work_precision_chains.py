@@ -28,7 +28,7 @@ Row = Mapping[str, Any]
 
 
 def steps(curves: Mapping[int, Sequence[Row]], effort: Effort) -> list[dict[str, Value]]:
-    """Rows by number of points: our step and pair, and the finest steps of peers that count them."""
+    """Rows by number of points: our step and pair, and the finest steps of peers."""
     count = effort.count(COUNT)
     rows: list[dict[str, Value]] = []
     for n, curve in curves.items():
