@@ -21,6 +21,10 @@ SPECK = "2e-15 2e-15 2e-15"
 """Moments of inertia of a point [kg m2], which MuJoCo wants to be positive."""
 
 
+# What diverges is counted in the data and told as such; MuJoCo would write a file of it here.
+mujoco.set_mju_user_warning(lambda _: None)
+
+
 @dataclass
 class Tree:
     """XML of a problem: joints that lead to a body nobody reached yet, and the loops they leave."""
