@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import os
 import sys
+from array import array
 from collections.abc import Sequence
 
 from .layout import ABI, OFFSETS, SIZES, TABLES, measured_size, state_size
@@ -74,7 +75,8 @@ def load_library(path: str | None = None) -> ctypes.CDLL:
 
 
 def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
-    return (ctypes.c_double * max(len(values), 1))(*values)
+    content = array("d", values) or array("d", [0.0])
+    return (ctypes.c_double * len(content)).from_buffer_copy(content)
 
 
 class Kernel:
