@@ -25,6 +25,7 @@ SECTIONS = {
     "rigid-chains": "benchmarks.rigid_chains",
     "instructions": "benchmarks.instructions",
     "stability": "benchmarks.stability",
+    "stress": "benchmarks.stress",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""
 

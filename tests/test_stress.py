@@ -1,0 +1,192 @@
+"""Rigid bodies and loops with numbers far from one: kept to round-off, or refused with a sentence.
+
+`energy.error` is relative to the largest energy exchanged so far; 1e-12 is a hundred times what 300
+steps of round-off leave.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import solver
+from benchmarks.stress import _extremes
+from benchmarks.stress_random import mechanism
+from benchmarks.stress_runs import Found, run
+from benchmarks.stress_scenes import (
+    four_bar,
+    linked_bodies,
+    nearly_parallel,
+    spinning,
+    stiff_chain,
+)
+from tests.problems import Content
+
+ROUND_OFF = 1e-12
+LOOPS = {
+    "row": linked_bodies,
+    "planar loop": four_bar,
+    "spatial loop": lambda **numbers: four_bar(dimension=3, **numbers),
+}
+
+
+def assert_kept(found: Found, bound: float = ROUND_OFF) -> None:
+    """All steps solved as asked for, energy and constraints at round-off."""
+    assert not found.refused
+    assert found.divided == 1.0
+    assert found.energy < bound
+    assert found.constraint < ROUND_OFF
+
+
+def final(text: str, h: float, count: int, names: list[str]) -> Content:
+    """Values after `count` pairs of h [s]."""
+    integrator = solver.Integrator(solver.assemble(solver.loads(text)))
+    integrator["solver.step_size"] = h
+    integrator.initialise()
+    for _ in range(count):
+        integrator.advance(integrator.time, h)
+    return {name: float(integrator[name]) for name in names}
+
+
+# ------------------------------------------------------------------------------------------ scales
+
+
+@pytest.mark.parametrize("ratio", [1e-6, 1e-3, 1e3, 1e6])
+@pytest.mark.parametrize("name", LOOPS)
+def test_masses_of_bodies_may_differ_by_six_powers_of_ten(name, ratio):
+    assert_kept(run(LOOPS[name](ratio=ratio), 0.01, 300))
+
+
+@pytest.mark.parametrize("length", [1e-6, 1e-3, 1e3, 1e6])
+@pytest.mark.parametrize("name", LOOPS)
+def test_bodies_may_be_microns_or_thousands_of_kilometres_long(name, length):
+    # Steps of the same angle: times grow as the root of a length.
+    numbers = {"length": length, "rate": 2.0 / math.sqrt(length)}
+    assert_kept(run(LOOPS[name](**numbers), 0.01 * math.sqrt(length), 300))
+
+
+@pytest.mark.parametrize(
+    ("soft", "stiff"), [(1.0, 1e6), (1e-3, 1e6), (1e-6, 1e6), (1e-3, 1e9), (1.0, 1e12)]
+)
+def test_springs_may_differ_in_stiffness_by_twelve_powers_of_ten(soft, stiff):
+    # The stiff spring's length is known to 2e-16 m, its force to 2e-16 k; over the 0.05 m of a step
+    # that is 1e-17 k of the 20 J exchanged, and 300 of either sign make 1e-17 k.
+    assert_kept(run(stiff_chain(soft, stiff), 0.01, 300), ROUND_OFF + 1e-22 * stiff * 1e5)
+
+
+# ----------------------------------------------------------------------------------- dependent rows
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_copies_of_a_joint_change_nothing(dimension):
+    names = ["left.x", "coupler.y"]
+    text = four_bar(dimension=dimension)
+    single = final(text, 0.01, 300, names)
+    for copies in (2, 5):
+        text = four_bar(dimension=dimension, copies=copies)
+        assert_kept(run(text, 0.01, 300))
+        assert final(text, 0.01, 300, names) == pytest.approx(single, abs=1e-10)
+
+
+@pytest.mark.parametrize("apart", [1e-1, 1e-2, 1e-3, 1e-4, 1e-12, 1e-14])
+def test_rods_that_are_nearly_one_hold_a_point_as_they_should(apart):
+    # Ends of 1e-4 m give rows whose Gram determinant is 1e-8; at 1e-12 they are one row.
+    assert_kept(run(nearly_parallel(apart), 0.01, 300))
+
+
+@pytest.mark.parametrize("apart", [10.0**-k for k in range(5, 12)])
+@pytest.mark.parametrize("across", [0.0, 5.0])
+def test_in_between_they_do_or_a_sentence_says_why_not(apart, across):
+    # Rows that are dependent to 1e-10 ... 1e-22 of their Gram determinant. A load across their
+    # plane needs forces of across/apart N; lengths are known to 2e-16 m, so that some hundred
+    # steps let in 1e-14 of that force in J, of 10 J.
+    found = run(nearly_parallel(apart, across), 0.01, 300)
+    assert found.constraint < ROUND_OFF
+    assert found.energy < 1e-10 + 1e-14 * across / apart
+    assert not found.refused or "did not converge" in found.refused
+
+
+# ------------------------------------------------------------------------------- singular passages
+
+
+@pytest.mark.parametrize("h", [0.1, 0.02, 0.01])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_flat_parallelogram_is_passed_at_every_phase_of_a_step(dimension, h):
+    # On the other branch the coupler would turn like the cranks, by radians a second.
+    turning = "coupler.angular_velocity" if dimension == 2 else "coupler.wz"
+    for phase in range(12):
+        text = four_bar(angle=0.3 + 6.0 * h * phase / 12, dimension=dimension)
+        names = [turning, "left.y", "energy.error", "constraint.position"]
+        end = final(text, h, round(1.0 / h), names)
+        assert end["left.y"] < 0.0  # it went through
+        assert abs(end[turning]) < 1e-6
+        assert end["energy.error"] < ROUND_OFF
+        assert end["constraint.position"] < ROUND_OFF
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("away", [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3])
+def test_it_may_start_as_near_to_flat_as_one_likes(away, dimension):
+    assert_kept(run(four_bar(angle=away, dimension=dimension), 0.01, 100))
+
+
+# ------------------------------------------------------------------------------------ fast rotation
+
+
+@pytest.mark.parametrize("pinned", [False, True], ids=["free", "pinned"])
+@pytest.mark.parametrize("rate", [1e1, 1e3, 1e5, 1e7, 1e9])
+def test_a_body_may_turn_at_any_rate_that_the_step_resolves(rate, pinned):
+    assert_kept(run(spinning(rate, pinned=pinned), 0.2 / rate, 300))
+
+
+ROTOR = """
+name = "rotor"
+dimension = 2
+[bodies.rotor]
+position = [0, 0]
+mass = 1.0
+inertia = 1.0
+angular_velocity = 100.0
+[joints]
+pin = { type = "revolute", bodies = ["ground", "rotor"], position = [0, 0] }
+"""
+
+
+@pytest.mark.parametrize(
+    "turn", [1.0, 2.0, 5.0, 2 * math.pi, 4 * math.pi, 20.0, 16 * math.pi, 100.0]
+)
+def test_whole_turns_in_a_step_are_not_lost(turn):
+    # A rotation by 2 pi looks like none at all; a half step of 1.6 rad turns by 2 atan(0.8) of them
+    # instead, 16 % less, and none may be shorter by more than that.
+    end = final(ROTOR, turn / 100.0, 5, ["pin.angle", "energy.error"])
+    assert 0.7 < end["pin.angle"] / (5 * turn) <= 1.0
+    assert end["energy.error"] < ROUND_OFF
+
+
+@pytest.mark.parametrize("turn", [400.0, 1e3, 1e6])
+def test_what_turns_too_far_to_tell_is_refused(turn):
+    found = run(ROTOR, turn / 100.0, 1)
+    assert "turns by more than 2.5 rad" in found.refused
+
+
+# ----------------------------------------------------------------------------------- all and sundry
+
+
+def test_nothing_of_the_published_extremes_is_wrong():
+    outcomes = {(what, value): run(text, h, 30).outcome for what, value, text, h in _extremes()}
+    assert "wrong" not in outcomes.values()
+
+
+@pytest.mark.parametrize("first", range(0, 60, 10))
+def test_random_mechanisms_keep_energy_and_joints(first):
+    for seed in range(first, first + 10):
+        found = run(mechanism(seed), 0.01, 50)
+        assert found.outcome.startswith("kept"), (seed, found)
+
+
+def test_a_run_that_was_wrong_before_it_was_refused_is_wrong():
+    assert Found(energy=1e-3, refused="a sentence").outcome == "wrong"
+    assert Found(constraint=math.nan).outcome == "wrong"
+    assert Found(refused="a sentence").outcome == "refused"
+    assert Found(divided=1.5).outcome == "kept, some steps divided"
