@@ -11,47 +11,72 @@ import tempfile
 from pathlib import Path
 
 import solver
+from benchmarks import by_hand
 from benchmarks.effort import Effort
-from benchmarks.mechanisms import Content, hanging_chain, scene, waving_chain
-from benchmarks.report import Section, Table, Value
+from benchmarks.mechanisms import (
+    GRAVITY,
+    Content,
+    four_bar,
+    hanging_chain,
+    scene,
+    start,
+    waving_chain,
+)
+from benchmarks.report import Goal, Section, Table, Value
 
 ROOT = Path(__file__).resolve().parents[1]
 STEP = 1e-3
+LEAST = 2.0
+"""Goal: instructions of the kernel over those of the step written by hand."""
+
+WHOLE_BLOCKS = "glibc.cpu.x86_rep_stosb_threshold=1000000000"
+WHOLE_BLOCKS += ":glibc.cpu.x86_rep_movsb_threshold=1000000000"
+"""Lets large blocks be copied by vectors: valgrind counts the processor's own loop byte by byte."""
+
 COLUMNS = {
     "mechanism": "mechanism",
     "algorithm": "algorithm",
     "solves": "inner steps",
     "count": "instructions per inner step",
     "point": "per inner step and point",
+    "hand": "written by hand",
+    "ratio": "times as many",
 }
-FORMATS = {"solves": ".0f", "count": ".0f", "point": ".0f"}
+FORMATS = {"solves": ".0f", "count": ".0f", "point": ".0f", "hand": ".0f", "ratio": ".1f"}
+METHOD = (
+    "Machine instructions of the process, counted by valgrind --tool=callgrind: difference of two "
+    "runs from the initial configuration, one of three times the steps, divided by the difference "
+    "of inner steps. Pairs of half steps, 1 ms a pair; mechanisms as above. They do not depend on "
+    "what else the machine does. *Written by hand*: the same method, predictor, stopping rule and "
+    "compensated sums, but no ledger of energies, in C for this mechanism alone "
+    "(benchmarks/handwritten), compiled with the kernel's flags."
+)
 
 
 def measure(effort: Effort) -> Section:
     rows: list[dict[str, Value]] = []
-    remarks = []
+    remarks, goals = [], []
     if shutil.which("valgrind") is None:
         remarks.append("Not counted: valgrind is not installed on this machine.")
     else:
         for name, (content, points, steps) in mechanisms().items():
             for algorithm in ("nested", "simultaneous"):
-                row, reason = _count(content, algorithm, effort.count(steps, least=2))
-                if reason:
-                    remarks.append(f"{name}, {algorithm}: not counted: {reason}")
+                try:
+                    row = _count(name, content, algorithm, effort.count(steps, least=2))
+                except RuntimeError as error:
+                    remarks.append(f"{name}, {algorithm}: not counted: {error}")
                     continue
-                count = row["count"]
-                each = {"point": float(count or 0.0) / points}
+                each = {"point": float(row["count"]) / points}
                 rows.append({"mechanism": name, "algorithm": algorithm} | row | each)
+                if row["ratio"] is not None:
+                    what = f"{name}: instructions over those written by hand"
+                    goals.append(Goal(what=what, unit="1", goal=LEAST, value=row["ratio"]))
     return Section(
         name="instructions",
         title="Instructions",
-        method=(
-            "Machine instructions of the process, counted by valgrind --tool=callgrind: difference "
-            "of two runs from the initial configuration, one of three times the steps, divided by "
-            "the difference of inner steps. Plain steps of 1 ms; mechanisms as above. They do not "
-            "depend on what else the machine does."
-        ),
+        method=METHOD,
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)] if rows else [],
+        goals=goals,
         remarks=remarks,
     )
 
@@ -59,40 +84,63 @@ def measure(effort: Effort) -> Section:
 def mechanisms() -> dict[str, tuple[Content, int, int]]:
     """Content, number of moving points and of steps, by name."""
     return {
-        "double pendulum": (hanging_chain(2), 2, 1000),
-        "spatial chain N = 100": (waving_chain(100, 3), 100, 50),
+        "double pendulum": (hanging_chain(2), 2, 500),
+        "four-bar (A02), N = 2": (four_bar(), 3, 200),
+        "spatial chain N = 100": (waving_chain(100, 3), 100, 25),
     }
 
 
-def _count(content: Content, algorithm: str, steps: int) -> tuple[dict[str, Value], str]:
-    """Instructions of an inner step; or the reason why they could not be counted.
+HANDWRITTEN = {
+    "double pendulum": ("double_pendulum", 1.0, 1.0, GRAVITY),
+    "spatial chain N = 100": ("chain", 0.1, 0.1, 0.0),
+}
+"""Function, mass [kg] and length [m] of a link, gravity [m/s^2] of those written by hand."""
+
+
+def _count(name: str, content: Content, algorithm: str, steps: int) -> dict[str, float | None]:
+    """Instructions of an inner step, ours and, of the default algorithm, those written by hand.
+
+    Raises
+    ------
+    RuntimeError
+        When they cannot be counted, with the reason.
+    """
+    settings = {"step_size": STEP, "algorithm": algorithm}
+    with tempfile.TemporaryDirectory() as folder:
+        model = Path(folder, "model.bin")
+        model.write_bytes(solver.assemble(scene(content, **settings)).to_bytes())
+        solves, count = _difference(["-m", "benchmarks.kernel_run", str(model)], steps, folder)
+        if name not in HANDWRITTEN or algorithm != "nested":
+            return {"solves": solves, "count": count, "hand": None, "ratio": None}
+        function, *numbers = HANDWRITTEN[name]
+        library = by_hand.build(function, Path(folder))
+        block = Path(folder, "block.bin")
+        block.write_bytes(by_hand.block_of(start(content, **settings), *numbers).tobytes())
+        command = ["-m", "benchmarks.by_hand", str(library), function, str(block), str(STEP)]
+        _, hand = _difference(command, steps, folder)
+    return {"solves": solves, "count": count, "hand": hand, "ratio": count / hand}
+
+
+def _difference(arguments: list[str], steps: int, folder: str) -> tuple[float, float]:
+    """Implicit solves, and instructions of one.
 
     Two runs that differ in nothing but the number of steps: their difference holds no start-up, and
-    the kernel needs no symbols.
+    the libraries need no symbols.
     """
-    settings = {"step_size": STEP, "paired": False, "algorithm": algorithm}
-    model = solver.assemble(scene(content, **settings))
-    with tempfile.TemporaryDirectory() as name:
-        path = Path(name, "model.bin")
-        path.write_bytes(model.to_bytes())
-        try:
-            (few, i_few), (many, i_many) = (_run(path, n) for n in (steps, 3 * steps))
-        except RuntimeError as error:
-            return {}, str(error)
-    return {"solves": float(many - few), "count": (i_many - i_few) / (many - few)}, ""
+    (few, i_few), (many, i_many) = (_run([*arguments, str(n)], folder) for n in (steps, 3 * steps))
+    return float(many - few), (i_many - i_few) / (many - few)
 
 
-def _run(model: Path, steps: int) -> tuple[int, int]:
-    """Implicit solves and instructions of a process that takes `steps` internal steps."""
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={model.with_name('counts')}"]
-    command += [sys.executable, "-m", "benchmarks.kernel_run", str(model), str(steps)]
+def _run(arguments: list[str], folder: str) -> tuple[int, int]:
+    """Implicit solves, which the process prints, and its instructions."""
+    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={folder}/counts"]
     run = subprocess.run(
-        command,
+        [*command, sys.executable, *arguments],
         capture_output=True,
         text=True,
         check=False,
         cwd=ROOT,
-        env=os.environ | {"PYTHONHASHSEED": "0"},
+        env=os.environ | {"PYTHONHASHSEED": "0", "GLIBC_TUNABLES": WHOLE_BLOCKS},
     )
     total = re.search(r"Collected : (\d+)", run.stderr)
     if run.returncode or total is None:

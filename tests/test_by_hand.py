@@ -1,0 +1,74 @@
+"""Steps written by hand are a fair yardstick: the same motion, by as many iterations."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from benchmarks import by_hand
+from benchmarks.instructions import HANDWRITTEN, STEP, mechanisms
+from benchmarks.mechanisms import start
+from build_kernel.compiler import system_compiler, zig_compiler
+
+STEPS = 200
+BEGIN = len(by_hand.FIRST) + len(by_hand.COUNTS)
+
+pytestmark = pytest.mark.skipif(
+    not (system_compiler() or zig_compiler()), reason="no C compiler to compile them"
+)
+
+
+def motion_of(name, folder, step, steps):
+    """Integrator at its start, and block of the chain after steps by hand."""
+    function, *numbers = HANDWRITTEN[name]
+    integrator = start(mechanisms()[name][0], step_size=step)
+    block = by_hand.block_of(integrator, *numbers)
+    solves = by_hand.advance(by_hand.build(function, folder), function, block, step, steps)
+    assert solves == 2 * steps
+    return integrator, np.array(block)
+
+
+@pytest.mark.parametrize("name", HANDWRITTEN)
+def test_steps_written_by_hand_move_a_chain_as_the_kernel_does(name, tmp_path):
+    integrator, block = motion_of(name, tmp_path, STEP, STEPS)
+    integrator.advance(0.0, STEPS * STEP)
+    q, v = (np.asarray(integrator.state.vectors[vector]) for vector in ("q", "v"))
+    n = len(q)
+    # Every half step leaves rounding errors of its own: 400 of them, and 5e-4 s to divide by in v.
+    assert block[BEGIN : BEGIN + n] == pytest.approx(q, abs=1e-14 * abs(q).max(), rel=0)
+    moved = block[BEGIN + 2 * n : BEGIN + 3 * n]
+    assert moved == pytest.approx(v, abs=1e-13 * abs(v).max(), rel=0)
+    # Fair: neither stops earlier than the other.
+    by_kernel = integrator["solver.newton_iterations"]
+    assert block[BEGIN - 1] == pytest.approx(by_kernel, rel=0.1)
+
+
+def test_steps_written_by_hand_keep_the_energy_of_a_double_pendulum(tmp_path):
+    integrator, block = motion_of("double pendulum", tmp_path, 0.01, 1000)
+    y, v = block[BEGIN : BEGIN + 4][1::2], block[BEGIN + 8 : BEGIN + 12]
+    drawn = np.asarray(integrator.state.vectors["q"])[1::2]
+    energy = 0.5 * v @ v + block[2] * (y.sum() - drawn.sum())
+    # From rest at the horizontal; 40 J come and go.
+    assert energy == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_step_that_converges_badly_is_refused(tmp_path):
+    with pytest.raises(RuntimeError, match="does not converge with h = 1 s"):
+        motion_of("double pendulum", tmp_path, 1.0, 10)
+
+
+def test_what_valgrind_watches_takes_the_steps_it_says(tmp_path):
+    name = "double pendulum"
+    function, *numbers = HANDWRITTEN[name]
+    block = tmp_path / "block.bin"
+    drawn = start(mechanisms()[name][0], step_size=STEP)
+    block.write_bytes(by_hand.block_of(drawn, *numbers).tobytes())
+    library = by_hand.build(function, tmp_path)
+    command = [sys.executable, "-m", "benchmarks.by_hand", library, function, block, STEP, 7]
+    run = subprocess.run(
+        [str(part) for part in command], capture_output=True, text=True, check=False
+    )
+    assert run.stdout.split() == ["14"], run.stderr
