@@ -6,6 +6,7 @@ The same loop runs here and, for codes that have interpreters of their own, in t
 
 from __future__ import annotations
 
+import gc
 import math
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -18,7 +19,7 @@ from benchmarks.timing import Entry, interleave
 
 FLOOR = 3e-12
 """Error [m] below which no finer setting is tried: the last digits of the references."""
-LONGEST = 0.08
+LONGEST = 0.06
 """CPU seconds of a run after which no finer one is tried in a full run."""
 PATIENCE = 4
 """Settings that fail, after which a curve is given up."""
@@ -96,6 +97,21 @@ def measured(
 
     `expected` is where the watched places should be at the end [m].
     """
+    # What is there stays there: the collections before each repetition need not look at it again.
+    gc.collect()
+    gc.freeze()
+    try:
+        return _measured(problem, methods, limits, expected)
+    finally:
+        gc.unfreeze()
+
+
+def _measured(
+    problem: Problem,
+    methods: Sequence[Method],
+    limits: Limits,
+    expected: Sequence[Sequence[float]],
+) -> list[Row]:
     rows: list[Row] = []
     entries: dict[str, Entry] = {}
     for method in methods:

@@ -24,6 +24,7 @@ MODULES = {
     "peer_sundials": ("SUNDIALS CVODE", "scikit-sundae"),
     "peer_ida": ("SUNDIALS IDAS by CasADi", "casadi"),
     "peer_drake": ("Drake", "drake"),
+    "peer_simbody": ("Simbody by OpenSim", "opensim"),
 }
 """Module of each code, its name and that of its package."""
 PATIENCE = 120.0

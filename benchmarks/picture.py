@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +18,7 @@ OTHERS = (
     "tab:orange", "tab:red", "tab:brown", "tab:green", "tab:olive", "tab:purple", "tab:pink",
     "tab:gray", "goldenrod", "black", "teal", "salmon",
 )  # fmt: skip
-MARKERS = "osD^v<>pPX*h"
+MARKERS = "sD^v<>pPX*h"
 ERRORS = {
     "position": "position error, m",
     "velocity": "velocity error, m/s",
@@ -30,10 +31,11 @@ LEAST = 1e-17
 def draw(section: Section, path: Path) -> None:
     """Write a PNG of position errors of all mechanisms, and beside it one PNG for each."""
     curves = [table for table in section.tables if "position" in table.columns]
+    looks = styles(curves)
     figure, axes = _figure(3, -(-len(curves) // 3))
     for table, panel in zip(curves, axes, strict=False):
         panel.set_title(table.title, fontsize=9)
-        draw_curves(panel, table, "position")
+        draw_curves(panel, table, "position", looks)
         panel.set_xlabel("CPU time, ms", fontsize=8)
     for panel in axes[len(curves) :]:
         panel.axis("off")
@@ -42,14 +44,14 @@ def draw(section: Section, path: Path) -> None:
     figure.savefig(path, dpi=80)
     for table in curves:
         if table.picture:
-            _draw_one(table, path.with_name(table.picture))
+            _draw_one(table, path.with_name(table.picture), looks)
 
 
-def _draw_one(table: Table, path: Path) -> None:
+def _draw_one(table: Table, path: Path, looks: Mapping[str, Any]) -> None:
     figure, axes = _figure(len(ERRORS), 1)
     figure.suptitle(table.title, fontsize=10)
     for (key, label), panel in zip(ERRORS.items(), axes, strict=True):
-        draw_curves(panel, table, key)
+        draw_curves(panel, table, key, looks)
         panel.set_ylabel(label)
         panel.set_xlabel("CPU time, ms")
     figure.legend(*_legend(axes[:1]), fontsize=7, loc="outside lower center", ncols=5)
@@ -74,23 +76,26 @@ def _legend(axes: list[Any]) -> tuple[list[Any], list[str]]:
     return list(known.values()), list(known)
 
 
-def style(solver: str, place: int) -> dict[str, Any]:
-    """Blue for us, another colour for everybody else; `place` counts within either."""
-    if solver.startswith(OURS):
-        return {"color": BLUES[place % len(BLUES)], "marker": "o", "linewidth": 1.4}
-    marker = MARKERS[1 + place % (len(MARKERS) - 1)]
-    return {"color": OTHERS[place % len(OTHERS)], "marker": marker, "linewidth": 0.8}
+def styles(tables: Sequence[Table]) -> dict[str, dict[str, Any]]:
+    """By solver, the same in all pictures: blue for us, another colour for everybody else."""
+    names = dict.fromkeys(str(row["solver"]) for table in tables for row in table.rows)
+    ours = [name for name in names if name.startswith(OURS)]
+    others = [name for name in names if not name.startswith(OURS)]
+    looks: dict[str, dict[str, Any]] = {}
+    for i, name in enumerate(ours):
+        looks[name] = {"color": BLUES[i % len(BLUES)], "marker": "o", "linewidth": 1.4}
+    for i, name in enumerate(others):
+        marker = MARKERS[i % len(MARKERS)]
+        looks[name] = {"color": OTHERS[i % len(OTHERS)], "marker": marker, "linewidth": 0.8}
+    return looks
 
 
-def draw_curves(axes: Axes, table: Table, key: str) -> None:
+def draw_curves(axes: Axes, table: Table, key: str, looks: Mapping[str, Any]) -> None:
     """Curve of each solver: an error by its key against CPU time."""
-    places = {True: 0, False: 0}
     for solver in dict.fromkeys(str(row["solver"]) for row in table.rows):
-        look = style(solver, places[solver.startswith(OURS)])
         rows = [row for row in table.rows if row["solver"] == solver and row.get("ms")]
         if rows:
-            places[solver.startswith(OURS)] += 1
             times = [row["ms"] for row in rows]
             errors = [max(float(row[key] or 0.0), LEAST) for row in rows]  # type: ignore[arg-type]
-            axes.loglog(times, errors, label=solver, markersize=3, **look)
+            axes.loglog(times, errors, label=solver, markersize=3, **looks[solver])
     axes.grid(visible=True, which="major", alpha=0.3)

@@ -48,8 +48,8 @@ METHOD = (
     "looked at up to 50 times; where energy is fed or dissipated, it is that of the change over "
     "the whole run. Every code takes its numbers from `benchmarks/problems.py`. holonom solves the "
     "mechanism as drawn, with its default tolerance of 1e-12 in every step, in pairs of half "
-    "steps (order 2) and their compositions. SciPy, CVODE solve equations in fewest coordinates, "
-    "reduced by hand and compiled from C, choosing steps by tolerance; the others solve the "
+    "steps (order 2) and their compositions. SciPy and CVODE solve equations in fewest "
+    "coordinates, reduced by hand and compiled from C, by tolerance; the others solve the "
     "mechanism built body by body, in processes of their own in the same run, with their own "
     "settings from coarse to fine. What is timed leads from an assembled model to the final state. "
     f"A curve ends with the first run below 3e-12 m or above {1e3 * LONGEST:g} ms."
@@ -58,7 +58,11 @@ REMARKS = (
     "The reduced four-bar, Andrews' squeezer and Bricard's mechanism are one equation each, whose "
     "derivation takes a person a day per mechanism and holds for this one alone.",
     "A dash in the overview: not reached with any of the settings measured.",
-    "*holonom* in the overview is the best of its orders.",
+    "*holonom* in the overview is the best of its orders; orders above 2 go back in time, where "
+    "dampers give energy, and are limited or halved where those are strong.",
+    "SUNDIALS' CVODE comes with scikit-sundae, IDAS with CasADi: `assimulo` and "
+    "`scikits-odes-sundials` have no wheels. Simbody comes with OpenSim, which has no damper "
+    "between two points.",
 )
 
 

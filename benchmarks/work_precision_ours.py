@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from benchmarks.mechanisms import Content, hanging_chain, scene, start_scene, waving_chain
+from benchmarks.mechanisms import Content, hanging_chain, scene, waving_chain
 from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
 from benchmarks.problems_parts import Array, Problem
 from benchmarks.timing import Entry
 from scenes import generate
+from solver import assemble
 from solver.runtime import Integrator, StepError
 
 try:
@@ -21,6 +23,7 @@ try:
 except ImportError:  # Python 3.10
     import tomli as tomllib
 
+Value = float | str | bool
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
 ORDERS = (2, 4, 6, 8)
 STAGES = {2: 1, 4: 5, 6: 9, 8: 15}
@@ -83,61 +86,92 @@ NESTED = ("chain_100", "chain_1000")
 
 
 def methods(problem: Problem) -> list[Method]:
-    """One for each order; settings are numbers of steps."""
-    model = _Model(problem)
-    return [model.method(order) for order in ORDERS]
+    """One for each curve."""
+    run = _Runs(problem)
+    return [run.method(curve) for curve in curves()]
 
 
-class _Model:
-    """A problem's scene, assembled once for each setting."""
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """Settings of the solver, by one number of which a curve has one point each."""
+
+    name: str
+    label: str
+    values: Callable[[Problem], list[float]]
+    settings: Callable[[Problem, float], dict[str, Value]]
+    """Settings `solver.<name>` for a number."""
+    solves: Callable[[float], float]
+    """Implicit solves that a number means; more of them were steps that had to be halved."""
+
+
+def curves() -> list[Curve]:
+    """The orders, by numbers of steps; a curve by tolerance has its place beside them."""
+    return [_of_order(order) for order in ORDERS]
+
+
+def _of_order(order: int) -> Curve:
+    return Curve(
+        name=f"holonom order {order}",
+        label="{:g} steps",
+        values=lambda problem: steps(problem, order),
+        settings=lambda problem, count: {"order": order, "step_size": problem.stop / count},
+        solves=lambda count: 2 * STAGES[order] * count,
+    )
+
+
+class _Runs:
+    """A problem's scene, assembled once."""
 
     def __init__(self, problem: Problem) -> None:
         self._key = problem.key
+        content = CONTENTS[problem.key]()
         experiment = {"stop_time": problem.stop, "step_size": problem.stop}
-        self._content = CONTENTS[problem.key]() | {"experiment": experiment}
-        self._algorithm = "nested" if problem.key in NESTED else "simultaneous"
+        own: Mapping[str, Any] = content.get("solver", {})
+        algorithm = "nested" if problem.key in NESTED else "simultaneous"
+        settings = {**own, "step_size": problem.stop, "algorithm": algorithm}
+        self._model = assemble(scene(content | {"experiment": experiment}, **settings))
 
-    def method(self, order: int) -> Method:
-        """Curve of an order."""
+    def method(self, curve: Curve) -> Method:
+        """What measures a curve."""
 
-        def observe(problem: Problem, count: float) -> Observed:
-            return self._observe(problem, order, int(count))
-
-        def entry(problem: Problem, count: float) -> Entry:
-            integrator = self._start(order, problem.stop / count)
+        def entry(problem: Problem, value: float) -> Entry:
+            integrator = self._start(curve.settings(problem, value))
             state = integrator.save()
             return Entry(
                 lambda: integrator.advance(0.0, problem.stop), lambda: integrator.restore(state)
             )
 
         return Method(
-            name=f"holonom order {order}",
-            label="{:g} steps",
-            settings=lambda problem: steps(problem, order),
-            observe=observe,
+            name=curve.name,
+            label=curve.label,
+            settings=curve.values,
+            observe=lambda problem, value: self._observe(problem, curve, value),
             entry=entry,
         )
 
-    def _start(self, order: int, h: float) -> Integrator:
-        own: Mapping[str, Any] = self._content.get("solver", {})
-        settings = {**own, "order": order, "step_size": h, "algorithm": self._algorithm}
-        return start_scene(scene(self._content, **settings))
+    def _start(self, settings: Mapping[str, Value]) -> Integrator:
+        integrator = Integrator(self._model, kernel="c")
+        for name, value in settings.items():
+            integrator[f"solver.{name}"] = value
+        integrator.initialise()
+        return integrator
 
-    def _observe(self, problem: Problem, order: int, count: int) -> Observed:
-        integrator = self._start(order, problem.stop / count)
-        pieces = max(k for k in range(1, min(SAMPLES, count) + 1) if count % k == 0)
+    def _observe(self, problem: Problem, curve: Curve, value: float) -> Observed:
+        settings = curve.settings(problem, value)
+        integrator = self._start(settings)
+        whole = round(problem.stop / float(settings.get("step_size", problem.stop / SAMPLES)))
+        pieces = max(k for k in range(1, min(SAMPLES, whole) + 1) if whole % k == 0)
         energies, substeps = [self._energy(integrator)], 0.0
         try:
             for i in range(pieces):
-                integrator.advance(
-                    integrator.time, (i + 1) / pieces * problem.stop - integrator.time
-                )
+                t = (i + 1) / pieces * problem.stop
+                integrator.advance(integrator.time, t - integrator.time)
                 energies.append(self._energy(integrator))
                 substeps += float(integrator["solver.substeps"])
         except StepError as error:
             raise GaveUpError(str(error).partition(";")[0]) from error
-        remark = "some steps halved" if substeps > 2 * STAGES[order] * count else ""
-        if integrator["solver.order"] != order:
+        remark = "some steps halved" if substeps > curve.solves(value) else ""
+        if "order" in settings and integrator["solver.order"] != settings["order"]:
             remark = f"limited to order {integrator['solver.order']:g}: dampers"
         return Observed.of(*watched(problem, integrator), energies, remark)
 
@@ -152,7 +186,7 @@ class _Model:
 
 def steps(problem: Problem, order: int) -> list[float]:
     """Numbers of steps from coarse to fine."""
-    first = FIRST[problem.key] * {2: 8, 4: 2, 6: 1, 8: 1}[order]
+    first = FIRST[problem.key] * {2: 2, 4: 1, 6: 1, 8: 1}[order]
     return [float(first * 2**k) for k in range(14)]
 
 

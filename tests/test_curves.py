@@ -130,16 +130,22 @@ def test_a_curve_has_all_points_that_were_measured_and_none_at_zero():
         for ms, energy in [(1.0, 1e-3), (2.0, 0.0), (None, None)]
     ]
     paper = Paper()
-    picture.draw_curves(paper, Table(title="T", columns={}, rows=rows), "energy")
+    table = Table(title="T", columns={}, rows=rows)
+    picture.draw_curves(paper, table, "energy", picture.styles([table]))
     expected = ([1.0, 2.0], [1e-3, picture.LEAST])
     assert paper.curves == dict.fromkeys(("holonom order 2", "other"), expected)
 
 
-def test_our_curves_are_told_from_all_others_by_their_colour():
-    ours = {picture.style("holonom order 2", i)["color"] for i in range(4)}
-    others = {picture.style("other", i)["color"] for i in range(12)}
-    assert len(ours) == 4
-    assert not ours & others
+def test_a_solver_looks_the_same_in_all_pictures_and_ours_unlike_others():
+    def table(*solvers):
+        return Table(title="T", columns={}, rows=[{"solver": solver} for solver in solvers])
+
+    ours = [f"holonom order {order}" for order in (2, 4, 6, 8)]
+    both = [table(*ours, "a", "b", "c"), table(*ours[:1], "c")]
+    looks = picture.styles(both)
+    assert looks == picture.styles(both[:1])
+    colours = [look["color"] for look in looks.values()]
+    assert len(set(colours)) == len(colours) == 7
 
 
 def test_there_is_a_picture_of_all_and_one_of_each(tmp_path):
