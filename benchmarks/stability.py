@@ -48,7 +48,7 @@ def measure(effort: Effort) -> Section:
     coarse = [2.0 ** (-j / 2) for j in range(2 * effort.steps)]
     fine = [2.0 ** (2 - j / 4) for j in range(3 * effort.steps + 3)]
     remarks = [
-        f"{name} is not installed here (the extra `peers`; `{VARIABLE}` may name another "
+        f"{name} is not installed here (the extra `benchmarks`; `{VARIABLE}` may name another "
         "interpreter that has it): no steps of it"
         for name in ("Exudyn", "MuJoCo")
         if name not in peers

@@ -17,6 +17,9 @@ import numpy as np
 
 from benchmarks.stability_rules import Outcome, steps, stride
 
+# What diverges would otherwise leave a file of warnings where the program runs.
+mujoco.set_mju_user_warning(lambda _: None)
+
 METHODS = {
     "RK4": mujoco.mjtIntegrator.mjINT_RK4,
     "implicitfast": mujoco.mjtIntegrator.mjINT_IMPLICITFAST,

@@ -14,6 +14,8 @@ COLOURS = {"conserving": "tab:blue", "midpoint": "tab:red", "penalty": "tab:oran
 PEERS = "tab:gray"
 SIZES = (70.0, 45.0, 28.0, 16.0, 8.0)
 """Of the dots: the softest penalty or spring has the largest."""
+LEAST, RANGE = 7e-4, (5e-4, 1.5)
+"""Place of the crosses, and steps that are shown [s]."""
 
 
 def draw(section: Section, path: Path) -> None:
@@ -35,7 +37,6 @@ def draw(section: Section, path: Path) -> None:
 def _panel(axes: Axes, table: Table) -> None:
     rows = [(f"{row['solver']} {row['setting']}", row) for row in table.rows]
     names = list(dict.fromkeys(name for name, _ in rows))
-    least = min(float(row["h"]) for _, row in rows if row["h"]) / 2.0
     for place, name in enumerate(names):
         same = [row for other, row in rows if other == name]
         kind = str(same[0]["setting"]).partition("-")[0]
@@ -44,8 +45,9 @@ def _panel(axes: Axes, table: Table) -> None:
             if row["h"]:
                 axes.scatter(float(row["h"]), place, s=size, facecolors="none", edgecolors=colour)
             else:
-                axes.scatter(least, place, s=size, marker="x", color=colour)
+                axes.scatter(LEAST, place, s=size, marker="x", color=colour)
     axes.set_xscale("log")
+    axes.set_xlim(*RANGE)
     axes.set_yticks(range(len(names)), [n.removeprefix("holonom ") for n in names], fontsize=7)
     axes.invert_yaxis()
     axes.set_xlabel("largest step that survives, s", fontsize=8)
