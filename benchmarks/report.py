@@ -40,6 +40,8 @@ class Table:
     formats: Mapping[str, str] = field(default_factory=dict)
     picture: str | None = None
     """A file beside the page that shows these rows; `draw` of the section's module writes it."""
+    on_page: bool = True
+    """Whether the rows are on the page as well, not in the data alone."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,12 +123,8 @@ def _section(section: Section) -> list[str]:
     for table in section.tables:
         if table.title:
             parts.append(f"**{table.title}**")
-        used = [key for key in table.columns if any(row.get(key) != "" for row in table.rows)]
-        rows = [
-            [formatted(row.get(key), table.formats.get(key, ".3g")) for key in used]
-            for row in table.rows
-        ]
-        parts.append(markdown_table([table.columns[key] for key in used], rows))
+        if table.on_page:
+            parts.append(_rows(table))
         if table.picture:
             parts.append(f"![{table.title}]({table.picture})")
     if section.picture:
@@ -134,6 +132,15 @@ def _section(section: Section) -> list[str]:
     if section.remarks:
         parts.append("\n".join(f"* {remark}" for remark in section.remarks))
     return parts
+
+
+def _rows(table: Table) -> str:
+    used = [key for key in table.columns if any(row.get(key) != "" for row in table.rows)]
+    rows = [
+        [formatted(row.get(key), table.formats.get(key, ".3g")) for key in used]
+        for row in table.rows
+    ]
+    return markdown_table([table.columns[key] for key in used], rows)
 
 
 def formatted(value: Value, form: str) -> str:

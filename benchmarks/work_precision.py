@@ -52,7 +52,9 @@ METHOD = (
     "coordinates, reduced by hand and compiled from C, by tolerance; the others solve the "
     "mechanism built body by body, in processes of their own in the same run, with their own "
     "settings from coarse to fine. What is timed leads from an assembled model to the final state. "
-    f"A curve ends with the first run below 3e-12 m or above {1e3 * LONGEST:g} ms."
+    "All settings with their errors are in the data; the pictures show them. "
+    f"A curve ends with the first run below 3e-12 m or above {1e3 * LONGEST:g} ms, "
+    f"{1e3 * peer_processes.LEEWAY * LONGEST:g} ms in other processes."
 )
 REMARKS = (
     "The reduced four-bar, Andrews' squeezer and Bricard's mechanism are one equation each, whose "
@@ -96,6 +98,7 @@ def measure(effort: Effort) -> Section:
             work_precision_goals.overview(curves),
             _references(solved),
             work_precision_chains.table(chains),
+            _told(solved),
             *(
                 Table(
                     title=case.problem.title,
@@ -103,6 +106,7 @@ def measure(effort: Effort) -> Section:
                     rows=case.rows,
                     formats=FORMATS,
                     picture=f"work_precision_{case.problem.key}.png" if drawn else None,
+                    on_page=not drawn,
                 )
                 for case in solved
             ),
@@ -148,6 +152,27 @@ def _references(solved: Sequence[Solved]) -> Table:
     formats = {"ours": ".0e", "theirs": ".0e", "stop": "g"}
     title = "References, and how far two codes that share nothing with them come to them"
     return Table(title=title, columns=SOURCES, rows=rows, formats=formats)
+
+
+def _told(solved: Sequence[Solved]) -> Table:
+    """What there is to say of single runs, with the number of settings that it is said of."""
+    counts: dict[tuple[str, str, str], int] = {}
+    for case in solved:
+        for row in case.rows:
+            if row.get("remark"):
+                told = (str(row["remark"]), str(row["solver"]), case.problem.title)
+                counts[told] = counts.get(told, 0) + 1
+    rows: dict[tuple[str, str], list[str]] = {}
+    for (remark, solver, title), count in counts.items():
+        rows.setdefault((solver, remark), []).append(f"{title} ({count})")
+    return Table(
+        title="What failed, was halved or is not measured, with the number of settings",
+        columns={"solver": "solver", "remark": "", "problems": "problems"},
+        rows=[
+            {"solver": solver, "remark": remark, "problems": "; ".join(titles)}
+            for (solver, remark), titles in sorted(rows.items())
+        ],
+    )
 
 
 def _best(rows: Sequence[dict[str, Value]], name: str) -> float | None:

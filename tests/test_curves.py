@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
@@ -11,7 +12,7 @@ from benchmarks import peer_processes, picture, work_precision_goals
 from benchmarks.effort import TINY
 from benchmarks.peer_methods import PATIENCE, GaveUpError, Limits, Method, Observed, measured
 from benchmarks.problems import PROBLEMS
-from benchmarks.report import Section, Table
+from benchmarks.report import Section, Table, as_json, as_markdown
 from benchmarks.timing import Entry
 from benchmarks.work_precision import judged
 from benchmarks.work_precision_goals import time_to_reach
@@ -107,7 +108,19 @@ def test_the_pendulum_is_compared_with_the_fastest_of_all():
     assert "no other code" in goals[7].what
 
 
-# ----------------------------------------------------------------------------------------- picture
+# ------------------------------------------------------------------------------ page and pictures
+
+
+def test_rows_of_a_picture_may_be_in_the_data_alone():
+    table = Table(
+        title="Curve", columns={"a": "A"}, rows=[{"a": 1.0}], picture="one.png", on_page=False
+    )
+    section = Section(name="x", title="X", method="", tables=[table])
+    page = as_markdown({}, "full", [section])
+    assert "![Curve](one.png)" in page
+    assert "| A" not in page
+    record = json.loads(as_json({}, "full", [section]))["sections"]["x"]
+    assert record["tables"][0]["rows"] == [{"a": 1.0}]
 
 
 class Paper:
