@@ -57,8 +57,8 @@ METHOD = (
     f"{1e3 * peer_processes.LEEWAY * LONGEST:g} ms in other processes."
 )
 REMARKS = (
-    "The reduced four-bar, Andrews' squeezer and Bricard's mechanism are one equation each, whose "
-    "derivation takes a person a day per mechanism and holds for this one alone.",
+    "The reduced four-bar, Andrews' squeezer and Bricard's mechanism are one equation each, "
+    "derived by hand for this mechanism alone.",
     "A dash in the overview: not reached with any of the settings measured.",
     "*holonom* in the overview is the best of its orders; orders above 2 go back in time, where "
     "dampers give energy, and are limited or halved where those are strong.",
