@@ -59,18 +59,25 @@ class Slave(LoggedSlave):
     # ------------------------------------------------------------------------ initialisation
 
     def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
-        """Take start and stop time; the tolerance has no meaning for a method of fixed step."""
+        """Take start and stop time and, where the scene asks for a tolerance, this one."""
         if self._phase != INSTANTIATED:
             self.error("setupExperiment was ignored: it belongs before the initialization mode")
             return
         self._start_time, self._assembled = start_time, False
         if stop_time is not None:
             self._latest = stop_time + ROUNDING * math.ulp(max(abs(stop_time), abs(start_time)))
-        if tolerance is not None:
-            self.note(
-                f"tolerance {tolerance!r} has no effect: the accuracy of a run is set by the "
-                "parameter solver.step_size"
-            )
+        try:
+            if stop_time is not None and stop_time > start_time:
+                self._integrator.state.head["horizon"] = stop_time - start_time
+            if tolerance is None:
+                return
+            if self._integrator["solver.tolerance"]:
+                self._integrator["solver.tolerance"] = tolerance
+                return
+            reason = "this run is one of fixed steps, set by solver.step_size and solver.order"
+        except Exception as error:
+            reason = sentence(error)
+        self.note(f"tolerance {tolerance!r} has no effect: {reason}")
 
     def enter_initialization_mode(self) -> None:
         """Begin initialisation; outputs may be read from now on."""

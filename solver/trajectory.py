@@ -91,6 +91,7 @@ def simulate(
     names = _collected(model, outputs)
     indices = [model.index(name) for name in names]
     start, stop, step = _times(model, stop_time, step_size)
+    integrator.state.head["horizon"] = stop - start
     times, rows = [start], [integrator.get(indices)]
     for t, h in communication_points(start, stop, step):
         integrator.advance(t, h)

@@ -69,11 +69,10 @@ def test_a_force_that_senses_holds_the_order_that_is_documented(value, kept, ord
     "text",
     [
         'type = "spring"\npoints = ["ground", "A"]\nat = [1, 0]\nstiffness = 5.0\n',
-        'type = "damper"\npoints = ["ground", "A"]\nat = [1, 0]\ndamping = 0.5\n',
         'type = "potential"\nvalue = "A.x**2 - A.x*A.y**2/6"\n',
         'type = "force"\npoint = "A"\nvalue = ["sin(3*t)", 0]\n',
     ],
-    ids=["spring", "damper", "potential", "load of time"],
+    ids=["spring", "potential", "load of time"],
 )
 def test_what_does_not_sense_keeps_the_order(text) -> None:
     drawn = solver.loads(PENDULUM + text)

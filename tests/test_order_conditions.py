@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from solver.runtime.reference.composition import FIRST_PARTS, stages
+from solver.runtime.reference.composition import EMBEDDED, FIRST_PARTS, embedded, stages
 
 Series = dict[tuple[int, ...], Fraction]
 """Coefficients of words in the letters 1, 3, 5, ... for D1, D3, D5, ...; a letter is its weight."""
@@ -89,3 +89,33 @@ def test_kernel_and_reference_hold_the_same_digits():
     names = {2: "whole", 4: "fourth", 6: "sixth", 8: "eighth"}
     found = {name: tuple(float(x) for x in values.split(",")) for name, values in arrays}
     assert {order: found[name] for order, name in names.items()} == FIRST_PARTS
+
+
+@pytest.mark.parametrize("order", EMBEDDED)
+def test_the_weights_of_the_outputs_vanish_to_their_order_with_a_unit_error_of_the_next(order):
+    outputs = [dict(ONE)]
+    for part in stages(order):
+        outputs.append(product(outputs[-1], pair(Fraction(part).limit_denominator(10**18))))
+    for (lower, _), weights in zip(EMBEDDED[order], embedded(order), strict=True):
+        assert len(weights) == len(outputs)
+
+        def summed(weight: int, weights: tuple[float, ...] = weights) -> list[float]:
+            return [
+                float(
+                    sum(Fraction(w) * y.get(word, 0) for w, y in zip(weights, outputs, strict=True))
+                )
+                for word in words(weight)
+            ]
+
+        for weight in range(lower + 1):
+            assert max(map(abs, summed(weight))) < 1e-14
+        assert sum(x**2 for x in summed(lower + 1)) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_the_kernel_weighs_outputs_as_the_reference_does():
+    kernel = Path(__file__).parents[1] / "solver" / "kernel"
+    text = (kernel / "composition.inc.h").read_text("utf-8")
+    (table,) = re.findall(r"weights\[6\]\[8\] = \{(.*?)\};", text, re.DOTALL)
+    found = re.findall(r"\{(.*?)\}", table, re.DOTALL)
+    rows = [tuple(float(x) for x in row.split(",")) for row in found]
+    assert rows == [first for pairs in EMBEDDED.values() for _, first in pairs]

@@ -1,6 +1,4 @@
-/* A communication step: pairs of half steps, halving on failure. Included once per dimension, after composition.inc.h. */
-
-enum { MAX_HALVINGS = 6 };
+/* A communication step. Included once per dimension, after control.inc.h. */
 
 /* No line through means and changes from before and after a jump. */
 static void start_anew(context *c)
@@ -9,96 +7,25 @@ static void start_anew(context *c)
     forget_changes(c);
 }
 
+/* Whether an input that is held over a communication step differs. */
+static int has_jumped(const context *c, const double *before, const double *inputs)
+{
+    for (int32_t i = 0; i < c->m->n_inputs; i++)
+        if (!c->m->input_ramp[i] && before[i] != inputs[i]) return 1;
+    return 0;
+}
+
 void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, double *work,
                          const double *inputs, const double *parameters)
 {
     context c;
     open_context(&c, m, number, state, work);
     set_laws(&c, c.t, 0);
-    int changed = memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0;
-    for (int32_t i = 0; i < m->n_inputs; i++) changed |= !m->input_ramp[i] && c.s.inputs[i] != inputs[i];
+    if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0) start_anew(&c);
+    if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
-    if (changed) start_anew(&c);
-}
-
-static int32_t single_step(context *c, double h, int half)
-{
-    const int parity = half % 2;
-    c->h = h;
-    c->half = half;
-    if (c->m->sensing) sense(c, h, parity);
-    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
-    signals_at(c, c->t + h, c->k.signal1);
-    const int32_t status = solve_step(c, parity);
-    if (!status) accept_step(c, parity);
-    return status;
-}
-
-/* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours
-   is smooth, and it belongs to the time between them. Two means give the multiplier at the output's time.      */
-static void average_multipliers(context *c, double time)
-{
-    double *head = c->s.head;
-    const hm_state *s = &c->s;
-    if (!is_telling(c)) return;
-    head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
-    head[S_MEAN_TIME] = time;
-    for (int32_t i = 0; i < c->m->n_rows; i++) {
-        s->mean_before[i] = s->mean[i];
-        s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
-    }
-    for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
-        s->driven_mean_before[k] = s->driven_mean[k];
-        s->driven_mean[k] = 0.5 * (s->driven[0][k] + s->driven[1][k]);
-    }
-}
-
-/* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
-static int32_t internal_step(context *c, double h)
-{
-    const int order = (int)c->s.head[S_ORDER];
-    int32_t status = HOLONOM_OK;
-    if (c->s.head[S_PAIRED] == 0.0 && order == 2) {
-        begin_halves(c, 2);
-        status = single_step(c, h, (int)c->s.head[S_PARITY]);
-        if (!status) average_multipliers(c, c->t - h);
-        return status;
-    }
-    const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
-    memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
-    int stages = 1;
-    stage(order, 0, &stages);
-    begin_halves(c, 2 * stages);
-    for (int i = 0; i < stages && !status; i++) {
-        const double half = 0.5 * h * stage(order, i, &stages);
-        status = single_step(c, half, 2 * i);
-        if (!status) status = single_step(c, half, 2 * i + 1);
-        if (!status) average_multipliers(c, c->t - half);
-    }
-    /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
-    if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
-    return status;
-}
-
-static int32_t interval(context *c, double h, int halvings)
-{
-    const double t = c->t, law_time = c->number[c->m->time_at];
-    const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
-    int32_t status = internal_step(c, h);
-    if (!status) return HOLONOM_OK;
-    if (c->s.head[S_PAIRED] != 0.0 || c->s.head[S_ORDER] != 2.0) {
-        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
-        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
-    }
-    c->t = t;
-    c->s.head[S_PENALTY_LEVEL] = c->s.head[S_SLOW_STEPS] = 0.0;
-    c->s.head[S_NEWTON] = newton;
-    c->s.head[S_UZAWA] = uzawa;
-    if (halvings == MAX_HALVINGS) return status;
-    status = interval(c, 0.5 * h, halvings + 1);
-    return status ? status : interval(c, 0.5 * h, halvings + 1);
 }
 
 /* How fast input i goes to its new value over a communication step; a held one does not. */
@@ -143,18 +70,13 @@ int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, 
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 0.0 && step < 1e300)) return HOLONOM_BAD_STEP;
-    const double count = ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10)); /* robust against the last digit */
-    if (!(count < 1e9)) return HOLONOM_BAD_STEP;
     memcpy(c.k.step_backup, head, sizeof(double) * (size_t)c.state_size);
     head[S_NEWTON] = head[S_UZAWA] = head[S_SUBSTEPS] = 0.0;
-    const int64_t n = count < 1.0 ? 1 : (int64_t)count;
-    const double start = head[S_TIME], h = step / (double)n;
+    const double start = head[S_TIME];
+    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_changes(&c);
     int32_t status = start_ramps(&c, step);
     set_laws(&c, start, 0);
-    for (int64_t i = 0; i < n && !status; i++) {
-        c.t = start + h * (double)i;
-        status = interval(&c, h, 0);
-    }
+    if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {

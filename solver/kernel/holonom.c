@@ -87,6 +87,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->rhs = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->value = take(block, &used, m->n_lu_values);
     map_composite(m, block, &used, k);
+    k->estimate = take(block, &used, 4 * n);
     k->step_backup = take(block, &used, state_size);
     k->pair_backup = take(block, &used, state_size);
     return used;
@@ -114,7 +115,7 @@ int64_t holonom_measured_size(const holonom_model *m)
     const int64_t motion = 2 * (int64_t)m->dim * (m->n_free + m->n_driven + m->n_places) + 2 * (int64_t)m->n_quantities;
     const int64_t forces = (int64_t)m->n_elements + m->n_form_rows + m->n_rows;
     const int64_t reactions = (m->dim + turning) * m->n_reactions + (int64_t)m->dim * m->n_driven;
-    return motion + forces + 7 * (int64_t)m->n_bodies + reactions + 9 + m->dim + turning + 4;
+    return motion + forces + 7 * (int64_t)m->n_bodies + reactions + 9 + m->dim + turning + 5;
 }
 
 void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }

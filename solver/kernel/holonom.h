@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 5
+#define HOLONOM_ABI 6
 
 enum holonom_status {
     HOLONOM_OK = 0,
@@ -175,9 +175,10 @@ enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY,
-    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_KNOWN, S_HALVES, S_NEWTON, S_UZAWA, S_SUBSTEPS,
+    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_KNOWN, S_HALVES, S_WANTED, S_LAST_LENGTH, S_ORDER_IN_USE, S_NEWTON, S_UZAWA, S_SUBSTEPS,
     S_STATUS, S_FORMULATION, S_SIMULTANEOUS, S_PAPER_UPDATE, S_PAIRED, S_STEP_SIZE, S_NEWTON_TOLERANCE, S_PENALTY,
-    S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_ASSEMBLE, S_EQUILIBRIUM, S_ORDER, S_HEAD
+    S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_ASSEMBLE, S_EQUILIBRIUM, S_ORDER,
+    S_TOLERANCE, S_ABSOLUTE_TOLERANCE, S_LONGEST_STEP, S_HORIZON, S_HEAD
 };
 
 HOLONOM_API int32_t holonom_abi(void);
@@ -216,7 +217,7 @@ HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers,
    the form rows, multipliers, quaternions (w, x, y, z) and angular velocities of the bodies, reaction forces,
    reaction torques, forces on driven nodes, then kinetic, potential, total, work, dissipated, balance, error
    (7 energies), position and velocity residuals (2), momentum dim, angular momentum 1 or 3, Newton
-   iterations, Uzawa updates, substeps, status (4).                                                           */
+   iterations, Uzawa updates, substeps, order in use, status (5).                                                          */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, const double *state, double *work);
 
 /* One step of length h from `state` (not modified), for tests of the tangent: residual r at the increment

@@ -16,6 +16,8 @@
 #include "clock.inc.h"
 #include "start.inc.h"
 #include "composition.inc.h"
+#include "interval.inc.h"
+#include "control.inc.h"
 #include "advance.inc.h"
 #include "seek.inc.h"
 #include "measure.inc.h"

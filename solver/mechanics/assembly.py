@@ -89,7 +89,7 @@ def model_of(scene: Scene) -> Model:
             start_time=scene.experiment.start_time,
             stop_time=scene.experiment.stop_time,
             step_size=scene.experiment.step_size,
-            tolerance=scene.experiment.tolerance,
+            tolerance=scene.experiment.tolerance or scene.solver.tolerance or None,
         ),
     )
 

@@ -95,6 +95,12 @@ SENTENCE = {
 }
 """What each status means, and the remedy."""
 
+LIMITED = (
+    "solver.order is {:g}, but steps are of order 2: dampers take energy out, which the parts of a "
+    "step of higher order that go back in time would give"
+)
+"""What is said once where dampers limit the order."""
+
 NO_EQUILIBRIUM = (
     "no static equilibrium was found from the drawn configuration; look for a part that nothing "
     "holds, or draw it closer to where it comes to rest"

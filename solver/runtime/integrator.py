@@ -14,7 +14,7 @@ from .assembly_checks import (
     formulation_problems,
     rules_of_laws,
 )
-from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
+from .errors import LIMITED, SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
 from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
@@ -65,7 +65,7 @@ class Integrator:
     def __init__(
         self, model: Model, *, kernel: str = "auto", log: Callable[[str], None] | None = None
     ) -> None:
-        self.model = model
+        self.model, self._log = model, log
         self.engine = _engine(model, kernel, log)
         self.state = State(model, self.engine.state)
         self._base = model.offsets["measured"]
@@ -82,10 +82,10 @@ class Integrator:
                 self._vector(variable)[variable.place] = variable.start  # type: ignore[assignment]
         for name, default in DEFAULTS.items():
             self._set_option(name, self.model.settings.get(name, default))
-        self.state.head["time"] = self.model.experiment.start_time
-        self.phase = CONFIGURED
-        self.message = SENTENCE[Status.OK]
-        self._measured = False
+        start, stop, *_ = self.model.experiment
+        self.state.head["time"], self.state.head["horizon"] = start, stop - start
+        self.phase, self.message = CONFIGURED, SENTENCE[Status.OK]
+        self._measured = self._limited = False
 
     # ------------------------------------------------------------------------------- values
 
@@ -265,6 +265,9 @@ class Integrator:
         head["time"] = t + step
         self.phase = MOVING
         self.message = SENTENCE[Status.OK]
+        if head["order"] > head["order_in_use"] and not self._limited:
+            self._limited = True  # said once
+            (self._log or str)(LIMITED.format(head["order"]))
 
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)

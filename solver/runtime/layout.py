@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 5
+ABI = 6
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -47,10 +47,11 @@ HEAD = (
     "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
     "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
     "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps", "dependent",
-    "known", "halves", "newton_iterations", "uzawa_iterations", "substeps", "status",
-    "formulation", "simultaneous", "paper_update", "paired", "step_size",
-    "newton_tolerance", "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble",
-    "equilibrium", "order",
+    "known", "halves", "wanted", "last_length", "order_in_use", "newton_iterations",
+    "uzawa_iterations", "substeps", "status", "formulation", "simultaneous", "paper_update",
+    "paired", "step_size", "newton_tolerance", "penalty", "xi", "omega", "max_newton",
+    "max_uzawa", "assemble", "equilibrium", "order", "tolerance", "absolute_tolerance",
+    "longest_step", "horizon",
 )  # fmt: skip
 """Scalars at the head of a state."""
 
@@ -132,7 +133,7 @@ def measured_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         "residual": 2,
         "momentum": dim,
         "angular_momentum": turning,
-        "solver": 4,
+        "solver": 5,
     }
     return _consecutive(lengths, 0)
 

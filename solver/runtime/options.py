@@ -34,6 +34,14 @@ SWITCHES = ("paired", "assemble")
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
     "step_size": (0.0, 1e6, "s", "longest internal step"),
+    "tolerance": (-5e-324, 0.1, "", "relative error of a run, or 0: steps of step_size"),
+    "absolute_tolerance": (
+        -5e-324,
+        1e6,
+        "m",
+        "error that is small enough, added to the relative one",
+    ),
+    "longest_step": (0.0, 1e6, "s", "longest internal step where tolerance chooses"),
     "newton_tolerance": (0.0, 1e-3, "", "relative error of a step's solution in the energy norm"),
     "penalty": (0.0, 1e14, "", "dimensionless penalty alpha h^2 sigma/4 of each constraint row"),
     "xi": (-5e-324, 1e6, "", "damping ratio of penalty-velocity"),
@@ -49,7 +57,8 @@ MEANINGS = {
     "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),
     "algorithm": "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
     "multiplier_update": "with the constraint at the end of the step (end) or its mean (paper)",
-    "order": "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a step",
+    "order": "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a step; "
+    "0: chosen by the tolerance",
     "start": "begin as drawn, or at rest in the static equilibrium next to it",
     "assemble": "close a mechanism that is drawn inexactly, and make its velocities consistent",
     "paired": "advance by pairs of half steps, which makes velocities smooth",
@@ -62,10 +71,13 @@ GENERAL = ("conserving-al", "conserving-al-beta")
 
 WHOLE = ("max_newton", "max_uzawa")
 
+AUTOMATIC = 0.0
+"""Order that the tolerance chooses."""
+
 ORDERS = (2.0, 4.0, 6.0, 8.0)
 """Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
 
-SLOTS = {2: 4, 4: 10, 6: 18, 8: 30}
+SLOTS = {0: 30, 2: 4, 4: 10, 6: 18, 8: 30}
 """Half steps of an internal one whose changes a state keeps, as they predict those of the next: all
 of one internal step, and at order 2, where that saves a third of the iterations, of two."""
 
@@ -82,6 +94,9 @@ DEFAULTS: dict[str, str | bool | float] = {
     "max_newton": 20.0,
     "max_uzawa": 20.0,
     "order": 2.0,
+    "tolerance": 0.0,
+    "absolute_tolerance": 0.0,
+    "longest_step": 1e6,
     "assemble": False,
     "start": "drawn",
 }
@@ -106,8 +121,9 @@ def encode(name: str, value: object) -> tuple[str, float]:
             raise OptionError(message)
         return name, float(bool(value))
     if name == "order":
-        if value not in ORDERS or isinstance(value, bool):
-            message = f"solver.order: must be 2, 4, 6 or 8, got {value!r}"
+        if value not in (AUTOMATIC, *ORDERS) or isinstance(value, bool):
+            rule = "2, 4, 6 or 8, or 0 for one that the tolerance chooses"
+            message = f"solver.order: must be {rule}, got {value!r}"
             raise OptionError(message)
         return name, float(value)  # type: ignore[arg-type]
     if name not in RANGES:

@@ -62,9 +62,13 @@ class Solver(Part):
     ] = "conserving-al"
     algorithm: Literal["nested", "simultaneous"] = "nested"
     multiplier_update: Literal["end", "paper"] = "end"
-    order: Literal[2, 4, 6, 8] = 2
+    order: Literal[2, 4, 6, 8] | None = Field(None, description="2, or chosen by the tolerance")
     paired: bool = True
     step_size: Expression | None = Field(None, description="s, at most the communication step")
+    tolerance: Expression | None = Field(
+        None, description="error of a run; else steps of step_size"
+    )
+    absolute_tolerance: Expression | None = Field(None, description="m")
     newton_tolerance: Expression | None = None
     penalty: Expression | None = None
     xi: Expression | None = None

@@ -13,6 +13,9 @@ _COUNTS = ("max_newton", "max_uzawa")
 
 RANGES = {
     "step_size": up_to(1e6),
+    "tolerance": up_to(0.1, NOT_NEGATIVE),
+    "absolute_tolerance": up_to(1e6, NOT_NEGATIVE),
+    "longest_step": up_to(1e6),
     "newton_tolerance": up_to(1e-3),
     "penalty": up_to(1e14),
     "xi": up_to(1e6, NOT_NEGATIVE),
@@ -21,10 +24,10 @@ RANGES = {
 }
 """Settings that are numbers; the ranges are those of ``solver.runtime.options``."""
 
-_UNITS = {"step_size": "s", "omega": "rad/s"}
+_UNITS = {"step_size": "s", "absolute_tolerance": "m", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
 _CHOICES = (
-    *("formulation", "algorithm", "multiplier_update", "order", "paired"),
+    *("formulation", "algorithm", "multiplier_update", "paired"),
     *("assemble", "start"), *_COUNTS,
 )  # fmt: skip
 
@@ -62,9 +65,14 @@ def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
             ("solver", name), given, default, RANGES[name], _UNITS.get(name, "")
         )
 
+    tolerance = setting("tolerance")
     return SolverSettings(
         **{name: getattr(solver, name) for name in _CHOICES},
+        order=solver.order or (0 if tolerance else _DEFAULT.order),
         step_size=step_size,
+        longest_step=step_size if tolerance and solver.step_size else _DEFAULT.longest_step,
+        tolerance=tolerance,
+        absolute_tolerance=setting("absolute_tolerance"),
         newton_tolerance=setting("newton_tolerance"),
         penalty=setting("penalty"),
         xi=setting("xi"),

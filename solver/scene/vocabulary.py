@@ -107,11 +107,18 @@ class SolverSettings:
     algorithm: str = "nested"
     multiplier_update: str = "end"
     order: int = 2
-    """2, 4, 6 or 8: a step is a symmetric composition of 1, 5, 9 or 15 pairs."""
+    """2, 4, 6 or 8: a step is a symmetric composition of 1, 5, 9 or 15 pairs; 0: chosen by the
+    tolerance."""
     paired: bool = True
     """Advance by pairs of half steps, which smooths velocities and multipliers."""
     step_size: float = 0.01
     """Internal step in s; at most the communication step."""
+    tolerance: float = 0.0
+    """Relative error of a run that orders and steps are chosen for; 0: steps of `step_size`."""
+    absolute_tolerance: float = 0.0
+    """Error in m that is small enough, besides the relative one."""
+    longest_step: float = 1e6
+    """Longest internal step in s where the tolerance chooses."""
     newton_tolerance: float = 1e-12
     """What a step must be solved to: Newton's error relative to the energy (in the energy norm),
     constraints relative to length squared."""

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..errors import Status
 from ..model import Model
 from .bodies import directors, quaternion
 from .clock import Clock
 from .composition import stages
+from .control import Control
 from .course import ANGLE, Present, crossings
-from .energy import book_step
+from .energy import book_step, follow_energy_reference
 from .mechanism import Mechanism
 from .prediction import Prediction
 from .state import Motion, add
 from .step import Step
 from .unsolved import UnsolvedError
 
-MAX_HALVINGS = 6
+Array = NDArray[np.float64]
+
+MAX_HALVINGS, MAX_REPEATS = 6, 40
 
 
 def follow_bodies(model: Model, motion: Motion) -> None:
@@ -31,17 +37,67 @@ class Advance:
 
     def __init__(self, mechanism: Mechanism, motion: Motion, clock: Clock) -> None:
         self.mechanism, self.motion, self.clock = mechanism, motion, clock
+        self.control = Control(mechanism, motion)
 
-    def cover(self, start: float, step: float, n: int) -> None:
-        """Cover a communication step by n internal ones."""
-        h = step / n
+    def cover(self, start: float, step: float) -> None:
+        """Cover a communication step by internal ones."""
         self.clock.set_laws(self.mechanism, start)
-        for i in range(n):
-            self._interval(start + h * i, h, 0)
+        if self.motion.head["tolerance"] > 0.0:
+            self._cover_to_tolerance(start, step)
+        else:
+            self._cover_evenly(start, step)
         if self.clock.model.sizes["time_dependent"]:
             self.clock.set_laws(self.mechanism, start + step, booked=True)
         if not math.isfinite(self.motion.head["work"]):
             raise UnsolvedError(Status.BAD_LAW)
+
+    def _cover_evenly(self, start: float, step: float) -> None:
+        """Take equal steps of at most the option step_size, of the order asked for."""
+        head = self.motion.head
+        n = math.ceil(step / head["step_size"] * (1.0 - 1e-10))  # robust against the last digit
+        if not n < 1e9:
+            raise UnsolvedError(Status.BAD_STEP)
+        n = max(1, n)
+        head["order_in_use"] = 2.0 if self.control.dissipative else max(head["order"], 2.0)
+        for i in range(n):
+            self._interval(start + step / n * i, step / n, 0)
+
+    def _cover_to_tolerance(self, start: float, step: float) -> None:
+        """Take steps that the control chooses; the end is met exactly."""
+        head, control, done, repeats = self.motion.head, self.control, 0.0, 0
+        control.begin()
+        while done < step:
+            rest, longest = step - done, min(head["wanted"], head["longest_step"])
+            n = max(1.0, np.ceil(rest / longest * (1.0 - 1e-10)))
+            if not n < 1e9:
+                raise UnsolvedError(Status.BAD_STEP)
+            h = rest / n
+            backup, numbers = self.motion.block.copy(), self.clock.numbers.copy()
+            try:
+                self._internal_step(start + done, h)
+                repeated = control.rejects(h, step)
+                wanted = head["wanted"]
+            except UnsolvedError:
+                if repeats >= MAX_REPEATS:
+                    raise
+                repeated, wanted = True, 0.5 * h
+            if repeated and repeats < MAX_REPEATS:
+                repeats += 1
+                self._undo(backup, numbers)
+                head["wanted"] = wanted
+                continue
+            repeats = 0
+            done = step if n == 1.0 else done + h
+            follow_energy_reference(self.mechanism, self.motion)
+
+    def _undo(self, backup: Array, numbers: Array) -> None:
+        """Take an internal step back; what it cost stays counted."""
+        head = self.motion.head
+        spent = {name: head[name] for name in ("newton_iterations", "uzawa_iterations")}
+        self.motion.block[:], self.clock.numbers[:] = backup, numbers
+        head["penalty_level"] = head["slow_steps"] = 0.0
+        for name, count in spent.items():
+            head[name] = count
 
     def _interval(self, t: float, h: float, halvings: int) -> None:
         """Cover [t, t + h] by one internal step, or by two of half the length if it fails."""
@@ -50,8 +106,7 @@ class Advance:
         try:
             self._internal_step(t, h)
         except UnsolvedError:
-            motion.block[:], self.clock.numbers[:] = backup, numbers
-            motion.head["penalty_level"] = motion.head["slow_steps"] = 0.0
+            self._undo(backup, numbers)
             if halvings == MAX_HALVINGS:
                 raise
             self._interval(t, 0.5 * h, halvings + 1)
@@ -63,22 +118,25 @@ class Advance:
         The plain step reflects the velocity normal to the constraints; a pair reflects it twice.
         """
         head = self.motion.head
-        if not head["paired"] and head["order"] == 2.0:
+        order = int(head["order_in_use"])
+        if not head["paired"] and order == 2 and not head["tolerance"] > 0.0:
             prediction = Prediction(self.motion, 2)
             prediction.half = int(head["parity"])
             self._single_step(t, h, prediction)
             self._average_multipliers(t, h)
             return
         dissipated = head["dissipated"] - 1e-9 * head["energy_reference"]
-        parts = stages(int(head["order"]))
+        parts = stages(order)
+        self.control.open(order)
         prediction = Prediction(self.motion, 2 * len(parts))
         for part in parts:
             half = 0.5 * h * part
             self._single_step(t, half, prediction)
             self._single_step(t + half, half, prediction)
             self._average_multipliers(t + half, half)
+            self.control.gather()
             t += 2.0 * half
-        if head["order"] != 2.0 and not head["dissipated"] >= dissipated:
+        if order != 2 and not head["dissipated"] >= dissipated:
             raise UnsolvedError(Status.DAMPING_REVERSED)
 
     def _average_multipliers(self, time: float, h: float) -> None:

@@ -170,6 +170,6 @@ class Measurement:
         return np.cross(x, p).sum(axis=0)
 
     def solver(self) -> list[float]:
-        """Newton iterations, Uzawa updates, substeps and status of the last communication step."""
-        names = ("newton_iterations", "uzawa_iterations", "substeps", "status")
+        """Iterations, updates, substeps, order and status of the last communication step."""
+        names = ("newton_iterations", "uzawa_iterations", "substeps", "order_in_use", "status")
         return [self.motion.head[name] for name in names]

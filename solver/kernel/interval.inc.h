@@ -1,0 +1,112 @@
+/* Internal steps: pairs of half steps, halving on failure. Included once per dimension, after composition.inc.h. */
+
+enum { MAX_HALVINGS = 6 };
+
+static int32_t single_step(context *c, double h, int half)
+{
+    const int parity = half % 2;
+    c->h = h;
+    c->half = half;
+    if (c->m->sensing) sense(c, h, parity);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
+    signals_at(c, c->t + h, c->k.signal1);
+    const int32_t status = solve_step(c, parity);
+    if (!status) accept_step(c, parity);
+    return status;
+}
+
+/* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours
+   is smooth, and it belongs to the time between them. Two means give the multiplier at the output's time.      */
+static void average_multipliers(context *c, double time)
+{
+    double *head = c->s.head;
+    const hm_state *s = &c->s;
+    if (!is_telling(c)) return;
+    head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
+    head[S_MEAN_TIME] = time;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        s->mean_before[i] = s->mean[i];
+        s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
+    }
+    for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
+        s->driven_mean_before[k] = s->driven_mean[k];
+        s->driven_mean[k] = 0.5 * (s->driven[0][k] + s->driven[1][k]);
+    }
+}
+
+/* Adds the output after a stage to the differences from the embedded solutions. */
+static void gather_estimates(context *c, int order, int i, int stages)
+{
+    const int64_t n = DIM * c->n_moving;
+    const hm_state *s = &c->s;
+    if (!(s->head[S_TOLERANCE] > 0.0) || order == 2) return;
+    const double *q0 = c->k.pair_backup + (s->q - s->head), *q0_low = c->k.pair_backup + (s->q_low - s->head);
+    const double *v0 = c->k.pair_backup + (s->v - s->head), *v0_low = c->k.pair_backup + (s->v_low - s->head);
+    for (int lower = 0; lower < 2; lower++) {
+        const double weight = embedded(order, lower, i, stages);
+        double *q = c->k.estimate + 2 * n * lower, *v = q + n;
+        for (int64_t k = 0; k < n; k++) {
+            q[k] = (i > 1 ? q[k] : 0.0) + weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0_low[k]));
+            v[k] = (i > 1 ? v[k] : 0.0) + weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0_low[k]));
+        }
+    }
+}
+
+/* Whether steps come one by one, not in pairs. */
+static int is_plain(const context *c)
+{
+    return c->s.head[S_PAIRED] == 0.0 && c->s.head[S_ORDER_IN_USE] == 2.0 && !(c->s.head[S_TOLERANCE] > 0.0);
+}
+
+/* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
+static int32_t internal_step(context *c, double h)
+{
+    const int order = (int)c->s.head[S_ORDER_IN_USE];
+    int32_t status = HOLONOM_OK;
+    if (is_plain(c)) {
+        begin_halves(c, 2);
+        status = single_step(c, h, (int)c->s.head[S_PARITY]);
+        if (!status) average_multipliers(c, c->t - h);
+        return status;
+    }
+    const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
+    memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    int stages = 1;
+    stage(order, 0, &stages);
+    begin_halves(c, 2 * stages);
+    for (int i = 0; i < stages && !status; i++) {
+        const double half = 0.5 * h * stage(order, i, &stages);
+        status = single_step(c, half, 2 * i);
+        if (!status) status = single_step(c, half, 2 * i + 1);
+        if (!status) average_multipliers(c, c->t - half);
+        if (!status) gather_estimates(c, order, i + 1, stages);
+    }
+    /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
+    if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
+    return status;
+}
+
+/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted. */
+static void undo_step(context *c, double t, double law_time)
+{
+    const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
+    if (!is_plain(c)) {
+        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
+    }
+    c->t = t;
+    c->s.head[S_PENALTY_LEVEL] = c->s.head[S_SLOW_STEPS] = 0.0;
+    c->s.head[S_NEWTON] = newton;
+    c->s.head[S_UZAWA] = uzawa;
+}
+
+static int32_t interval(context *c, double h, int halvings)
+{
+    const double t = c->t, law_time = c->number[c->m->time_at];
+    int32_t status = internal_step(c, h);
+    if (!status) return HOLONOM_OK;
+    undo_step(c, t, law_time);
+    if (halvings == MAX_HALVINGS) return status;
+    status = interval(c, 0.5 * h, halvings + 1);
+    return status ? status : interval(c, 0.5 * h, halvings + 1);
+}

@@ -1,0 +1,135 @@
+"""A tolerance instead of a step: what a run's error is, and what stays exact whatever is chosen."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import solver
+from solver.runtime import Integrator
+from tests.exact_motions import double_pendulum_motion
+from tests.mechanism_runs import scene
+from tests.problems import Array, assemble, double_pendulum
+from tests.twins import KERNELS, block, vector
+
+SWING = double_pendulum(math.pi / 6)
+POINTS = [f"{point}.{part}" for part in "xy" for point in "AB"]
+RELATIVE = math.sqrt(2.0 * (2.0 * math.sin(math.pi / 6)) ** 2)
+
+
+def swinging(tolerance: float, *, kernel: str = "auto", **settings: float) -> Integrator:
+    """Double pendulum from 30 degrees over 10 s."""
+    return Integrator(assemble(SWING, tolerance=tolerance, **settings), kernel=kernel)
+
+
+def error_at_the_end(integrator: Integrator, step: float = 10.0) -> float:
+    """Largest error of a coordinate at 10 s, in m; the mechanism is 2 m long."""
+    for _ in range(round(10.0 / step)):
+        integrator.advance(integrator.time, step)
+    q, _ = double_pendulum_motion(np.array([0.0, 10.0]), math.pi / 6)
+    return float(np.abs([integrator[name] for name in POINTS] - q[-1].T.ravel()).max())
+
+
+def test_the_error_of_a_run_follows_the_request_within_a_decade():
+    asked = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
+    errors = [error_at_the_end(swinging(tolerance)) / 2.0 for tolerance in asked]
+    for tolerance, error in zip(asked, errors, strict=True):
+        assert 0.01 * tolerance < error < 10.0 * tolerance
+    assert errors == sorted(errors, reverse=True)
+
+
+@pytest.mark.parametrize("order", [2, 4, 6, 8])
+def test_an_order_that_is_given_is_kept(order):
+    tolerance = 1e-4 if order == 2 else 1e-6
+    run = swinging(tolerance, order=order)
+    assert error_at_the_end(run) / 2.0 < 10.0 * tolerance
+    assert run["solver.order_in_use"] == order
+
+
+def test_shorter_communication_steps_choose_lower_orders_and_meet_them_exactly():
+    orders = []
+    for step in (5.0, 0.05, 0.001):
+        run = swinging(1e-4)
+        for _ in range(10):
+            run.advance(run.time, step)
+        assert run.time == pytest.approx(10 * step, abs=1e-15)
+        orders.append(float(run["solver.order_in_use"]))
+    assert orders == sorted(orders, reverse=True)
+    assert orders[0] > 2.0 == orders[-1]
+    assert run["solver.substeps"] == 2.0
+
+
+@pytest.mark.parametrize("name", ["bricard", "heavy_top", "four_bar", "rolling_disc", "andrews"])
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-8])
+def test_energy_and_constraints_stay_at_round_off_for_any_sequence_of_steps(name, tolerance):
+    run = Integrator(solver.assemble(solver.load(scene(name))))
+    run["solver.tolerance"], run["solver.order"] = tolerance, 4.0
+    stop = min(1.0, run.model.experiment.stop_time)
+    for _ in range(5):
+        run.advance(run.time, stop / 5)
+    assert float(run["energy.error"]) < 1e-12
+    assert float(run["constraint.position"]) < 1e-12
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_saved_state_chooses_the_same_to_the_last_bit(kernel):
+    first, second = (swinging(1e-5, kernel=kernel) for _ in range(2))
+    for _ in range(3):
+        first.advance(first.time, 0.1)
+    second.restore(first.save())
+    for run in (first, second):
+        for _ in range(3):
+            run.advance(run.time, 0.1)
+    assert np.array_equal(block(first), block(second))
+
+
+@pytest.mark.parametrize("settings", [{}, {"order": 2}, {"order": 6}], ids=str)
+def test_kernel_and_reference_choose_alike(settings):
+    ours, theirs = (swinging(1e-5, kernel=kernel, **settings) for kernel in KERNELS)
+    for step in (0.1, 0.1, 0.02, 0.02, 0.3):
+        for run in (ours, theirs):
+            run.advance(run.time, step)
+        chosen = [
+            [run.state.head[name] for name in ("substeps", "order_in_use", "wanted")]
+            for run in (ours, theirs)
+        ]
+        assert chosen[0] == pytest.approx(chosen[1], rel=1e-6)
+    assert vector(ours, "q") == pytest.approx(vector(theirs, "q"), abs=1e-11)
+
+
+def test_an_absolute_tolerance_is_a_floor_under_the_relative_one():
+    coarse, fine = swinging(1e-8, absolute_tolerance=1e-3), swinging(1e-8)
+    assert 1e-6 < error_at_the_end(coarse) < 1e-2
+    assert error_at_the_end(fine) < 1e-7
+    assert coarse["solver.substeps"] < fine["solver.substeps"]
+
+
+def test_the_step_size_is_then_the_longest_internal_step():
+    run = swinging(0.1, step_size=0.01, order=2)
+    run.advance(0.0, 1.0)
+    assert run["solver.substeps"] >= 200.0
+
+
+def test_what_dissipates_is_solved_to_its_tolerance_with_order_two():
+    drawn = solver.load(scene("spring_pendulum"))
+    ends: list[Array] = []
+    for tolerance in (1e-3, 1e-4, 1e-6):
+        run = Integrator(solver.assemble(drawn))
+        run["solver.tolerance"], run["solver.order"] = tolerance, 0.0
+        run.advance(0.0, run.model.experiment.stop_time)
+        assert run["solver.order_in_use"] == 2.0
+        assert abs(float(run["energy.balance"])) < 1e-11
+        ends.append(vector(run, "q"))
+    size = float(run.state.vectors["derived"][0])
+    for tolerance, place in zip((1e-3, 1e-4), ends, strict=False):
+        assert 0.01 * tolerance < np.abs(place - ends[-1]).max() / size < 10 * tolerance
+
+
+def test_the_order_and_length_of_steps_are_left_to_the_tolerance_in_a_scene_too():
+    settings = solver.loads(
+        'name = "one"\n[points.A]\nposition = [0, 0, 0]\nmass = 1.0\n[solver]\ntolerance = 1e-5\n'
+    ).solver
+    assert (settings.order, settings.tolerance) == (0, 1e-5)
+    assert settings.longest_step == solver.scene.SolverSettings().longest_step
