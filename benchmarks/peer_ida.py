@@ -19,7 +19,7 @@ from benchmarks.timing import Entry
 
 TOLERANCES = tuple(10.0**-k for k in range(3, 13))
 LARGEST = 100
-"""Bodies above which CasADi takes minutes to prepare."""
+"""Most bodies of a model that is measured."""
 
 
 class Equations:
@@ -219,7 +219,7 @@ def _excuse(problem: Problem) -> str:
     if not flat or not all(b.turn[:2] == (0.0, 0.0) for b in problem.bodies.values()):
         return "not modelled: this model of it is planar"
     if len(problem.bodies) > LARGEST:
-        return "not measured: takes minutes to prepare"
+        return f"not measured: more than {LARGEST} bodies"
     return ""
 
 

@@ -111,7 +111,7 @@ def _python_method(kind: str, tolerances: Sequence[float]) -> Method:
 def _excuse(kind: str) -> Callable[[Problem], str]:
     def excuse(problem: Problem) -> str:
         if kind == "DOP853" and problem.key == "governor":
-            return "not measured: an explicit method on a stiff problem takes half a minute"
+            return "not measured: an explicit method, stepped in Python, on a stiff problem"
         if kind == "Radau" and problem.key in ("chain_100", "chain_1000"):
             return "not measured: its Jacobian by differences is dense"
         return ""
