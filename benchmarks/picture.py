@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 OURS = "holonom"
-BLUES = ("#9ecae1", "#6baed6", "#2171b5", "#08306b")
+BLUES = ("#9ecae1", "#6baed6", "#2171b5", "#08306b", "cyan")
 """Of our curves, in their order."""
 OTHERS = (
     "tab:orange", "tab:red", "tab:brown", "tab:green", "tab:olive", "tab:purple", "tab:pink",

@@ -105,8 +105,8 @@ class Curve:
 
 
 def curves() -> list[Curve]:
-    """The orders, by numbers of steps; a curve by tolerance has its place beside them."""
-    return [_of_order(order) for order in ORDERS]
+    """The orders, by numbers of steps, and the choice of order and steps by tolerance."""
+    return [*(_of_order(order) for order in ORDERS), _BY_TOLERANCE]
 
 
 def _of_order(order: int) -> Curve:
@@ -117,6 +117,19 @@ def _of_order(order: int) -> Curve:
         settings=lambda problem, count: {"order": order, "step_size": problem.stop / count},
         solves=lambda count: 2 * STAGES[order] * count,
     )
+
+
+_BY_TOLERANCE = Curve(
+    name="holonom by tolerance",
+    label="tolerance {:.0e}",
+    values=lambda _: [10.0**-k for k in range(2, 12)],
+    settings=lambda problem, tolerance: {
+        "tolerance": tolerance,
+        "order": 0,
+        "longest_step": problem.stop,
+    },
+    solves=lambda _: math.inf,
+)
 
 
 class _Runs:
@@ -159,7 +172,8 @@ class _Runs:
     def _observe(self, problem: Problem, curve: Curve, value: float) -> Observed:
         settings = curve.settings(problem, value)
         integrator = self._start(settings)
-        whole = round(problem.stop / float(settings.get("step_size", problem.stop / SAMPLES)))
+        # Steps that a tolerance chooses would be others if the run were divided.
+        whole = round(problem.stop / float(settings.get("step_size", problem.stop)))
         pieces = max(k for k in range(1, min(SAMPLES, whole) + 1) if whole % k == 0)
         energies, substeps = [self._energy(integrator)], 0.0
         try:
@@ -171,8 +185,9 @@ class _Runs:
         except StepError as error:
             raise GaveUpError(str(error).partition(";")[0]) from error
         remark = "some steps halved" if substeps > curve.solves(value) else ""
-        if "order" in settings and integrator["solver.order"] != settings["order"]:
-            remark = f"limited to order {integrator['solver.order']:g}: dampers"
+        used = float(integrator["solver.order_in_use"])
+        if settings["order"] and used != settings["order"]:
+            remark = f"limited to order {used:g}: dampers"
         return Observed.of(*watched(problem, integrator), energies, remark)
 
     def _energy(self, integrator: Integrator) -> float:
