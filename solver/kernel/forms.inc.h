@@ -26,6 +26,7 @@ typedef struct context {
     double lever;
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int forceless;      /* 1: only the rows act                                                               */
+    const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
 } context;
 
 static inline double dot(const double *a, const double *b)
@@ -34,6 +35,8 @@ static inline double dot(const double *a, const double *b)
     EACH(k) sum += a[k] * b[k];
     return sum;
 }
+
+static inline int is_lean(const context *c) { return c->lu == &c->m->lean; }
 
 static inline int is_seeking(const context *c) { return c->lever != 0.5; }
 
@@ -53,6 +56,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->lever = 0.5;
     c->half = 0, c->halves = 2;
     c->forceless = 0;
+    c->lu = &m->full;
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
 

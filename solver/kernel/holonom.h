@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 6
+#define HOLONOM_ABI 8
 
 enum holonom_status {
     HOLONOM_OK = 0,
@@ -54,6 +54,22 @@ enum holonom_formulation {
     HOLONOM_PENALTY_VELOCITY = 4,   /* eq 3 under the midpoint rule                                   */
     HOLONOM_CONSERVING_AL_BETA = 5     /* eq 15, function rows with the intermediate configuration of eq 8 */
 };
+
+/* Elimination of the tangent: of all of it, or lean, without stiffness, which leaves G and what M couples. Lean
+   factors are a Schur complement G M^-1 G' in disguise: cheap where M is diagonal, and good for short steps.     */
+typedef struct holonom_elimination {
+    const int32_t *node_position; /* n_free: first place of the node in the elimination order              */
+    const int32_t *row_position;  /* n_rows: place of the row's multiplier                                 */
+    const int32_t *lu_ptr;        /* n + 1, n = dim n_free + n_rows: pivot k owns [diagonal, U row, L col] */
+    const int32_t *lu_column;     /* places coupled to each pivot, in the order of its U row               */
+    const int32_t *lu_target;     /* for each pivot m x m targets of its update, row by row                */
+    const int32_t *mass_slot;     /* n_mass_free * dim                                                     */
+    const int32_t *row_slot;      /* per form row, k free entries: stiffness (k k dim; turned k k dim dim; linear
+                                     or lean none), k dim upper, k dim lower                               */
+    const int32_t *coincidence_slot; /* per coincidence and free entry: dim upper, dim lower (turned: dim dim) */
+    const int32_t *composite_slot;   /* per composite, K nodes: (K dim)^2 unless lean; of rows also K dim upper,
+                                        K dim lower                                                        */
+} holonom_elimination;
 
 /* Structure of a model: integers only, fixed when the mechanism is assembled. The numbers that belong to it
    live in one vector `numbers`; the fields `*_at` are offsets into that vector.                            */
@@ -94,6 +110,7 @@ typedef struct holonom_model {
     int32_t n_local_forms; /* most forms of a composite                                                    */
     int32_t n_local_nodes; /* most free nodes of a composite                                               */
     int32_t n_lu_values;  /* stored entries of the factors                                                 */
+    int32_t n_lean_values; /* likewise of those without stiffness; 0 where these are not worth while         */
     int32_t n_slots;      /* half steps of an internal one whose changes a state keeps, see predict.inc.h   */
 
     const int32_t *node_kind;     /* moving and fixed nodes: 0 point, 1 direction                          */
@@ -127,16 +144,7 @@ typedef struct holonom_model {
     const int32_t *input_ramp;    /* n_inputs: 1 if it changes evenly over a communication step            */
     const int32_t *tape;          /* 5 integers an operation: code, target, three arguments                */
 
-    const int32_t *node_position; /* n_free: first place of the node in the elimination order              */
-    const int32_t *row_position;  /* n_rows: place of the row's multiplier                                 */
-    const int32_t *lu_ptr;        /* n + 1, n = dim n_free + n_rows: pivot k owns [diagonal, U row, L col] */
-    const int32_t *lu_column;     /* places coupled to each pivot, in the order of its U row               */
-    const int32_t *lu_target;     /* for each pivot m x m targets of its update, row by row                */
-    const int32_t *mass_slot;     /* n_mass_free * dim                                                     */
-    const int32_t *row_slot;      /* per form row, k free entries: stiffness (k k dim; turned k k dim dim; linear
-                                     none), k dim upper, k dim lower                                       */
-    const int32_t *coincidence_slot; /* per coincidence and free entry: dim upper, dim lower (turned: dim dim) */
-    const int32_t *composite_slot;   /* per composite, K nodes: (K dim)^2, of rows also K dim upper, K dim lower */
+    holonom_elimination full, lean;
     const int32_t *load_slot;     /* per follower load: free entries x directors x dim dim                 */
     const int32_t *moment_slot;   /* per moment: k k dim dim                                               */
     const int32_t *body_moment_slot; /* per body moment: 9 x 9                                             */
@@ -175,7 +183,8 @@ enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY,
-    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_KNOWN, S_HALVES, S_WANTED, S_LAST_LENGTH, S_ORDER_IN_USE, S_NEWTON, S_UZAWA, S_SUBSTEPS,
+    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_FULL_STEPS, S_FULL_WAIT, S_KNOWN, S_HALVES, S_WANTED, S_LAST_LENGTH,
+    S_ORDER_IN_USE, S_NEWTON, S_UZAWA, S_SUBSTEPS,
     S_STATUS, S_FORMULATION, S_SIMULTANEOUS, S_PAPER_UPDATE, S_PAIRED, S_STEP_SIZE, S_NEWTON_TOLERANCE, S_PENALTY,
     S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_ASSEMBLE, S_EQUILIBRIUM, S_ORDER,
     S_TOLERANCE, S_ABSOLUTE_TOLERANCE, S_LONGEST_STEP, S_HORIZON, S_HEAD

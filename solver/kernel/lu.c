@@ -9,23 +9,47 @@
 
 #include <math.h>
 
+/* x[place[i]] -= factor y[i], i = 0 .. m - 1. Most pivots of a chain have one or two neighbours: there a loop costs
+   more than what is in it.                                                                                   */
+static inline void subtract_products(uint32_t m, const int32_t *place, double factor, const double *y, double *x)
+{
+    if (m > 2) {
+        uint32_t i = 0;
+        for (; i + 1 < m; i += 2) {
+            x[place[i]] -= factor * y[i];
+            x[place[i + 1]] -= factor * y[i + 1];
+        }
+        if (i < m) x[place[i]] -= factor * y[i];
+        return;
+    }
+    if (m == 0) return;
+    x[place[0]] -= factor * y[0];
+    if (m == 2) x[place[1]] -= factor * y[1];
+}
+
+/* start - sum of y[i] x[place[i]]. */
+static inline double less_products(double start, uint32_t m, const int32_t *place, const double *y, const double *x)
+{
+    if (m == 2) return start - y[0] * x[place[0]] - y[1] * x[place[1]];
+    for (uint32_t i = 0; i < m; i++) start -= y[i] * x[place[i]];
+    return start;
+}
+
+static inline uint32_t neighbours(const int32_t *ptr, int32_t k) { return ((uint32_t)(ptr[k + 1] - ptr[k]) - 1) >> 1; }
+
 /* value (ptr[n], modified): matrix in, factors out, pivots inverted. Returns 0, or 1 at a pivot that is zero
    or not finite.                                                                                            */
 int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, double *value)
 {
     for (int32_t k = 0; k < n; k++) {
         double *diagonal = value + ptr[k];
-        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
+        const uint32_t m = neighbours(ptr, k);
         const double *upper = diagonal + 1;
         double *lower = diagonal + 1 + m;
         if (!(fabs(*diagonal) > 1e-300 && fabs(*diagonal) < 1e300)) return 1;
         const double inverse = 1.0 / *diagonal;
         *diagonal = inverse;
-        for (int32_t i = 0; i < m; i++) {
-            const double factor = lower[i] *= inverse;
-            for (int32_t j = 0; j < m; j++) value[target[j]] -= factor * upper[j];
-            target += m;
-        }
+        for (uint32_t i = 0; i < m; i++, target += m) subtract_products(m, target, lower[i] *= inverse, upper, value);
     }
     return 0;
 }
@@ -34,19 +58,14 @@ int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, doubl
 void hm_lu_solve(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, double *x)
 {
     for (int32_t k = 0; k < n; k++) {
-        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
-        const double *lower = value + ptr[k] + 1 + m;
-        const double xk = x[k];
-        for (int32_t i = 0; i < m; i++) x[column[i]] -= lower[i] * xk;
+        const uint32_t m = neighbours(ptr, k);
+        subtract_products(m, column, x[k], value + ptr[k] + 1 + m, x);
         column += m;
     }
     for (int32_t k = n - 1; k >= 0; k--) {
-        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
-        const double *upper = value + ptr[k] + 1;
-        double sum = x[k];
+        const uint32_t m = neighbours(ptr, k);
         column -= m;
-        for (int32_t i = 0; i < m; i++) sum -= upper[i] * x[column[i]];
-        x[k] = sum * value[ptr[k]];
+        x[k] = less_products(x[k], m, column, value + ptr[k] + 1, x) * value[ptr[k]];
     }
 }
 

@@ -187,11 +187,11 @@ int32_t NAME(hm_probe)(const holonom_model *m, double *number, double *state, do
     if (!status) status = assemble_tangent(&c);
     if (status) return status;
     double *in = c.k.rhs, *out = c.k.step_backup;
-    for (int32_t k = 0; k < n; k++) in[m->node_position[k / DIM] + k % DIM] = x[k];
-    for (int32_t i = 0; i < m->n_rows; i++) in[m->row_position[i]] = x[n + i];
-    hm_lu_multiply(size, m->lu_ptr, m->lu_column, c.k.value, in, out);
-    for (int32_t k = 0; k < n; k++) tx[k] = out[m->node_position[k / DIM] + k % DIM];
-    for (int32_t i = 0; i < m->n_rows; i++) tx[n + i] = out[m->row_position[i]];
+    for (int32_t k = 0; k < n; k++) in[m->full.node_position[k / DIM] + k % DIM] = x[k];
+    for (int32_t i = 0; i < m->n_rows; i++) in[m->full.row_position[i]] = x[n + i];
+    hm_lu_multiply(size, m->full.lu_ptr, m->full.lu_column, c.k.value, in, out);
+    for (int32_t k = 0; k < n; k++) tx[k] = out[m->full.node_position[k / DIM] + k % DIM];
+    for (int32_t i = 0; i < m->n_rows; i++) tx[n + i] = out[m->full.row_position[i]];
     memcpy(r, c.k.momentum, sizeof(double) * (size_t)n);
     memcpy(r + n, c.k.constraint, sizeof(double) * (size_t)m->n_rows);
     return HOLONOM_OK;

@@ -11,20 +11,20 @@ static int32_t seek_increment(context *c, double *increment, double *size)
     const double longest = 0.3 * c->number[m->extent_at + 1];
     double increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
-    hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
+    hm_lu_solve(DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
     for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = c->k.rhs + m->node_position[a];
+        const double *x = c->k.rhs + m->full.node_position[a];
         increment2 += c->number[m->node_mass_at + a] * dot(x, x);
     }
     *increment = sqrt(increment2);
     if (!(*increment < 1e150)) return HOLONOM_NOT_FINITE;
     const double part = *increment > longest ? longest / *increment : 1.0;
     for (int32_t a = 0; a < m->n_free; a++) {
-        const double *x = c->k.rhs + m->node_position[a];
+        const double *x = c->k.rhs + m->full.node_position[a];
         EACH(k) c->k.w[DIM * a + k] = c->k.d[DIM * a + k] += part * x[k];
         size2 += c->number[m->node_mass_at + a] * dot(c->k.d + DIM * a, c->k.d + DIM * a);
     }
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.lambda[i] = c->k.mu[i] += part * c->k.rhs[m->row_position[i]];
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.lambda[i] = c->k.mu[i] += part * c->k.rhs[m->full.row_position[i]];
     *size = sqrt(size2);
     return HOLONOM_OK;
 }

@@ -121,17 +121,17 @@ static int32_t solve_at_state(context *c, const double *weight)
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
-        EACH(k) c->k.value[m->mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
+        EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
     }
-    if (hm_lu_factor(size, m->lu_ptr, m->lu_target, c->k.value)) return HOLONOM_SINGULAR_TANGENT;
+    if (hm_lu_factor(size, m->full.lu_ptr, m->full.lu_target, c->k.value)) return HOLONOM_SINGULAR_TANGENT;
     double largest = 0.0, change = INFINITY;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         for (int32_t i = 0; i < m->n_rows; i++) c->k.constraint[i] = c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i];
         gather_rhs(c);
-        hm_lu_solve(size, m->lu_ptr, m->lu_column, c->k.value, c->k.rhs);
+        hm_lu_solve(size, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
         largest = change = 0.0;
         for (int32_t i = 0; i < m->n_rows; i++) {
-            const double mu = c->k.rhs[m->row_position[i]];
+            const double mu = c->k.rhs[m->full.row_position[i]];
             change = fmax(change, c->k.epsilon[i] * fabs(mu - c->k.mu[i])); /* what the row still lacks */
             largest = fmax(largest, c->k.epsilon[i] * fabs(mu));
             c->k.mu[i] = mu;
@@ -218,7 +218,7 @@ static int32_t first_multipliers(context *c)
     /* The pivot of a row is what is left of -G M^-1 G' - epsilon: of a dependent row no more than epsilon. */
     c->s.head[S_DEPENDENT] = 0.0;
     for (int32_t i = 0; i < m->n_rows; i++)
-        if (!(fabs(c->k.value[m->lu_ptr[m->row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
+        if (!(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
             c->s.head[S_DEPENDENT] = 1.0; /* pivots are stored inverted */
     memcpy(c->k.mu, mu, rows);
     memset(c->k.lambda, 0, rows);

@@ -104,19 +104,19 @@ static int32_t newton_update(context *c, newton_record *r)
     const holonom_model *m = c->m;
     double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
-    hm_lu_solve(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_column, c->k.value, rhs);
+    hm_lu_solve(DIM * m->n_free + m->n_rows, c->lu->lu_ptr, c->lu->lu_column, c->k.value, rhs);
     for (int32_t a = 0; a < c->n_moving; a++) {
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
         if (a < m->n_free) {
-            const double *x = rhs + m->node_position[a];
+            const double *x = rhs + c->lu->node_position[a];
             EACH(k) w[k] += x[k];
             EACH(k) d[k] = c->k.hv[DIM * a + k] + w[k];
             increment2 += mass * dot(x, x);
         }
         size2 += mass * dot(d, d);
     }
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] += rhs[m->row_position[i]];
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] += rhs[c->lu->row_position[i]];
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
     r->size = sqrt(size2);
@@ -169,6 +169,28 @@ static int stiffen(context *c, int *stiffened)
    iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
 #define EARLY_UPDATE_PENALTY 1e6
 #define GOOD_CONTRACTION 0.05
+
+/* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then their contraction.
+   From this one on full factors cost less; they are used for a while, each time for twice as many steps.       */
+#define LEAN_CONTRACTION 3e-3
+
+static void choose_factors(context *c)
+{
+    double *head = c->s.head;
+    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c);
+    c->lu = is_tried && head[S_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
+    if (head[S_FULL_STEPS] > 0.0) head[S_FULL_STEPS] -= 1.0;
+}
+
+static void give_up_lean(context *c, newton_record *r)
+{
+    double *head = c->s.head;
+    if (!is_lean(c) || r->theta <= LEAN_CONTRACTION || r->eta <= r->floor) return;
+    head[S_FULL_STEPS] = head[S_FULL_WAIT] = fmin(fmax(2.0 * head[S_FULL_WAIT], 64.0), 4096.0);
+    c->lu = &c->m->full;
+    r->factorised = 0;
+    r->theta = 1.0;
+}
 
 /* Newton iteration after which lambda may follow early. Multipliers that dependent rows share get the rounding errors
    of a solve over epsilon, which the next one with lambda held removes: the update waits for it.               */
@@ -229,6 +251,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
             r->theta = 1.0;
         } else if (iteration >= first_update && r->theta < GOOD_CONTRACTION)
             hold_multipliers(c, r);
+        if (iteration > 0) give_up_lean(c, r);
     }
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;
@@ -256,6 +279,7 @@ static int32_t solve_step(context *c, int parity)
     const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
     newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
     prepare_step(c, parity);
+    choose_factors(c);
     update_multipliers(c);
     int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
     int uzawa = 0;
@@ -282,6 +306,7 @@ static int32_t solve_step(context *c, int parity)
         last = defect;
         hold_multipliers(c, &r);
     }
+    c->lu = &c->m->full;
     head[S_UZAWA] += r.updates;
     if (!status && !single && !r.stiffened) follow_contraction(head, r.updates, uzawa);
     return status;

@@ -24,7 +24,7 @@ static const int32_t *row_stiffness(const context *c, int32_t f, double factor, 
 {
     const holonom_model *m = c->m;
     const int32_t begin = m->form_ptr[f], end = begin + m->form_free[f];
-    if (m->form_kind[f] & FORM_LINEAR) return slot;
+    if (is_lean(c) || m->form_kind[f] & FORM_LINEAR) return slot;
     for (int32_t p = begin; p < end; p++)
         for (int32_t q = begin; q < end; q++) {
             double same, quarter;
@@ -119,17 +119,21 @@ static void composite_stiffness(const context *c, int32_t j, const int32_t *loca
 static int32_t composite_tangent(context *c, double *value)
 {
     const holonom_model *m = c->m;
-    const int32_t *slot = m->composite_slot, *local = m->composite_local;
+    const int32_t *slot = c->lu->composite_slot, *local = m->composite_local;
     for (int32_t j = 0; j < n_composites(c); j++) {
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
+        if (is_lean(c) && !row) {
+            local = next_places(c, j, local);
+            continue;
+        }
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
         local_gradients(c, j, local);
         const double factor = !row ? c->forceless ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
-        composite_stiffness(c, j, local);
-        for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * c->k.block[k];
+        if (!is_lean(c)) composite_stiffness(c, j, local);
+        for (int32_t k = 0; k < size * size && !is_lean(c); k++) value[*slot++] += factor * c->k.block[k];
         for (int32_t k = 0; k < size && row; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
         for (int32_t k = 0; k < size && row; k++, slot++)
@@ -169,10 +173,10 @@ static int32_t assemble_tangent(context *c)
     const holonom_model *m = c->m;
     double *value = c->k.value;
     const double h = c->h;
-    memset(value, 0, sizeof(double) * (size_t)m->n_lu_values);
+    memset(value, 0, sizeof(double) * (size_t)(is_lean(c) ? m->n_lean_values : m->n_lu_values));
     for (int32_t e = 0; e < m->n_mass_free; e++)
-        EACH(k) value[m->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
-    const int32_t *slot = m->row_slot;
+        EACH(k) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
+    const int32_t *slot = c->lu->row_slot;
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         const int32_t f = m->row_form[i];
         motion g;
@@ -183,15 +187,15 @@ static int32_t assemble_tangent(context *c)
         slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
         slot = scatter_gradient(c, f, 1.0, u, w, slot, value);
     }
-    slot = m->coincidence_slot;
+    slot = c->lu->coincidence_slot;
     for (int32_t j = 0; j < m->n_coincidences; j++) {
         double ignored[DIM];
         const int32_t row = m->n_form_rows + DIM * j;
         slot = scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
     }
-    for (int32_t i = 0; i < m->n_rows; i++) value[m->lu_ptr[m->row_position[i]]] -= c->k.epsilon[i];
+    for (int32_t i = 0; i < m->n_rows; i++) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
     const int32_t status = n_composites(c) ? composite_tangent(c, value) : HOLONOM_OK;
-    return status || c->forceless ? status : law_tangent(c, value);
+    return status || c->forceless || is_lean(c) ? status : law_tangent(c, value);
 }
 
 /* momentum = (2/h) M x over the moving nodes, the inertia term of the residual. */
@@ -259,15 +263,15 @@ static void gather_rhs(context *c)
 {
     const holonom_model *m = c->m;
     for (int32_t a = 0; a < m->n_free; a++)
-        EACH(k) c->k.rhs[m->node_position[a] + k] = -c->k.momentum[DIM * a + k];
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->row_position[i]] = -c->k.constraint[i];
+        EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[c->lu->row_position[i]] = -c->k.constraint[i];
 }
 
 /* Adds what was solved for, one vector a free node, to x (DIM n_free, modified). */
 static void add_solution(const context *c, double *x)
 {
     for (int32_t a = 0; a < c->m->n_free; a++)
-        EACH(k) x[DIM * a + k] += c->k.rhs[c->m->node_position[a] + k];
+        EACH(k) x[DIM * a + k] += c->k.rhs[c->lu->node_position[a] + k];
 }
 
 static inline int32_t factorise(context *c)
@@ -275,6 +279,6 @@ static inline int32_t factorise(context *c)
     const holonom_model *m = c->m;
     const int32_t status = assemble_tangent(c);
     if (status) return status;
-    return hm_lu_factor(DIM * m->n_free + m->n_rows, m->lu_ptr, m->lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT
+    return hm_lu_factor(DIM * m->n_free + m->n_rows, c->lu->lu_ptr, c->lu->lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT
                                                                                          : HOLONOM_OK;
 }

@@ -10,7 +10,7 @@ from solver.mechanics.measures import Measures, Named, Ref
 from solver.mechanics.numbers import Numbers
 from solver.mechanics.outputs import named
 from solver.mechanics.sections import sections_of, sizes_of
-from solver.mechanics.slots import Layout
+from solver.mechanics.slots import eliminations
 from solver.mechanics.structure import Structure, pointers
 from solver.mechanics.tape import Segment
 from solver.mechanics.variables import Symbols, distance_between, output, variable_table
@@ -68,7 +68,7 @@ def model_of(scene: Scene) -> Model:
     mechanism = parts.mechanism
     signals = [*mechanism.driven_signals, *mechanism.signals]
     numbers = Numbers(sections, signals, known.meaning, lambda call: distance_between(dim, call))
-    tables = structure.tables() | Layout(structure).tables() | _functions(structure, numbers)
+    tables = structure.tables() | eliminations(structure) | _functions(structure, numbers)
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
     tables["input_ramp"] = array("i", (x.interpolation == "ramp" for x in scene.inputs.values()))

@@ -98,6 +98,7 @@ def sizes_of(
         "n_local_forms": max([1, *(len(c.forms) for c in composites)]),
         "n_local_nodes": max([1, *(len(c.nodes) for c in composites)]),
         "n_lu_values": tables["lu_ptr"][-1],
+        "n_lean_values": (tables["lean_lu_ptr"] or (0,))[-1],
         "n_slots": SLOTS[scene.solver.order],
     }
     return {name: known[name] for name in SIZES}

@@ -17,10 +17,13 @@ from solver.mechanics.structure import LINEAR, TURNED, Structure
 
 
 class Layout:
-    """Blocks of a mechanism's tangent: free nodes, then rows in the order of the multipliers."""
+    """Blocks of a mechanism's tangent: free nodes, then rows in the order of the multipliers.
 
-    def __init__(self, structure: Structure) -> None:
-        self.structure = structure
+    A lean one has no stiffness: only masses couple nodes.
+    """
+
+    def __init__(self, structure: Structure, *, lean: bool = False) -> None:
+        self.structure, self.lean = structure, lean
         mechanism = structure.mechanism
         self.dim, self.n_nodes = mechanism.dim, structure.n_free
         self.form_rows = [row.form for row in mechanism.form_rows]
@@ -56,7 +59,7 @@ class Layout:
             if max(a, b) < self.n_nodes:
                 yield (a, b), (), False
         for row, form in enumerate(self.form_rows, start=self.n_nodes):
-            if kinds[form] & LINEAR:
+            if self.lean or kinds[form] & LINEAR:
                 for a in free(form):
                     yield (a,), ((row, True),), False
             else:
@@ -66,8 +69,13 @@ class Layout:
                 yield (a,), ((row, bool(kinds[form] & TURNED)),), False
         for k, composite in enumerate(structure.composites):
             row = self.first_function + k - self.row_composites.start
-            yield composite.nodes, ((row, True),) if k in self.row_composites else (), True
-        yield from ((nodes, (), True) for nodes in self._moment_nodes())
+            rows = ((row, True),) if k in self.row_composites else ()
+            if self.lean:
+                yield from (((a,), rows, False) for a in composite.nodes)
+            else:
+                yield composite.nodes, rows, True
+        if not self.lean:
+            yield from ((nodes, (), True) for nodes in self._moment_nodes())
 
     def _moment_nodes(self) -> Iterator[list[int]]:
         """Nodes that moments and follower loads couple."""
@@ -114,7 +122,7 @@ class Layout:
         masses = (
             self._equal(a, b) for a, b, _ in self.structure.masses if max(a, b) < self.n_nodes
         )
-        return {
+        tables = {
             "node_position": array("i", position[: self.n_nodes]),
             "row_position": array("i", rows),
             "lu_ptr": _table(self.pattern.ptr),
@@ -124,13 +132,15 @@ class Layout:
             "row_slot": self._slots(self._of_form_rows()),
             "coincidence_slot": self._slots(self._of_coincidences()),
             "composite_slot": self._slots(self._of_composites()),
+        }
+        if self.lean:
+            return {f"lean_{name}": table for name, table in tables.items()}
+        moments = (self.structure.free(form) for form in self._moment_forms())
+        return tables | {
             "load_slot": self._slots(self._of_loads()),
-            "moment_slot": self._slots(
-                self._full(free, free)
-                for free in map(self.structure.free, self._moment_forms())
-            ),
+            "moment_slot": self._slots(self._full(free, free) for free in moments),
             "body_moment_slot": self._slots(self._of_body_moments()),
-        }  # fmt: skip
+        }
 
     def _moment_forms(self) -> list[int]:
         return [moment.place for moment in self.structure.mechanism.moments]
@@ -174,9 +184,10 @@ class Layout:
     def _of_form_rows(self) -> Iterator[list[int]]:
         for row, form in enumerate(self.form_rows, start=self.n_nodes):
             free, kind = self.structure.free(form), self.structure.kinds[form]
-            if kind & TURNED and not kind & LINEAR:
+            linear = self.lean or kind & LINEAR
+            if kind & TURNED and not linear:
                 yield self._full(free, free)
-            elif not kind & LINEAR:
+            elif not linear:
                 yield [x for a in free for b in free for x in self._equal(a, b)]
             yield self._border(free, row)
 
@@ -190,7 +201,8 @@ class Layout:
 
     def _of_composites(self) -> Iterator[list[int]]:
         for k, composite in enumerate(self.structure.composites):
-            yield self._square(composite.nodes)
+            if not self.lean:
+                yield self._square(composite.nodes)
             if k in self.row_composites:
                 row = self.first_function + k - self.row_composites.start
                 yield self._border(composite.nodes, row)
@@ -205,6 +217,17 @@ class Layout:
     def _of_body_moments(self) -> Iterator[list[int]]:
         for moment in self.structure.mechanism.body_moments:
             yield self._square(self.directors(self.structure.node_of[moment.place], 3))
+
+
+def eliminations(structure: Structure) -> dict[str, array]:
+    """Return the tables of the full tangent's elimination, and of the lean one's if it is cheaper.
+
+    Newton's iteration takes a step or two more with lean factors: they must save half the products.
+    """
+    full = Layout(structure).tables()
+    lean = Layout(structure, lean=True).tables()
+    worth = 2 * len(lean["lean_lu_target"]) <= len(full["lu_target"])
+    return full | (lean if worth else {name: array("i") for name in lean})
 
 
 def _table(integers: Integers) -> array:

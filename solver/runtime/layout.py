@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 6
+ABI = 8
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -19,7 +19,7 @@ SIZES = (
     "n_places", "n_reactions", "n_reaction_entries", "n_signals", "n_parameters", "n_inputs",
     "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals", "n_tape_outputs",
     "time_dependent", "variable_potential", "sensing", "n_registers", "n_local_forms",
-    "n_local_nodes", "n_lu_values", "n_slots",
+    "n_local_nodes", "n_lu_values", "n_lean_values", "n_slots",
 )  # fmt: skip
 """Integers of a model, each a 32-bit field."""
 
@@ -30,7 +30,9 @@ TABLES = (
     "function_ptr", "operation", "load_form", "load_axes", "moment_form", "body_moment",
     "body_node", "place_form", "reaction_entry", "mass_node", "input_ramp", "tape",
     "node_position", "row_position", "lu_ptr", "lu_column", "lu_target", "mass_slot", "row_slot",
-    "coincidence_slot", "composite_slot", "load_slot", "moment_slot", "body_moment_slot",
+    "coincidence_slot", "composite_slot", "lean_node_position", "lean_row_position", "lean_lu_ptr",
+    "lean_lu_column", "lean_lu_target", "lean_mass_slot", "lean_row_slot", "lean_coincidence_slot",
+    "lean_composite_slot", "load_slot", "moment_slot", "body_moment_slot",
 )  # fmt: skip
 """Integer arrays of a model, each a pointer."""
 
@@ -45,13 +47,13 @@ OFFSETS = (
 
 HEAD = (
     "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
-    "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
-    "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps", "dependent",
-    "known", "halves", "wanted", "last_length", "order_in_use", "newton_iterations",
-    "uzawa_iterations", "substeps", "status", "formulation", "simultaneous", "paper_update",
-    "paired", "step_size", "newton_tolerance", "penalty", "xi", "omega", "max_newton",
-    "max_uzawa", "assemble", "equilibrium", "order", "tolerance", "absolute_tolerance",
-    "longest_step", "horizon",
+    "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
+    "residual_low", "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps",
+    "dependent", "full_steps", "full_wait", "known", "halves", "wanted", "last_length",
+    "order_in_use", "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation",
+    "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance", "penalty", "xi",
+    "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order", "tolerance",
+    "absolute_tolerance", "longest_step", "horizon",
 )  # fmt: skip
 """Scalars at the head of a state."""
 
