@@ -25,6 +25,7 @@ typedef struct context {
        by a step from rest whose forces and constraints act at its end.                                        */
     double lever;
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
+    int plain;          /* 1: conserving rows, gradients at the middle                                        */
     int forceless;      /* 1: only the rows act                                                               */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
 } context;
@@ -55,7 +56,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->half = 0, c->halves = 2;
-    c->forceless = 0;
+    c->forceless = c->plain = 0;
     c->lu = &m->full;
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
@@ -129,46 +130,6 @@ static inline void link_at_state(const context *c, int32_t f, double *u, double 
     link_at(c, f, c->s.q, c->s.q_low, u, w);
 }
 
-/* Component k of one link at the state to about twice the digits of a double; coefficients of the link begin at
-   `at`, those of its quarter turns at `turn_at`.                                                              */
-static void exact_link(const context *c, int32_t f, int k, int32_t at, int32_t turn_at, double *high, double *low)
-{
-    const holonom_model *m = c->m;
-    const int32_t begin = m->form_ptr[f], moving = begin + m->form_moving[f];
-    *high = *low = 0.0;
-    for (int32_t e = begin; e < m->form_ptr[f + 1]; e++) {
-        const int32_t node = DIM * (m->form_node[e] - (e < moving ? 0 : c->n_moving));
-        const double *x = (e < moving ? c->s.q : c->number + m->support_at) + node;
-        const double *x_low = e < moving ? c->s.q_low + node : NULL;
-        const double factor = c->number[at + e];
-        hm_add_product(high, low, factor, x[k]);
-        if (x_low) *low += factor * x_low[k];
-        if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) continue;
-        const double turn = c->number[turn_at + e] * (k == 0 ? -1.0 : 1.0);
-        hm_add_product(high, low, turn, x[1 - k]);
-        if (x_low) *low += turn * x_low[1 - k];
-    }
-}
-
-/* Phi = u . w - c of form row i at the state, to about twice the digits of a double, so that no step corrects the
-   rounding error of Phi: its impulse grows as 1/h^2, without bound near a singular configuration.              */
-static double row_at_state(const context *c, int32_t i)
-{
-    const holonom_model *m = c->m;
-    const int32_t f = m->row_form[i];
-    double high = -c->number[m->row_constant_at + i], low = 0.0;
-    EACH(k) {
-        double u, u_low, w, w_low;
-        exact_link(c, f, k, m->alpha_at, m->alpha_turn_at, &u, &u_low);
-        w = u;
-        w_low = u_low;
-        if (!(m->form_kind[f] & FORM_SQUARE)) exact_link(c, f, k, m->beta_at, m->beta_turn_at, &w, &w_low);
-        hm_add_product(&high, &low, u, w);
-        low += u * w_low + u_low * w;
-    }
-    return high + low;
-}
-
 /* Gradient of form f with respect to entry e, from the links U, W: alpha W + beta U, turned back. */
 static inline void entry_gradient(const context *c, int32_t f, int32_t e, const double *u, const double *w, double *g)
 {
@@ -223,25 +184,29 @@ static inline int is_penalty(const context *c)
     return c->formulation >= HOLONOM_CONSERVING_PENALTY && c->formulation <= HOLONOM_PENALTY_VELOCITY;
 }
 
-/* Compliance of row i in its equation C(d) - epsilon (mu - lambda) = 0. Conserving rows are written for
+/* Compliance of a row over its sigma, in its equation C(d) - epsilon (mu - lambda) = 0. Conserving rows are written for
    Phi_1, where mu = lambda + alpha/2 Phi_1 (eq 15 with Phi_n moved into lambda): epsilon = 2/alpha. alpha is
    the dimensionless penalty chi over h^2 sigma/4. A penalty method stores energy in alpha, so its alpha must
    not follow h: it uses the configured step.                                                                */
-static double row_compliance(const context *c, int32_t i)
+static double compliance_over_sigma(const context *c)
 {
     const double *head = c->s.head;
     const double raised = head[S_PENALTY_LEVEL] == 0.0 ? 1.0 : head[S_PENALTY_LEVEL] == 1.0 ? 1e2 : 1e4;
     const double chi = is_penalty(c) ? head[S_PENALTY] : head[S_PENALTY] * raised;
-    const double sigma = c->number[c->m->row_sigma_at + i];
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {
     case HOLONOM_CONSERVING_AL:
-    case HOLONOM_CONSERVING_AL_BETA: return c->h * c->h * sigma / (2.0 * chi);
-    case HOLONOM_MIDPOINT_AL: return c->h * c->h * sigma / (4.0 * chi);
-    case HOLONOM_CONSERVING_PENALTY: return configured * configured * sigma / (2.0 * chi);
-    case HOLONOM_MIDPOINT_PENALTY: return configured * configured * sigma / (4.0 * chi);
-    default: return sigma / chi;
+    case HOLONOM_CONSERVING_AL_BETA: return c->h * c->h / (2.0 * chi);
+    case HOLONOM_MIDPOINT_AL: return c->h * c->h / (4.0 * chi);
+    case HOLONOM_CONSERVING_PENALTY: return configured * configured / (2.0 * chi);
+    case HOLONOM_MIDPOINT_PENALTY: return configured * configured / (4.0 * chi);
+    default: return 1.0 / chi;
     }
+}
+
+static inline double row_compliance(const context *c, int32_t i)
+{
+    return compliance_over_sigma(c) * c->number[c->m->row_sigma_at + i];
 }
 
 static inline int is_conserving(const context *c)

@@ -34,8 +34,8 @@ static void book_step(context *c)
     double force[DIM], du[DIM], unused[DIM];
     motion g;
     for (int32_t i = 0; i < m->n_form_rows; i++) {
-        form_motion(c, m->row_form[i], &g);
-        book(c, S_DEFECT, c->k.mu[i] * g.ds);
+        if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);
+        book(c, S_DEFECT, c->k.mu[i] * (is_conserving(c) ? c->k.phi[i] - c->k.phi0[i] : g.ds));
     }
     for (int32_t j = 0; j < m->n_coincidences; j++) {
         link_of(c, m->coincidence_form[j], c->k.d, du, unused);

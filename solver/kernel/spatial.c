@@ -3,6 +3,8 @@
 #define NAME(function) function##_spatial
 
 #include "forms.inc.h"
+#include "exact.inc.h"
+#include "plain_rows.inc.h"
 #include "composite.inc.h"
 #include "registers.inc.h"
 #include "beta.inc.h"
@@ -10,6 +12,7 @@
 #include "laws.inc.h"
 #include "tangent.inc.h"
 #include "predict.inc.h"
+#include "newton.inc.h"
 #include "step.inc.h"
 #include "ledger.inc.h"
 #include "energy.inc.h"

@@ -181,6 +181,10 @@ static int32_t assemble_tangent(context *c)
         const int32_t f = m->row_form[i];
         motion g;
         double u[DIM], w[DIM];
+        if (is_plain_row(c, i)) {
+            slot = plain_row_tangent(c, i, slot, value);
+            continue;
+        }
         form_motion(c, f, &g);
         row_function(c, i, &g, u, w);
         slot = row_stiffness(c, f, c->lever * h * c->k.mu[i], slot, value);
@@ -202,11 +206,13 @@ static int32_t assemble_tangent(context *c)
 static void inertia(const context *c, const double *x, double *momentum)
 {
     const holonom_model *m = c->m;
+    const double twice_rate = 2.0 / c->h, *mass_of = c->number + m->mass_at;
+    const int32_t *node = m->mass_node, n_mass = m->n_mass;
     memset(momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t e = 0; e < m->n_mass; e++) {
-        const double mass = 2.0 / c->h * c->number[m->mass_at + e];
-        const double *column = x + DIM * m->mass_node[2 * e + 1];
-        EACH(k) momentum[DIM * m->mass_node[2 * e] + k] += mass * column[k];
+    for (int32_t e = 0; e < n_mass; e++, node += 2) {
+        const double mass = twice_rate * mass_of[e], *column = x + DIM * node[1];
+        double *row = momentum + DIM * node[0];
+        EACH(k) row[k] += mass * column[k];
     }
 }
 
@@ -240,6 +246,10 @@ static int32_t evaluate_residual(context *c)
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         motion g;
         double u[DIM], w[DIM];
+        if (is_plain_row(c, i)) {
+            plain_row_residual(c, i);
+            continue;
+        }
         form_motion(c, m->row_form[i], &g);
         c->k.phi[i] = row_function(c, i, &g, u, w);
         add_gradient(c, m->row_form[i], c->h * c->k.mu[i], g.um, g.wm, c->k.momentum);
