@@ -116,6 +116,7 @@ class Factors:
     def write(self, sizes: dict[str, int]) -> None:
         """Write all tables of the factors."""
         t, size, dim = self.tables, self.size, self.dim
+        t["linked_form"] = list(range(sizes["n_forms"]))
         t["node_position"] = list(range(0, self.n, dim))
         t["row_position"] = list(range(self.n, size))
         t["lu_ptr"] = self.ptr
@@ -185,7 +186,8 @@ def sizes_of(hand: Any, counts: dict[str, int]) -> dict[str, int]:
         "dim": hand.dim, "n_free": len(nodes["free"]), "n_driven": len(nodes["driven"]),
         "n_support": len(nodes["fixed"]), "n_forms": len(hand.forms),
         "n_entries": len(tables["form_node"]), "n_quantities": len(tables["quantity_kind"]),
-        "n_active": len(tables["quantity_kind"]), "n_elements": len(hand.elements),
+        "n_active": len(tables["quantity_kind"]), "n_linked": len(hand.forms),
+        "n_elements": len(hand.elements),
         "n_rows": sum(rows.values()) + (hand.dim - 1) * rows["n_coincidences"],
         "n_potentials": counts["potential"], "n_loads": len(tables["load_form"]),
         "n_moments": len(tables["moment_form"]),

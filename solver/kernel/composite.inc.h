@@ -225,7 +225,10 @@ static double quantity_at(const context *c, int32_t j, const double *x, const do
 static void links_at_start(const context *c)
 {
     const holonom_model *m = c->m;
-    for (int32_t f = 0; f < m->n_forms; f++) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    for (int32_t i = 0; i < m->n_linked; i++) {
+        const int32_t f = m->linked_form[i];
+        link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    }
     for (int32_t j = 0; j < m->n_active; j++) {
         double s[2] = {0.0, 0.0};
         for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {

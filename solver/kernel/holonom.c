@@ -34,6 +34,7 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->driven_mean = take(block, &used, driven);
     s->driven_mean_before = take(block, &used, driven);
     s->turns = take(block, &used, m->n_quantities);
+    s->direction = take(block, &used, 2 * (int64_t)m->n_quantities);
     s->signal = take(block, &used, m->n_signals);
     s->quaternion = take(block, &used, 4 * (int64_t)m->n_bodies);
     s->derived = take(block, &used, 2 + 2 * (int64_t)m->n_rows);

@@ -82,6 +82,7 @@ typedef struct holonom_model {
     int32_t n_entries;    /* entries of all forms                                                          */
     int32_t n_quantities; /* quantities; the first n_active take part in the motion, the others are measured */
     int32_t n_active;
+    int32_t n_linked;     /* forms that a step needs at its beginning                                      */
     int32_t n_form_rows;  /* s - c = 0                                                                     */
     int32_t n_coincidences;  /* u = 0, dim rows each                                                       */
     int32_t n_function_rows; /* phi = 0                                                                    */
@@ -121,6 +122,7 @@ typedef struct holonom_model {
     const int32_t *form_kind;     /* n_forms: flags FORM_...                                               */
     const int32_t *quantity_kind; /* n_quantities: QUANTITY_...                                            */
     const int32_t *quantity_form; /* 2 n_quantities: one form or two                                       */
+    const int32_t *linked_form;   /* n_linked: those of rows, composites and laws; the others are measured   */
     const int32_t *row_form;      /* n_form_rows                                                           */
     const int32_t *row_power;     /* n_rows: the row's scale is row_base extent^power                      */
     const int32_t *coincidence_form;    /* n_coincidences: the link u                                      */

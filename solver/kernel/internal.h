@@ -85,6 +85,7 @@ typedef struct hm_state {
     double *driven[2];             /* dim n_driven each: forces that move the driven nodes, likewise           */
     double *driven_mean, *driven_mean_before;
     double *turns;                 /* n_quantities: full turns of angles so far                               */
+    double *direction;             /* 2 n_quantities: cosine and sine of the angles, times a factor            */
     double *signal;                /* n_signals: prescribed values at the present time                        */
     double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
     double *derived;               /* 2 + 2 n_rows: the sections extent, row_scale, row_sigma of the numbers   */

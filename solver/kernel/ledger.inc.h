@@ -63,16 +63,17 @@ static void book_step(context *c)
     book_composites(c);
 }
 
-/* Counts full turns of angles: a direction (c, s) that crosses the negative first axis leaves (-pi, pi]. */
+/* Counts full turns of angles: a direction (c, s) that crosses the negative first axis leaves (-pi, pi]. The directions
+   are kept, so that what is only measured costs one link a form and step.                                      */
 static void follow_angles(context *c)
 {
     const holonom_model *m = c->m;
     for (int32_t j = 0; j < m->n_quantities; j++) {
         const int32_t *form = m->quantity_form + 2 * j;
-        double u[DIM], w[DIM], first[2], second[2];
+        double u[DIM], w[DIM], first[2], *second = c->s.direction + 2 * j;
         if (m->quantity_kind[j] != QUANTITY_ANGLE) continue;
         for (int i = 0; i < 2; i++) {
-            first[i] = dot(c->k.u0 + DIM * form[i], c->k.w0 + DIM * form[i]);
+            first[i] = second[i];
             link_at_state(c, form[i], u, w);
             second[i] = dot(u, w);
         }

@@ -163,6 +163,7 @@ def _counts(scene: Scene, structure: Structure) -> dict[str, int]:
         "n_entries": sum(len(entries) for entries in structure.entries),
         "n_quantities": len(mechanism.quantities),
         "n_active": len(mechanism.active),
+        "n_linked": len(structure.linked),
         "n_form_rows": n_form_rows,
         "n_coincidences": n_vectors,
         "n_function_rows": len(mechanism.function_rows),

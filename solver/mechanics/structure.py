@@ -119,6 +119,16 @@ class Structure:
         local_nodes = tuple(nodes[n] for near in free for n in near)
         return Composite(tuple(found), tuple(forms), tuple(nodes), local_nodes)
 
+    @cached_property
+    def linked(self) -> list[int]:
+        """Forms that a step needs at its beginning: all but those that are only measured."""
+        mechanism = self.mechanism
+        needed = {row.form for row in mechanism.form_rows}
+        needed.update(form for composite in self.composites for form in composite.forms)
+        needed.update(moment.place for moment in mechanism.moments)
+        needed.update(f for q in mechanism.active for f in mechanism.quantities[q].forms)
+        return sorted(needed)
+
     # ---------------------------------------------------------------------------------- tables
 
     def tables(self) -> dict[str, array]:
@@ -137,6 +147,7 @@ class Structure:
             "form_kind": array("i", self.kinds),
             "quantity_kind": array("i", (q.kind for q in quantities)),
             "quantity_form": flat(pairs),
+            "linked_form": array("i", self.linked),
             "row_form": array("i", (row.form for row in mechanism.form_rows)),
             "row_power": array("i", self._row_powers()),
             "coincidence_form": array("i", (row.form for row in mechanism.coincidences)),

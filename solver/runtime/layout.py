@@ -14,25 +14,26 @@ ABI = 8
 
 SIZES = (
     "dim", "n_free", "n_driven", "n_support", "n_forms", "n_entries", "n_quantities", "n_active",
-    "n_form_rows", "n_coincidences", "n_function_rows", "n_velocity_rows", "n_rows", "n_elements",
-    "n_potentials", "n_loads", "n_moments", "n_body_moments", "n_mass", "n_mass_free", "n_bodies",
-    "n_places", "n_reactions", "n_reaction_entries", "n_signals", "n_parameters", "n_inputs",
-    "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals", "n_tape_outputs",
-    "time_dependent", "variable_potential", "sensing", "n_registers", "n_local_forms",
-    "n_local_nodes", "n_lu_values", "n_lean_values", "n_slots",
+    "n_linked", "n_form_rows", "n_coincidences", "n_function_rows", "n_velocity_rows", "n_rows",
+    "n_elements", "n_potentials", "n_loads", "n_moments", "n_body_moments", "n_mass",
+    "n_mass_free", "n_bodies", "n_places", "n_reactions", "n_reaction_entries", "n_signals",
+    "n_parameters", "n_inputs", "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals",
+    "n_tape_outputs", "time_dependent", "variable_potential", "sensing", "n_registers",
+    "n_local_forms", "n_local_nodes", "n_lu_values", "n_lean_values", "n_slots",
 )  # fmt: skip
 """Integers of a model, each a 32-bit field."""
 
 TABLES = (
-    "node_kind", "form_ptr", "form_free", "form_moving", "form_node", "form_kind", "quantity_kind",
-    "quantity_form", "row_form", "row_power", "coincidence_form", "composite_form_ptr",
-    "composite_form", "composite_node_ptr", "composite_node", "composite_local", "leaf_ptr", "leaf",
-    "function_ptr", "operation", "load_form", "load_axes", "moment_form", "body_moment",
-    "body_node", "place_form", "reaction_entry", "mass_node", "input_ramp", "tape",
-    "node_position", "row_position", "lu_ptr", "lu_column", "lu_target", "mass_slot", "row_slot",
-    "coincidence_slot", "composite_slot", "lean_node_position", "lean_row_position", "lean_lu_ptr",
-    "lean_lu_column", "lean_lu_target", "lean_mass_slot", "lean_row_slot", "lean_coincidence_slot",
-    "lean_composite_slot", "load_slot", "moment_slot", "body_moment_slot",
+    "node_kind", "form_ptr", "form_free", "form_moving", "form_node", "form_kind",
+    "quantity_kind", "quantity_form", "linked_form", "row_form", "row_power", "coincidence_form",
+    "composite_form_ptr", "composite_form", "composite_node_ptr", "composite_node",
+    "composite_local", "leaf_ptr", "leaf", "function_ptr", "operation", "load_form", "load_axes",
+    "moment_form", "body_moment", "body_node", "place_form", "reaction_entry", "mass_node",
+    "input_ramp", "tape", "node_position", "row_position", "lu_ptr", "lu_column", "lu_target",
+    "mass_slot", "row_slot", "coincidence_slot", "composite_slot", "lean_node_position",
+    "lean_row_position", "lean_lu_ptr", "lean_lu_column", "lean_lu_target", "lean_mass_slot",
+    "lean_row_slot", "lean_coincidence_slot", "lean_composite_slot", "load_slot", "moment_slot",
+    "body_moment_slot",
 )  # fmt: skip
 """Integer arrays of a model, each a pointer."""
 
@@ -70,6 +71,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     last multipliers; ``a_change, mu_change`` (n_slots of n and n_rows): how these changed from half
     to half of the last internal steps; ``mean, mean_before``: means of two neighbours;
     ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of angles;
+    ``direction``: cosine and sine of each, times a factor;
     ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of continuous
     sign; ``derived``: what the start tells once and for all, the sections extent (2), row_scale and
     row_sigma (n_rows each); ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped
@@ -87,6 +89,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
             sizes["dim"] * n_driven,
         ),
         "turns": sizes["n_quantities"],
+        "direction": 2 * sizes["n_quantities"],
         "signal": sizes["n_signals"],
         "quaternion": 4 * sizes["n_bodies"],
         "derived": 2 + 2 * sizes["n_rows"],

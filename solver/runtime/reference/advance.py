@@ -26,6 +26,15 @@ Array = NDArray[np.float64]
 MAX_HALVINGS, MAX_REPEATS = 6, 40
 
 
+def follow_angles(mechanism: Mechanism, motion: Motion) -> None:
+    """Count the turns of angles since their directions were last looked at."""
+    s = Present(mechanism, motion).s
+    for index, (kind, forms) in enumerate(mechanism.quantities):
+        if kind == ANGLE:
+            motion.turns[index] += crossings(*motion.direction[index], *s[forms])
+            motion.direction[index] = s[forms]
+
+
 def follow_bodies(model: Model, motion: Motion) -> None:
     """Let the quaternions follow the directors."""
     for near, node in zip(motion.quaternion, model.tables["body_node"], strict=True):
@@ -158,14 +167,11 @@ class Advance:
         step = Step(mechanism, motion, h, prediction, self.clock.signals(t + h))
         step.solve()
         balance = book_step(step)
-        s_n, w = Present(mechanism, motion).s, step.equations.w_moving(step.w)
+        w = step.equations.w_moving(step.w)
         add(motion.q, motion.q_low, step.d)
         add(motion.v, motion.v_low, 2.0 / h * w)
         motion.signal[:] = step.equations.signal_n1
-        s_n1 = Present(mechanism, motion).s
-        for index, (kind, forms) in enumerate(mechanism.quantities):
-            if kind == ANGLE:
-                motion.turns[index] += crossings(*s_n[forms], *s_n1[forms])
+        follow_angles(mechanism, motion)
         follow_bodies(self.clock.model, motion)
         if motion.is_telling(h):
             prediction.remember(2.0 / h**2 * w, step.mu)

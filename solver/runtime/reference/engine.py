@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..errors import Status
 from ..layout import HEAD, PLACE, state_size
 from ..model import Model
-from .advance import Advance, follow_bodies
+from .advance import Advance, follow_angles, follow_bodies
 from .clock import Clock
 from .course import Present
 from .energy import follow_energy_reference, start_ledger
@@ -120,6 +120,7 @@ class Reference:
             motion.vectors[name][:] = motion.vectors[f"{name}_before"][:] = values
         head["mean_time"] = head["mean_time_before"] = head["time"]
         motion.quaternion[:] = [1.0, 0.0, 0.0, 0.0]
+        follow_angles(mechanism, motion)
         follow_bodies(self.model, motion)
         start_ledger(mechanism, motion)
         if not np.all(np.isfinite(motion.block)):

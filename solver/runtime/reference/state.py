@@ -44,6 +44,7 @@ class Motion:
         self.mu_change = vectors["mu_change"].reshape(slots, len(self.mu[0]))
         self.driven_force = (vectors["driven_first"], vectors["driven_second"])
         self.turns, self.signal = vectors["turns"], vectors["signal"]
+        self.direction = vectors["direction"].reshape(-1, 2)
         self.quaternion = vectors["quaternion"].reshape(-1, 4)
 
     @property
