@@ -31,7 +31,8 @@ typedef struct newton_record {
     double theta, eta, size; /* contraction; in the mass norm, the last increment and d [kg^1/2 m]               */
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
-    int factorised, total, stiffened;
+    int factorised, stiffened;
+    int increments;      /* of the step                                                                            */
     int updates;         /* Uzawa updates of the step                                                             */
 } newton_record;
 
@@ -60,7 +61,7 @@ static int32_t newton_update(context *c, newton_record *r)
     r->target = c->s.head[S_NEWTON_TOLERANCE] * sqrt(size2 + 2.0 * h2 * reference);
     r->energy = 0.5 * size2 / h2 + reference;
     r->noise = 0.5 * r->floor * r->floor / h2;
-    r->total++;
+    r->increments++;
     return r->eta < 1e150 && r->size < 1e150 ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 
@@ -108,22 +109,38 @@ static int stiffen(context *c, int *stiffened)
 #define GOOD_CONTRACTION 0.05
 
 /* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then their contraction.
-   From this one on full factors cost less; they are used for a while, each time for twice as many steps.       */
+   From this one on, or where a step takes more increments than that, full factors cost less; they are used for a
+   while, each time for twice as many steps. Not with dependent rows: what these leave undetermined would follow every
+   increment, and the energy with it.                                                                          */
 #define LEAN_CONTRACTION 3e-3
+#define LEAN_INCREMENTS 3
 
 static void choose_factors(context *c)
 {
     double *head = c->s.head;
-    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c);
+    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && head[S_DEPENDENT] == 0.0;
     c->lu = is_tried && head[S_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
     if (head[S_FULL_STEPS] > 0.0) head[S_FULL_STEPS] -= 1.0;
 }
 
+/* Takes the last increment back: a long one of lean factors, whose stiffness was missing, tells nothing. */
+static void take_back(context *c)
+{
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) {
+        c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
+        c->k.d[k] = c->k.hv[k] + c->k.w[k];
+    }
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
+}
+
+static void pause_lean(double *head)
+{
+    head[S_FULL_STEPS] = head[S_FULL_WAIT] = fmin(fmax(2.0 * head[S_FULL_WAIT], 64.0), 4096.0);
+}
+
 static void give_up_lean(context *c, newton_record *r)
 {
-    double *head = c->s.head;
-    if (!is_lean(c) || r->theta <= LEAN_CONTRACTION || r->eta <= r->floor) return;
-    head[S_FULL_STEPS] = head[S_FULL_WAIT] = fmin(fmax(2.0 * head[S_FULL_WAIT], 64.0), 4096.0);
+    pause_lean(c->s.head);
     c->lu = &c->m->full;
     r->factorised = 0;
     r->theta = 1.0;
@@ -170,6 +187,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (iteration > 0 && previous > 0.0) r->theta = r->eta / previous;
         else if (!keep) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
         previous = r->eta;
+        if (is_lean(c) && r->theta == 1.0) take_back(c);
         if (simultaneous) update_multipliers(c);
         status = evaluate_residual(c);
         if (status) return status;
@@ -188,7 +206,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
             r->theta = 1.0;
         } else if (iteration >= first_update && r->theta < GOOD_CONTRACTION)
             hold_multipliers(c, r);
-        if (iteration > 0) give_up_lean(c, r);
+        if (is_lean(c) && r->theta > (iteration > 0 ? LEAN_CONTRACTION : 0.5) && r->eta > r->floor) give_up_lean(c, r);
     }
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;

@@ -92,12 +92,10 @@ static int32_t solve_step(context *c, int parity)
     r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
     for (; !status; uzawa++) {
         status = iterate_newton(c, &r);
-        head[S_NEWTON] += r.total;
-        r.total = 0;
         if (status || single) break;
         const double defect = constraint_defect(c);
-        if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
-        if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) break;
+        if (!(defect < INFINITY)) status = HOLONOM_NOT_FINITE;
+        if (status || defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) break;
         /* Near a singular configuration one combination of rows contracts slowly, or not at all. It need not go on
            where its energy is round-off; else the penalty is raised; contraction that ends even so is round-off. */
         const double energy = constraint_energy(c);
@@ -106,14 +104,16 @@ static int32_t solve_step(context *c, int parity)
             r.factorised = 0;
         else if (defect > 0.9 * last && defect <= tolerance) break;
         if (uzawa >= max_uzawa) {
-            if (defect <= tolerance && energy <= tolerance * r.energy + r.noise) break;
-            return HOLONOM_UZAWA_DIVERGED;
+            if (!(defect <= tolerance && energy <= tolerance * r.energy + r.noise)) status = HOLONOM_UZAWA_DIVERGED;
+            break;
         }
         last = defect;
         hold_multipliers(c, &r);
     }
+    if (is_lean(c) && r.increments > LEAN_INCREMENTS) pause_lean(head);
     c->lu = &c->m->full;
     c->plain = 0;
+    head[S_NEWTON] += r.increments;
     head[S_UZAWA] += r.updates;
     if (!status && !single && !r.stiffened) follow_contraction(head, r.updates, uzawa);
     return status;
