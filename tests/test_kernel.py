@@ -239,7 +239,10 @@ def test_the_rates_of_the_rows_are_the_derivative_of_the_rows(name):
 
 
 def test_the_first_pair_needs_no_more_iterations_than_the_next():
-    """Both halves start from the acceleration at rest, not from one of another step length."""
+    """Both halves start from the acceleration at rest, not from one of another step length.
+
+    A try with lean factors, which may then be given up, takes two increments more in each.
+    """
     for source in (PENDULUM, *SOURCES.values()):
         run = start(source)
         counts = []
@@ -247,4 +250,4 @@ def test_the_first_pair_needs_no_more_iterations_than_the_next():
             internal_step(run)
             counts.append(run.state.head["newton_iterations"])
             assert run.state.head["substeps"] == 2
-        assert counts[0] <= 2.0 * max(counts[1:])
+        assert counts[0] <= 2.0 * max(counts[1:]) + 4.0

@@ -205,5 +205,6 @@ def test_a_driver_from_an_input_is_where_the_input_says_and_books_its_work(inter
         angle = u if value == "u" else u * integrator.time
         assert integrator["j.angle"] == pytest.approx(angle, abs=1e-12)
         gained = float(integrator["energy.total"]) - start
-        assert gained == pytest.approx(float(integrator["energy.work"]), abs=20 * ROUND_OFF)
-        assert abs(float(integrator["energy.balance"])) < 20 * ROUND_OFF
+        near = 20 * ROUND_OFF + 1e-14 * abs(gained)  # held inputs jump: thousands of joules
+        assert gained == pytest.approx(float(integrator["energy.work"]), abs=near)
+        assert abs(float(integrator["energy.balance"])) < near

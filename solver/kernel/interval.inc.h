@@ -106,6 +106,10 @@ static int32_t interval(context *c, double h, int halvings)
     int32_t status = internal_step(c, h);
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
+    if (known_changes(c)) { /* Newton's iteration may only have begun too far away: lines miss what turns fast */
+        forget_changes(c);
+        return interval(c, h, halvings);
+    }
     if (halvings == MAX_HALVINGS) return status;
     status = interval(c, 0.5 * h, halvings + 1);
     return status ? status : interval(c, 0.5 * h, halvings + 1);

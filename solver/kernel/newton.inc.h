@@ -164,6 +164,17 @@ static void hold_multipliers(context *c, newton_record *r)
         c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
 }
 
+/* Whether what is `left` of the increments, the rows' defect and the energy that the residual adds are a margin below
+   the tolerance; or below the tolerance, where round-off has `stalled` the contraction.                        */
+static int is_solved(const context *c, const newton_record *r, double left, double defect, int stalled)
+{
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], added = residual_energy(c);
+    if (left <= NEWTON_MARGIN * r->target && defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
+        added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
+        return 1;
+    return stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+}
+
 /* Newton iteration with lambda held fixed (nested) or following mu (simultaneous; nested, while it contracts well).
    The error left behind is estimated from the observed contraction theta. It ends a margin below the tolerance, or
    where round-off stops the contraction below the tolerance. The factors are kept while they contract well.   */
@@ -194,11 +205,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         const double left = iteration > 0 || keep ? r->theta * r->eta : r->eta;
         const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
         if (simultaneous && !is_penalty(c)) defect = constraint_defect(c);
-        const double added = residual_energy(c);
-        if (left <= NEWTON_MARGIN * r->target && defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
-            added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
-            return HOLONOM_OK;
-        if (stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise) return HOLONOM_OK;
+        if (is_solved(c, r, left, defect, stalled)) return HOLONOM_OK;
         if (simultaneous && iteration > 1 && r->theta > 0.25 && stiffen(c, &r->stiffened)) {
             update_multipliers(c);
             if ((status = evaluate_residual(c))) return status;

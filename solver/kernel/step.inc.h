@@ -57,20 +57,24 @@ static void prepare_step(context *c, int parity)
     const int dependent = c->s.head[S_DEPENDENT] != 0.0;
     const double compliance = compliance_over_sigma(c);
     const double kept = dependent ? 1.0 - LEAK : 1.0;
-    const int mu_reach = dependent ? 0 : reach; /* a line would amplify what rows leave undetermined */
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
-        c->k.mu[i] = kept * predicted(c, mu_reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
+        c->k.mu[i] = kept * mu[parity][i];
     }
+    /* lambda is the last multiplier, not a predicted one: it decides what dependent rows leave undetermined, which a
+       line would amplify from step to step. Newton's iteration alone begins from the prediction. */
+    update_multipliers(c);
+    for (int32_t i = 0; i < m->n_rows && reach && !dependent; i++)
+        c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
-   they are. Where steps have needed two or more again and again, the penalty of those to come is a hundred times
+   they are. Where steps have taken three increments again and again, the penalty of those to come is a hundred times
    larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
    `outer` updates are many: those that a converged Newton iteration did not bring along.                     */
-static void follow_contraction(double *head, int updates, int outer)
+static void follow_contraction(double *head, int increments, int outer)
 {
-    const int slow = head[S_DEPENDENT] != 0.0 ? outer >= 3 : updates >= 2;
+    const int slow = head[S_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
     head[S_SLOW_STEPS] = slow ? head[S_SLOW_STEPS] + 1.0 : 0.0;
     if (head[S_SLOW_STEPS] < 8.0 || head[S_PENALTY_LEVEL] >= 2.0) return;
     head[S_PENALTY_LEVEL] += 1.0;
@@ -86,7 +90,6 @@ static int32_t solve_step(context *c, int parity)
     newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
     prepare_step(c, parity);
     choose_factors(c);
-    update_multipliers(c);
     int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
     int uzawa = 0;
     r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
@@ -115,7 +118,7 @@ static int32_t solve_step(context *c, int parity)
     c->plain = 0;
     head[S_NEWTON] += r.increments;
     head[S_UZAWA] += r.updates;
-    if (!status && !single && !r.stiffened) follow_contraction(head, r.updates, uzawa);
+    if (!status && !single && !r.stiffened) follow_contraction(head, r.increments, uzawa);
     return status;
 }
 

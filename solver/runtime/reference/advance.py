@@ -116,6 +116,10 @@ class Advance:
             self._internal_step(t, h)
         except UnsolvedError:
             self._undo(backup, numbers)
+            if Prediction(motion, int(motion.head["halves"])).reach:  # lines miss what turns fast
+                motion.forget_changes()
+                self._interval(t, h, halvings)
+                return
             if halvings == MAX_HALVINGS:
                 raise
             self._interval(t, 0.5 * h, halvings + 1)

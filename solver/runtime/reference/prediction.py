@@ -61,12 +61,8 @@ class Prediction:
         return self._predicted(self.motion.a, self.motion.a_change, self.reach)
 
     def multipliers(self) -> Array:
-        """Predicted multipliers.
-
-        A line would amplify what dependent rows leave undetermined.
-        """
-        reach = 0 if self.motion.head["dependent"] else self.reach
-        return self._predicted(self.motion.mu, self.motion.mu_change, reach)
+        """Predicted multipliers."""
+        return self._predicted(self.motion.mu, self.motion.mu_change, self.reach)
 
     def remember(self, a: Array, mu: Array) -> None:
         """Take over what the half step was solved for."""

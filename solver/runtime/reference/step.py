@@ -53,7 +53,8 @@ class Step:
         self.equations = Equations(mechanism, motion, h, signal_n1)
         self.w = 0.5 * h**2 * prediction.acceleration()[: mechanism.n_free]
         leak = LEAK if self.head["dependent"] else 0.0
-        self.mu = (1.0 - leak) * prediction.multipliers()
+        self.mu_held = (1.0 - leak) * motion.mu[prediction.parity]
+        self.mu = self.mu_held.copy() if self.head["dependent"] else prediction.multipliers()
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
         self.target = self.head["newton_tolerance"] * np.sqrt(
@@ -68,13 +69,16 @@ class Step:
         return self.equations.d(self.w)
 
     def first_multipliers(self) -> Array:
-        """Multipliers lam to begin with, such that the total ones begin with the last ones."""
+        """Multipliers lam to begin with: the last ones.
+
+        They decide what dependent rows leave undetermined; predicted ones would amplify it.
+        """
         equations = self.equations
         if not equations.augmented:
             return np.zeros_like(self.mu)
         if equations.conserving and not self.paper_update:
-            return self.mu - 0.5 * equations.alpha * equations.phi_n
-        return self.mu.copy()
+            return self.mu_held - 0.5 * equations.alpha * equations.phi_n
+        return self.mu_held.copy()
 
     def updated(self, lam: Array) -> Array:
         """Uzawa update of lam.
