@@ -24,6 +24,7 @@ SECTIONS = {
     "mechanisms": "benchmarks.scene_steps",
     "rigid-chains": "benchmarks.rigid_chains",
     "instructions": "benchmarks.instructions",
+    "tolerances": "benchmarks.tolerances",
     "stability": "benchmarks.stability",
     "stress": "benchmarks.stress",
 }

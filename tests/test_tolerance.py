@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import solver
+from benchmarks.tolerances import end_of
 from solver.runtime import Integrator
 from tests.exact_motions import double_pendulum_motion
 from tests.mechanism_runs import scene
@@ -133,3 +134,33 @@ def test_the_order_and_length_of_steps_are_left_to_the_tolerance_in_a_scene_too(
     ).solver
     assert (settings.order, settings.tolerance) == (0, 1e-5)
     assert settings.longest_step == solver.scene.SolverSettings().longest_step
+
+
+def test_a_mechanism_that_nothing_has_moved_yet_begins_as_well():
+    # Its reference energy is 0, so that an error of its velocities has nothing to be relative to.
+    run = Integrator(solver.assemble(solver.load(scene("snakeboard"))))
+    run["solver.tolerance"] = 1e-5
+    for _ in range(5):
+        run.advance(run.time, 0.1)
+    assert float(run["constraint.velocity"]) < 1.0
+    assert abs(float(run["energy.balance"])) < 1e-12
+
+
+def test_steps_do_not_shrink_to_nothing_where_round_off_is_all_that_is_left():
+    # Jansen's legs pass near singular places, where velocities have few digits.
+    run = Integrator(solver.assemble(solver.load(scene("jansen"))))
+    run["solver.tolerance"] = 1e-9
+    run["solver.order"] = 4.0
+    for _ in range(3):
+        run.advance(run.time, 0.1)
+    assert run.state.head["wanted"] > 1e-5
+
+
+@pytest.mark.parametrize(
+    ("name", "tolerance"),
+    [("four_bar", 1e-4), ("dzhanibekov", 1e-4), ("andrews", 1e-5), ("heavy_top", 1e-5)],
+)
+def test_scenes_end_within_a_decade_of_the_request(name, tolerance):
+    # Places and rates in the mass norm over size and speed; the order is chosen.
+    error = end_of(name, tolerance, 2.0).error(end_of(name, 1e-3 * tolerance, 2.0))
+    assert 0.02 * tolerance < error < 10.0 * tolerance

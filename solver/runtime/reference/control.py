@@ -59,7 +59,7 @@ METHODS = {
     2: Method(1, 2.0, 2.0, 1.0, 1.1e-2, 1.1e-2, 1.0),
     4: Method(5, 3.0, 1.0, 2.7, 2.5e-3, 5e-5, 1.5),
     6: Method(9, 4.0, 2.0, 2.9, 4e-3, 5e-6, 2.0),
-    8: Method(15, 5.0, 2.0, 2.6, 3e-4, 1e-7, 2.5),
+    8: Method(15, 5.0, 2.0, 2.6, 5e-4, 1e-7, 2.5),
 }
 
 
@@ -111,8 +111,13 @@ class Control:
 
     def _relative_size(self, of_q: float, of_v: float) -> float:
         """Mass norms of differences in q and v relative to size and speed of the mechanism."""
-        speed = math.sqrt(2.0 * self.head["energy_reference"])
-        return math.hypot(of_q / self.mechanism.section["extent"][1], of_v / speed)
+        part = of_v / self._speed if self._speed > 0.0 else 0.0
+        return math.hypot(of_q / self.mechanism.section["extent"][1], part)
+
+    @property
+    def _speed(self) -> float:
+        """Speed in the mass norm; 0 only as long as nothing has moved or could."""
+        return max(math.sqrt(2.0 * self.head["energy_reference"]), self._norm(self.motion.v))
 
     def _norm(self, x: Array) -> float:
         return self.mechanism.norm(x[self.free])
@@ -151,10 +156,15 @@ class Control:
         ratio = min(high / low, 1e3) if low > 0.0 else 0.0
         error = method.error * high * ratio ** ((order - method.high) / method.gap)
         turned = method.rate * high ** (1.0 / (method.high + 1.0))
+        share = error * self.head["horizon"] / (h * self.tolerated)
+        # Velocities are only known to round-off of places over h.
+        extent = float(self.mechanism.section["extent"][1])
+        if high <= 1e-13 * (1.0 + extent / (h * max(self._speed, 1e-300))):
+            share = min(share, SAFETY)
         return StepError(
             rate=turned / h,
             size=error / (method.predicted * turned ** (order + 1)) if turned > 0.0 else 0.0,
-            share=error * self.head["horizon"] / (h * self.tolerated),
+            share=share,
         )
 
     # ------------------------------------------------------------------------------- choice
