@@ -1,4 +1,4 @@
-"""Lean factors, without stiffness: they change the path of Newton's iteration, not where it ends."""
+"""Lean factors, without stiffness, change the path of Newton's iteration, not where it ends."""
 
 from __future__ import annotations
 

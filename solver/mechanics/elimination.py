@@ -213,7 +213,7 @@ def _take_out(
 def eliminate(graph: Graph) -> Pattern:
     """Return the order and the pattern of the factors of a graph."""
     order = block_order(graph)
-    sizes = np.array(graph.sizes)
+    sizes = np.array(graph.sizes, dtype=np.int64)
     position = np.empty(len(order), dtype=np.int64)
     position[order] = _pointers(sizes[order])[:-1]
     columns = _fill(_coupled(graph, position, sizes))
