@@ -219,7 +219,7 @@ def eliminate(graph: Graph) -> Pattern:
     columns = _fill(_coupled(graph, position, sizes))
     return Pattern(
         position=position,
-        counts=np.array([len(places) for places in columns]),
+        counts=np.array([len(places) for places in columns], dtype=np.int64),
         column=np.fromiter(chain.from_iterable(columns), dtype=np.int64),
     )
 
