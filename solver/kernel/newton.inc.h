@@ -198,7 +198,8 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (iteration > 0 && previous > 0.0) r->theta = r->eta / previous;
         else if (!keep) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
         previous = r->eta;
-        if (is_lean(c) && r->theta == 1.0) take_back(c);
+        const int is_slow = is_lean(c) && r->eta > r->floor && r->theta > (iteration > 0 ? LEAN_CONTRACTION : 0.5);
+        if (is_slow && iteration == 0) take_back(c);
         if (simultaneous) update_multipliers(c);
         status = evaluate_residual(c);
         if (status) return status;
@@ -213,7 +214,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
             r->theta = 1.0;
         } else if (iteration >= first_update && r->theta < GOOD_CONTRACTION)
             hold_multipliers(c, r);
-        if (is_lean(c) && r->theta > (iteration > 0 ? LEAN_CONTRACTION : 0.5) && r->eta > r->floor) give_up_lean(c, r);
+        if (is_slow) give_up_lean(c, r);
     }
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;

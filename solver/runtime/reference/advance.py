@@ -173,7 +173,7 @@ class Advance:
         balance = book_step(step)
         w = step.equations.w_moving(step.w)
         add(motion.q, motion.q_low, step.d)
-        add(motion.v, motion.v_low, 2.0 / h * w)
+        add(motion.v, motion.v_low, 2.0 * w / h)  # 2/h, rounded, would bias the energy
         motion.signal[:] = step.equations.signal_n1
         follow_angles(mechanism, motion)
         follow_bodies(self.clock.model, motion)
