@@ -27,6 +27,7 @@ SECTIONS = {
     "tolerances": "benchmarks.tolerances",
     "stability": "benchmarks.stability",
     "stress": "benchmarks.stress",
+    "skips": "benchmarks.skips",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""
 

@@ -225,8 +225,9 @@ static double quantity_at(const context *c, int32_t j, const double *x, const do
 static void links_at_start(const context *c)
 {
     const holonom_model *m = c->m;
-    for (int32_t i = 0; i < m->n_linked; i++) {
-        const int32_t f = m->linked_form[i];
+    const int linked = hm_skips(SKIP_MEASURED_FORMS);
+    for (int32_t i = 0; i < (linked ? m->n_linked : m->n_forms); i++) {
+        const int32_t f = linked ? m->linked_form[i] : i;
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
     for (int32_t j = 0; j < m->n_active; j++) {

@@ -6,6 +6,22 @@
 
 #include <math.h>
 
+/* What a step leaves out where it can (docs/skips.md), and the places that ask. Always so, but for benchmarks/skips.py,
+   which measures what each saves with kernels compiled with -DHOLONOM_WITHOUT=<sum of these>.                     */
+enum skip {
+    SKIP_STIFFNESS = 1,       /* lean factors: choose_factors                  */
+    SKIP_FACTORISATION = 2,   /* factors kept while they contract: iterate_newton */
+    SKIP_OUTER_ITERATION = 4, /* early Uzawa updates: first_early_update       */
+    SKIP_OLD_GUESS = 8,       /* predicted half steps: known_changes           */
+    SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_plain_row      */
+    SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
+    SKIP_LOW_PENALTY = 64     /* raised in long chains: follow_contraction     */
+};
+#ifndef HOLONOM_WITHOUT
+#define HOLONOM_WITHOUT 0
+#endif
+static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
+
 /* Operations, in the order of solver/mechanics/tape.py. */
 enum tape_code {
     T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,

@@ -118,7 +118,8 @@ static int stiffen(context *c, int *stiffened)
 static void choose_factors(context *c)
 {
     double *head = c->s.head;
-    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && head[S_DEPENDENT] == 0.0;
+    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && head[S_DEPENDENT] == 0.0 &&
+                         hm_skips(SKIP_STIFFNESS);
     c->lu = is_tried && head[S_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
     if (head[S_FULL_STEPS] > 0.0) head[S_FULL_STEPS] -= 1.0;
 }
@@ -151,6 +152,7 @@ static void give_up_lean(context *c, newton_record *r)
 static int first_early_update(const context *c)
 {
     const double *head = c->s.head;
+    if (!hm_skips(SKIP_OUTER_ITERATION)) return INT_MAX;
     if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return INT_MAX;
     return head[S_DEPENDENT] != 0.0 ? 1 : 0;
 }
@@ -186,7 +188,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
     double previous = 0.0, defect = 0.0;
     for (int iteration = 0; iteration < max_newton; iteration++) {
         int32_t status = HOLONOM_OK;
-        const int keep = r->factorised && r->theta < GOOD_CONTRACTION;
+        const int keep = r->factorised && r->theta < GOOD_CONTRACTION && hm_skips(SKIP_FACTORISATION);
         if (!keep) {
             status = factorise(c);
             if (status) return status;

@@ -16,7 +16,7 @@ static inline double square_motion(const context *c, int32_t f, double *du, doub
 /* Whether row i is |u|^2 - c = 0 in a conserving step: a distance or the length of a direction, as most rows are. */
 static inline int is_plain_row(const context *c, int32_t i)
 {
-    return c->plain && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
+    return c->plain && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
 }
 
 /* Form row i of the kind of is_plain_row: the same numbers in one pass. */

@@ -9,7 +9,7 @@
    half, where a line leads astray. */
 static int known_changes(const context *c)
 {
-    const double known = c->s.head[S_KNOWN];
+    const double known = hm_skips(SKIP_OLD_GUESS) ? c->s.head[S_KNOWN] : 0.0;
     if (!is_conserving(c) || c->halves > c->m->n_slots || known < c->halves + 1) return 0;
     return 2 * c->halves <= c->m->n_slots && known >= 2 * c->halves + 1 ? 2 : 1;
 }

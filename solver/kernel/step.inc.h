@@ -76,7 +76,7 @@ static void follow_contraction(double *head, int increments, int outer)
 {
     const int slow = head[S_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
     head[S_SLOW_STEPS] = slow ? head[S_SLOW_STEPS] + 1.0 : 0.0;
-    if (head[S_SLOW_STEPS] < 8.0 || head[S_PENALTY_LEVEL] >= 2.0) return;
+    if (!hm_skips(SKIP_LOW_PENALTY) || head[S_SLOW_STEPS] < 8.0 || head[S_PENALTY_LEVEL] >= 2.0) return;
     head[S_PENALTY_LEVEL] += 1.0;
     head[S_SLOW_STEPS] = 0.0;
 }

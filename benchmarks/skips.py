@@ -1,0 +1,282 @@
+"""What each skip saves: kernels compiled without it, and scenes drawn so that it does not apply.
+
+The kernel asks `hm_skips` wherever a step leaves out what a scene does not need; compiled with
+-DHOLONOM_WITHOUT=<sum of bits> it does that work after all (`solver/kernel/internal.h`,
+`docs/skips.md`). What is decided when a model is assembled is compared by pairs of scenes that move
+alike.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+
+import solver
+from benchmarks.effort import TINY, Effort
+from benchmarks.mechanisms import Content, four_bar, hanging_chain, scene, waving_chain
+from benchmarks.report import Section, Table, Value
+from benchmarks.stepping import Repeated
+from benchmarks.timing import Entry, Times, interleave
+from build_kernel.compiler import SOURCES, CompilerError, flags, system_compiler, zig_compiler
+from scenes.generate import rigid_chain
+from solver.runtime import Integrator, Model
+from solver.runtime.kernel import Kernel, load_library
+from solver.runtime.state import State
+
+ROOT = Path(__file__).resolve().parents[1]
+STEP = 1e-3
+STEPS_TIMES_PARTS = 20_000
+
+SKIPS = {
+    "stiffness": 1,
+    "factorisation": 2,
+    "outer iteration": 4,
+    "old guess": 8,
+    "second link": 16,
+    "measured forms": 32,
+    "low penalty": 64,
+}
+"""Bits of `enum skip`, by their names in `docs/skips.md`."""
+ALL = sum(SKIPS.values())
+
+FORMATS = {"solve": ".2f", "noise": ".2f", "entries": ".0f", "dense": ".0f", "unknowns": ".0f"}
+METHOD = (
+    "The same kernel compiled again without one skip each (docs/skips.md): CPU time of an inner "
+    "step over that with all of them, and Newton iterations. Pairs of half steps, 1 ms a pair, "
+    "after 20 pairs; Andrews' squeezer and the heavy top with their scenes' steps. What is decided "
+    "at assembly is compared by two scenes that move alike."
+)
+
+# ---------------------------------------------------------------------------------- kernels
+
+
+@cache
+def variant(without: int, optimisation: str = "-O3") -> ctypes.CDLL:
+    """Kernel compiled without the skips of these bits, loaded; once a process.
+
+    Raises
+    ------
+    CompilerError
+        When there is no compiler, or it refuses; the text has the reason.
+    """
+    compiler = system_compiler() or zig_compiler()
+    if compiler is None:
+        text = "there is no C compiler here for kernels without skips; install one, or ziglang"
+        raise CompilerError(text)
+    folder = ROOT / SOURCES
+    options = [*flags(), optimisation, f"-DHOLONOM_WITHOUT={without}"]
+    sources = sorted(path.name for path in folder.glob("*.c"))
+    # A library that is loaded cannot be deleted on every system.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as target:
+        library = Path(target, f"without{without}.library")
+        command = [*compiler, *options, "-o", str(library), *sources, "-lm"]
+        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if run.returncode:
+            raise CompilerError(run.stderr)
+        return load_library(str(library))
+
+
+def variants(bits: Iterable[int], optimisation: str = "-O3") -> dict[int, ctypes.CDLL]:
+    """Kernels without the skips of each of these bits, two compiled at a time."""
+    bits = list(bits)
+    with ThreadPoolExecutor(2) as pool:
+        libraries = pool.map(lambda without: variant(without, optimisation), bits)
+        return dict(zip(bits, libraries, strict=True))
+
+
+def bound(model: Model, library: ctypes.CDLL) -> Integrator:
+    """Integrator of a model on a kernel of one's own, ready for the first step."""
+    integrator = Integrator(model, kernel="c")
+    integrator.engine = Kernel(model, library)
+    integrator.state = State(model, integrator.engine.state)
+    integrator.reset()
+    integrator.initialise()
+    return integrator
+
+
+# ------------------------------------------------------------------------------- mechanisms
+
+
+def mechanisms(largest: int) -> dict[str, tuple[Model, int]]:
+    """Models and numbers of parts, by name; chains of no more parts than `largest`."""
+    found = {
+        "double pendulum": (model_of(hanging_chain(2)), 2),
+        "four-bar (A02), N = 2": (model_of(four_bar()), 5),
+    }
+    for name, parts in (("andrews", 7), ("heavy_top", 1)):
+        found[name] = (solver.assemble(solver.load(ROOT / "scenes" / f"{name}.toml")), parts)
+    for n in (10, 100, 1000):
+        if n <= largest and n > 10:
+            found[f"spatial point chain, N = {n}"] = (model_of(waving_chain(n, 3)), n)
+        if n <= min(largest, 100):
+            drawn = solver.loads(rigid_chain(n), name="rigid_chain.toml", format="toml")
+            found[f"spatial rigid chain, N = {n}"] = (solver.assemble(drawn), 5 * n)
+    return found
+
+
+def model_of(content: Content) -> Model:
+    """Model of a content with steps of 1 ms."""
+    return solver.assemble(scene(content, step_size=STEP))
+
+
+def _repeated(integrator: Integrator, parts: int, effort: Effort) -> Repeated:
+    count = effort.count(max(5, STEPS_TIMES_PARTS // parts), least=2)
+    return Repeated(integrator, float(integrator["solver.step_size"]), count)
+
+
+# ---------------------------------------------------------------------------------- sections
+
+
+def measure(effort: Effort) -> Section:
+    tables, remarks = _pairs(effort), []
+    try:
+        tables = [*_ablation(effort), *tables]
+    except CompilerError as error:
+        remarks.append(f"No kernels without skips: {error}")
+    tables.append(_factors(effort))
+    title = "What a scene does not need"
+    return Section(name="skips", title=title, method=METHOD, tables=tables, remarks=remarks)
+
+
+def _ablation(effort: Effort) -> list[Table]:
+    """Times and iterations of every mechanism without each skip.
+
+    Raises
+    ------
+    CompilerError
+        When the kernels cannot be compiled.
+    """
+    columns = {"none": 0} | SKIPS | {"all": ALL}
+    libraries = variants(columns.values(), "-O0" if effort.largest <= TINY.largest else "-O3")
+    ratios: list[Mapping[str, Value]] = []
+    iterations: list[Mapping[str, Value]] = []
+    for name, (model, parts) in mechanisms(effort.largest).items():
+        cases = {
+            key: _repeated(bound(model, libraries[without]), parts, effort)
+            for key, without in columns.items()
+        }
+        able = {key: case.entry for key, case in cases.items() if not case.failure}
+        times = interleave(able, effort)
+        least = times["none"].minimum
+        start = {"mechanism": name, "solve": 1e6 * least / cases["none"].solves}
+        ratio = {key: times[key].minimum / least for key in able if key != "none"}
+        ratios.append(start | ratio | {"noise": times["none"].noise})
+        iterations.append({"mechanism": name} | {key: cases[key].newton_per_solve for key in able})
+    skips = {key: key for key in columns if key != "none"}
+    first = {"mechanism": "mechanism", "solve": "µs per inner step"}
+    formats = FORMATS | dict.fromkeys(columns, ".2f")
+    return [
+        Table(title="Time without a skip over time with all", rows=ratios, formats=formats,
+              columns=first | skips | {"noise": "noise"}),
+        Table(title="Newton iterations per inner step without a skip", rows=iterations,
+              formats=formats, columns={"mechanism": "mechanism", "none": "all skips"} | skips),
+    ]  # fmt: skip
+
+
+def _pairs(effort: Effort) -> list[Table]:
+    rows: list[Mapping[str, Value]] = []
+    for name, (cheap, dear, parts) in pairs(min(100, effort.largest)).items():
+        cases = {"with": _repeated(_start(cheap), parts, effort)}
+        cases["without"] = _repeated(_start(dear), parts, effort)
+        rows.append(_pair(name, {key: c.entry for key, c in cases.items()}, cases["with"], effort))
+    rows.append(_measuring(effort))
+    columns = {"what": "what", "solve": "µs per inner step", "without": "without the skip, µs"}
+    columns |= {"ratio": "ratio", "noise": "noise"}
+    formats = FORMATS | {"without": ".2f", "ratio": ".2f"}
+    return [Table(title="Decided at assembly or on request", columns=columns, rows=rows,
+                  formats=formats)]  # fmt: skip
+
+
+def _start(model: Model) -> Integrator:
+    return bound(model, load_library())
+
+
+def _pair(
+    name: str, entries: Mapping[str, Entry], case: Repeated, effort: Effort
+) -> dict[str, Value]:
+    times: dict[str, Times] = interleave(entries, effort)
+    least, more = (times[key].minimum for key in ("with", "without"))
+    each = 1e6 / case.solves
+    return {
+        "what": name,
+        "solve": each * least,
+        "without": each * more,
+        "ratio": more / least,
+        "noise": times["with"].noise,
+    }
+
+
+def pairs(n: int) -> dict[str, tuple[Model, Model, int]]:
+    """Two models that move alike, the second unable to skip something, and their parts."""
+    rods, formulas = hanging_chain(2), hanging_chain(2)
+    formulas["constraints"] = {
+        "rod1": {"value": "P1.x**2 + P1.y**2 - 1"},
+        "rod2": {"value": "(P2.x - P1.x)**2 + (P2.y - P1.y)**2 - 1"},
+    }
+    del formulas["joints"]
+    load = {"type": "force", "point": "P2"}
+    constant = rods | {"forces": {"load": load | {"value": [0.5, 0.0]}}}
+    timed = rods | {"forces": {"load": load | {"value": ["0.5 + 0*t", 0.0]}}}
+    return {
+        f"third coordinate: point chain in the plane and in space, N = {n}": (
+            model_of(waving_chain(n, 2)),
+            model_of(waving_chain(n, 3)),
+            n,
+        ),
+        "composites: double pendulum on rods and on formulas": (
+            model_of(rods),
+            model_of(formulas),
+            2,
+        ),
+        "tape: a load on the double pendulum, constant and of time": (
+            model_of(constant),
+            model_of(timed),
+            2,
+        ),
+    }
+
+
+def _measuring(effort: Effort) -> dict[str, Value]:
+    """Steps one by one, with and without measuring after each."""
+    n = min(100, effort.largest)
+    integrator = _start(model_of(waving_chain(n, 3)))
+    case = _repeated(integrator, n, effort)
+
+    def steps(after: Callable[[], object]) -> Callable[[], None]:
+        def run() -> None:
+            for _ in range(case.count):
+                integrator.advance(integrator.time, STEP)
+                after()
+
+        return run
+
+    prepare = case.entry.prepare
+    entries = {
+        "with": Entry(steps(lambda: None), prepare),
+        "without": Entry(steps(integrator.engine.measure), prepare),
+    }
+    return _pair(f"measurements: spatial point chain, N = {n}", entries, case, effort)
+
+
+def _factors(effort: Effort) -> Table:
+    """What the elimination order leaves of a dense matrix: a count, the same on every machine."""
+    rows: list[Mapping[str, Value]] = []
+    for name, (model, _) in mechanisms(effort.largest).items():
+        unknowns = model.sizes["dim"] * model.sizes["n_free"] + model.sizes["n_rows"]
+        entries = model.tables["lu_ptr"][-1]
+        lean = model.sizes["n_lean_values"]
+        rows.append({"mechanism": name, "unknowns": unknowns, "entries": entries,
+                     "lean": float(lean) if lean else None, "dense": unknowns**2})  # fmt: skip
+    columns = {
+        "mechanism": "mechanism",
+        "unknowns": "unknowns",
+        "entries": "entries of the factors",
+    }
+    columns |= {"lean": "of lean factors", "dense": "of a dense matrix"}
+    return Table(title="Entries that are stored", columns=columns, rows=rows,
+                 formats=FORMATS | {"lean": ".0f"})  # fmt: skip
