@@ -214,7 +214,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
             if ((status = evaluate_residual(c))) return status;
             r->factorised = 0;
             r->theta = 1.0;
-        } else if (iteration >= first_update && r->theta < GOOD_CONTRACTION)
+        } else if (iteration == first_update && r->theta < GOOD_CONTRACTION)
             hold_multipliers(c, r);
         if (is_slow) give_up_lean(c, r);
     }
