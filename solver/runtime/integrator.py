@@ -14,39 +14,17 @@ from .assembly_checks import (
     formulation_problems,
     rules_of_laws,
 )
+from .engine_choice import engine_for
 from .errors import LIMITED, SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
-from .kernel import Kernel, KernelMissingError
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
 from .state import ASSEMBLED, CONFIGURED, MOVING, State
 from .value_checks import check_settable
 
-TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
-if TYPE_CHECKING:
-    from .engine import Engine
-
 ROUNDING, STEP_SLACK = 8, 1e-6
 """A step begins at the present time, up to so many last digits of it and this part of a step."""
 
 Value = float | str | bool
-
-
-def _engine(model: Model, kernel: str, log: Callable[[str], None] | None) -> Engine:
-    """Bind the model to the compiled kernel, or, said in the log, to the NumPy reference."""
-    if kernel not in ("auto", "c", "numpy"):
-        message = f"kernel: must be auto, c or numpy, got {kernel!r}"
-        raise OptionError(message)
-    if kernel != "numpy":
-        try:
-            return Kernel(model)
-        except KernelMissingError as missing:
-            if kernel == "c":
-                raise
-            if log:
-                log(f"{missing}; the NumPy reference steps in, some hundred times slower")
-    from .reference import Reference  # NumPy is imported here and nowhere else
-
-    return Reference(model)
 
 
 class Integrator:
@@ -66,7 +44,7 @@ class Integrator:
         self, model: Model, *, kernel: str = "auto", log: Callable[[str], None] | None = None
     ) -> None:
         self.model, self._log = model, log
-        self.engine = _engine(model, kernel, log)
+        self.engine = engine_for(model, kernel, log)
         self.state = State(model, self.engine.state)
         self._base = model.offsets["measured"]
         self._rules_of_laws = rules_of_laws(model)
