@@ -155,7 +155,8 @@ def test_the_work_of_a_force_that_changes_in_time_is_taken_in_the_middle_of_the_
     middle = motion.t[:-1] + h / 2
     expected = np.sum(4 * np.sin(3 * middle) * np.diff(motion.q[:, 0, 0]))
     assert integrator["energy.work"] == pytest.approx(expected, abs=1e-12)
-    assert abs(integrator["energy.balance"]) < 1e-12
+    fallen = integrator["energy.kinetic"]  # 1e4 J after 10 s, of which the last digit is 2e-12
+    assert abs(integrator["energy.balance"]) < 1e-15 * fallen
 
 
 @pytest.mark.parametrize("pivoted", [True, False], ids=["pivoted", "free"])

@@ -224,9 +224,9 @@ def test_sums_keep_what_rounding_leaves_over():
 
 
 def test_the_reference_stands_in_for_a_kernel_that_is_not_there(monkeypatch, tmp_path):
+    model = model_of(PENDULUM)
     monkeypatch.setattr(kernel, "library_path", lambda: tmp_path / "libholonom.so")
     said: list[str] = []
-    model = model_of(PENDULUM)
     run = Integrator(model, log=said.append)
     assert isinstance(run.engine, Reference)
     assert len(said) == 1

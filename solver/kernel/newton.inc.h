@@ -147,14 +147,15 @@ static void give_up_lean(context *c, newton_record *r)
     r->theta = 1.0;
 }
 
-/* Newton iteration after which lambda may follow early. Multipliers that dependent rows share get the rounding errors
-   of a solve over epsilon, which the next one with lambda held removes: the update waits for it.               */
-static int first_early_update(const context *c)
+/* Whether lambda may follow early, after this Newton iteration. Multipliers that dependent rows share get the rounding
+   errors of a solve over epsilon, which the next one with lambda held removes: there the update waits for it, and
+   comes once.                                                                                                  */
+static int may_update_early(const context *c, int iteration)
 {
     const double *head = c->s.head;
-    if (!hm_skips(SKIP_OUTER_ITERATION)) return INT_MAX;
-    if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return INT_MAX;
-    return head[S_DEPENDENT] != 0.0 ? 1 : 0;
+    if (!hm_skips(SKIP_OUTER_ITERATION)) return 0;
+    if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return 0;
+    return head[S_DEPENDENT] == 0.0 || iteration == 1;
 }
 
 /* Uzawa update, and what it changes in the residual of the rows. */
@@ -177,13 +178,14 @@ static int is_solved(const context *c, const newton_record *r, double left, doub
     return stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
 }
 
-/* Newton iteration with lambda held fixed (nested) or following mu (simultaneous; nested, while it contracts well).
+/* Newton iteration with lambda held fixed (nested) or following mu (simultaneous; nested, while it contracts well and
+   the rows do not hold yet).
    The error left behind is estimated from the observed contraction theta. It ends a margin below the tolerance, or
    where round-off stops the contraction below the tolerance. The factors are kept while they contract well.   */
 static int32_t iterate_newton(context *c, newton_record *r)
 {
     const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0;
-    const int max_newton = (int)c->s.head[S_MAX_NEWTON], first_update = first_early_update(c);
+    const int max_newton = (int)c->s.head[S_MAX_NEWTON];
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
     double previous = 0.0, defect = 0.0;
     for (int iteration = 0; iteration < max_newton; iteration++) {
@@ -214,7 +216,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
             if ((status = evaluate_residual(c))) return status;
             r->factorised = 0;
             r->theta = 1.0;
-        } else if (iteration == first_update && r->theta < GOOD_CONTRACTION)
+        } else if (r->theta < GOOD_CONTRACTION && may_update_early(c, iteration) && (iteration > 0 || constraint_defect(c) > QUARTER_ULP))
             hold_multipliers(c, r);
         if (is_slow) give_up_lean(c, r);
     }

@@ -105,7 +105,7 @@ static int32_t solve_step(context *c, int parity)
         if (defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r.energy) break;
         if (defect > 0.25 * last && defect > 10.0 * last / (1.0 + head[S_PENALTY]) && stiffen(c, &r.stiffened))
             r.factorised = 0;
-        else if (defect > 0.9 * last && defect <= tolerance) break;
+        else if (defect > 0.9 * last && defect <= tolerance && energy <= ENERGY_LIMIT * tolerance * r.energy + r.noise) break;
         if (uzawa >= max_uzawa) {
             if (!(defect <= tolerance && energy <= tolerance * r.energy + r.noise)) status = HOLONOM_UZAWA_DIVERGED;
             break;

@@ -226,7 +226,8 @@ def eliminations(structure: Structure) -> dict[str, array]:
     """
     full = Layout(structure).tables()
     lean = Layout(structure, lean=True).tables()
-    worth = 2 * len(lean["lean_lu_target"]) <= len(full["lu_target"])
+    fits = [*lean["lean_lu_ptr"]][-1:] <= [*full["lu_ptr"]][-1:]  # both live in the same memory
+    worth = fits and 2 * len(lean["lean_lu_target"]) <= len(full["lu_target"])
     return full | (lean if worth else {name: array("i") for name in lean})
 
 
