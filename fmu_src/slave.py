@@ -71,10 +71,11 @@ class Slave(LoggedSlave):
                 self._integrator.state.head["horizon"] = stop_time - start_time
             if tolerance is None:
                 return
-            if self._integrator["solver.tolerance"]:
+            fixed = "this run is one of fixed steps, set by solver.step_size and solver.order"
+            reason = fixed if tolerance > 0.0 else "it must be > 0"
+            if self._integrator["solver.tolerance"] and tolerance > 0.0:
                 self._integrator["solver.tolerance"] = tolerance
                 return
-            reason = "this run is one of fixed steps, set by solver.step_size and solver.order"
         except Exception as error:
             reason = sentence(error)
         self.note(f"tolerance {tolerance!r} has no effect: {reason}")

@@ -163,17 +163,24 @@ static int32_t cover_to_tolerance(context *c, double start, double step)
     begin_control(c);
     while (done < step) {
         const double rest = step - done, longest = fmin(head[S_WANTED], head[S_LONGEST_STEP]);
-        const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
+        /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
+        const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
+        const double n = fmax(least, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
         const double law_time = c->number[c->m->time_at];
         if (!(n < 1e9)) return HOLONOM_BAD_STEP;
         c->t = start + done;
         const int32_t status = internal_step(c, h);
         const int rejected = status ? 1 : is_rejected(c, h, step);
         if (status || (rejected && repeats < MAX_REPEATS)) {
-            const double wanted = status ? 0.5 * h : head[S_WANTED];
+            const double raised = head[S_PENALTY_LEVEL], wanted = status ? 0.5 * h : head[S_WANTED];
             if (++repeats > MAX_REPEATS) return status;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
+            if (!status) head[S_PENALTY_LEVEL] = raised; /* it was solved, only not short enough */
+            if (status && known_changes(c)) { /* Newton's iteration may only have begun too far away */
+                forget_changes(c);
+                head[S_WANTED] = h;
+            }
             continue;
         }
         repeats = 0;

@@ -214,7 +214,7 @@ HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, 
                                    double *work, double *phi, double *phi_dot);
 
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option
-   step_size; on failure the state is as before, but for S_STATUS.                                           */
+   step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS.                                           */
 HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers, double *state, double *work,
                                     double step);
 

@@ -57,7 +57,8 @@ SENTENCE = {
     Status.OK: "done",
     Status.NEWTON_DIVERGED: (
         "Newton's iteration did not converge, even with the step halved 6 times; "
-        "a smaller solver.step_size usually helps"
+        "a smaller solver.step_size, or solver.longest_step with a tolerance, "
+        "usually helps"
     ),
     Status.UZAWA_DIVERGED: (
         "the constraints could not be met, even with the step halved 6 times; check that the "
@@ -69,7 +70,8 @@ SENTENCE = {
     ),
     Status.NOT_FINITE: (
         "a number grew beyond all bounds, even with the step halved 6 times; "
-        "a smaller solver.step_size usually helps"
+        "a smaller solver.step_size, or solver.longest_step with a tolerance, "
+        "usually helps"
     ),
     Status.ZERO_LENGTH: (
         "a spring, damper, torque, driver or formula acts along two points that coincide, or by an "

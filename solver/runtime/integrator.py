@@ -250,7 +250,8 @@ class Integrator:
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)
         self._measured = False
-        h = min(step, self.state.head["step_size"])
+        head = self.state.head
+        h = min(step, head["longest_step" if head["tolerance"] > 0.0 else "step_size"])
         self.message = f"step from t = {t:g} s with h = {h:g} s: {SENTENCE[status]}"
         raise StepError(self.message, status)
 

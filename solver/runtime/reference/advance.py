@@ -77,11 +77,14 @@ class Advance:
         control.begin()
         while done < step:
             rest, longest = step - done, min(head["wanted"], head["longest_step"])
-            n = max(1.0, np.ceil(rest / longest * (1.0 - 1e-10)))
+            # A pair is judged by the one before it: after a jump two are needed.
+            least = 2.0 if head["order_in_use"] == 2.0 and head["known"] < 2.0 else 1.0
+            n = max(least, np.ceil(rest / longest * (1.0 - 1e-10)))
             if not n < 1e9:
                 raise UnsolvedError(Status.BAD_STEP)
             h = rest / n
             backup, numbers = self.motion.block.copy(), self.clock.numbers.copy()
+            solved = True
             try:
                 self._internal_step(start + done, h)
                 repeated = control.rejects(h, step)
@@ -89,11 +92,16 @@ class Advance:
             except UnsolvedError:
                 if repeats >= MAX_REPEATS:
                     raise
-                repeated, wanted = True, 0.5 * h
+                solved, repeated, wanted = False, True, 0.5 * h
             if repeated and repeats < MAX_REPEATS:
-                repeats += 1
+                repeats, raised = repeats + 1, head["penalty_level"]
                 self._undo(backup, numbers)
                 head["wanted"] = wanted
+                if solved:
+                    head["penalty_level"] = raised
+                elif Prediction(self.motion, int(head["halves"])).reach:
+                    self.motion.forget_changes()
+                    head["wanted"] = h
                 continue
             repeats = 0
             done = step if n == 1.0 else done + h
