@@ -67,7 +67,9 @@ def reduced(problem: Problem) -> Reduced:
     places = len(problem.watch)
     y_in, y_out, seen = np.empty_like(start), np.empty_like(start), np.empty(6 * places + 1)
     # Addresses are taken once: a call from Python then costs less than a microsecond.
-    at = [ctypes.c_void_p(array.ctypes.data) for array in (y_in, y_out, constants, seen)]
+    # data_as keeps the array that it points to alive; its bare address would not.
+    arrays = (y_in, y_out, constants, seen)
+    at = [array.ctypes.data_as(ctypes.c_void_p) for array in arrays]
 
     def slopes(t: float, y: Array) -> Array:
         y_in[:] = y

@@ -40,7 +40,8 @@ def test_steps_written_by_hand_move_a_chain_as_the_kernel_does(name, tmp_path):
     # Every half step leaves rounding errors of its own: 400 of them, and 5e-4 s to divide by in v.
     assert block[BEGIN : BEGIN + n] == pytest.approx(q, abs=1e-14 * abs(q).max(), rel=0)
     moved = block[BEGIN + 2 * n : BEGIN + 3 * n]
-    assert moved == pytest.approx(v, abs=1e-13 * abs(v).max(), rel=0)
+    # Both may leave 6e-17 of its square in a rod, over 5e-4 s 1e-13 of v; a random walk of 400.
+    assert moved == pytest.approx(v, abs=4e-12 * abs(v).max(), rel=0)
     # Fair: neither stops earlier than the other.
     by_kernel = integrator["solver.newton_iterations"]
     assert block[BEGIN - 1] == pytest.approx(by_kernel, rel=0.1)

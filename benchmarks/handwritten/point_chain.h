@@ -190,7 +190,7 @@ static inline void accept(chain *c, const half_step *s, double h, int half)
         EACH(k) {
             const double a = 2.0 / (h * h) * s->w[i][k];
             add(&c->q[i][k], &c->q_low[i][k], s->d[i][k]);
-            add(&c->v[i][k], &c->v_low[i][k], 2.0 / h * s->w[i][k]);
+            add(&c->v[i][k], &c->v_low[i][k], 2.0 * s->w[i][k] / h);
             c->a_change[half][1][i][k] = c->a_change[half][0][i][k];
             c->a_change[half][0][i][k] = a - c->a[1 - half][i][k];
             c->a[half][i][k] = a;
