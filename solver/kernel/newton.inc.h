@@ -106,6 +106,9 @@ static int stiffen(context *c, int *stiffened)
 /* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
    iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
 #define EARLY_UPDATE_PENALTY 1e6
+/* Defect below which a row needs no update: what is left, epsilon (mu - lambda), has the sign of dmu/dt at every step
+   and adds up in the energy (double pendulum, 2e5 steps of 1 ms: 4e-13 J with 6e-17, 1e-14 J with this). */
+#define UNBIASED 1e-19
 #define GOOD_CONTRACTION 0.05
 
 /* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then their contraction.
@@ -216,7 +219,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
             if ((status = evaluate_residual(c))) return status;
             r->factorised = 0;
             r->theta = 1.0;
-        } else if (r->theta < GOOD_CONTRACTION && may_update_early(c, iteration) && (iteration > 0 || constraint_defect(c) > QUARTER_ULP))
+        } else if (r->theta < GOOD_CONTRACTION && may_update_early(c, iteration) && (iteration > 0 || constraint_defect(c) > UNBIASED))
             hold_multipliers(c, r);
         if (is_slow) give_up_lean(c, r);
     }
