@@ -229,7 +229,7 @@ def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int
     n = int(sizes.sum())
     pairs = np.fromiter(chain.from_iterable(graph.couplings), dtype=np.int64).reshape(-1, 2)
     full = np.fromiter(graph.couplings.values(), dtype=bool)
-    elements = [np.empty(0, dtype=np.int64)]
+    elements: list[Integers] = [np.empty(0, dtype=np.int64)]
     for i in range(sizes.max(initial=0)):
         for k in range(sizes.max()):
             a, b = pairs[full | (i == k)].T

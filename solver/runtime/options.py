@@ -33,7 +33,7 @@ SWITCHES = ("paired", "assemble")
 """Settings that are true or false."""
 
 RANGES: dict[str, tuple[float, float, str, str]] = {
-    "step_size": (0.0, 1e6, "s", "longest internal step"),
+    "step_size": (0.0, 1e6, "s", "internal step of a run without tolerance"),
     "tolerance": (-5e-324, 0.1, "", "relative error of a run, or 0: steps of step_size"),
     "absolute_tolerance": (
         -5e-324,
