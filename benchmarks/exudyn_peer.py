@@ -7,17 +7,13 @@ package `exudyn` (the extra `peers`).
 from __future__ import annotations
 
 import json
-import os
-import subprocess
-import sys
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from typing import Any
 
 from benchmarks.effort import Effort
+from benchmarks.peer_interpreter import VARIABLE, run_there
 
-VARIABLE = "EXUDYN_PYTHON"
 ABSENT = (
     "Exudyn is not installed here: no times of it (it is the extra `peers`; "
     f"`{VARIABLE}` may name another interpreter that has it)"
@@ -50,7 +46,7 @@ def measured(jobs: Sequence[Job], effort: Effort) -> tuple[dict[str, dict[str, A
         "budget": effort.budget,
         "jobs": [asdict(job) for job in jobs],
     }
-    run = _python(["-m", "benchmarks.exudyn_run"], json.dumps(request))
+    run = run_there(["-m", "benchmarks.exudyn_run"], json.dumps(request))
     if run.returncode:
         reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
         return {}, [f"Exudyn {version}: {reason}"]
@@ -61,17 +57,5 @@ def measured(jobs: Sequence[Job], effort: Effort) -> tuple[dict[str, dict[str, A
 
 def _version() -> str | None:
     code = "from importlib.metadata import version; print(version('exudyn'))"
-    run = _python(["-c", code], "")
+    run = run_there(["-c", code], "")
     return None if run.returncode else run.stdout.strip()
-
-
-def _python(arguments: list[str], text: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [os.environ.get(VARIABLE, sys.executable), *arguments],
-        input=text,
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=Path(__file__).resolve().parents[1],
-        env={**os.environ, "EXUDYN_MODULE": "fast"},  # its compiled module without range checks
-    )

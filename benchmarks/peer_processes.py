@@ -7,14 +7,11 @@ has them. What is not installed gives a row that says so.
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
-from pathlib import Path
 
-from benchmarks.exudyn_peer import VARIABLE
+from benchmarks.peer_interpreter import VARIABLE, run_there
 from benchmarks.peer_methods import Limits, Row
 from benchmarks.problems_parts import Problem
 
@@ -32,7 +29,6 @@ LEEWAY = 2.0
 PATIENCE = 120.0
 """Seconds after which a code is stopped at a problem."""
 ONE = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
-ROOT = Path(__file__).resolve().parents[1]
 
 Versions = Mapping[str, str | None]
 """Version of each module's package, None where it is not installed."""
@@ -52,7 +48,7 @@ print(json.dumps([ask(name) for name in sys.argv[1:]]))
 def found() -> Versions:
     """Which codes the interpreter has."""
     packages = [package for _, package in MODULES.values()]
-    run = _python(["-c", ASK, *packages], "")
+    run = run_there(["-c", ASK, *packages], "", patience=PATIENCE, environment=ONE)
     versions = json.loads(run.stdout) if run.returncode == 0 else [None] * len(packages)
     return dict(zip(MODULES, versions, strict=True))
 
@@ -86,7 +82,12 @@ def measured(
             "limits": asdict(replace(limits, run=LEEWAY * limits.run)),
         }
         try:
-            run = _python(["-m", "benchmarks.peer_run"], json.dumps(request))
+            run = run_there(
+                ["-m", "benchmarks.peer_run"],
+                json.dumps(request),
+                patience=PATIENCE,
+                environment=ONE,
+            )
         except subprocess.TimeoutExpired:
             remark = f"no end within {PATIENCE:g} s"
             rows.append({"solver": name, "setting": "", "remark": remark})
@@ -97,17 +98,3 @@ def measured(
             continue
         rows += json.loads(run.stdout.strip().rpartition("\n")[2])
     return rows
-
-
-def _python(arguments: list[str], text: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [os.environ.get(VARIABLE, sys.executable), *arguments],
-        input=text,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=PATIENCE,
-        cwd=ROOT,
-        # Exudyn's compiled module without range checks is the faster one.
-        env={**os.environ, **ONE, "EXUDYN_MODULE": "fast"},
-    )

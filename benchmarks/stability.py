@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from benchmarks.effort import Effort
-from benchmarks.exudyn_peer import VARIABLE
+from benchmarks.peer_interpreter import VARIABLE
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.stability_cases import Case, chain, maps
 from benchmarks.stability_peers import present, scanned

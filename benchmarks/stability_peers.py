@@ -7,17 +7,13 @@ there is left out, and a remark says so.
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from collections.abc import Sequence
-from pathlib import Path
 
-from benchmarks.exudyn_peer import VARIABLE
+from benchmarks.peer_interpreter import run_there
 from benchmarks.stability_rules import Outcome, Seen
 from benchmarks.stability_runs import Ready
 
-ROOT = Path(__file__).resolve().parents[1]
 LIMIT = 300.0
 """Seconds for all methods of a peer on one mechanism."""
 MODELS = ("chain", "four-bar", "bricard", "stiff spring")
@@ -30,7 +26,7 @@ def present() -> dict[str, str]:
     found = {}
     for name in ("Exudyn", "MuJoCo"):
         code = f"from importlib.metadata import version; print(version('{name.lower()}'))"
-        run = _python(["-c", code], "")
+        run = run_there(["-c", code], "", patience=LIMIT)
         if not run.returncode:
             found[name] = run.stdout.strip()
     return found
@@ -49,7 +45,7 @@ def scanned(peer: str, ready: Ready, grid: Sequence[float]) -> tuple[dict[str, S
         "case": {"stop": ready.stop, "reference": ready.reference, "length": case.length},
     }
     try:
-        run = _python(["-m", "benchmarks.stability_peer"], json.dumps(request))
+        run = run_there(["-m", "benchmarks.stability_peer"], json.dumps(request), patience=LIMIT)
     except subprocess.TimeoutExpired:
         return {}, f"{peer}, {case.name}: not done after {LIMIT:g} s"
     if run.returncode:
@@ -59,16 +55,3 @@ def scanned(peer: str, ready: Ready, grid: Sequence[float]) -> tuple[dict[str, S
     return {
         method: [(h, Outcome(**outcome)) for h, outcome in seen] for method, seen in found.items()
     }, ""
-
-
-def _python(arguments: list[str], text: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [os.environ.get(VARIABLE, sys.executable), *arguments],
-        input=text,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=LIMIT,
-        cwd=ROOT,
-        env={**os.environ, "EXUDYN_MODULE": "fast"},
-    )

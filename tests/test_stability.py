@@ -116,7 +116,8 @@ def test_what_a_peer_sends_is_read_back(monkeypatch):
     ready = prepare(chain(10), 0.1)
     seen = {"method": [(0.1, asdict(Outcome(energy=0.5, newton=2.0)))]}
     text = f"greeting\n{stability_peers.json.dumps(seen)}\n"
-    monkeypatch.setattr(stability_peers, "_python", lambda *_: CompletedProcess([], 0, text, ""))
+    sent = CompletedProcess([], 0, text, "")
+    monkeypatch.setattr(stability_peers, "run_there", lambda *_, **__: sent)
     found, problem = stability_peers.scanned("Exudyn", ready, [0.1])
     assert not problem
     assert found == {"method": [(0.1, Outcome(energy=0.5, newton=2.0))]}
@@ -125,7 +126,7 @@ def test_what_a_peer_sends_is_read_back(monkeypatch):
 def test_a_peer_that_breaks_down_is_a_remark(monkeypatch):
     ready = prepare(chain(10), 0.1)
     broken = CompletedProcess([], 1, "", "Traceback\nValueError: no such joint")
-    monkeypatch.setattr(stability_peers, "_python", lambda *_: broken)
+    monkeypatch.setattr(stability_peers, "run_there", lambda *_, **__: broken)
     found = stability_peers.scanned("MuJoCo", ready, [0.1])
     assert found == ({}, "MuJoCo, chain: ValueError: no such joint")
 
