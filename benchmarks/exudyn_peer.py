@@ -6,18 +6,14 @@ package `exudyn` (the extra `peers`).
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 from benchmarks.effort import Effort
-from benchmarks.peer_interpreter import VARIABLE, run_there
+from benchmarks.peer_interpreter import InterpreterError, answer, packages_there, remarks
 
-ABSENT = (
-    "Exudyn is not installed here: no times of it (it is the extra `peers`; "
-    f"`{VARIABLE}` may name another interpreter that has it)"
-)
+PACKAGE = "exudyn"
 METHOD = (
     "*Exudyn*, in a process of its own in the same run: generalized alpha (index 3, spectral "
     "radius 0.9, its own tolerances, compiled module without range checks, the faster one of its "
@@ -38,24 +34,18 @@ class Job:
 
 def measured(jobs: Sequence[Job], effort: Effort) -> tuple[dict[str, dict[str, Any]], list[str]]:
     """Seconds per step, Newton iterations and noise by key of the job; and remarks."""
-    version = _version()
-    if version is None:
-        return {}, [ABSENT]
+    packages = packages_there([PACKAGE])
+    told = remarks(packages, {"Exudyn": PACKAGE})
+    if packages.absence(PACKAGE):
+        return {}, told
     request = {
         "repetitions": effort.repetitions,
         "budget": effort.budget,
         "jobs": [asdict(job) for job in jobs],
     }
-    run = run_there(["-m", "benchmarks.exudyn_run"], json.dumps(request))
-    if run.returncode:
-        reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
-        return {}, [f"Exudyn {version}: {reason}"]
-    found = json.loads(run.stdout.strip().rpartition("\n")[2])
+    try:
+        found = answer(["-m", "benchmarks.exudyn_run"], request)
+    except InterpreterError as error:
+        return {}, [*told, f"Exudyn: {error}"]
     failures = [f"Exudyn, {key}: {row['failure']}" for key, row in found.items() if row["failure"]]
-    return found, [f"Exudyn {version}", *failures]
-
-
-def _version() -> str | None:
-    code = "from importlib.metadata import version; print(version('exudyn'))"
-    run = run_there(["-c", code], "")
-    return None if run.returncode else run.stdout.strip()
+    return found, [*told, *failures]

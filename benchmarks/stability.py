@@ -7,7 +7,6 @@ from importlib.util import find_spec
 from typing import Any
 
 from benchmarks.effort import Effort
-from benchmarks.peer_interpreter import VARIABLE
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.stability_cases import Case, chain, maps
 from benchmarks.stability_peers import present, scanned
@@ -44,16 +43,9 @@ FORMATS = {
 
 
 def measure(effort: Effort) -> Section:
-    peers = present()
+    peers, remarks = present()
     coarse = [2.0 ** (-j / 2) for j in range(2 * effort.steps)]
     fine = [2.0 ** (2 - j / 4) for j in range(3 * effort.steps + 3)]
-    remarks = [
-        f"{name} is not installed here (the extra `benchmarks`; `{VARIABLE}` may name another "
-        "interpreter that has it): no steps of it"
-        for name in ("Exudyn", "MuJoCo")
-        if name not in peers
-    ]
-    remarks += [f"{name} {version}" for name, version in peers.items()]
     chains, goals = _chains(effort, peers, fine, remarks)
     rows: dict[str, Rows] = {}
     for case in maps():

@@ -13,6 +13,7 @@ from benchmarks import (
     work_precision_ours,
 )
 from benchmarks.effort import Effort
+from benchmarks.peer_interpreter import Packages
 from benchmarks.peer_methods import LONGEST, Limits, Row, distance, measured
 from benchmarks.peers import PEERS
 from benchmarks.picture import draw as draw
@@ -117,7 +118,7 @@ def measure(effort: Effort) -> Section:
     )
 
 
-def solve(problem: Problem, limits: Limits, peers: peer_processes.Versions) -> Solved:
+def solve(problem: Problem, limits: Limits, peers: Packages) -> Solved:
     """Rows of all solvers on one problem, ours first."""
     right = reference(problem)
     rows = measured(problem, [*work_precision_ours.methods(problem), *PEERS], limits, right.q)

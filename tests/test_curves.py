@@ -10,6 +10,7 @@ import pytest
 
 from benchmarks import peer_processes, picture, work_precision_goals
 from benchmarks.effort import TINY
+from benchmarks.peer_interpreter import Packages
 from benchmarks.peer_methods import PATIENCE, GaveUpError, Limits, Method, Observed, measured
 from benchmarks.problems import PROBLEMS
 from benchmarks.report import Section, Table, as_json, as_markdown
@@ -66,9 +67,9 @@ def test_where_energy_is_not_kept_its_change_counts():
 
 
 def test_what_is_not_installed_is_a_row_and_no_error():
-    absent = dict.fromkeys(peer_processes.MODULES)
+    absent = Packages()
     rows = peer_processes.measured(problem_of("bricard"), Limits.of(TINY), [[0.0] * 3], absent)
-    assert len(rows) == len(absent)
+    assert len(rows) == len(peer_processes.MODULES)
     assert all(row["remark"] == "not measured: not installed" for row in rows)
     assert "not installed" in peer_processes.remarks(absent)[0]
 

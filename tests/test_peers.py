@@ -135,13 +135,6 @@ def test_the_record_is_what_the_other_code_computes(name):
 # ------------------------------------------------------------------ beside our own steps, in time
 
 
-def test_without_the_other_code_a_sentence_stands_for_its_times(monkeypatch):
-    monkeypatch.setattr(exudyn_peer, "_version", lambda: None)
-    found, remarks = exudyn_peer.measured([], TINY)
-    assert not found
-    assert "not installed" in remarks[0]
-
-
 def test_the_other_code_is_timed_in_a_process_of_its_own():
     pytest.importorskip("exudyn")
     jobs = [

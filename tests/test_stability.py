@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import asdict
 from importlib import import_module
-from subprocess import CompletedProcess
 
 import pytest
 
@@ -115,20 +114,10 @@ def test_the_reference_energy_of_the_chain_is_that_of_its_wave():
 def test_what_a_peer_sends_is_read_back(monkeypatch):
     ready = prepare(chain(10), 0.1)
     seen = {"method": [(0.1, asdict(Outcome(energy=0.5, newton=2.0)))]}
-    text = f"greeting\n{stability_peers.json.dumps(seen)}\n"
-    sent = CompletedProcess([], 0, text, "")
-    monkeypatch.setattr(stability_peers, "run_there", lambda *_, **__: sent)
+    monkeypatch.setattr(stability_peers, "answer", lambda *_, **__: seen)
     found, problem = stability_peers.scanned("Exudyn", ready, [0.1])
     assert not problem
     assert found == {"method": [(0.1, Outcome(energy=0.5, newton=2.0))]}
-
-
-def test_a_peer_that_breaks_down_is_a_remark(monkeypatch):
-    ready = prepare(chain(10), 0.1)
-    broken = CompletedProcess([], 1, "", "Traceback\nValueError: no such joint")
-    monkeypatch.setattr(stability_peers, "run_there", lambda *_, **__: broken)
-    found = stability_peers.scanned("MuJoCo", ready, [0.1])
-    assert found == ({}, "MuJoCo, chain: ValueError: no such joint")
 
 
 @pytest.mark.parametrize("name", ["chain", "four-bar", "bricard", f"stiff spring {STIFFNESSES[1]}"])
