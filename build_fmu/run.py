@@ -6,17 +6,20 @@ the result, with the sentence of the FMU's log that says why.
 
 from __future__ import annotations
 
+import contextlib
 import difflib
+import logging
 import math
 import tempfile
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.errors import EnvironmentLackError, UsageError
+from fmu_src.status import LOGGER
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
@@ -153,13 +156,25 @@ def _simulate(path: str, **options) -> tuple[ndarray | None, str]:
     from fmpy.fmi1 import FMICallException
 
     try:
-        return fmpy.simulate_fmu(path, **options), ""
+        with _not_said_twice():
+            return fmpy.simulate_fmu(path, **options), ""
     except FMICallException as error:
         return None, str(error)
     except Exception as error:
         if str(error) != INSTANTIATION_FAILED:  # fmpy raises a bare Exception
             raise
         return None, f"{path} cannot be instantiated: is the archive damaged? Build it again"
+
+
+@contextlib.contextmanager
+def _not_said_twice() -> Iterator[None]:
+    """Keep the FMU from saying aloud what its log has: the log is read here."""
+    logger = logging.getLogger(LOGGER)
+    before, logger.disabled = logger.disabled, True
+    try:
+        yield
+    finally:
+        logger.disabled = before
 
 
 def _reason(log: list[tuple[int, str]], failure: str) -> str:

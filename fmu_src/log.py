@@ -1,4 +1,9 @@
-"""An `Fmi2Slave` whose log takes any text, and the sentence for an error."""
+"""An `Fmi2Slave` whose log takes any text, and the sentence for an error.
+
+pythonfmu hands nothing on to an importer that has not switched the log on, and many end a run at a
+discarded step without a word. So what is refused or discarded also goes to Python's own logging,
+which writes to stderr where the host has not said otherwise.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +13,20 @@ from pythonfmu.fmi2slave import Fmi2Slave
 from solver.runtime import AssemblyError, OptionError, StepError
 
 from .snapshot import SnapshotError
-from .status import LOG_CATEGORIES
+from .status import LOG_CATEGORIES, LOGGER
+
+MOST_TOLD = 20
+"""Sentences of an instance that go there: an importer may set a wrong value at every step."""
 
 
 class LoggedSlave(Fmi2Slave):
     """Slave with one method per severity; the importer chooses what it hears."""
 
     log_categories = LOG_CATEGORIES
+
+    def __init__(self, **kwargs) -> None:
+        super().__init__(**kwargs)
+        self._told: set[str] = set()
 
     def note(self, text: str) -> None:
         """Log what is as it should be."""
@@ -25,17 +37,35 @@ class LoggedSlave(Fmi2Slave):
         self._log(text, Fmi2Status.warning)
 
     def discard(self, text: str) -> None:
-        """Log why a step was discarded."""
+        """Log why a step was discarded; aloud the first time, as importers may retry."""
         self._log(text, Fmi2Status.discard)
+        self._tell("discarded step", text)
 
     def error(self, text: str) -> None:
-        """Log what was refused."""
+        """Log what was refused, aloud."""
         self._log(text, Fmi2Status.error)
+        self._tell(text, text)
 
     def _log(self, text: str, level: Fmi2Status) -> None:
         # pythonfmu hands the text to a C function as its printf format, encoded strictly.
-        safe = text.encode("utf-8", "replace").decode().replace("%", "%%")
-        self.log(safe, level)
+        self.log(_encodable(text).replace("%", "%%"), level)
+
+    def _tell(self, what: str, text: str) -> None:
+        """Say a sentence to Python's logging, once for each `what`."""
+        if what in self._told or len(self._told) >= MOST_TOLD:
+            return
+        self._told.add(what)
+        try:
+            import logging  # takes as long as to import all this, and few runs need it
+
+            logging.getLogger(LOGGER).error("FMU %s: %s", self.instance_name, _encodable(text))
+        except Exception:  # of a handler of the host: no exception leaves the slave
+            return
+
+
+def _encodable(text: str) -> str:
+    """Text without surrogates, which no stream takes."""
+    return text.encode("utf-8", "replace").decode()
 
 
 def sentence(error: BaseException) -> str:

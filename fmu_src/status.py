@@ -1,4 +1,4 @@
-"""Codes of the output `solver.status` that belong to the slave, and the log's categories.
+"""Codes of the output `solver.status` that belong to the slave, and the names of the logs.
 
 Codes below 100 are the kernel's: they say why a step failed. Those here say that the slave did not
 even try one. Zero says that the last communication step succeeded.
@@ -30,3 +30,6 @@ LOG_CATEGORIES = {
     "logStatusError": "Values, states and calls that were refused.",
     "logAll": "Everything.",
 }
+
+LOGGER = "holonom"
+"""Python's logger of all instances: it writes to stderr where the host says nothing else."""
