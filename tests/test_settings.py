@@ -35,12 +35,13 @@ def test_scene_and_runtime_limit_the_same_settings():
 def test_scene_and_runtime_have_the_same_ranges(name):
     low, high, _, _ = options.RANGES[name]
     step = 1.0 if name in options.WHOLE else math.ulp(high)
-    tiny = 1.0 if name in options.WHOLE else 5e-324
+    tiny = 1.0 if name in options.WHOLE else options.LEAST.get(name, 5e-324)
     holds = settings.RANGES[name].holds
     for value in (high, tiny):
         assert holds(value)
         assert options.encode(name, value) == (name, value)
-    for value in (high + step, -tiny, math.nan):
+    below = [math.nextafter(tiny, 0.0)] if name in options.LEAST else []
+    for value in (high + step, -tiny, math.nan, *below):
         assert not holds(value)
         with pytest.raises(solver.OptionError, match=f"^solver.{name}: must be"):
             options.encode(name, value)
@@ -49,10 +50,25 @@ def test_scene_and_runtime_have_the_same_ranges(name):
 
 def test_scene_and_runtime_know_the_same_orders():
     literal, _ = get_args(schema.Solver.model_fields["order"].annotation)
-    assert get_args(literal) == options.ORDERS
+    assert get_args(literal) == (options.AUTOMATIC, *options.ORDERS)
     for value in (3, 10, True, "2"):
         with pytest.raises(solver.OptionError, match=r"^solver\.order: must be 2, 4, 6 or 8"):
             options.encode("order", value)
+
+
+@pytest.mark.parametrize(("tolerance", "chosen"), [(0.0, 2.0), (1e-6, 4.0)])
+def test_order_0_is_left_to_the_tolerance_and_is_2_without_one(tolerance, chosen):
+    def last(order: str, **given: float) -> float:
+        text = f"{PENDULUM}[solver]\ntolerance = {tolerance}\n{order}\n"
+        model = solver.assemble(solver.loads(text))
+        outputs = ["solver.order_in_use"]
+        run = solver.simulate(
+            model, stop_time=1.0, step_size=1.0, outputs=outputs, parameters=given
+        )
+        return run["solver.order_in_use"][-1]
+
+    assert last("order = 0") == last("") == chosen
+    assert last("order = 8", **{"solver.order": 0.0}) == chosen
 
 
 def test_a_scene_made_by_hand_with_a_setting_out_of_range_is_reported_too():

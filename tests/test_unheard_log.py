@@ -32,6 +32,7 @@ def heard(caplog):
     [
         ("mass", -1.0, "FMU double_pendulum: mass: must be >= 1e-06 kg, got -1.0"),
         ("solver.order", 3.0, "solver.order: must be 2, 4, 6 or 8"),
+        ("solver.tolerance", 1e-20, "solver.tolerance: must be 0 or a number from 1e-14"),
     ],
 )
 def test_simulate_fmu_with_a_bad_parameter_says_so_on_stderr(name, value, words):

@@ -53,12 +53,15 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
 
 ``solver.scene.settings`` has the same ranges; a test compares them."""
 
+LEAST = {"tolerance": 1e-14}
+"""Least value other than 0, which turns the setting off: no run comes closer than round-off."""
+
 MEANINGS = {
     "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),
     "algorithm": "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
     "multiplier_update": "with the constraint at the end of the step (end) or its mean (paper)",
     "order": "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a step; "
-    "0: chosen by the tolerance",
+    "0: chosen by the tolerance, 2 without one",
     "start": "begin as drawn, or at rest in the static equilibrium next to it",
     "assemble": "close a mechanism that is drawn inexactly, and make its velocities consistent",
     "paired": "advance by pairs of half steps, which makes velocities smooth",
@@ -72,7 +75,7 @@ GENERAL = ("conserving-al", "conserving-al-beta")
 WHOLE = ("max_newton", "max_uzawa")
 
 AUTOMATIC = 0.0
-"""Order that the tolerance chooses."""
+"""Order that the tolerance chooses; 2 without one."""
 
 ORDERS = (2.0, 4.0, 6.0, 8.0)
 """Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
@@ -122,7 +125,7 @@ def encode(name: str, value: object) -> tuple[str, float]:
         return name, float(bool(value))
     if name == "order":
         if value not in (AUTOMATIC, *ORDERS) or isinstance(value, bool):
-            rule = "2, 4, 6 or 8, or 0 for one that the tolerance chooses"
+            rule = "2, 4, 6 or 8, or 0 for the one that a tolerance chooses"
             message = f"solver.order: must be {rule}, got {value!r}"
             raise OptionError(message)
         return name, float(value)  # type: ignore[arg-type]
@@ -135,9 +138,12 @@ def encode(name: str, value: object) -> tuple[str, float]:
 def _in_range(name: str, value: object) -> float:
     low, high, unit, _ = RANGES[name]
     number = float(value) if isinstance(value, int | float) else float("nan")
-    if not low < number <= high or (name in WHOLE and number != int(number)):
+    too_small = 0.0 < number < LEAST.get(name, 0.0)
+    if not low < number <= high or too_small or (name in WHOLE and number != int(number)):
         kind = "a whole number" if name in WHOLE else "a number"
         rule = f"{kind} {'>= 0' if low < 0 else '> 0'} and <= {high:g}"
+        if name in LEAST:
+            rule = f"0 or a number from {LEAST[name]:g}, some round-off, to {high:g}"
         message = f"solver.{name}: must be {rule} {unit}".rstrip() + f", got {value!r}"
         raise OptionError(message)
     return number

@@ -170,7 +170,10 @@ def _choices(model: type[Part], name: str) -> list[Any]:
 def _unknown_choice(name: str, value: object, choices: list[Any]) -> tuple[str, str | None]:
     """Words for a value outside a fixed list."""
     if name == "order":
-        return f"order {shown(value)} is not available", "use 2, 4, 6 or 8"
+        return (
+            f"order {shown(value)} is not available",
+            "use 2, 4, 6 or 8, or 0 for the one that a tolerance chooses",
+        )
     if not isinstance(choices[0], str):
         return f"must be {' or '.join(map(str, choices))}, got {shown(value)}", None
     text = value if isinstance(value, str) else shown(value)

@@ -52,6 +52,7 @@ class Rule:
 
     holds: Callable[[float], bool]
     words: str
+    help: str | None = None
 
 
 POSITIVE = Rule(lambda x: x > 0.0, "> 0")
@@ -112,7 +113,7 @@ class Numbers:
         if value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
             how = "" if isinstance(reading.number, float) else f" (= {reading.text})"
-            self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}")
+            self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
         return reading.number
 
     def optional(
@@ -127,8 +128,19 @@ class Numbers:
         """Check a number without symbols; `default` stands for a missing or broken one."""
         if reading is None or reading is BROKEN:
             return default
+        if reading.mentions and all(self._is_word(mention) for mention in reading.mentions):
+            limits = f", {rule.words} {unit}" if rule else f" in {unit}" if unit else ""
+            message = f"must be a number{limits.rstrip()}, got '{reading.text}'"
+            help = f"write {path[-1]} = {default:g}" if default else None
+            self.draft.error(path, message, (rule and rule.help) or help, (reading.text, 1))
+            return default
         number = self.number(path, reading, SETTING, rule, unit)
         return number if isinstance(number, float) else default
+
+    def _is_word(self, mention: Mention) -> bool:
+        """Whether a symbol is nothing that a scene knows."""
+        known = mention.name in self.known.parts or mention.name in self.known.quantities
+        return mention.role == "symbol" and not known and mention.name not in ("t", *FUNCTIONS)
 
     def default(self, path: Path, reading: Reading) -> float | None:
         """Value with the default parameters; None when it depends on more than those."""

@@ -62,11 +62,13 @@ class Solver(Part):
     ] = "conserving-al"
     algorithm: Literal["nested", "simultaneous"] = "nested"
     multiplier_update: Literal["end", "paper"] = "end"
-    order: Literal[2, 4, 6, 8] | None = Field(None, description="2, or chosen by the tolerance")
+    order: Literal[0, 2, 4, 6, 8] | None = Field(
+        None, description="0: chosen by the tolerance, 2 without one"
+    )
     paired: bool = True
     step_size: Expression | None = Field(None, description="s, at most the communication step")
     tolerance: Expression | None = Field(
-        None, description="error of a run; else steps of step_size"
+        None, description="relative error of a run, 1e-14 to 0.1; 0: steps of step_size"
     )
     absolute_tolerance: Expression | None = Field(None, description="m")
     newton_tolerance: Expression | None = None

@@ -11,9 +11,16 @@ from solver.scene.vocabulary import Experiment, SolverSettings
 
 _COUNTS = ("max_newton", "max_uzawa")
 
+TOLERANCE = Rule(
+    lambda x: x == 0.0 or 1e-14 <= x <= 0.1,
+    "0 or from 1e-14 to 0.1",
+    "write for instance tolerance = 1e-6, the error of the run relative to size and speed; no run "
+    "comes closer than round-off, some 1e-14",
+)
+
 RANGES = {
     "step_size": up_to(1e6),
-    "tolerance": up_to(0.1, NOT_NEGATIVE),
+    "tolerance": TOLERANCE,
     "absolute_tolerance": up_to(1e6, NOT_NEGATIVE),
     "longest_step": up_to(1e6),
     "newton_tolerance": up_to(1e-3),
@@ -68,6 +75,7 @@ def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
     tolerance = setting("tolerance")
     return SolverSettings(
         **{name: getattr(solver, name) for name in _CHOICES},
+        # Without a tolerance that chooses, 0 is what it is in the FMU: the default.
         order=solver.order or (0 if tolerance else _DEFAULT.order),
         step_size=step_size,
         longest_step=step_size if tolerance and solver.step_size else _DEFAULT.longest_step,
@@ -87,7 +95,7 @@ def _experiment(numbers: Numbers, experiment: Any, step_size: float) -> Experime
         message = f"must be > start_time = {start:g} s, got {stop:g}"
         numbers.draft.error(("experiment", "stop_time"), message)
     tolerance = experiment.tolerance
-    given = numbers.constant(("experiment", "tolerance"), tolerance, 0.0, POSITIVE)
+    given = numbers.constant(("experiment", "tolerance"), tolerance, 0.0, TOLERANCE)
     return Experiment(
         start_time=start, stop_time=stop, step_size=step_size, tolerance=given or None
     )

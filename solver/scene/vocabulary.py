@@ -108,13 +108,14 @@ class SolverSettings:
     multiplier_update: str = "end"
     order: int = 2
     """2, 4, 6 or 8: a step is a symmetric composition of 1, 5, 9 or 15 pairs; 0: chosen by the
-    tolerance."""
+    tolerance, and 2 without one."""
     paired: bool = True
     """Advance by pairs of half steps, which smooths velocities and multipliers."""
     step_size: float = 0.01
     """Internal step in s; at most the communication step."""
     tolerance: float = 0.0
-    """Relative error of a run that orders and steps are chosen for; 0: steps of `step_size`."""
+    """Relative error of a run that orders and steps are chosen for, from 1e-14 to 0.1; 0: steps of
+    `step_size`."""
     absolute_tolerance: float = 0.0
     """Error in m that is small enough, besides the relative one."""
     longest_step: float = 1e6
