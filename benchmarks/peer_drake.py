@@ -22,31 +22,29 @@ from pydrake.multibody.tree import (
 )
 from pydrake.systems.analysis import ResetIntegratorFromFlags, Simulator
 
-from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
+from benchmarks.peer_frames import Frames
+from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed, too_large
 from benchmarks.problems_parts import GROUND, Array, Joint, Problem
 from benchmarks.timing import Entry
 
 TOLERANCES = tuple(10.0**-k for k in range(2, 11))
-LARGEST = 100
-"""Most bodies of a model that is measured."""
 ROOM = RotationMatrix(np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]))
 """Axes of a universal joint: first z, then y."""
 
 
-class Build:
+class Build(Frames):
     """Plant of a problem. Bodies' frames are drawn parallel to the global ones, in their joints."""
 
     def __init__(self, problem: Problem, tolerance: float) -> None:
-        self.problem = problem
+        super().__init__(problem)
         self.plant = plant = MultibodyPlant(0.0)
         plant.mutable_gravity_field().set_gravity_vector(problem.gravity)
-        self._origins: dict[str, Array] = {GROUND: np.zeros(3)}
         self._bodies = {GROUND: plant.world_body()}
         for joint in problem.joints:
             self._add(joint)
         for spring in problem.springs:
             (a, at_a), (b, at_b) = spring.ends
-            ends = (self._bodies[a], self._local(a, at_a), self._bodies[b], self._local(b, at_b))
+            ends = (self._bodies[a], self.local(a, at_a), self._bodies[b], self.local(b, at_b))
             law = (spring.length, spring.stiffness, spring.damping)
             plant.AddForceElement(LinearSpringDamper(*ends, *law))
         plant.Finalize()
@@ -57,28 +55,14 @@ class Build:
         integrator.set_target_accuracy(tolerance)
         self.context = self.simulator.get_mutable_context()
         self._places = plant.GetPositions(self.context).copy()
-        self._speeds = self._start()
+        self._speeds = self.rates(self._motion)
         self.reset()
-
-    def _local(self, name: str, place: tuple[float, ...]) -> Array:
-        """Place in a body's frame, from its centre of mass in its own axes."""
-        if name == GROUND:
-            return np.array(place, dtype=float)
-        body = self.problem.bodies[name]
-        return np.array(body.position) + body.attitude @ np.array(place) - self._origins[name]
 
     def _add(self, joint: Joint) -> None:
         a, b = joint.pair
         body = self.problem.bodies[b]
-        anchor = np.array(joint.position, dtype=float)
-        if joint.kind == "distance" and a != GROUND:
-            anchor = np.array(self.problem.bodies[a].position)
-        self._origins[b] = anchor
-        tensor = body.attitude @ np.diag(body.inertia) @ body.attitude.T / body.mass
-        unit = UnitInertia(
-            tensor[0, 0], tensor[1, 1], tensor[2, 2], tensor[0, 1], tensor[0, 2], tensor[1, 2]
-        )
-        com = np.array(body.position) - anchor
+        held, com = self.hang(b, joint, a)
+        unit = UnitInertia(*(self.inertia(b) / body.mass))
         about = unit.ShiftFromCenterOfMass(com)
         added = self.plant.AddRigidBody(b, SpatialInertia(body.mass, com, about))
         self._bodies[b] = added
@@ -87,9 +71,7 @@ class Build:
             self.plant.AddFrame(
                 FixedOffsetFrame(f"{b}_{i}", parent.body_frame(), RigidTransform(turned, place))
             )
-            for i, (parent, place) in enumerate(
-                ((self._bodies[a], anchor - self._origins[a]), (added, np.zeros(3)))
-            )
+            for i, (parent, place) in enumerate(((self._bodies[a], held), (added, np.zeros(3))))
         ]
         self.plant.AddJoint(self._joint(joint, f"joint_{b}", *frames))
 
@@ -102,18 +84,10 @@ class Build:
             return BallRpyJoint(name, *frames)
         return PrismaticJoint(name, *frames, joint.axis)
 
-    def _start(self) -> Array:
-        """Rates of the joints for which all bodies have the velocities of the problem."""
-        rows, right = [], []
-        for name, body in self.problem.bodies.items():
-            speeds = self._jacobian(name, (0.0, 0.0, 0.0))
-            rows.append(speeds[3:])
-            right.append(np.array(body.velocity))
-            if not body.is_point:
-                rows.append(speeds[:3])
-                right.append(body.attitude @ np.array(body.omega))
-        found, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=None)
-        return found
+    def _motion(self, name: str) -> tuple[Array, Array]:
+        """Angular velocity of a body and the velocity of its centre of mass by the rates."""
+        speeds = self._jacobian(name, (0.0, 0.0, 0.0))
+        return speeds[:3], speeds[3:]
 
     def _jacobian(self, name: str, place: tuple[float, ...]) -> Array:
         world = self.plant.world_frame()
@@ -121,7 +95,7 @@ class Build:
             self.context,
             JacobianWrtVariable.kV,
             self._bodies[name].body_frame(),
-            self._local(name, place),
+            self.local(name, place),
             world,
             world,
         )
@@ -151,7 +125,7 @@ class Build:
         places, speeds = [], []
         for name, place in self.problem.watch:
             pose = self.plant.EvalBodyPoseInWorld(self.context, self._bodies[name])
-            places.append(pose @ self._local(name, place))
+            places.append(pose @ self.local(name, place))
             speeds.append((self._jacobian(name, place) @ rates)[3:])
         return np.array(places), np.array(speeds)
 
@@ -177,9 +151,7 @@ def _entry(problem: Problem, tolerance: float) -> Entry:
 def _excuse(problem: Problem) -> str:
     if len(problem.joints) != len(problem.bodies) or problem.key == "car_axis":
         return "cannot model it in continuous time: no loops, nothing that moves as told"
-    if len(problem.bodies) > LARGEST:
-        return f"not measured: more than {LARGEST} bodies"
-    return ""
+    return too_large(problem)
 
 
 METHODS = (

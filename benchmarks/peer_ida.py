@@ -13,13 +13,11 @@ from __future__ import annotations
 import casadi
 import numpy as np
 
-from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
+from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed, too_large
 from benchmarks.problems_parts import GROUND, Array, Place, Problem, energies
 from benchmarks.timing import Entry
 
 TOLERANCES = tuple(10.0**-k for k in range(3, 13))
-LARGEST = 100
-"""Most bodies of a model that is measured."""
 
 
 class Equations:
@@ -218,9 +216,7 @@ def _excuse(problem: Problem) -> str:
     flat = all(x == 0.0 for b in problem.bodies.values() for x in (b.position[2], b.velocity[2]))
     if not flat or not all(b.turn[:2] == (0.0, 0.0) for b in problem.bodies.values()):
         return "not modelled: this model of it is planar"
-    if len(problem.bodies) > LARGEST:
-        return f"not measured: more than {LARGEST} bodies"
-    return ""
+    return too_large(problem)
 
 
 METHODS = (

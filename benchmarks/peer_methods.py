@@ -25,6 +25,8 @@ PATIENCE = 4
 """Settings that fail, after which a curve is given up."""
 SAMPLES = 50
 """Times at which the energy of a run is looked at."""
+LARGEST = 100
+"""Most bodies of a model, for codes that take too long on larger ones."""
 Row = dict[str, Any]
 
 
@@ -85,6 +87,11 @@ class Limits:
     def of(cls, effort: Effort) -> Limits:
         """Those of an effort: a quick or tiny run has coarse settings alone."""
         return cls(LONGEST * effort.scale**0.5, effort.steps, min(5, effort.repetitions), 0.02)
+
+
+def too_large(problem: Problem) -> str:
+    """Excuse of a code that is not measured on large models; empty where a model is not."""
+    return f"not measured: more than {LARGEST} bodies" if len(problem.bodies) > LARGEST else ""
 
 
 def measured(

@@ -12,15 +12,14 @@ import math
 import numpy as np
 import opensim as osim
 
-from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
+from benchmarks.peer_frames import Frames
+from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed, too_large
 from benchmarks.problems_parts import GROUND, Array, Joint, Problem
 from benchmarks.timing import Entry
 
 osim.Logger.setLevelString("Off")
 
 TOLERANCES = tuple(10.0**-k for k in range(2, 13))
-LARGEST = 100
-"""Most bodies of a model that is measured."""
 TO_AXIS = {
     (1.0, 0.0, 0.0): (0.0, 0.5 * math.pi, 0.0),
     (0.0, 1.0, 0.0): (-0.5 * math.pi, 0.0, 0.0),
@@ -34,14 +33,13 @@ def _vector(values: Array | tuple[float, ...]) -> osim.Vec3:
     return osim.Vec3(*(float(x) for x in values))
 
 
-class Build:
+class Build(Frames):
     """Model of a problem. Bodies' frames are drawn parallel to the global ones, in their joints."""
 
     def __init__(self, problem: Problem) -> None:
-        self.problem = problem
+        super().__init__(problem)
         self.model = osim.Model()
         self.model.setGravity(_vector(problem.gravity))
-        self._origins: dict[str, Array] = {GROUND: np.zeros(3)}
         self._bodies: dict[str, osim.PhysicalFrame] = {GROUND: self.model.getGround()}
         waiting, loops = list(problem.joints), []
         while waiting:
@@ -61,31 +59,18 @@ class Build:
     def _leads_on(self, joint: Joint) -> bool:
         return sum(name in self._bodies for name in joint.pair) == 1
 
-    def _local(self, name: str, place: tuple[float, ...]) -> Array:
-        """Place in a body's frame, from its centre of mass in its own axes."""
-        if name == GROUND:
-            return np.array(place, dtype=float)
-        body = self.problem.bodies[name]
-        return np.array(body.position) + body.attitude @ np.array(place) - self._origins[name]
-
     def _add(self, joint: Joint) -> None:
         a, b = joint.pair if joint.pair[0] in self._bodies else joint.pair[::-1]
         body = self.problem.bodies[b]
-        anchor = np.array(joint.position, dtype=float)
-        if joint.kind == "distance" and a != GROUND:
-            anchor = np.array(self.problem.bodies[a].position)
-        self._origins[b] = anchor
-        J = body.attitude @ np.diag(body.inertia) @ body.attitude.T
-        inertia = osim.Inertia(J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2])
-        com = np.array(body.position) - anchor
+        held, com = self.hang(b, joint, a)
+        inertia = osim.Inertia(*map(float, self.inertia(b)))
         added = osim.Body(b, body.mass, _vector(com), inertia)
         self.model.addBody(added)
         self._bodies[b] = added
         kind, turn = self._kind(joint)
-        place = _vector(anchor - self._origins[a])
         turned, zero = _vector(turn), osim.Vec3(0)
         parent = self._bodies[a]
-        self.model.addJoint(kind(f"joint_{b}", parent, place, turned, added, zero, turned))
+        self.model.addJoint(kind(f"joint_{b}", parent, _vector(held), turned, added, zero, turned))
 
     def _kind(self, joint: Joint) -> tuple[type[osim.Joint], tuple[float, ...]]:
         axis = (float(joint.axis[0]), float(joint.axis[1]), float(joint.axis[2]))
@@ -112,8 +97,8 @@ class Build:
     def _forces(self) -> None:
         for spring in self.problem.springs:
             (a, at_a), (b, at_b) = spring.ends
-            ends = (self._bodies[a], _vector(self._local(a, at_a)))
-            ends += (self._bodies[b], _vector(self._local(b, at_b)))
+            ends = (self._bodies[a], _vector(self.local(a, at_a)))
+            ends += (self._bodies[b], _vector(self.local(b, at_b)))
             self.model.addForce(osim.PointToPointSpring(*ends, spring.stiffness, spring.length))
         if self.problem.torque:
             name, value = self.problem.torque
@@ -127,19 +112,15 @@ class Build:
         matrix = osim.Matrix()
         self.model.getMatterSubsystem().calcSystemJacobian(self.state, matrix)
         jacobian = matrix.to_numpy()
-        rows, right = [], []
-        for name, body in self.problem.bodies.items():
+
+        def motion(name: str) -> tuple[Array, Array]:
             first = 6 * int(self._bodies[name].getMobilizedBodyIndex())
-            about, along = jacobian[first : first + 3], jacobian[first + 3 : first + 6]
-            x, y, z = self._local(name, (0.0, 0.0, 0.0))
+            turning, moving = jacobian[first : first + 3], jacobian[first + 3 : first + 6]
+            x, y, z = self.local(name, (0.0, 0.0, 0.0))
             arm = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-            rows.append(along - arm @ about)
-            right.append(np.array(body.velocity))
-            if not body.is_point:
-                rows.append(about)
-                right.append(body.attitude @ np.array(body.omega))
-        found, *_ = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=None)
-        self.state.setU(osim.Vector.createFromMat(found))
+            return turning, moving - arm @ turning
+
+        self.state.setU(osim.Vector.createFromMat(self.rates(motion)))
 
     def manager(self, tolerance: float) -> osim.Manager:
         """Integrator at the start."""
@@ -161,7 +142,7 @@ class Build:
         self.model.realizeVelocity(state)
         places, speeds = [], []
         for name, place in self.problem.watch:
-            body, local = self._bodies[name], _vector(self._local(name, place))
+            body, local = self._bodies[name], _vector(self.local(name, place))
             places.append(body.findStationLocationInGround(state, local).to_numpy())
             speeds.append(body.findStationVelocityInGround(state, local).to_numpy())
         return np.array(places), np.array(speeds)
@@ -203,9 +184,7 @@ def _excuse(problem: Problem) -> str:
         return "not modelled: OpenSim has no damper between two points"
     if problem.key == "car_axis":
         return "not modelled: its axle moves as told"
-    if len(problem.bodies) > LARGEST:
-        return f"not measured: more than {LARGEST} bodies"
-    return ""
+    return too_large(problem)
 
 
 METHODS = (
