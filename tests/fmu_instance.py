@@ -165,3 +165,13 @@ def instance(path: Path, *, logging: bool = True) -> Iterator[Instance]:
 def slave_of(fmu: Instance) -> Slave:
     """Slave as pythonfmu's library makes it, without that library."""
     return Slave(instance_name="a", resources=f"{fmu.fmu.unzipDirectory}/resources")
+
+
+def stepping_slave() -> Slave:
+    """Slave of a pendulum at the end of its initialization, without pythonfmu's library."""
+    with instance(pendulum()) as fmu:
+        slave = slave_of(fmu)
+    slave.setup_experiment(0.0)
+    slave.enter_initialization_mode()
+    slave.exit_initialization_mode()
+    return slave

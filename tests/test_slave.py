@@ -7,7 +7,7 @@ import math
 import pytest
 
 from fmu_src import status
-from tests.fmu_instance import instance, pendulum, slave_of, text_fmu
+from tests.fmu_instance import instance, pendulum, slave_of, stepping_slave, text_fmu
 
 DISCARD, ERROR = 2, 3
 
@@ -267,11 +267,7 @@ def test_after_a_step_that_breaks_in_its_midst_only_a_saved_state_helps(monkeypa
     def break_off(*_):
         raise fault
 
-    with instance(pendulum()) as fmu:
-        slave = slave_of(fmu)
-    slave.setup_experiment(0.0)
-    slave.enter_initialization_mode()
-    slave.exit_initialization_mode()
+    slave = stepping_slave()
     state = slave._get_fmu_state()
     with monkeypatch.context() as context:
         context.setattr(slave._integrator, "advance", break_off)

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from fmu_src import snapshot, status
-from tests.fmu_instance import instance, pendulum, scene_fmu, slave_of
+from tests.fmu_instance import instance, pendulum, scene_fmu, stepping_slave
 
 ERROR = 3
 
@@ -82,11 +82,7 @@ def test_a_snapshot_comes_back_as_it_was():
     ids=str,
 )
 def test_a_header_of_other_types_is_refused_and_nothing_is_taken_over(header):
-    with instance(pendulum()) as fmu:
-        slave = slave_of(fmu)
-    slave.setup_experiment(0.0)
-    slave.enter_initialization_mode()
-    slave.exit_initialization_mode()
+    slave = stepping_slave()
     good = slave._get_fmu_state()
     right, data = snapshot.unpack(good)
     assert slave.do_step(0.0, 0.1)
