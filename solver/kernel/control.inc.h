@@ -196,10 +196,12 @@ static int32_t cover_evenly(context *c, double start, double step)
     double *head = c->s.head;
     const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
     int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
-    head[S_ORDER_IN_USE] = is_dissipative(c) ? 2.0 : fmax(head[S_ORDER], 2.0);
+    head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
+    if (is_dissipative(c) && !is_extrapolating(c)) head[S_ORDER_IN_USE] = 2.0;
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
         status = interval(c, h, 0);
     }
+    if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return status;
 }

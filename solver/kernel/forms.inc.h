@@ -27,6 +27,7 @@ typedef struct context {
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int plain;          /* 1: conserving rows, gradients at the middle                                        */
     int forceless;      /* 1: only the rows act                                                               */
+    int unweighted;                /* whether a step with dampers was left of order 2, see extrapolation.inc.h  */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
 } context;
 
@@ -56,7 +57,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->half = 0, c->halves = 2;
-    c->forceless = c->plain = 0;
+    c->forceless = c->plain = c->unweighted = 0;
     c->lu = &m->full;
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }

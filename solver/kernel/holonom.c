@@ -91,6 +91,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->estimate = take(block, &used, 4 * n);
     k->step_backup = take(block, &used, state_size);
     k->pair_backup = take(block, &used, state_size);
+    k->finest = take(block, &used, state_size);
     return used;
 }
 

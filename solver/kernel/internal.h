@@ -132,7 +132,7 @@ typedef struct hm_work {
     double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.inc.h            */
     hm_registers r;       /* of one function                                                                */
     double *estimate;     /* 4 n: differences from two solutions of lower order, in q and v each            */
-    double *step_backup, *pair_backup; /* state size each                                                   */
+    double *step_backup, *pair_backup, *finest; /* state size each                                          */
 } hm_work;
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */

@@ -2,6 +2,9 @@
 
 enum { MAX_HALVINGS = 6 };
 
+static int is_extrapolating(const context *c);
+static int32_t extrapolated_step(context *c, double h);
+
 static int32_t single_step(context *c, double h, int half)
 {
     const int parity = half % 2;
@@ -69,6 +72,7 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
+    if (is_extrapolating(c)) return extrapolated_step(c, h);
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
     int stages = 1;

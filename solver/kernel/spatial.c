@@ -20,6 +20,8 @@
 #include "start.inc.h"
 #include "composition.inc.h"
 #include "interval.inc.h"
+#include "rigid.inc.h"
+#include "extrapolation.inc.h"
 #include "control.inc.h"
 #include "advance.inc.h"
 #include "seek.inc.h"

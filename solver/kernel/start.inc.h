@@ -102,10 +102,8 @@ static int32_t derive_scales(context *c)
     return HOLONOM_OK;
 }
 
-/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix, times node weights if given; G at the present links.
-   f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
-   iterated so that dependent rows do no harm. A step of h = sqrt 2 without forces has this very tangent.        */
-static int32_t solve_at_state(context *c, const double *weight)
+/* Factors of the equations of solve_at_state, with links at the present state. */
+static int32_t factorise_at_state(context *c, const double *weight)
 {
     const holonom_model *m = c->m;
     const int32_t size = DIM * m->n_free + m->n_rows;
@@ -123,7 +121,17 @@ static int32_t solve_at_state(context *c, const double *weight)
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
         EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
     }
-    if (hm_lu_factor(size, m->full.lu_ptr, m->full.lu_target, c->k.value)) return HOLONOM_SINGULAR_TANGENT;
+    return hm_lu_factor(size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
+}
+
+/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix, times node weights if given; G at the present links.
+   f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
+   iterated so that dependent rows do no harm. A step of h = sqrt 2 without forces has this very tangent.        */
+static int32_t solve_at_state(context *c, const double *weight)
+{
+    const holonom_model *m = c->m;
+    const int32_t size = DIM * m->n_free + m->n_rows, status = factorise_at_state(c, weight);
+    if (status) return status;
     double largest = 0.0, change = INFINITY;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         for (int32_t i = 0; i < m->n_rows; i++) c->k.constraint[i] = c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i];

@@ -98,8 +98,9 @@ SENTENCE = {
 """What each status means, and the remedy."""
 
 LIMITED = (
-    "solver.order is {:g}, but steps are of order 2: dampers take energy out, which the parts of a "
-    "step of higher order that go back in time would give"
+    "solver.order is {:g}, but steps are of order 2: where dampers take energy out a higher order "
+    "needs solver.formulation conserving-al, no tolerance, and steps in which the motion changes "
+    "little; take a smaller step_size"
 )
 """What is said once where dampers limit the order."""
 

@@ -15,6 +15,7 @@ from .composition import stages
 from .control import Control
 from .course import ANGLE, Present, crossings
 from .energy import book_step, follow_energy_reference
+from .extrapolation import Extrapolation, is_extrapolating, weights
 from .mechanism import Mechanism
 from .prediction import Prediction
 from .state import Motion, add
@@ -47,6 +48,8 @@ class Advance:
     def __init__(self, mechanism: Mechanism, motion: Motion, clock: Clock) -> None:
         self.mechanism, self.motion, self.clock = mechanism, motion, clock
         self.control = Control(mechanism, motion)
+        self._unweighted = False
+        """Whether a step with dampers was left of order 2."""
 
     def cover(self, start: float, step: float) -> None:
         """Cover a communication step by internal ones."""
@@ -67,9 +70,14 @@ class Advance:
         if not n < 1e9:
             raise UnsolvedError(Status.BAD_STEP)
         n = max(1, n)
-        head["order_in_use"] = 2.0 if self.control.dissipative else max(head["order"], 2.0)
+        head["order_in_use"] = max(head["order"], 2.0)
+        if self.control.dissipative and not is_extrapolating(self.motion, self.control):
+            head["order_in_use"] = 2.0
+        self._unweighted = False
         for i in range(n):
             self._interval(start + step / n * i, step / n, 0)
+        if self._unweighted:
+            head["order_in_use"] = 2.0
 
     def _cover_to_tolerance(self, start: float, step: float) -> None:
         """Take steps that the control chooses; the end is met exactly."""
@@ -146,6 +154,9 @@ class Advance:
             self._single_step(t, h, prediction)
             self._average_multipliers(t, h)
             return
+        if is_extrapolating(self.motion, self.control):
+            self._extrapolated_step(t, h)
+            return
         dissipated = head["dissipated"] - 1e-9 * head["energy_reference"]
         parts = stages(order)
         self.control.open(order)
@@ -159,6 +170,34 @@ class Advance:
             t += 2.0 * half
         if order != 2 and not head["dissipated"] >= dissipated:
             raise UnsolvedError(Status.DAMPING_REVERSED)
+
+    def _extrapolated_step(self, t: float, h: float) -> None:
+        """Weigh the ends of covers by 1, 2, ... pairs; where that fails the finest one stands."""
+        mechanism, motion, clock = self.mechanism, self.motion, self.clock
+        covers, numbers = int(motion.head["order_in_use"]) // 2, clock.numbers.copy()
+        step = Extrapolation(mechanism, motion, clock, t, h)
+        prediction = Prediction(motion, covers * (covers + 1))
+        for pairs, weight in enumerate(weights(covers), 1):
+            if pairs > 1:
+                step.go_back()
+                clock.numbers[:] = numbers
+            half = 0.5 * h / pairs
+            for middle in (t + (2 * pair + 1) * half for pair in range(pairs)):
+                self._single_step(middle - half, half, prediction)
+                self._single_step(middle, half, prediction)
+                self._average_multipliers(middle, half)
+            if clock.model.sizes["time_dependent"]:  # ends are compared under the same laws
+                clock.set_laws(mechanism, t + h, booked=True)
+            step.weigh(weight)
+        finest = motion.block.copy()
+        try:
+            step.take_over(self.control.size)
+        except UnsolvedError:
+            motion.block[:] = finest
+            self._unweighted = True
+            return
+        follow_angles(mechanism, motion)
+        follow_bodies(clock.model, motion)
 
     def _average_multipliers(self, time: float, h: float) -> None:
         """Keep the means of the last two multipliers and forces, of the time between them."""

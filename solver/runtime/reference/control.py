@@ -114,6 +114,10 @@ class Control:
         part = of_v / self._speed if self._speed > 0.0 else 0.0
         return math.hypot(of_q / self.mechanism.section["extent"][1], part)
 
+    def size(self, of_q: Array, of_v: Array) -> float:
+        """Size of changes of q and v (n,), relative to that of the mechanism and its speed."""
+        return self._relative_size(self._norm(of_q), self._norm(of_v))
+
     @property
     def _speed(self) -> float:
         """Speed in the mass norm; 0 only as long as nothing has moved or could."""

@@ -1,0 +1,250 @@
+/* Steps of order 4, 6 and 8 where dampers take energy out. Included once per dimension, after interval.inc.h.
+
+   A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
+   of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
+   (Richardson). Each pair conserves, weighted ends do so up to the order: they are put back onto the constraints, onto
+   the momenta that every pair kept, and onto the energy that the weighted ledger asks for.                        */
+
+enum { MAX_CORRECTIONS = 8 };
+#define SURE 1e-2   /* largest change by the weights, relative to size and speed: beyond, errors have no powers yet */
+#define KEPT 1e-12  /* relative change of a momentum that is round-off */
+#define GENTLE 0.1  /* largest part by which velocities are changed for the energy */
+
+static double relative_size(const context *c, double of_q, double of_v);
+static double mass_norm(const context *c, const double *x);
+static int is_dissipative(const context *c);
+
+typedef struct extrapolation {
+    double work, dissipated;                /* weighted changes in the ledger                             */
+    double before[RIGID], momentum[RIGID];  /* momenta at the start, and weighted ones at the end         */
+    double scale[RIGID];                    /* sums of their terms' sizes                                 */
+    int kept[RIGID];                        /* whether every pair keeps them                              */
+} extrapolation;
+
+static int is_extrapolating(const context *c)
+{
+    const int augmented = c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_AL_BETA;
+    return c->s.head[S_ORDER_IN_USE] > 2.0 && augmented && is_dissipative(c);
+}
+
+/* Velocities w that make up for the rates g in `phi` by the smallest change, added to x. */
+static void add_correction(context *c, double *x)
+{
+    const holonom_model *m = c->m;
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    memcpy(c->k.constraint, c->k.phi, sizeof(double) * (size_t)m->n_rows);
+    gather_rhs(c);
+    hm_lu_solve(DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+    add_solution(c, x);
+}
+
+/* Largest of phi over the scale of its row. */
+static double largest_row(const context *c)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        const double scaled = fabs(c->k.phi[i]) / c->number[c->m->row_scale_at + i];
+        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
+    }
+    return largest;
+}
+
+/* Puts coordinates back onto the rows, by displacements as small as can be; factors are those of the state nearby. */
+static int32_t close_rows(context *c, double h)
+{
+    const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
+    double last = INFINITY;
+    for (int i = 0; i < MAX_CORRECTIONS; i++) {
+        c->h = h; /* telling: rows are evaluated */
+        stand_still(c);
+        memcpy(c->k.phi, c->k.phi0, rows);
+        const double defect = largest_row(c);
+        if (defect < 1e-17 || (defect <= c->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
+        last = defect;
+        add_correction(c, c->k.w);
+        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.q + k, c->s.q_low + k, c->k.w[k]);
+    }
+    return last <= c->s.head[S_NEWTON_TOLERANCE] ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+}
+
+/* Lets velocities follow rows and signals, by the smallest change. */
+static void follow_rows(context *c)
+{
+    double last = INFINITY, size = INFINITY;
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    for (int i = 0; i < MAX_CORRECTIONS; i++, last = size) {
+        row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+        size = largest_row(c);
+        if (!(size < 0.5 * last)) return;
+        memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+        add_correction(c, c->k.w);
+        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
+    }
+}
+
+/* The velocities' part u (n, in d) that rows leave free and that has none of the kept momenta; there are no signals. */
+static void free_velocities(context *c, double L[RIGID][RIGID])
+{
+    const holonom_model *m = c->m;
+    const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
+    double momentum[RIGID], unused[RIGID], *u = c->k.d;
+    memset(u, 0, n);
+    row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.lambda); /* what rows ask of rest */
+    for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = c->s.v[k] + c->s.v_low[k];
+    for (int repeat = 0; repeat < 3; repeat++) { /* what the regularised factors leave is corrected again */
+        row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.phi);
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= c->k.lambda[i];
+        add_correction(c, u);
+    }
+    c->h = 2.0;
+    inertia(c, u, c->k.momentum);
+    rigid_momenta(c, c->k.momentum, momentum, unused);
+    for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
+    add_rigid(c, L, momentum, u);
+}
+
+/* Energy that the ledger does not know of. */
+static double unbalanced(const context *c)
+{
+    const double *head = c->s.head, spent = head[S_WORK] - head[S_DISSIPATED];
+    return (kinetic_energy(c, c->k.momentum) - head[S_KINETIC_START]) + potential_change(c) - spent;
+}
+
+/* Brings the energy onto the ledger by a change of the velocities along u (in d): u'Mu s^2/2 + v'Mu s + excess = 0. */
+static int32_t balance_energy(context *c)
+{
+    const double *u = c->k.d, square = mass_product(c, u, u);
+    for (int i = 0; i < 3; i++) {
+        const double excess = unbalanced(c); /* leaves M v in momentum */
+        double along = 0.0;
+        for (int32_t a = 0; a < c->n_moving; a++) along += dot(u + DIM * a, c->k.momentum + DIM * a);
+        if (excess == 0.0) return HOLONOM_OK;
+        const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
+        if (!(fabs(part) <= GENTLE)) return HOLONOM_NOT_FINITE;
+        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
+    }
+    return HOLONOM_OK;
+}
+
+/* Puts the weighted ends back onto rows, kept momenta and ledger. */
+static int32_t put_back(context *c, double h, const extrapolation *x)
+{
+    double L[RIGID][RIGID] = {{0.0}}, lacking[RIGID], size[RIGID];
+    c->lu = &c->m->full;
+    c->h = h;
+    stand_still(c);
+    int32_t status = factorise_at_state(c, NULL);
+    if (!status) status = close_rows(c, h);
+    if (status) return status;
+    follow_rows(c);
+    factor_rigid(c, x->kept, L);
+    momenta(c, c->k.momentum);
+    rigid_momenta(c, c->k.momentum, lacking, size);
+    for (int i = 0; i < RIGID; i++) lacking[i] = x->momentum[i] - lacking[i];
+    memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    add_rigid(c, L, lacking, c->k.w);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
+    if (c->m->n_signals) { /* drivers leave little or nothing free; their work is known to the order, as the motion is */
+        book(c, S_WORK, unbalanced(c));
+        return HOLONOM_OK;
+    }
+    free_velocities(c, L);
+    return balance_energy(c);
+}
+
+/* Goes back to the start of the step, from which its next cover begins; what predicts half steps stays. */
+static void go_back(context *c, double t, double law_time)
+{
+    const hm_state *s = &c->s;
+    const double *start = c->k.pair_backup;
+    static const int accounts[] = {S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
+                                   S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW};
+    memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(4 * DIM * c->n_moving)); /* q and v, low parts */
+    memcpy(s->turns, start + (s->turns - s->head), sizeof(double) * (size_t)(s->derived - s->turns));
+    for (int i = 0; i < 8; i++) s->head[accounts[i]] = start[accounts[i]];
+    if (c->m->time_dependent) set_laws(c, law_time, 0);
+    c->t = t;
+}
+
+/* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta. */
+static void weigh(context *c, double weight, extrapolation *x)
+{
+    const int64_t n = DIM * c->n_moving;
+    const hm_state *s = &c->s;
+    const double *start = c->k.pair_backup, *q0 = start + (s->q - s->head), *v0 = start + (s->v - s->head);
+    double total[RIGID], size[RIGID];
+    for (int64_t k = 0; k < n; k++) { /* low parts follow high ones */
+        c->k.estimate[k] += weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]));
+        c->k.estimate[n + k] += weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]));
+    }
+    x->work += weight * ((s->head[S_WORK] - start[S_WORK]) + (s->head[S_WORK_LOW] - start[S_WORK_LOW]));
+    x->dissipated += weight * ((s->head[S_DISSIPATED] - start[S_DISSIPATED]) +
+                               (s->head[S_DISSIPATED_LOW] - start[S_DISSIPATED_LOW]));
+    momenta(c, c->k.momentum);
+    rigid_momenta(c, c->k.momentum, total, size);
+    for (int i = 0; i < RIGID; i++) {
+        x->momentum[i] += weight * (total[i] - x->before[i]);
+        if (!(fabs(total[i] - x->before[i]) <= KEPT * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
+    }
+}
+
+/* Takes the weighted ends over, in the place of the finest cover's. */
+static int32_t take_weighted(context *c, double h, const extrapolation *x)
+{
+    const int64_t n = DIM * c->n_moving;
+    const hm_state *s = &c->s;
+    double *head = s->head, *dq = c->k.estimate, *dv = dq + n;
+    const double *start = c->k.pair_backup, *q0 = start + (s->q - s->head), *v0 = start + (s->v - s->head);
+    if (!(x->dissipated >= 0.0)) return HOLONOM_DAMPING_REVERSED;
+    for (int64_t k = 0; k < n; k++) {
+        dq[k] -= (s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]);
+        dv[k] -= (s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]);
+    }
+    if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= SURE)) return HOLONOM_NOT_FINITE;
+    for (int64_t k = 0; k < n; k++) {
+        hm_add(s->q + k, s->q_low + k, dq[k]);
+        hm_add(s->v + k, s->v_low + k, dv[k]);
+    }
+    for (int i = S_WORK; i <= S_DISSIPATED_LOW; i++) head[i] = start[i];
+    book(c, S_WORK, x->work);
+    book(c, S_DISSIPATED, x->dissipated);
+    const int32_t status = put_back(c, h, x);
+    follow_angles(c);
+    for (int32_t j = 0; j < c->m->n_bodies; j++) follow_orientation(c, j);
+    return status;
+}
+
+/* One internal step; where its weighted end cannot be put back, that of the finest cover stands, which conserves. */
+static int32_t extrapolated_step(context *c, double h)
+{
+    const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
+    const double t = c->t, law_time = c->number[c->m->time_at];
+    const size_t bytes = sizeof(double) * (size_t)c->state_size;
+    extrapolation x = {.work = 0.0};
+    int32_t status = HOLONOM_OK;
+    int half = 0;
+    memcpy(c->k.pair_backup, c->s.head, bytes);
+    memset(c->k.estimate, 0, sizeof(double) * (size_t)(2 * DIM * c->n_moving));
+    momenta(c, c->k.momentum);
+    rigid_momenta(c, c->k.momentum, x.before, x.scale);
+    for (int i = 0; i < RIGID; i++) x.kept[i] = 1, x.momentum[i] = x.before[i];
+    begin_halves(c, covers * (covers + 1));
+    for (int pairs = 1; pairs <= covers; pairs++) {
+        double weight = 1.0;
+        for (int k = 1; k <= covers; k++)
+            if (k != pairs) weight *= (double)(pairs * pairs) / (pairs * pairs - k * k);
+        if (pairs > 1) go_back(c, t, law_time);
+        for (int i = 0; i < 2 * pairs; i++) {
+            if ((status = single_step(c, 0.5 * h / pairs, half++))) return status;
+            if (i % 2) average_multipliers(c, c->t - 0.5 * h / pairs);
+        }
+        if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
+        weigh(c, weight, &x);
+    }
+    memcpy(c->k.finest, c->s.head, bytes);
+    if (take_weighted(c, h, &x)) {
+        memcpy(c->s.head, c->k.finest, bytes);
+        c->unweighted = 1;
+    }
+    return HOLONOM_OK;
+}

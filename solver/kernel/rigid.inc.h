@@ -1,0 +1,86 @@
+/* Motions of a mechanism as one rigid body, and its momenta. Included once per dimension, after interval.inc.h. */
+
+enum { RIGID = DIM + TURNING };
+
+/* Velocity at node a of the mechanism moving as one rigid body: along axis i < DIM, or about an axis at the origin. */
+static void rigid_velocity(const context *c, int i, int32_t a, double *xi)
+{
+    const double *x = c->s.q + DIM * a;
+    EACH(k) xi[k] = 0.0;
+    if (i < DIM) {
+        xi[i] = c->m->node_kind[a] ? 0.0 : 1.0;
+        return;
+    }
+#if DIM == 2
+    xi[0] = -x[1];
+    xi[1] = x[0];
+#else
+    const int first = (i - DIM + 1) % 3, second = (i - DIM + 2) % 3;
+    xi[first] = -x[second];
+    xi[second] = x[first];
+#endif
+}
+
+/* Momenta of the whole mechanism from those of its nodes, and the sums of their terms' sizes. */
+static void rigid_momenta(const context *c, const double *p, double *total, double *size)
+{
+    double xi[DIM];
+    for (int i = 0; i < RIGID; i++) {
+        total[i] = size[i] = 0.0;
+        for (int32_t a = 0; a < c->n_moving; a++) {
+            rigid_velocity(c, i, a, xi);
+            total[i] += dot(xi, p + DIM * a);
+            EACH(k) size[i] += fabs(xi[k] * p[DIM * a + k]);
+        }
+    }
+}
+
+/* x'My over the mass matrix. */
+static double mass_product(const context *c, const double *x, const double *y)
+{
+    double sum = 0.0;
+    for (int32_t e = 0; e < c->m->n_mass; e++)
+        sum += c->number[c->m->mass_at + e] * dot(x + DIM * c->m->mass_node[2 * e], y + DIM * c->m->mass_node[2 * e + 1]);
+    return sum;
+}
+
+/* Rigid motions' mass matrix xi_i'M xi_j of those that are kept, as its Cholesky factor; 0 on the diagonal leaves a
+   motion out, which the others contain.                                                                       */
+static void factor_rigid(const context *c, const int *kept, double L[RIGID][RIGID])
+{
+    const holonom_model *m = c->m;
+    double x[DIM], y[DIM], K[RIGID][RIGID] = {{0.0}};
+    for (int32_t e = 0; e < m->n_mass; e++)
+        for (int i = 0; i < RIGID; i++)
+            for (int j = 0; j <= i; j++) {
+                rigid_velocity(c, i, m->mass_node[2 * e], x);
+                rigid_velocity(c, j, m->mass_node[2 * e + 1], y);
+                K[i][j] += c->number[m->mass_at + e] * dot(x, y);
+            }
+    for (int i = 0; i < RIGID; i++)
+        for (int j = 0; j <= i; j++) {
+            double sum = K[i][j];
+            for (int k = 0; k < j; k++) sum -= L[i][k] * L[j][k];
+            if (i == j) L[i][i] = kept[i] && sum > 1e-10 * K[i][i] ? sqrt(sum) : 0.0;
+            else L[i][j] = kept[i] && L[j][j] > 0.0 ? sum / L[j][j] : 0.0;
+        }
+}
+
+/* Adds to velocities x the rigid motion of momenta b (modified) in the kept directions. */
+static void add_rigid(const context *c, double L[RIGID][RIGID], double *b, double *x)
+{
+    double xi[DIM];
+    for (int i = 0; i < RIGID; i++) {
+        for (int k = 0; k < i; k++) b[i] -= L[i][k] * b[k];
+        b[i] = L[i][i] > 0.0 ? b[i] / L[i][i] : 0.0;
+    }
+    for (int i = RIGID - 1; i >= 0; i--) {
+        for (int k = i + 1; k < RIGID; k++) b[i] -= L[k][i] * b[k];
+        b[i] = L[i][i] > 0.0 ? b[i] / L[i][i] : 0.0;
+    }
+    for (int i = 0; i < RIGID; i++)
+        for (int32_t a = 0; a < c->n_moving && b[i] != 0.0; a++) {
+            rigid_velocity(c, i, a, xi);
+            EACH(k) x[DIM * a + k] += b[i] * xi[k];
+        }
+}
