@@ -96,26 +96,25 @@ def test_the_weights_of_the_outputs_vanish_to_their_order_with_a_unit_error_of_t
     outputs = [dict(ONE)]
     for part in stages(order):
         outputs.append(product(outputs[-1], pair(Fraction(part).limit_denominator(10**18))))
-    for (lower, _), weights in zip(EMBEDDED[order], embedded(order), strict=True):
-        assert len(weights) == len(outputs)
+    (lower, _), weights = EMBEDDED[order], embedded(order)
+    assert len(weights) == len(outputs)
 
-        def summed(weight: int, weights: tuple[float, ...] = weights) -> list[float]:
-            return [
-                float(
-                    sum(Fraction(w) * y.get(word, 0) for w, y in zip(weights, outputs, strict=True))
-                )
-                for word in words(weight)
-            ]
+    def summed(weight: int) -> list[float]:
+        return [
+            float(sum(Fraction(w) * y.get(word, 0) for w, y in zip(weights, outputs, strict=True)))
+            for word in words(weight)
+        ]
 
-        for weight in range(lower + 1):
-            assert max(map(abs, summed(weight))) < 1e-14
-        assert sum(x**2 for x in summed(lower + 1)) == pytest.approx(1.0, abs=1e-12)
+    # Weights of up to 56 are rounded, and so are the parts.
+    for weight in range(lower + 1):
+        assert max(map(abs, summed(weight))) < 2e-16 * sum(map(abs, weights))
+    assert sum(x**2 for x in summed(lower + 1)) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_the_kernel_weighs_outputs_as_the_reference_does():
     kernel = Path(__file__).parents[1] / "solver" / "kernel"
     text = (kernel / "composition.inc.h").read_text("utf-8")
-    (table,) = re.findall(r"weights\[6\]\[8\] = \{(.*?)\};", text, re.DOTALL)
+    (table,) = re.findall(r"weights\[3\]\[8\] = \{(.*?)\};", text, re.DOTALL)
     found = re.findall(r"\{(.*?)\}", table, re.DOTALL)
     rows = [tuple(float(x) for x in row.split(",")) for row in found]
-    assert rows == [first for pairs in EMBEDDED.values() for _, first in pairs]
+    assert rows == [first for _, first in EMBEDDED.values()]

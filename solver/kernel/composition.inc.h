@@ -1,5 +1,7 @@
 /* Parts of a step of order 2, 4, 6 and 8. Included once per dimension, after start.inc.h. */
 
+enum { N_COMPOSED = 3 }; /* orders 4, 6 and 8 */
+
 /* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
    The plain step is not near the identity as h goes to 0 (it reflects the velocity normal to the constraints), the
    pair is, so that it composes (numerics 8). Parts beyond the middle repeat the first ones in reverse.
@@ -21,20 +23,16 @@ static double stage(int order, int i, int *stages)
 }
 
 /* Weights of the outputs 0 ... s after each stage, for the difference from a solution of lower order that costs nothing:
-   the sum of weighted outputs vanishes to order 3 and 2, 4 and 2, or 5 and 3. They fulfil the conditions of that order,
-   with a unit error of the next one, and repeat in reverse (odd order) or with the other sign (even). docs/method.md. */
-static double embedded(int order, int lower, int i, int stages)
+   the sum of weighted outputs vanishes to order 3, 4 or 6. They fulfil the conditions of that order, with a unit error
+   of the next one, and repeat in reverse (odd order) or with the other sign (even). docs/method.md.              */
+static double embedded(int order, int i, int stages)
 {
-    static const double weights[6][8] = {
+    static const double weights[3][8] = {
         {4.1241054657117822, 5.793661999832441, -9.9177674655442232},
-        {1.3408927628104155, 1.9364790969793597, 2.5412769522090053},
         {1.8226314151074883, -6.4011435573198723, -6.2891381706484477, -0.8785205100332758, -3.0344753042599},
-        {1.3924516780664877, 0.79248065939298917, 0.16758936267750835, -0.74285115760501119, -0.96762658458308271},
-        {15.141411217507283, -12.263374322255949, 6.9527437214117782, 8.5169471212453516, -10.225761221162973,
-         -9.0240383596451892, -1.7001504698145284, 2.6022223127142272},
-        {0.13199986272792208, 1.6107381537523564, -0.84908552473929788, 0.022347701637577013, -0.85249375052665732,
-         -1.1474567476428574, -0.3660281753229786, 1.4499784801139359}};
-    const double *w = weights[order - 4 + lower];
+        {55.91681365966907, -38.903798991623916, -13.314127312603684, 29.777317156091367, -24.384415134859363,
+         2.2906965052155357, -1.2771797104762384, 54.44749195234535}};
+    const double *w = weights[order / 2 - 2];
     if (2 * i <= stages) return w[i];
-    return order == 6 || (order == 4 && lower) ? -w[stages - i] : w[stages - i];
+    return order == 4 ? w[stages - i] : -w[stages - i];
 }

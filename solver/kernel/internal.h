@@ -131,8 +131,9 @@ typedef struct hm_work {
     double *block;        /* (dim n_local_nodes) squared                                                    */
     double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.inc.h            */
     hm_registers r;       /* of one function                                                                */
-    double *estimate;     /* 4 n: differences from two solutions of lower order, in q and v each            */
+    double *estimate;     /* 2 n: difference from a solution of lower order, in q and in v                   */
     double *step_backup, *pair_backup, *finest; /* state size each                                          */
+    double *whole_backup; /* twice the state size: after a step and before it, while it is checked             */
 } hm_work;
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */

@@ -37,21 +37,19 @@ static void average_multipliers(context *c, double time)
     }
 }
 
-/* Adds the output after a stage to the differences from the embedded solutions. */
-static void gather_estimates(context *c, int order, int i, int stages)
+/* Adds the output after a stage to the difference from the embedded solution. */
+static void gather_estimate(context *c, int order, int i, int stages)
 {
     const int64_t n = DIM * c->n_moving;
     const hm_state *s = &c->s;
     if (!(s->head[S_TOLERANCE] > 0.0) || order == 2) return;
     const double *q0 = c->k.pair_backup + (s->q - s->head), *q0_low = c->k.pair_backup + (s->q_low - s->head);
     const double *v0 = c->k.pair_backup + (s->v - s->head), *v0_low = c->k.pair_backup + (s->v_low - s->head);
-    for (int lower = 0; lower < 2; lower++) {
-        const double weight = embedded(order, lower, i, stages);
-        double *q = c->k.estimate + 2 * n * lower, *v = q + n;
-        for (int64_t k = 0; k < n; k++) {
-            q[k] = (i > 1 ? q[k] : 0.0) + weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0_low[k]));
-            v[k] = (i > 1 ? v[k] : 0.0) + weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0_low[k]));
-        }
+    const double weight = embedded(order, i, stages);
+    double *q = c->k.estimate, *v = q + n;
+    for (int64_t k = 0; k < n; k++) {
+        q[k] = (i > 1 ? q[k] : 0.0) + weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0_low[k]));
+        v[k] = (i > 1 ? v[k] : 0.0) + weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0_low[k]));
     }
 }
 
@@ -83,16 +81,18 @@ static int32_t internal_step(context *c, double h)
         status = single_step(c, half, 2 * i);
         if (!status) status = single_step(c, half, 2 * i + 1);
         if (!status) average_multipliers(c, c->t - half);
-        if (!status) gather_estimates(c, order, i + 1, stages);
+        if (!status) gather_estimate(c, order, i + 1, stages);
     }
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
     return status;
 }
 
-/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted. */
+/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted, what was learned known. */
 static void undo_step(context *c, double t, double law_time)
 {
+    double learned[2 * N_COMPOSED];
+    memcpy(learned, c->s.head + S_JUDGED, sizeof learned);
     const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
     if (!is_plain(c)) {
         memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
@@ -102,6 +102,7 @@ static void undo_step(context *c, double t, double law_time)
     c->s.head[S_PENALTY_LEVEL] = c->s.head[S_SLOW_STEPS] = 0.0;
     c->s.head[S_NEWTON] = newton;
     c->s.head[S_UZAWA] = uzawa;
+    memcpy(c->s.head + S_JUDGED, learned, sizeof learned);
 }
 
 static int32_t interval(context *c, double h, int halvings)

@@ -22,6 +22,7 @@
 #include "interval.inc.h"
 #include "rigid.inc.h"
 #include "extrapolation.inc.h"
+#include "estimate.inc.h"
 #include "control.inc.h"
 #include "advance.inc.h"
 #include "seek.inc.h"

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 8
+ABI = 9
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -51,6 +51,7 @@ HEAD = (
     "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
     "residual_low", "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps",
     "dependent", "full_steps", "full_wait", "known", "halves", "wanted", "last_length",
+    "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
     "order_in_use", "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation",
     "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance", "penalty", "xi",
     "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order", "tolerance",

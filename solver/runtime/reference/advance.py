@@ -26,6 +26,10 @@ Array = NDArray[np.float64]
 
 MAX_HALVINGS, MAX_REPEATS = 6, 40
 
+COSTS = ("newton_iterations", "uzawa_iterations")
+LEARNED = tuple(f"{what}_{order}" for what in ("judged", "learned") for order in (4, 6, 8))
+"""Scalars of the head that survive a step that is taken back."""
+
 
 def follow_angles(mechanism: Mechanism, motion: Motion) -> None:
     """Count the turns of angles since their directions were last looked at."""
@@ -84,10 +88,10 @@ class Advance:
         head, control, done, repeats = self.motion.head, self.control, 0.0, 0
         control.begin()
         while done < step:
-            rest, longest = step - done, min(head["wanted"], head["longest_step"])
+            rest = step - done
             # A pair is judged by the one before it: after a jump two are needed.
             least = 2.0 if head["order_in_use"] == 2.0 and head["known"] < 2.0 else 1.0
-            n = max(least, np.ceil(rest / longest * (1.0 - 1e-10)))
+            n = max(least, control.number_of_steps(rest, head["wanted"]))
             if not n < 1e9:
                 raise UnsolvedError(Status.BAD_STEP)
             h = rest / n
@@ -95,7 +99,7 @@ class Advance:
             solved = True
             try:
                 self._internal_step(start + done, h)
-                repeated = control.rejects(h, step)
+                repeated = self._rejects(start + done, h, step, (backup, numbers))
                 wanted = head["wanted"]
             except UnsolvedError:
                 if repeats >= MAX_REPEATS:
@@ -115,10 +119,41 @@ class Advance:
             done = step if n == 1.0 else done + h
             follow_energy_reference(self.mechanism, self.motion)
 
+    def _rejects(self, t: float, h: float, step: float, before: tuple[Array, Array]) -> bool:
+        """Judge the step of length h just taken from t; measure what some of them add."""
+        estimate = self.control.estimate
+        error = estimate.error(h)
+        if error is None:
+            return False
+        checks = estimate.checks_before()
+        measured = not error.is_noise and not self.clock.model.sizes["sensing"]
+        if checks is not None and measured:
+            estimate.learn(error, self._difference_from_halves(t, h, before), checks)
+        return self.control.rejects(error, h, step)
+
+    def _difference_from_halves(self, t: float, h: float, before: tuple[Array, Array]) -> float:
+        """Difference of a step just taken from two of half the length; 0 if they fail."""
+        head, estimate = self.motion.head, self.control.estimate
+        after = self.motion.block.copy(), self.clock.numbers.copy()
+        whole, spent = estimate.present(), {name: head[name] for name in COSTS}
+        self.motion.block[:], self.clock.numbers[:] = before
+        costs = {name: head[name] for name in COSTS}
+        try:
+            for start in (t, t + 0.5 * h):
+                self._internal_step(start, 0.5 * h)
+            difference = estimate.distance(estimate.present() - whole)
+        except UnsolvedError:
+            difference = 0.0
+        spent = {name: spent[name] + head[name] - costs[name] for name in COSTS}
+        self.motion.block[:], self.clock.numbers[:] = after
+        for name, count in spent.items():
+            head[name] = count
+        return difference
+
     def _undo(self, backup: Array, numbers: Array) -> None:
-        """Take an internal step back; what it cost stays counted."""
+        """Take an internal step back; what it cost stays counted, what was learned known."""
         head = self.motion.head
-        spent = {name: head[name] for name in ("newton_iterations", "uzawa_iterations")}
+        spent = {name: head[name] for name in (*COSTS, *LEARNED)}
         self.motion.block[:], self.clock.numbers[:] = backup, numbers
         head["penalty_level"] = head["slow_steps"] = 0.0
         for name, count in spent.items():
@@ -159,14 +194,14 @@ class Advance:
             return
         dissipated = head["dissipated"] - 1e-9 * head["energy_reference"]
         parts = stages(order)
-        self.control.open(order)
+        self.control.estimate.open(order)
         prediction = Prediction(self.motion, 2 * len(parts))
         for part in parts:
             half = 0.5 * h * part
             self._single_step(t, half, prediction)
             self._single_step(t + half, half, prediction)
             self._average_multipliers(t + half, half)
-            self.control.gather()
+            self.control.estimate.gather()
             t += 2.0 * half
         if order != 2 and not head["dissipated"] >= dissipated:
             raise UnsolvedError(Status.DAMPING_REVERSED)
@@ -191,7 +226,7 @@ class Advance:
             step.weigh(weight)
         finest = motion.block.copy()
         try:
-            step.take_over(self.control.size)
+            step.take_over(self.control.estimate.size)
         except UnsolvedError:
             motion.block[:] = finest
             self._unweighted = True

@@ -33,75 +33,42 @@ FIRST_PARTS = {
 
 
 EMBEDDED = {
-    4: (
-        (3, (4.1241054657117822, 5.793661999832441, -9.9177674655442232)),
-        (2, (1.3408927628104155, 1.9364790969793597, 2.5412769522090053)),
-    ),
+    4: (3, (4.1241054657117822, 5.793661999832441, -9.9177674655442232)),
     6: (
+        4,
         (
-            4,
-            (
-                1.8226314151074883,
-                -6.4011435573198723,
-                -6.2891381706484477,
-                -0.8785205100332758,
-                -3.0344753042599,
-            ),
-        ),
-        (
-            2,
-            (
-                1.3924516780664877,
-                0.79248065939298917,
-                0.16758936267750835,
-                -0.74285115760501119,
-                -0.96762658458308271,
-            ),
+            1.8226314151074883,
+            -6.4011435573198723,
+            -6.2891381706484477,
+            -0.8785205100332758,
+            -3.0344753042599,
         ),
     ),
     8: (
+        6,
         (
-            5,
-            (
-                15.141411217507283,
-                -12.263374322255949,
-                6.9527437214117782,
-                8.5169471212453516,
-                -10.225761221162973,
-                -9.0240383596451892,
-                -1.7001504698145284,
-                2.6022223127142272,
-            ),
-        ),
-        (
-            3,
-            (
-                0.13199986272792208,
-                1.6107381537523564,
-                -0.84908552473929788,
-                0.022347701637577013,
-                -0.85249375052665732,
-                -1.1474567476428574,
-                -0.3660281753229786,
-                1.4499784801139359,
-            ),
+            55.91681365966907,
+            -38.903798991623916,
+            -13.314127312603684,
+            29.777317156091367,
+            -24.384415134859363,
+            2.2906965052155357,
+            -1.2771797104762384,
+            54.44749195234535,
         ),
     ),
 }
-"""By order, two differences from solutions of lower order: that order, and the first half of the
+"""By order, the difference from a solution of lower order: that order, and the first half of the
 weights of the outputs 0 ... s after each stage."""
 
 
-def embedded(order: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return the weights of the outputs 0 ... s for both differences.
+def embedded(order: int) -> tuple[float, ...]:
+    """Return the weights of the outputs 0 ... s.
 
     Weighted outputs sum to zero up to the lower order, with a unit error of the next one.
     """
-    high, low = (
-        (*first, *(x if lower % 2 else -x for x in reversed(first)))
-        for lower, first in EMBEDDED[order]
-    )
-    return high, low
+    lower, first = EMBEDDED[order]
+    return (*first, *(x if lower % 2 else -x for x in reversed(first)))
 
 
 def stages(order: int) -> tuple[float, ...]:

@@ -1,0 +1,137 @@
+/* What a step adds to the error of a run. Included once per dimension, after interval.inc.h.
+
+   The difference from an embedded solution of order r, e ~ (omega h)^(r+1), tells how fast the motion changes, and with it
+   the error of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. How far a mechanism is from the mean
+   is learned by repeating a few steps as two of half the length.                                                  */
+
+#define LEAST 0.4  /* times the mean, that an error is taken for ... */
+#define MOST 100.0 /* ... and the largest such multiple */
+
+enum { N_ORDERS = 1 + N_COMPOSED };
+static const int ORDERS[N_ORDERS] = {2, 4, 6, 8}, N_STAGES[N_ORDERS] = {1, 5, 9, 15};
+
+/* By order p: r; omega h over e^(1/(r+1)); error over (omega h)^(p+1): means over mechanisms.                     */
+static const double LOWER[N_ORDERS] = {2.0, 3.0, 4.0, 6.0};
+static const double RATE[N_ORDERS] = {1.0, 2.7, 2.9, 2.64};
+static const double MEAN[N_ORDERS] = {1.1e-2, 6e-5, 5.2e-6, 3.1e-7};
+/* What is left in a run of the errors of single steps, which partly cancel: mean over mechanisms.                 */
+static const double REMAINS[N_ORDERS] = {1.0, 0.24, 0.5, 0.45};
+/* Round-off of the difference: the norm of the weights times that of a solved step.                               */
+static const double ROUND_OFF[N_ORDERS] = {1e-13, 1e-13, 1e-13, 1e-12};
+
+typedef struct step_error {
+    double rate;  /* omega [1/s]                                                            */
+    double mean;  /* error in the mean over mechanisms, relative to size and speed          */
+    int is_noise; /* whether round-off of velocities is all that the difference shows       */
+} step_error;
+
+static inline int index_of(int order) { return order / 2 - 1; }
+
+static double mass_norm(const context *c, const double *x)
+{
+    double sum = 0.0;
+    for (int32_t a = 0; a < c->m->n_free; a++) sum += c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
+    return sqrt(sum);
+}
+
+/* Speed of the mechanism, in the mass norm; 0 only as long as nothing has moved or could. */
+static double speed_scale(const context *c)
+{
+    return fmax(sqrt(2.0 * c->s.head[S_ENERGY_REFERENCE]), mass_norm(c, c->s.v));
+}
+
+/* Mass norms of a difference in q and in v, relative to size and speed of the mechanism. */
+static double relative_size(const context *c, double of_q, double of_v)
+{
+    const double speed = speed_scale(c);
+    return hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
+}
+
+/* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
+   nothing tells it yet.                                                                                         */
+static int difference_of_pairs(const context *c, double h, double *difference)
+{
+    const int64_t n = DIM * c->n_moving;
+    const double *first = c->s.a[0], *second = c->s.a[1], *change = c->s.a_change;
+    const double between = 0.5 * (h + c->s.head[S_LAST_LENGTH]);
+    double *rate = c->k.estimate;
+    c->s.head[S_LAST_LENGTH] = h;
+    if (c->s.head[S_KNOWN] < 4.0) return 0;
+    for (int64_t k = 0; k < n; k++) /* means (a_1 + a_2)/2 of this pair, and of that before from its halves' changes */
+        rate[k] = (0.5 * (second[k] - first[k]) + change[k] + 0.5 * change[3 * n + k]) / between;
+    const double of_rate = mass_norm(c, rate), speed = mass_norm(c, c->s.v);
+    const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
+    *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);
+    return 1;
+}
+
+/* Error of the last step, of length h; 0 where nothing tells it yet. */
+static int estimate_error(const context *c, int order, double h, step_error *e)
+{
+    const int p = index_of(order);
+    const double *x = c->k.estimate;
+    double difference;
+    if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + DIM * c->n_moving));
+    else if (!difference_of_pairs(c, h, &difference)) return 0;
+    const double turned = RATE[p] * pow(difference, 1.0 / (LOWER[p] + 1.0));
+    e->rate = turned / h;
+    e->mean = MEAN[p] * pow(turned, order + 1);
+    /* Velocities are only known to round-off of places over h: shorter steps would show more of it, not less error. */
+    e->is_noise = difference <= ROUND_OFF[p] * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
+    return 1;
+}
+
+/* How many times larger than in the mean the mechanism's errors are at an order. */
+static double times_mean(const context *c, int p) { return p > 0 ? exp(c->s.head[S_LEARNED + p - 1]) : 1.0; }
+
+/* Number of checks before that of the n-th step of an order, which is the 2nd, 8th, 32nd, 128th and every 256th; -1 for
+   any other step.                                                                                               */
+static int checks_before(double n)
+{
+    static const double checked[4] = {2.0, 8.0, 32.0, 128.0};
+    for (int k = 0; k < 4; k++)
+        if (n == checked[k]) return k;
+    return fmod(n, 256.0) == 0.0 ? 4 : -1;
+}
+
+/* Difference of a step of length h from t, just taken, from two of half the length, relative to size and speed; 0 if they
+   cannot be taken. The state, its backup and the laws are left as they are; what it cost is counted.            */
+static double difference_from_halves(context *c, double t, double h, double law_time)
+{
+    double *head = c->s.head, *whole = c->k.whole_backup, *before = whole + c->state_size, *x = c->k.estimate;
+    const size_t bytes = sizeof(double) * (size_t)c->state_size;
+    const double *q = whole + (c->s.q - head), *q_low = whole + (c->s.q_low - head);
+    const double *v = whole + (c->s.v - head), *v_low = whole + (c->s.v_low - head);
+    const double law_time_after = c->number[c->m->time_at];
+    const int64_t n = DIM * c->n_moving;
+    memcpy(whole, head, bytes);
+    memcpy(before, c->k.pair_backup, bytes);
+    memcpy(head, before, bytes);
+    if (c->m->time_dependent) set_laws(c, law_time, 0);
+    c->t = t;
+    int32_t status = internal_step(c, 0.5 * h);
+    if (!status) status = internal_step(c, 0.5 * h);
+    for (int64_t k = 0; k < n; k++) {
+        x[k] = (c->s.q[k] - q[k]) + (c->s.q_low[k] - q_low[k]);
+        x[n + k] = (c->s.v[k] - v[k]) + (c->s.v_low[k] - v_low[k]);
+    }
+    const double found = status ? 0.0 : relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    whole[S_NEWTON] += head[S_NEWTON] - before[S_NEWTON];
+    whole[S_UZAWA] += head[S_UZAWA] - before[S_UZAWA];
+    memcpy(head, whole, bytes);
+    memcpy(c->k.pair_backup, before, bytes);
+    if (c->m->time_dependent) set_laws(c, law_time_after, 0);
+    return found;
+}
+
+/* Counts a step of length h from t that has been judged, and learns from some of them how far errors are from the mean. */
+static void learn(context *c, int order, double t, double h, double law_time, const step_error *e)
+{
+    const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED + p - 1] += 1.0);
+    if (checks < 0 || e->is_noise || c->m->sensing) return;
+    const double error = REMAINS[p] * difference_from_halves(c, t, h, law_time);
+    if (!(error > 0.0)) return;
+    const double found = log(fmin(fmax(error / e->mean, LEAST), MOST));
+    double *learned = c->s.head + S_LEARNED + p - 1;
+    *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
+}
