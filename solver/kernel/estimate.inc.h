@@ -4,7 +4,7 @@
    the error of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. How far a mechanism is from the mean
    is learned by repeating a few steps as two of half the length.                                                  */
 
-#define LEAST 0.4  /* times the mean, that an error is taken for ... */
+#define LEAST 0.25 /* times the mean, that an error is taken for ... */
 #define MOST 100.0 /* ... and the largest such multiple */
 
 enum { N_ORDERS = 1 + N_COMPOSED };

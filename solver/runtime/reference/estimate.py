@@ -20,7 +20,7 @@ from .state import Motion
 
 Array = NDArray[np.float64]
 
-LEAST, MOST = 0.4, 100.0
+LEAST, MOST = 0.25, 100.0
 """Times the mean, that an error is taken for."""
 
 CHECKED, REGULARLY = (2.0, 8.0, 32.0, 128.0), 256.0
