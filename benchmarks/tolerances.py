@@ -127,7 +127,7 @@ def measure(effort: Effort) -> Section:
             f"Scenes over {stop:g} s or their own experiment, in ten communication steps, order "
             "and length of internal steps chosen. Error: the largest of places and rates at any "
             "of the points, in the mass norm over size and speed of the mechanism, against a run "
-            f"with {SHARPEST['smooth']:.0e} ({SHARPEST['damped']:.0e} where dampers limit the order)."
+            f"with {SHARPEST['smooth']:.0e}, or {SHARPEST['damped']:.0e} where there are dampers."
         ),
         tables=[Table(title="Tolerances", columns=COLUMNS, rows=rows, formats=FORMATS)],
     )

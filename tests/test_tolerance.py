@@ -231,3 +231,35 @@ def test_measuring_the_error_of_a_step_leaves_the_motion_as_it_is(order):
         ends.append(vector(run, "q"))
         assert (run.state.head[f"learned_{order}"] != 0.0) == (judged == 0.0)
     assert np.array_equal(*ends)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_mechanism_of_nanometres_moves_like_one_of_metres(kernel):
+    # Periods go with the root of the length: all steps are then shorter than 1e-5 of `step_size`,
+    # which under a tolerance says nothing about them. Forces are the same, places in proportion.
+    places: list[Array] = []
+    forces: list[float] = []
+    for size in (1.0, 1e-14):
+        points = [(0.5 * size * k, -math.sqrt(0.75) * size * k) for k in range(3)]
+        text = f"""
+            name = "scaled"
+            dimension = 2
+            gravity = [0, -9.81]
+            [points]
+            O = {{ position = [0, 0], fixed = true }}
+            A = {{ position = {list(points[1])}, mass = 1.0 }}
+            B = {{ position = {list(points[2])}, mass = 1.0 }}
+            [joints]
+            upper = {{ type = "distance", points = ["O", "A"] }}
+            lower = {{ type = "distance", points = ["A", "B"] }}
+            [solver]
+            tolerance = 1e-6
+        """
+        run = Integrator(solver.assemble(solver.loads(text)), kernel=kernel)
+        run.initialise()
+        run.state.head["horizon"] = math.sqrt(size)
+        run.advance(0.0, math.sqrt(size))
+        places.append(vector(run, "q") / size)
+        forces.append(float(run["upper.force"]))
+    assert np.abs(places[1] - places[0]).max() < 1e-5
+    assert forces[1] == pytest.approx(forces[0], rel=1e-3)

@@ -1,8 +1,15 @@
 /* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after predict.inc.h.      */
 
+/* Length of usual steps: what a tolerance wants may be far from the option step_size. */
+static inline double usual_length(const context *c)
+{
+    const double *head = c->s.head;
+    return head[S_TOLERANCE] > 0.0 ? fmin(head[S_STEP_SIZE], head[S_WANTED]) : head[S_STEP_SIZE];
+}
+
 /* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
-static inline int is_telling(const context *c) { return fabs(c->h) >= 1e-5 * c->s.head[S_STEP_SIZE]; }
+static inline int is_telling(const context *c) { return fabs(c->h) >= 1e-5 * usual_length(c); }
 
 /* Rows at the beginning of the step, to the last digit where they are quadratic. */
 static void rows_at_start(context *c)

@@ -56,9 +56,12 @@ class Motion:
         """Whether a step of length h is long enough to tell an acceleration and a multiplier.
 
         Rounding errors enter both over h^2. A shorter step leaves those of the last one, and the
-        round-off of the constraints as it is.
+        round-off of the constraints as it is. What a tolerance wants may be far from `step_size`.
         """
-        return abs(h) >= 1e-5 * self.head["step_size"]
+        usual = self.head["step_size"]
+        if self.head["tolerance"] > 0.0:
+            usual = min(usual, self.head["wanted"])
+        return abs(h) >= 1e-5 * usual
 
     def at_present(self, name: str) -> Array:
         """Multipliers ("") or forces on driven nodes ("driven_") at the present time.
