@@ -82,7 +82,7 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
 }
 
 /* How many times larger than in the mean the mechanism's errors are at an order. */
-static double times_mean(const context *c, int p) { return p > 0 ? exp(c->s.head[S_LEARNED + p - 1]) : 1.0; }
+static double times_mean(const context *c, int p) { return p > 0 ? exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0; }
 
 /* Number of checks before that of the n-th step of an order, which is the 2nd, 8th, 32nd, 128th and every 256th; -1 for
    any other step.                                                                                               */
@@ -127,11 +127,11 @@ static double difference_from_halves(context *c, double t, double h, double law_
 /* Counts a step of length h from t that has been judged, and learns from some of them how far errors are from the mean. */
 static void learn(context *c, int order, double t, double h, double law_time, const step_error *e)
 {
-    const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED + p - 1] += 1.0);
+    const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED_4 + p - 1] += 1.0);
     if (checks < 0 || e->is_noise || c->m->sensing) return;
     const double error = REMAINS[p] * difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
     const double found = log(fmin(fmax(error / e->mean, LEAST), MOST));
-    double *learned = c->s.head + S_LEARNED + p - 1;
+    double *learned = c->s.head + S_LEARNED_4 + p - 1;
     *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
 }

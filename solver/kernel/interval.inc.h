@@ -92,7 +92,7 @@ static int32_t internal_step(context *c, double h)
 static void undo_step(context *c, double t, double law_time)
 {
     double learned[2 * N_COMPOSED];
-    memcpy(learned, c->s.head + S_JUDGED, sizeof learned);
+    memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
     const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
     if (!is_plain(c)) {
         memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
@@ -102,7 +102,7 @@ static void undo_step(context *c, double t, double law_time)
     c->s.head[S_PENALTY_LEVEL] = c->s.head[S_SLOW_STEPS] = 0.0;
     c->s.head[S_NEWTON] = newton;
     c->s.head[S_UZAWA] = uzawa;
-    memcpy(c->s.head + S_JUDGED, learned, sizeof learned);
+    memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
 }
 
 static int32_t interval(context *c, double h, int halvings)
