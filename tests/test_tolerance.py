@@ -41,6 +41,15 @@ def test_the_error_of_a_run_follows_the_request_within_a_decade():
     assert errors == sorted(errors, reverse=True)
 
 
+def test_all_orders_are_open_to_a_tolerance_that_the_scene_did_not_ask_for():
+    # It is assembled for order 2: higher ones begin with a poorer guess, and still take less.
+    run = Integrator(assemble(SWING, order=2))
+    run["solver.tolerance"], run["solver.order"], run["solver.longest_step"] = 1e-7, 0.0, 1e6
+    assert error_at_the_end(run) / 2.0 < 1e-6
+    assert run["solver.order_in_use"] > 4.0
+    assert run["solver.substeps"] < 5000.0
+
+
 @pytest.mark.parametrize("order", [2, 4, 6, 8])
 def test_an_order_that_is_given_is_kept(order):
     tolerance = 1e-4 if order == 2 else 1e-6
