@@ -105,7 +105,7 @@ class Estimate:
         return np.array([motion.q, motion.q_low, motion.v, motion.v_low])
 
     def size(self, of_q: Array, of_v: Array) -> float:
-        """Size of changes of q and v, shape (n, dim), relative to that of the mechanism and speed."""
+        """Size of changes of q and v, shape (n, dim), relative to the mechanism and its speed."""
         return self._relative_size(self.norm(of_q), self.norm(of_v))
 
     def distance(self, difference: Array) -> float:
