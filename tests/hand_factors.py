@@ -5,8 +5,8 @@ Nodes come first in the elimination, then rows; every pivot is coupled to all la
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import pairwise, product
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import accumulate, pairwise, product
 from typing import Any
 
 from solver.runtime.layout import SIZES
@@ -26,7 +26,7 @@ def unique(values: Sequence[int]) -> list[int]:
 def composites(tables: Tables, n_free: int) -> None:
     """Write forms and nodes of the composites, and the leaves' local forms."""
     ptr, nodes = tables["form_ptr"], tables["form_node"]
-    for name in ("composite_form_ptr", "composite_node_ptr"):
+    for name in ("composite_form_ptr", "composite_node_ptr", "composite_local_ptr"):
         tables[name] = [0]
     for begin, end in zip(tables["leaf_ptr"], tables["leaf_ptr"][1:], strict=False):
         quantities = [
@@ -47,6 +47,7 @@ def composites(tables: Tables, n_free: int) -> None:
         tables["composite_node"] += union
         tables["composite_node_ptr"].append(len(tables["composite_node"]))
         tables["composite_local"] += [union.index(node) for entries in free for node in entries]
+        tables["composite_local_ptr"].append(len(tables["composite_local"]))
 
 
 class Factors:
@@ -130,33 +131,41 @@ class Factors:
             for a, b in list(masses)[: sizes["n_mass_free"]]
             for k in range(dim)
         ]
-        for row, form in enumerate(t["row_form"]):
-            t["row_slot"] += self.form_row(row, form)
-        for j, form in enumerate(t["coincidence_form"]):
-            t["coincidence_slot"] += self.coincidence(sizes["n_form_rows"] + dim * j, form)
-        t["moment_slot"] = [s for form in t["moment_form"] for s in self.pairs(self.free(form))]
+        t["lu_island"] = [0, 0, size, len(t["lu_target"])]
+        self._list("row", (self.form_row(row, form) for row, form in enumerate(t["row_form"])))
+        first = sizes["n_form_rows"]
+        forms = enumerate(t["coincidence_form"])
+        self._list("coincidence", (self.coincidence(first + dim * j, form) for j, form in forms))
+        self._list("moment", (self.pairs(self.free(form)) for form in t["moment_form"]))
         self._composites(sizes)
-        width = 1 if dim == 2 else 3
-        for form, axes in zip(t["load_form"], t["load_axes"], strict=True):
-            directors = range(axes, axes + width) if axes >= 0 else ()
-            for a, b in product(self.free(form), directors):
-                t["load_slot"] += self.block(a, b)
+        self._list("load", map(self._load, t["load_form"], t["load_axes"]))
         for first in t["body_moment"][::2]:
             places = range(dim * first, dim * first + 9)
             t["body_moment_slot"] += [self.slot(i, j) for i, j in product(places, repeat=2)]
         sizes["n_lu_values"] = self.ptr[-1]
 
+    def _list(self, name: str, slots: Iterable[list[int]]) -> None:
+        """Write lists of slots one after the other, and where each begins."""
+        t, listed = self.tables, [*slots]
+        t[f"{name}_slot"] = [slot for part in listed for slot in part]
+        t[f"{name}_slot_ptr"] = [0, *accumulate(map(len, listed))]
+
+    def _load(self, form: int, axes: int) -> list[int]:
+        directors = range(axes, axes + (1 if self.dim == 2 else 3)) if axes >= 0 else ()
+        return [slot for a, b in product(self.free(form), directors) for slot in self.block(a, b)]
+
     def _composites(self, sizes: dict[str, int]) -> None:
         t = self.tables
         first_row = sizes["n_form_rows"] + self.dim * sizes["n_coincidences"]
         n_rows = sizes["n_function_rows"] + sizes["n_velocity_rows"]
-        ends = t["composite_node_ptr"]
+        ends, listed = t["composite_node_ptr"], []
         for j, (begin, end) in enumerate(pairwise(ends)):
             nodes, row = t["composite_node"][begin:end], j - sizes["n_elements"]
             places = [self.dim * a + k for a in nodes for k in range(self.dim)]
-            t["composite_slot"] += [self.slot(i, k) for i, k in product(places, repeat=2)]
+            listed.append([self.slot(i, k) for i, k in product(places, repeat=2)])
             if 0 <= row < n_rows:
-                t["composite_slot"] += self.border(nodes, first_row + row)
+                listed[-1] += self.border(nodes, first_row + row)
+        self._list("composite", listed)
 
 
 def write_sizes(tables: Tables, sizes: dict[str, int]) -> None:
@@ -207,3 +216,18 @@ def sizes_of(hand: Any, counts: dict[str, int]) -> dict[str, int]:
 def are_free(pair: tuple[tuple[str, int], tuple[str, int]]) -> bool:
     """Whether both nodes are unknown."""
     return all(kind == "free" for kind, _ in pair)
+
+
+def write_island(tables: Tables, sizes: dict[str, int]) -> None:
+    """Write the tables of the islands of a model that has one."""
+    composites = ("n_elements", "n_function_rows", "n_velocity_rows", "n_potentials")
+    ends = [0, *accumulate(sizes[name] for name in composites)]
+    n_free, n_mass_free = sizes["n_free"], sizes["n_mass_free"]
+    names = ("n_form_rows", "n_coincidences", "n_loads", "n_moments", "n_body_moments")
+    pieces = [
+        (0, n_free), (n_free, n_free + sizes["n_driven"]), *pairwise(ends),
+        *((0, sizes[name]) for name in names), (0, n_mass_free), (n_mass_free, sizes["n_mass"]),
+        *((0, sizes[name]) for name in ("n_linked", "n_active", "n_bodies")),
+    ]  # fmt: skip
+    sizes["n_islands"] = 1
+    tables["island_begin"] = [begin for begin, _ in pieces] + [end for _, end in pieces]

@@ -12,7 +12,15 @@ from solver.runtime.layout import OFFSETS, SIZES, TABLES, measured_size
 from solver.runtime.model import Experiment, Row
 from solver.runtime.options import DEFAULTS
 from solver.runtime.reference.tape import NAMES
-from tests.hand_factors import SEGMENTS, Factors, are_free, composites, sizes_of, write_sizes
+from tests.hand_factors import (
+    SEGMENTS,
+    Factors,
+    are_free,
+    composites,
+    sizes_of,
+    write_island,
+    write_sizes,
+)
 
 Node = tuple[str, int]
 Place = tuple[str, int]
@@ -212,6 +220,7 @@ class Hand:
         composites(tables, sizes["n_free"])
         write_sizes(tables, sizes)
         Factors(tables, sizes).write(sizes)
+        write_island(tables, sizes)
         sizes["n_numbers"] = start + len(self.constants)
         numbers = [x for name in OFFSETS for x in self.numbers[name]] + self.constants
         return Model(

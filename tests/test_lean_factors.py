@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import solver
-from solver.runtime import Integrator, Model
-from solver.runtime.layout import HEAD, PLACE
+from solver.runtime import Integrator, Model, State
+from solver.runtime.layout import ISLAND
 from tests.problems import chain, double_pendulum
 
 FALLBACK = 64
@@ -22,8 +22,8 @@ def assembled(content, **settings) -> Model:
     return solver.assemble(solver.loads(text, name="chain.json", format="json"))
 
 
-def moved(model: Model, steps: int) -> tuple[np.ndarray, list[float], float]:
-    """Coordinates after some internal steps, the head of the state, Newton iterations a half."""
+def moved(model: Model, steps: int) -> tuple[np.ndarray, dict[str, float], float]:
+    """Coordinates after some internal steps, memory of the island, Newton iterations a half."""
     integrator = Integrator(model, kernel="c")
     integrator.initialise()
     h = float(integrator["solver.step_size"])
@@ -32,9 +32,9 @@ def moved(model: Model, steps: int) -> tuple[np.ndarray, list[float], float]:
         integrator.advance(integrator.time, h)
         iterations += float(integrator["solver.newton_iterations"])
         halves += float(integrator["solver.substeps"])
-    state = np.frombuffer(bytes(integrator.engine.state))
-    q = state[len(HEAD) : len(HEAD) + model.sizes["dim"] * model.sizes["n_free"]]
-    return q, list(state[: len(HEAD)]), iterations / halves
+    vectors = State(model, integrator.engine.state).vectors
+    island = dict(zip(ISLAND, vectors["islands"], strict=True))
+    return np.array(vectors["q"]), island, iterations / halves
 
 
 def without_lean(model: Model) -> Model:
@@ -56,10 +56,10 @@ def test_a_chain_moves_alike_with_lean_and_with_full_factors():
     # rad, in which a difference grows no faster than linearly. Short steps: lean factors contract
     # by h^2 |mu|/(2 m) < 1e-3, so that no step falls back and none takes more than one more.
     model = assembled(chain(20, dimension=3), step_size=1e-3)
-    lean, head, iterations = moved(model, 100)
+    lean, island, iterations = moved(model, 100)
     full, _, least = moved(without_lean(model), 100)
     assert lean == pytest.approx(full, abs=1e-13)
-    assert head[PLACE["full_wait"]] == 0.0
+    assert island["full_wait"] == 0.0
     assert iterations <= least + 1.0
 
 
@@ -67,10 +67,10 @@ def test_long_steps_fall_back_to_full_factors_and_come_back_less_and_less():
     # At 0.05 s the links soon turn by 0.1 rad a step, and lean factors contract by more than 3e-3:
     # they are given up for 64 half steps, and then each time for twice as many.
     model = assembled(chain(20, dimension=3), step_size=0.05)
-    lean, head, _ = moved(model, 4)
+    lean, island, _ = moved(model, 4)
     full, _, _ = moved(without_lean(model), 4)
-    assert head[PLACE["full_wait"]] == FALLBACK
-    assert 0.0 < head[PLACE["full_steps"]] < FALLBACK
+    assert island["full_wait"] == FALLBACK
+    assert 0.0 < island["full_steps"] < FALLBACK
     assert lean == pytest.approx(full, abs=1e-12)
-    _, head, _ = moved(model, FALLBACK)
-    assert head[PLACE["full_wait"]] == 2 * FALLBACK
+    _, island, _ = moved(model, FALLBACK)
+    assert island["full_wait"] == 2 * FALLBACK

@@ -5,6 +5,7 @@ static void start_anew(context *c)
 {
     c->s.head[S_MEAN_TIME] = INFINITY;
     forget_changes(c);
+    wake(c);
 }
 
 /* Whether an input that is held over a communication step differs. */
@@ -22,6 +23,7 @@ void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, 
     open_context(&c, m, number, state, work);
     set_laws(&c, c.t, 0);
     if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0) start_anew(&c);
+    if (memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0) wake(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);

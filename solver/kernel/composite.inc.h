@@ -123,20 +123,17 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
     return status;
 }
 
-/* Places of the composite behind those of composite j, which has one for each free entry of its forms. */
-static const int32_t *next_places(const context *c, int32_t j, const int32_t *local)
+/* Places of the composite's free entries, form by form, among its nodes. */
+static inline const int32_t *places_of(const context *c, int32_t j)
 {
-    const holonom_model *m = c->m;
-    for (int32_t at = m->composite_form_ptr[j]; at < m->composite_form_ptr[j + 1]; at++)
-        local += m->form_free[m->composite_form[at]];
-    return local;
+    return c->m->composite_local + c->m->composite_local_ptr[j];
 }
 
-/* Gradients of the composite's forms over its free nodes, at the lever and at the end; `local` are the places of
-   the entries among these nodes.                                                                             */
-static void local_gradients(const context *c, int32_t j, const int32_t *local)
+/* Gradients of the composite's forms over its free nodes, at the lever and at the end. */
+static void local_gradients(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
+    const int32_t *local = places_of(c, j);
     const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
     const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     const local_form *motion = (const local_form *)c->k.local;
@@ -225,12 +222,13 @@ static double quantity_at(const context *c, int32_t j, const double *x, const do
 static void links_at_start(const context *c)
 {
     const holonom_model *m = c->m;
-    const int linked = hm_skips(SKIP_MEASURED_FORMS);
-    for (int32_t i = 0; i < (linked ? m->n_linked : m->n_forms); i++) {
-        const int32_t f = linked ? m->linked_form[i] : i;
+    for IN_ISLAND(c, i, ISLAND_LINKED) {
+        const int32_t f = m->linked_form[i];
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
-    for (int32_t j = 0; j < m->n_active; j++) {
+    for (int32_t f = 0; f < m->n_forms && !hm_skips(SKIP_MEASURED_FORMS); f++) /* what is only measured, too */
+        link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    for IN_ISLAND(c, j, ISLAND_ACTIVE) {
         double s[2] = {0.0, 0.0};
         for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {
             const int32_t f = m->quantity_form[2 * j + i];

@@ -104,11 +104,11 @@ static int32_t cover_to_tolerance(context *c, double start, double step)
         const int32_t status = internal_step(c, h);
         const int rejected = status ? 1 : is_rejected(c, start + done, h, law_time, step);
         if (status || (rejected && repeats < MAX_REPEATS)) {
-            const double raised = head[S_PENALTY_LEVEL], wanted = status ? 0.5 * h : head[S_WANTED];
+            const double wanted = status ? 0.5 * h : head[S_WANTED];
             if (++repeats > MAX_REPEATS) return status;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
-            if (!status) head[S_PENALTY_LEVEL] = raised; /* it was solved, only not short enough */
+            if (status) lower_penalties(c);
             if (status && known_changes(c)) { /* Newton's iteration may only have begun too far away */
                 forget_changes(c);
                 head[S_WANTED] = h;

@@ -1,66 +1,8 @@
-/* Forms s = u . w and their discrete gradients, for DIM coordinates a node. Included once per dimension.
+/* Forms s = u . w and their discrete gradients, for DIM coordinates a node. Included once per dimension, after
+   context.inc.h.
 
    With d = q_1 - q_n and links u_m = u_0 + du/2, w_m = w_0 + dw/2 a quadratic row changes by exactly
    dPhi = u_m . dw + w_m . du = G(q_m) d, so that its discrete gradient is its gradient at the midpoint.      */
-#include "internal.h"
-
-#include <limits.h>
-#include <math.h>
-#include <string.h>
-
-#define EACH(k) for (int k = 0; k < DIM; k++)
-#define TURNING (DIM == 2 ? 1 : 3) /* components of a moment */
-
-typedef struct context {
-    const holonom_model *m;
-    double *number;
-    hm_state s;
-    hm_work k;
-    int64_t state_size;
-    int formulation;
-    double h, t;
-    double start;       /* of the communication step, for inputs that ramp                                    */
-    int32_t n_moving;
-    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
-       by a step from rest whose forces and constraints act at its end.                                        */
-    double lever;
-    int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
-    int plain;          /* 1: conserving rows, gradients at the middle                                        */
-    int forceless;      /* 1: only the rows act                                                               */
-    int unweighted;                /* whether a step with dampers was left of order 2, see extrapolation.inc.h  */
-    const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
-} context;
-
-static inline double dot(const double *a, const double *b)
-{
-    double sum = 0.0;
-    EACH(k) sum += a[k] * b[k];
-    return sum;
-}
-
-static inline int is_lean(const context *c) { return c->lu == &c->m->lean; }
-
-static inline int is_seeking(const context *c) { return c->lever != 0.5; }
-
-/* The sections extent, row_scale and row_sigma lie side by side. */
-static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
-
-static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
-{
-    c->m = m;
-    c->number = number;
-    c->state_size = hm_map_state(m, state, &c->s);
-    hm_map_work(m, work, &c->k);
-    c->formulation = (int)c->s.head[S_FORMULATION];
-    c->t = c->start = c->s.head[S_TIME];
-    c->h = 0.0;
-    c->n_moving = m->n_free + m->n_driven;
-    c->lever = 0.5;
-    c->half = 0, c->halves = 2;
-    c->forceless = c->plain = c->unweighted = 0;
-    c->lu = &m->full;
-    memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
-}
 
 /* x += factor J y, J the quarter turn; there is none in space. */
 static inline void add_turned(double factor, const double *y, double *x)
@@ -192,7 +134,7 @@ static inline int is_penalty(const context *c)
 static double compliance_over_sigma(const context *c)
 {
     const double *head = c->s.head;
-    const double raised = head[S_PENALTY_LEVEL] == 0.0 ? 1.0 : head[S_PENALTY_LEVEL] == 1.0 ? 1e2 : 1e4;
+    const double level = c->island[I_PENALTY_LEVEL], raised = level == 0.0 ? 1.0 : level == 1.0 ? 1e2 : 1e4;
     const double chi = is_penalty(c) ? head[S_PENALTY] : head[S_PENALTY] * raised;
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {

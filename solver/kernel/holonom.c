@@ -41,6 +41,7 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->inputs = take(block, &used, m->n_inputs);
     s->inputs_before = take(block, &used, m->n_inputs);
     s->inputs_slope = take(block, &used, m->n_inputs);
+    s->islands = take(block, &used, (int64_t)I_SIZE * m->n_islands);
     s->parameters = take(block, &used, m->n_parameters);
     return used;
 }

@@ -63,10 +63,14 @@ typedef struct holonom_elimination {
     const int32_t *lu_ptr;        /* n + 1, n = dim n_free + n_rows: pivot k owns [diagonal, U row, L col] */
     const int32_t *lu_column;     /* places coupled to each pivot, in the order of its U row               */
     const int32_t *lu_target;     /* for each pivot m x m targets of its update, row by row                */
+    const int32_t *lu_island;     /* 2 (n_islands + 1): first pivot of each island, first of its targets    */
     const int32_t *mass_slot;     /* n_mass_free * dim                                                     */
+    const int32_t *row_slot_ptr;  /* n_form_rows + 1; likewise of all that follow: where each one's slots begin */
     const int32_t *row_slot;      /* per form row, k free entries: stiffness (k k dim; turned k k dim dim; linear
                                      or lean none), k dim upper, k dim lower                               */
+    const int32_t *coincidence_slot_ptr;
     const int32_t *coincidence_slot; /* per coincidence and free entry: dim upper, dim lower (turned: dim dim) */
+    const int32_t *composite_slot_ptr;
     const int32_t *composite_slot;   /* per composite, K nodes: (K dim)^2 unless lean; of rows also K dim upper,
                                         K dim lower                                                        */
 } holonom_elimination;
@@ -113,7 +117,9 @@ typedef struct holonom_model {
     int32_t n_lu_values;  /* stored entries of the factors                                                 */
     int32_t n_lean_values; /* likewise of those without stiffness; 0 where these are not worth while         */
     int32_t n_slots;      /* half steps of an internal one whose changes a state keeps, see predict.inc.h   */
+    int32_t n_islands;    /* parts that no mass, row or force joins: each is solved by itself               */
 
+    const int32_t *island_begin;  /* (n_islands + 1) ISLAND_COLUMNS: where each island begins among these     */
     const int32_t *node_kind;     /* moving and fixed nodes: 0 point, 1 direction                          */
     const int32_t *form_ptr;      /* n_forms + 1: entries of form f are form_ptr[f] .. form_ptr[f+1]-1     */
     const int32_t *form_free;     /* n_forms: how many entries are free nodes; these come first            */
@@ -130,6 +136,7 @@ typedef struct holonom_model {
     const int32_t *composite_form;
     const int32_t *composite_node_ptr;  /* composites + 1: free nodes of their forms                       */
     const int32_t *composite_node;
+    const int32_t *composite_local_ptr; /* composites + 1                                                  */
     const int32_t *composite_local;     /* place among these of each free entry of each form               */
     const int32_t *leaf_ptr;      /* composites + 1                                                        */
     const int32_t *leaf;          /* 4 each: LEAF_..., index, local forms                                  */
@@ -147,7 +154,9 @@ typedef struct holonom_model {
     const int32_t *tape;          /* 5 integers an operation: code, target, three arguments                */
 
     holonom_elimination full, lean;
+    const int32_t *load_slot_ptr; /* n_loads + 1                                                            */
     const int32_t *load_slot;     /* per follower load: free entries x directors x dim dim                 */
+    const int32_t *moment_slot_ptr; /* n_moments + 1                                                        */
     const int32_t *moment_slot;   /* per moment: k k dim dim                                               */
     const int32_t *body_moment_slot; /* per body moment: 9 x 9                                             */
 
@@ -179,19 +188,27 @@ typedef struct holonom_model {
 enum { FORM_SQUARE = 1, FORM_LINEAR = 2, FORM_TURNED = 4 };         /* w = u; w constant; quarter turns         */
 enum { QUANTITY_FORM = 0, QUANTITY_LENGTH = 1, QUANTITY_ANGLE = 2 };
 enum { LEAF_VALUE = 0, LEAF_RATE = 1, LEAF_SIGNAL = 2 };
+/* What islands divide, each into consecutive pieces: nodes, composites, rows, forces, masses, ...             */
+enum holonom_island_column {
+    ISLAND_FREE, ISLAND_DRIVEN, ISLAND_ELEMENT, ISLAND_FUNCTION, ISLAND_VELOCITY, ISLAND_POTENTIAL, ISLAND_FORM_ROW,
+    ISLAND_COINCIDENCE, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_BODY_MOMENT, ISLAND_MASS, ISLAND_MASS_DRIVEN, ISLAND_LINKED,
+    ISLAND_ACTIVE, ISLAND_BODY, ISLAND_COLUMNS
+};
 enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 
 /* Places of the scalars at the head of a state; vectors follow in the order of holonom_state_size.         */
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
-    S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY,
-    S_PENALTY_LEVEL, S_SLOW_STEPS, S_DEPENDENT, S_FULL_STEPS, S_FULL_WAIT, S_KNOWN, S_HALVES, S_WANTED, S_LAST_LENGTH,
-    S_JUDGED_4, S_JUDGED_6, S_JUDGED_8, S_LEARNED_4, S_LEARNED_6, S_LEARNED_8,
+    S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY, S_KNOWN, S_HALVES,
+    S_WANTED, S_LAST_LENGTH, S_JUDGED_4, S_JUDGED_6, S_JUDGED_8, S_LEARNED_4, S_LEARNED_6, S_LEARNED_8,
     S_ORDER_IN_USE, S_NEWTON, S_UZAWA, S_SUBSTEPS,
     S_STATUS, S_FORMULATION, S_SIMULTANEOUS, S_PAPER_UPDATE, S_PAIRED, S_STEP_SIZE, S_NEWTON_TOLERANCE, S_PENALTY,
     S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_ASSEMBLE, S_EQUILIBRIUM, S_ORDER,
     S_TOLERANCE, S_ABSOLUTE_TOLERANCE, S_LONGEST_STEP, S_HORIZON, S_HEAD
 };
+
+/* Scalars of each island in the section `islands` of a state. */
+enum holonom_island_place { I_PENALTY_LEVEL, I_SLOW_STEPS, I_DEPENDENT, I_FULL_STEPS, I_FULL_WAIT, I_RESTING, I_SIZE };
 
 HOLONOM_API int32_t holonom_abi(void);
 

@@ -15,7 +15,9 @@ enum skip {
     SKIP_OLD_GUESS = 8,       /* predicted half steps: known_changes           */
     SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_plain_row      */
     SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
-    SKIP_LOW_PENALTY = 64     /* raised in long chains: follow_contraction     */
+    SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction     */
+    SKIP_ISLANDS = 128,       /* each solved by itself: islands_apart          */
+    SKIP_REST = 256           /* islands that stand still: stays_at_rest       */
 };
 #ifndef HOLONOM_WITHOUT
 #define HOLONOM_WITHOUT 0
@@ -31,8 +33,8 @@ enum tape_code {
 
 void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);
 
-int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, double *value);
-void hm_lu_solve(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, double *x);
+int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value);
+void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x);
 void hm_lu_multiply(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, const double *x,
                     double *y);
 
@@ -107,6 +109,7 @@ typedef struct hm_state {
     double *derived;               /* 2 + 2 n_rows: the sections extent, row_scale, row_sigma of the numbers   */
     double *inputs;                /* n_inputs: last given                                                   */
     double *inputs_before, *inputs_slope; /* n_inputs: of ramps, at the present time, and how fast            */
+    double *islands;               /* I_SIZE n_islands: what each remembers of its iterations                 */
     double *parameters;
 } hm_state;
 

@@ -99,10 +99,18 @@ static void undo_step(context *c, double t, double law_time)
         if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     }
     c->t = t;
-    c->s.head[S_PENALTY_LEVEL] = c->s.head[S_SLOW_STEPS] = 0.0;
     c->s.head[S_NEWTON] = newton;
     c->s.head[S_UZAWA] = uzawa;
     memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
+}
+
+/* After a failure penalties are those that were asked for. */
+static void lower_penalties(const context *c)
+{
+    for (int32_t island = 0; island < c->m->n_islands; island++) {
+        double *own = c->s.islands + I_SIZE * island;
+        own[I_PENALTY_LEVEL] = own[I_SLOW_STEPS] = 0.0;
+    }
 }
 
 static int32_t interval(context *c, double h, int halvings)
@@ -111,6 +119,7 @@ static int32_t interval(context *c, double h, int halvings)
     int32_t status = internal_step(c, h);
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
+    lower_penalties(c);
     if (known_changes(c)) { /* Newton's iteration may only have begun too far away: lines miss what turns fast */
         forget_changes(c);
         return interval(c, h, halvings);

@@ -164,12 +164,12 @@ static int32_t subtract_forces(context *c, double *momentum)
     const holonom_model *m = c->m;
     const double h = c->h, *gravity = c->number + m->gravity_at;
     motion g;
-    for (int32_t a = 0; a < c->n_moving; a++) {
+    EACH_NODE(c, a) {
         const double mass = h * c->number[m->node_weight_at + a];
         EACH(k) momentum[DIM * a + k] -= mass * gravity[k];
     }
-    for (int32_t j = 0; j < m->n_loads; j++) add_load(c, j, -h, momentum);
-    for (int32_t j = 0; j < m->n_moments; j++) {
+    for IN_ISLAND(c, j, ISLAND_LOAD) add_load(c, j, -h, momentum);
+    for IN_ISLAND(c, j, ISLAND_MOMENT) {
         double f[DIM];
         form_motion(c, m->moment_form[j], &g);
         const int32_t status = moment_law(c, j, &g, f, NULL);
@@ -178,7 +178,7 @@ static int32_t subtract_forces(context *c, double *momentum)
         add_gradient(c, m->moment_form[j], -0.5 * h, f, f, momentum);
     }
 #if DIM == 3
-    for (int32_t j = 0; j < m->n_body_moments; j++) {
+    for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
         double moment[3], dual[9], f[9];
         const int32_t status = body_moment_law(c, j, moment, dual, f);
         if (status) return status;

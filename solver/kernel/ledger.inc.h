@@ -12,14 +12,15 @@ static void book_composites(context *c)
 {
     const holonom_model *m = c->m;
     composite_result result = {0.0, 0.0, 0.0};
-    for (int32_t j = 0; j < m->n_elements; j++) {
+    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
         const double damping = c->number[m->damping_at + j], drive = c->number[m->drive_at + j];
         if (damping == 0.0 && drive == 0.0) continue;
         composite_slopes(c, j, 0, &result);
         book(c, S_DISSIPATED, damping * result.mechanical * result.mechanical / c->h);
         book(c, S_WORK, drive * result.mechanical);
     }
-    for (int32_t j = first_function(c); j < first_potential(c); j++) {
+    EACH_COMPOSITE(c, j) {
+        if (!is_row(c, j)) continue;
         const double mu = c->k.mu[row_of(c, j)];
         composite_slopes(c, j, 0, &result);
         book(c, S_DEFECT, mu * result.change);
@@ -33,28 +34,28 @@ static void book_step(context *c)
     const holonom_model *m = c->m;
     double force[DIM], du[DIM], unused[DIM];
     motion g;
-    for (int32_t i = 0; i < m->n_form_rows; i++) {
+    for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
         if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);
         book(c, S_DEFECT, c->k.mu[i] * (is_conserving(c) ? c->k.phi[i] - c->k.phi0[i] : g.ds));
     }
-    for (int32_t j = 0; j < m->n_coincidences; j++) {
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         link_of(c, m->coincidence_form[j], c->k.d, du, unused);
         book(c, S_DEFECT, dot(c->k.mu + m->n_form_rows + DIM * j, du));
     }
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) /* of driven nodes it is what moves them */
+    EACH_COORDINATE(c, k) /* of driven nodes it is what moves them */
         book(c, k < DIM * m->n_free ? S_RESIDUAL : S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
-    for (int32_t j = 0; j < m->n_loads; j++) {
+    for IN_ISLAND(c, j, ISLAND_LOAD) {
         load_force(c, j, force);
         link_of(c, m->load_form[j], c->k.d, du, unused);
         book(c, S_WORK, dot(force, du));
     }
-    for (int32_t j = 0; j < m->n_moments; j++) {
+    for IN_ISLAND(c, j, ISLAND_MOMENT) {
         form_motion(c, m->moment_form[j], &g);
         moment_law(c, j, &g, force, NULL);
         book(c, S_WORK, dot(force, g.du));
     }
 #if DIM == 3
-    for (int32_t j = 0; j < m->n_body_moments; j++) {
+    for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
         double moment[3], dual[9], f[9];
         body_moment_law(c, j, moment, dual, f);
         for (int k = 0; k < 9; k++) book(c, S_WORK, f[k] * c->k.d[3 * m->body_moment[2 * j] + k]);
@@ -111,30 +112,75 @@ static void follow_orientation(context *c, int32_t j)
 #endif
 }
 
+/* Takes the solved step of the islands at hand over into the state. */
+static void accept_island(context *c, int parity)
+{
+    const holonom_model *m = c->m;
+    const hm_state *s = &c->s;
+    const int64_t n = DIM * c->n_moving;
+    book_step(c);
+    EACH_COORDINATE(c, k) {
+        hm_add(s->q + k, s->q_low + k, c->k.d[k]);
+        /* Divided one by one: the rounding error of 2/h, the same in all steps, would add half its square of the
+           change of velocity to the energy, always with one sign. */
+        hm_add(s->v + k, s->v_low + k, 2.0 * c->k.w[k] / c->h);
+    }
+    for IN_ISLAND(c, j, ISLAND_BODY) follow_orientation(c, j);
+    if (!is_telling(c)) return;
+    EACH_COORDINATE(c, k) s->a[parity][k] = 2.0 / (c->h * c->h) * c->k.w[k];
+    EACH_ROW(c, i) s->mu[parity][i] = c->k.mu[i];
+    for (int i = 0; i < c->nodes; i++)
+        remember_changes(c, s->a[parity], s->a[1 - parity], s->a_change, n, DIM * c->node[i].begin, DIM * c->node[i].end);
+    for (int i = 0; i < c->rows; i++)
+        remember_changes(c, s->mu[parity], s->mu[1 - parity], s->mu_change, m->n_rows, c->row[i].begin, c->row[i].end);
+    const int32_t first = DIM * m->n_free;
+    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)
+        s->driven[parity][k - first] = c->k.momentum[k] / c->h;
+}
+
+/* An island from which dampers have taken all but round-off comes to rest, where its forces balance. What it still had,
+   below the square of the tolerance of the reference energy, is booked as theirs.                              */
+static void come_to_rest(context *c)
+{
+    const holonom_model *m = c->m;
+    const hm_state *s = &c->s;
+    const double tolerance = s->head[S_NEWTON_TOLERANCE];
+    double damping = 0.0, kinetic = 0.0;
+    for IN_ISLAND(c, j, ISLAND_ELEMENT) damping += c->number[m->damping_at + j];
+    if (damping == 0.0 || !may_rest(c)) return;
+    for IN_ISLAND(c, e, ISLAND_MASS)
+        kinetic += 0.5 * c->number[m->mass_at + e] *
+                   dot(s->v + DIM * m->mass_node[2 * e], s->v + DIM * m->mass_node[2 * e + 1]);
+    if (kinetic == 0.0 || !(kinetic <= tolerance * tolerance * s->head[S_ENERGY_REFERENCE])) return;
+    links_at_start(c);
+    rows_at_start(c);
+    EACH_COORDINATE(c, k) c->k.hv[k] = c->k.w[k] = c->k.d[k] = 0.0;
+    if (!stays_at_rest(c, 1)) return;
+    book(c, S_DISSIPATED, kinetic);
+    EACH_COORDINATE(c, k) {
+        s->v[k] = s->v_low[k] = s->a[0][k] = s->a[1][k] = 0.0;
+        for (int slot = 0; slot < m->n_slots; slot++) s->a_change[DIM * (int64_t)c->n_moving * slot + k] = 0.0;
+    }
+    EACH_ROW(c, i) {
+        s->mu[0][i] = s->mu[1][i];
+        for (int slot = 0; slot < m->n_slots; slot++) s->mu_change[(int64_t)m->n_rows * slot + i] = 0.0;
+    }
+}
+
 /* Takes the solved step over into the state. */
 static void accept_step(context *c, int parity)
 {
-    const holonom_model *m = c->m;
-    const int32_t n = DIM * c->n_moving;
-    book_step(c);
-    for (int32_t k = 0; k < n; k++) {
-        hm_add(c->s.q + k, c->s.q_low + k, c->k.d[k]);
-        /* Divided one by one: the rounding error of 2/h, the same in all steps, would add half its square of the
-           change of velocity to the energy, always with one sign. */
-        hm_add(c->s.v + k, c->s.v_low + k, 2.0 * c->k.w[k] / c->h);
+    const int32_t parts = n_apart(c);
+    for (int32_t part = 0; part < parts; part++) {
+        look_at_part(c, part, parts);
+        if (is_asleep(c)) continue;
+        accept_island(c, parity);
+        if (parity == 1) come_to_rest(c);
     }
-    if (is_telling(c)) {
-        for (int32_t k = 0; k < n; k++) c->s.a[parity][k] = 2.0 / (c->h * c->h) * c->k.w[k];
-        memcpy(c->s.mu[parity], c->k.mu, sizeof(double) * (size_t)m->n_rows);
-        remember_changes(c, c->s.a[parity], c->s.a[1 - parity], c->s.a_change, n);
-        remember_changes(c, c->s.mu[parity], c->s.mu[1 - parity], c->s.mu_change, m->n_rows);
-        c->s.head[S_KNOWN] += 1.0;
-        for (int32_t k = 0; k < DIM * m->n_driven; k++)
-            c->s.driven[parity][k] = c->k.momentum[DIM * m->n_free + k] / c->h;
-    }
-    memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)m->n_signals);
+    look_at_all(c);
+    if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;
+    memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c);
-    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(c, j);
     c->s.head[S_PARITY] = 1 - parity;
     c->s.head[S_SUBSTEPS] += 1.0;
     c->t += c->h;

@@ -37,11 +37,11 @@ static inline double less_products(double start, uint32_t m, const int32_t *plac
 
 static inline uint32_t neighbours(const int32_t *ptr, int32_t k) { return ((uint32_t)(ptr[k + 1] - ptr[k]) - 1) >> 1; }
 
-/* value (ptr[n], modified): matrix in, factors out, pivots inverted. Returns 0, or 1 at a pivot that is zero
-   or not finite.                                                                                            */
-int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, double *value)
+/* Pivots begin .. end - 1, an island or all. value (modified): matrix in, factors out, pivots inverted; `target` begins
+   at the first pivot. Returns 0, or 1 at a pivot that is zero or not finite.                                   */
+int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value)
 {
-    for (int32_t k = 0; k < n; k++) {
+    for (int32_t k = begin; k < end; k++) {
         double *diagonal = value + ptr[k];
         const uint32_t m = neighbours(ptr, k);
         const double *upper = diagonal + 1;
@@ -54,15 +54,17 @@ int32_t hm_lu_factor(int32_t n, const int32_t *ptr, const int32_t *target, doubl
     return 0;
 }
 
-/* Solves L U x = rhs in place; x (n) holds the right-hand side, then the solution, in elimination order. */
-void hm_lu_solve(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, double *x)
+/* Solves L U x = rhs in place, of pivots begin .. end - 1; x (all) holds the right-hand side, then the solution, in
+   elimination order.                                                                                          */
+void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x)
 {
-    for (int32_t k = 0; k < n; k++) {
+    column += (ptr[begin] - begin) / 2; /* the pivots before have one diagonal and two entries a column each */
+    for (int32_t k = begin; k < end; k++) {
         const uint32_t m = neighbours(ptr, k);
         subtract_products(m, column, x[k], value + ptr[k] + 1 + m, x);
         column += m;
     }
-    for (int32_t k = n - 1; k >= 0; k--) {
+    for (int32_t k = end - 1; k >= begin; k--) {
         const uint32_t m = neighbours(ptr, k);
         column -= m;
         x[k] = less_products(x[k], m, column, value + ptr[k] + 1, x) * value[ptr[k]];

@@ -6,7 +6,7 @@
 static void update_multipliers(context *c)
 {
     const int paper = c->s.head[S_PAPER_UPDATE] != 0.0;
-    for (int32_t i = 0; i < c->m->n_rows; i++) {
+    EACH_ROW(c, i) {
         double lambda = is_penalty(c) ? 0.0 : c->k.mu[i];
         if ((c->formulation == HOLONOM_CONSERVING_AL && paper) || c->formulation == HOLONOM_CONSERVING_PENALTY)
             lambda += c->k.phi0[i] / c->k.epsilon[i];
@@ -19,7 +19,7 @@ static double constraint_defect(const context *c)
 {
     const int averaged = c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] != 0.0;
     double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_rows; i++) {
+    EACH_ROW(c, i) {
         const double phi = averaged ? 0.5 * (c->k.phi0[i] + c->k.phi[i]) : c->k.phi[i];
         const double scaled = fabs(phi) / c->number[c->m->row_scale_at + i];
         if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
@@ -42,8 +42,8 @@ static int32_t newton_update(context *c, newton_record *r)
     const holonom_model *m = c->m;
     double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
-    hm_lu_solve(DIM * m->n_free + m->n_rows, c->lu->lu_ptr, c->lu->lu_column, c->k.value, rhs);
-    for (int32_t a = 0; a < c->n_moving; a++) {
+    hm_lu_solve(first_pivot(c), end_pivot(c), c->lu->lu_ptr, c->lu->lu_column, c->k.value, rhs);
+    EACH_NODE(c, a) {
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
         if (a < m->n_free) {
@@ -54,7 +54,7 @@ static int32_t newton_update(context *c, newton_record *r)
         }
         size2 += mass * dot(d, d);
     }
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.mu[i] += rhs[c->lu->row_position[i]];
+    EACH_ROW(c, i) c->k.mu[i] += rhs[c->lu->row_position[i]];
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
     r->size = sqrt(size2);
@@ -81,14 +81,15 @@ static int32_t newton_update(context *c, newton_record *r)
 static double residual_energy(const context *c)
 {
     double sum = 0.0;
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++) sum += c->k.d[k] * c->k.momentum[k];
+    const int32_t end = DIM * c->end[ISLAND_FREE];
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < end; k++) sum += c->k.d[k] * c->k.momentum[k];
     return fabs(sum / c->h); /* h < 0 in the parts of a composition that go back */
 }
 
 static double constraint_energy(const context *c)
 {
     double sum = 0.0;
-    for (int32_t i = 0; i < c->m->n_rows; i++) sum += c->k.phi[i] * c->k.mu[i];
+    EACH_ROW(c, i) sum += c->k.phi[i] * c->k.mu[i];
     return fabs(sum);
 }
 
@@ -99,7 +100,7 @@ static int stiffen(context *c, int *stiffened)
 {
     if (is_penalty(c) || *stiffened >= 2) return 0;
     *stiffened += 1;
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] *= 1e-3;
+    EACH_ROW(c, i) c->k.epsilon[i] *= 1e-3;
     return 1;
 }
 
@@ -120,31 +121,31 @@ static int stiffen(context *c, int *stiffened)
 
 static void choose_factors(context *c)
 {
-    double *head = c->s.head;
-    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && head[S_DEPENDENT] == 0.0 &&
+    double *island = c->island;
+    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && island[I_DEPENDENT] == 0.0 &&
                          hm_skips(SKIP_STIFFNESS);
-    c->lu = is_tried && head[S_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
-    if (head[S_FULL_STEPS] > 0.0) head[S_FULL_STEPS] -= 1.0;
+    c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
+    if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
 /* Takes the last increment back: a long one of lean factors, whose stiffness was missing, tells nothing. */
 static void take_back(context *c)
 {
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++) {
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
         c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
+    EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
 }
 
-static void pause_lean(double *head)
+static void pause_lean(double *island)
 {
-    head[S_FULL_STEPS] = head[S_FULL_WAIT] = fmin(fmax(2.0 * head[S_FULL_WAIT], 64.0), 4096.0);
+    island[I_FULL_STEPS] = island[I_FULL_WAIT] = fmin(fmax(2.0 * island[I_FULL_WAIT], 64.0), 4096.0);
 }
 
 static void give_up_lean(context *c, newton_record *r)
 {
-    pause_lean(c->s.head);
+    pause_lean(c->island);
     c->lu = &c->m->full;
     r->factorised = 0;
     r->theta = 1.0;
@@ -158,7 +159,7 @@ static int may_update_early(const context *c, int iteration)
     const double *head = c->s.head;
     if (!hm_skips(SKIP_OUTER_ITERATION)) return 0;
     if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return 0;
-    return head[S_DEPENDENT] == 0.0 || iteration == 1;
+    return c->island[I_DEPENDENT] == 0.0 || iteration == 1;
 }
 
 /* Uzawa update, and what it changes in the residual of the rows. */
@@ -166,7 +167,7 @@ static void hold_multipliers(context *c, newton_record *r)
 {
     update_multipliers(c);
     r->updates++;
-    for (int32_t i = 0; i < c->m->n_rows; i++)
+    EACH_ROW(c, i)
         c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
 }
 

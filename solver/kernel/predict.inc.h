@@ -23,13 +23,15 @@ static inline double predicted(const context *c, int reach, const double *same, 
     return last[i] + (reach == 1 ? now[i] : 2.0 * now[i] - before[i]);
 }
 
-/* Takes over the changes from the last half to this one; `fresh` (n) has just been solved for. */
-static void remember_changes(const context *c, const double *fresh, const double *last, double *change, int64_t n)
+/* Takes over the changes from the last half to this one of values begin .. end - 1 of n; `fresh` has just been solved
+   for.                                                                                                        */
+static void remember_changes(const context *c, const double *fresh, const double *last, double *change, int64_t n,
+                             int64_t begin, int64_t end)
 {
     double *now = change + n * c->half, *before = now + n * c->halves;
     if (c->halves > c->m->n_slots) return;
-    if (2 * c->halves <= c->m->n_slots) memcpy(before, now, sizeof(double) * (size_t)n);
-    for (int64_t i = 0; i < n; i++) now[i] = fresh[i] - last[i];
+    if (2 * c->halves <= c->m->n_slots) memcpy(before + begin, now + begin, sizeof(double) * (size_t)(end - begin));
+    for (int64_t i = begin; i < end; i++) now[i] = fresh[i] - last[i];
 }
 
 /* No line through what was before and what is after a jump, or over internal steps of another kind. */

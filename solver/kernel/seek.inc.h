@@ -11,7 +11,7 @@ static int32_t seek_increment(context *c, double *increment, double *size)
     const double longest = 0.3 * c->number[m->extent_at + 1];
     double increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
-    hm_lu_solve(DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+    hm_lu_solve(0, DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
     for (int32_t a = 0; a < m->n_free; a++) {
         const double *x = c->k.rhs + m->full.node_position[a];
         increment2 += c->number[m->node_mass_at + a] * dot(x, x);
@@ -164,6 +164,7 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     open_context(&c, m, number, state, work);
     double *head = c.s.head;
     memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
+    memset(c.s.islands, 0, sizeof(double) * (size_t)(I_SIZE * m->n_islands));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
     take_initial(&c);
     derive_extent(&c);

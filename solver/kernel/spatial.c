@@ -2,6 +2,7 @@
 #define DIM 3
 #define NAME(function) function##_spatial
 
+#include "context.inc.h"
 #include "forms.inc.h"
 #include "exact.inc.h"
 #include "plain_rows.inc.h"
@@ -13,6 +14,7 @@
 #include "tangent.inc.h"
 #include "predict.inc.h"
 #include "newton.inc.h"
+#include "rest.inc.h"
 #include "step.inc.h"
 #include "ledger.inc.h"
 #include "energy.inc.h"

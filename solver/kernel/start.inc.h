@@ -46,8 +46,8 @@ static void derive_extent(context *c)
     c->number[m->extent_at + 1] = sqrt(mass * extent2);
 }
 
-/* The part of derive_scales for rows that are functions; `local` is the first function's place in composite_local. */
-static int32_t add_function_sigmas(context *c, const int32_t *local, double *sigma)
+/* The part of derive_scales for rows that are functions. */
+static int32_t add_function_sigmas(context *c, double *sigma)
 {
     const holonom_model *m = c->m;
     const double *node_mass = c->number + m->node_mass_at;
@@ -57,8 +57,7 @@ static int32_t add_function_sigmas(context *c, const int32_t *local, double *sig
         composite_result result = {0.0, 0.0, 0.0};
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
-        local_gradients(c, j, local);
-        local = next_places(c, j, local);
+        local_gradients(c, j);
         for (int32_t k = 0; k < DIM * size; k++) {
             double g = 0.0;
             for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
@@ -74,7 +73,6 @@ static int32_t derive_scales(context *c)
     const holonom_model *m = c->m;
     double *sigma = c->number + m->row_sigma_at, *scale = c->number + m->row_scale_at;
     const double *node_mass = c->number + m->node_mass_at, extent = c->number[m->extent_at];
-    const int32_t *local = m->composite_local;
     for (int32_t i = 0; i < m->n_rows; i++) {
         sigma[i] = 0.0;
         scale[i] = c->number[m->row_base_at + i];
@@ -91,8 +89,7 @@ static int32_t derive_scales(context *c)
             else EACH(k) sigma[m->n_form_rows + DIM * j + k] += square * inverse;
         }
     }
-    for (int32_t j = 0; j < first_function(c); j++) local = next_places(c, j, local);
-    const int32_t status = add_function_sigmas(c, local, sigma);
+    const int32_t status = add_function_sigmas(c, sigma);
     if (status) return status;
     for (int32_t i = 0; i < m->n_rows; i++)
         if (!(sigma[i] > 0.0)) { /* a gradient that vanishes here need not do so later */
@@ -121,7 +118,7 @@ static int32_t factorise_at_state(context *c, const double *weight)
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
         EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
     }
-    return hm_lu_factor(size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
+    return hm_lu_factor(0, size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix, times node weights if given; G at the present links.
@@ -136,7 +133,7 @@ static int32_t solve_at_state(context *c, const double *weight)
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         for (int32_t i = 0; i < m->n_rows; i++) c->k.constraint[i] = c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i];
         gather_rhs(c);
-        hm_lu_solve(size, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+        hm_lu_solve(0, size, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
         largest = change = 0.0;
         for (int32_t i = 0; i < m->n_rows; i++) {
             const double mu = c->k.rhs[m->full.row_position[i]];
@@ -201,6 +198,20 @@ static void row_biases(context *c)
     memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
 }
 
+/* Marks islands whose rows depend on each other, by the factors of solve_at_state: the pivot of a row is what is left of
+   -G M^-1 G' - epsilon, of a dependent row no more than epsilon.                                               */
+static void find_dependent_rows(context *c)
+{
+    const holonom_model *m = c->m;
+    for (int32_t island = 0; island < m->n_islands; island++) {
+        look_at(c, island, island + 1);
+        EACH_ROW(c, i)
+            if (!(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
+                c->island[I_DEPENDENT] = 1.0; /* pivots are stored inverted */
+    }
+    look_at(c, 0, m->n_islands);
+}
+
 /* First multipliers and accelerations from  M a + G' lambda = Q,  G a = -bias, refined: light directions cost digits. */
 static int32_t first_multipliers(context *c)
 {
@@ -223,11 +234,7 @@ static int32_t first_multipliers(context *c)
         add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
     }
-    /* The pivot of a row is what is left of -G M^-1 G' - epsilon: of a dependent row no more than epsilon. */
-    c->s.head[S_DEPENDENT] = 0.0;
-    for (int32_t i = 0; i < m->n_rows; i++)
-        if (!(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
-            c->s.head[S_DEPENDENT] = 1.0; /* pivots are stored inverted */
+    find_dependent_rows(c);
     memcpy(c->k.mu, mu, rows);
     memset(c->k.lambda, 0, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;
@@ -241,5 +248,6 @@ static int32_t first_multipliers(context *c)
     memcpy(c->s.mean, mu, rows);
     memcpy(c->s.mean_before, mu, rows);
     c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
+    find_rest(c);
     return HOLONOM_OK;
 }

@@ -16,22 +16,21 @@ static void rows_at_start(context *c)
 {
     const holonom_model *m = c->m;
     const int exact = is_telling(c) || is_penalty(c);
-    for (int32_t i = 0; i < m->n_form_rows; i++) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
-    for (int32_t j = 0; j < m->n_coincidences; j++) {
+    for IN_ISLAND(c, i, ISLAND_FORM_ROW) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         double high[DIM] = {0.0}, low[DIM] = {0.0};
         if (exact) exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, high, low);
         EACH(k) c->k.phi0[m->n_form_rows + DIM * j + k] = high[k] + low[k];
     }
-    for (int32_t j = first_function(c); j < first_velocity_row(c); j++)
-        c->k.phi0[row_of(c, j)] = exact ? function_value(c, j) : 0.0;
-    for (int32_t j = first_velocity_row(c); j < first_potential(c); j++) c->k.phi0[row_of(c, j)] = 0.0;
+    for IN_ISLAND(c, j, ISLAND_FUNCTION) c->k.phi0[row_of(c, j)] = exact ? function_value(c, j) : 0.0;
+    for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = 0.0;
 }
 
 /* Whether no direction is about to turn by more than 2.5 rad: a step would take the shorter way round, with an exact
    ledger and the wrong motion.                                                                               */
 static int turns_little(const context *c)
 {
-    for (int32_t a = 0; a < c->n_moving; a++)
+    EACH_NODE(c, a)
         if (c->m->node_kind[a] && !(dot(c->k.hv + DIM * a, c->k.hv + DIM * a) <= 6.25)) return 0;
     return 1;
 }
@@ -51,51 +50,57 @@ static void prepare_step(context *c, int parity)
     const int reach = known_changes(c);
     const int64_t n = DIM * c->n_moving;
     double *const *a = c->s.a, *const *mu = c->s.mu;
-    for (int32_t k = 0; k < n; k++) { /* w is h^2/2 times an acceleration */
+    EACH_COORDINATE(c, k) { /* w is h^2/2 times an acceleration */
         c->k.hv[k] = h * c->s.v[k] + h * c->s.v_low[k];
         c->k.w[k] = 0.5 * h * h * predicted(c, reach, a[parity], a[1 - parity], c->s.a_change, n, k);
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
-    for (int32_t k = DIM * m->n_free, b = 0; k < DIM * c->n_moving; k++, b++) { /* driven nodes go where they must */
-        c->k.d[k] = (c->k.signal1[b] - c->s.q[k]) - c->s.q_low[k];
+    const int32_t first = DIM * m->n_free;
+    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++) { /* go where they must */
+        c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
     rows_at_start(c);
-    const int dependent = c->s.head[S_DEPENDENT] != 0.0;
+    const int dependent = c->island[I_DEPENDENT] != 0.0;
     const double compliance = compliance_over_sigma(c);
     const double kept = dependent ? 1.0 - LEAK : 1.0;
-    for (int32_t i = 0; i < m->n_rows; i++) {
+    EACH_ROW(c, i) {
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * mu[parity][i];
     }
     /* lambda is the last multiplier, not a predicted one: it decides what dependent rows leave undetermined, which a
        line would amplify from step to step. Newton's iteration alone begins from the prediction. */
     update_multipliers(c);
-    for (int32_t i = 0; i < m->n_rows && reach && !dependent; i++)
-        c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
+    if (!reach || dependent) return;
+    EACH_ROW(c, i) c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
    they are. Where steps have taken three increments again and again, the penalty of those to come is a hundred times
    larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
    `outer` updates are many: those that a converged Newton iteration did not bring along.                     */
-static void follow_contraction(double *head, int increments, int outer)
+static void follow_contraction(double *island, int increments, int outer)
 {
-    const int slow = head[S_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
-    head[S_SLOW_STEPS] = slow ? head[S_SLOW_STEPS] + 1.0 : 0.0;
-    if (!hm_skips(SKIP_LOW_PENALTY) || head[S_SLOW_STEPS] < 8.0 || head[S_PENALTY_LEVEL] >= 2.0) return;
-    head[S_PENALTY_LEVEL] += 1.0;
-    head[S_SLOW_STEPS] = 0.0;
+    const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
+    island[I_SLOW_STEPS] = slow ? island[I_SLOW_STEPS] + 1.0 : 0.0;
+    if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= 2.0) return;
+    island[I_PENALTY_LEVEL] += 1.0;
+    island[I_SLOW_STEPS] = 0.0;
 }
 
-/* One step: outer Uzawa iteration around the inner Newton iteration (paper, section 2.2 and eq 15, 16). */
-static int32_t solve_step(context *c, int parity)
+/* One step of an island: outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16).
+   Increments and updates that it takes are left in `effort`.                                                    */
+static int32_t solve_island(context *c, int parity, int *effort)
 {
     double *head = c->s.head, last = INFINITY;
     const double tolerance = head[S_NEWTON_TOLERANCE];
     const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
     newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
     prepare_step(c, parity);
+    if (stands_still(c)) {
+        if (stays_at_rest(c, parity)) return HOLONOM_OK;
+        prepare_step(c, parity);
+    }
     choose_factors(c);
     int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
     int uzawa = 0;
@@ -120,12 +125,45 @@ static int32_t solve_step(context *c, int parity)
         last = defect;
         hold_multipliers(c, &r);
     }
-    if (is_lean(c) && r.increments > LEAN_INCREMENTS) pause_lean(head);
+    if (is_lean(c) && r.increments > LEAN_INCREMENTS) pause_lean(c->island);
+    effort[0] = r.increments;
+    effort[1] = r.updates;
+    if (!status && !single && !r.stiffened) follow_contraction(c->island, r.increments, uzawa);
+    return status;
+}
+
+/* Into how many parts a step divides the mechanism, and lets the next one be at hand. */
+static inline int32_t n_apart(const context *c) { return hm_skips(SKIP_ISLANDS) ? c->m->n_islands : 1; }
+
+static inline void look_at_part(context *c, int32_t part, int32_t parts)
+{
+    if (parts > 1) look_at(c, part, part + 1);
+}
+
+static inline void look_at_all(context *c)
+{
+    if (c->m->n_islands > 1) look_at(c, 0, c->m->n_islands);
+}
+
+/* One step of all islands, each by itself; counted is what the one took that took most. */
+static int32_t solve_step(context *c, int parity)
+{
+    const int32_t parts = n_apart(c);
+    int32_t status = HOLONOM_OK;
+    int most[2] = {0, 0};
+    for (int32_t part = 0; part < parts && !status; part++) {
+        int effort[2] = {0, 0};
+        look_at_part(c, part, parts);
+        if (is_asleep(c)) continue;
+        status = solve_island(c, parity, effort);
+        for (int i = 0; i < 2; i++)
+            if (effort[i] > most[i]) most[i] = effort[i];
+    }
+    look_at_all(c);
     c->lu = &c->m->full;
     c->plain = 0;
-    head[S_NEWTON] += r.increments;
-    head[S_UZAWA] += r.updates;
-    if (!status && !single && !r.stiffened) follow_contraction(head, r.increments, uzawa);
+    c->s.head[S_NEWTON] += most[0];
+    c->s.head[S_UZAWA] += most[1];
     return status;
 }
 

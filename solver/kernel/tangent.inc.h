@@ -85,9 +85,10 @@ static const int32_t *scatter_block(const context *c, int32_t f, double factor, 
 }
 
 /* block = sum curve_fg grad s_f(lever) grad s_g(end)' + lever sum slope_f H_f. */
-static void composite_stiffness(const context *c, int32_t j, const int32_t *local)
+static void composite_stiffness(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
+    const int32_t *local = places_of(c, j);
     const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
     const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     memset(c->k.block, 0, sizeof(double) * (size_t)(size * size));
@@ -119,26 +120,22 @@ static void composite_stiffness(const context *c, int32_t j, const int32_t *loca
 static int32_t composite_tangent(context *c, double *value)
 {
     const holonom_model *m = c->m;
-    const int32_t *slot = c->lu->composite_slot, *local = m->composite_local;
-    for (int32_t j = 0; j < n_composites(c); j++) {
+    EACH_COMPOSITE(c, j) {
+        const int32_t *slot = c->lu->composite_slot + c->lu->composite_slot_ptr[j];
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
-        if (is_lean(c) && !row) {
-            local = next_places(c, j, local);
-            continue;
-        }
+        if (is_lean(c) && !row) continue;
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
-        local_gradients(c, j, local);
+        local_gradients(c, j);
         const double factor = !row ? c->forceless ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
-        if (!is_lean(c)) composite_stiffness(c, j, local);
+        if (!is_lean(c)) composite_stiffness(c, j);
         for (int32_t k = 0; k < size * size && !is_lean(c); k++) value[*slot++] += factor * c->k.block[k];
         for (int32_t k = 0; k < size && row; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
         for (int32_t k = 0; k < size && row; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
-        local = next_places(c, j, local);
     }
     return HOLONOM_OK;
 }
@@ -146,20 +143,20 @@ static int32_t composite_tangent(context *c, double *value)
 static int32_t law_tangent(context *c, double *value)
 {
     const holonom_model *m = c->m;
-    const int32_t *slot = m->moment_slot;
+    const int32_t *slot = m->moment_slot + m->moment_slot_ptr[c->begin[ISLAND_MOMENT]];
     double block[DIM * DIM];
     motion g;
-    for (int32_t j = 0; j < m->n_moments; j++) {
+    for IN_ISLAND(c, j, ISLAND_MOMENT) {
         double f[DIM];
         form_motion(c, m->moment_form[j], &g);
         const int32_t status = moment_law(c, j, &g, f, block);
         if (status) return status;
         slot = scatter_block(c, m->moment_form[j], -c->h, block, slot, value);
     }
-    slot = m->load_slot;
-    for (int32_t j = 0; j < m->n_loads; j++) slot = load_tangent(c, j, slot, value);
+    slot = m->load_slot + m->load_slot_ptr[c->begin[ISLAND_LOAD]];
+    for IN_ISLAND(c, j, ISLAND_LOAD) slot = load_tangent(c, j, slot, value);
 #if DIM == 3
-    for (int32_t j = 0; j < m->n_body_moments; j++) {
+    for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
         const int32_t status = body_moment_tangent(c, j, m->body_moment_slot + 81 * j, value);
         if (status) return status;
     }
@@ -167,17 +164,22 @@ static int32_t law_tangent(context *c, double *value)
     return HOLONOM_OK;
 }
 
+/* Pivots of the islands at hand. */
+static inline int32_t first_pivot(const context *c) { return c->lu->lu_island[2 * c->first_island]; }
+static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[2 * c->last_island]; }
+
 /* Writes the tangent at the present (w, mu) into value. */
 static int32_t assemble_tangent(context *c)
 {
     const holonom_model *m = c->m;
     double *value = c->k.value;
     const double h = c->h;
-    memset(value, 0, sizeof(double) * (size_t)(is_lean(c) ? m->n_lean_values : m->n_lu_values));
-    for (int32_t e = 0; e < m->n_mass_free; e++)
+    const int32_t first = c->lu->lu_ptr[first_pivot(c)];
+    memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
+    for IN_ISLAND(c, e, ISLAND_MASS)
         EACH(k) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
-    const int32_t *slot = c->lu->row_slot;
-    for (int32_t i = 0; i < m->n_form_rows; i++) {
+    const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[c->begin[ISLAND_FORM_ROW]];
+    for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
         const int32_t f = m->row_form[i];
         motion g;
         double u[DIM], w[DIM];
@@ -191,14 +193,14 @@ static int32_t assemble_tangent(context *c)
         slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
         slot = scatter_gradient(c, f, 1.0, u, w, slot, value);
     }
-    slot = c->lu->coincidence_slot;
-    for (int32_t j = 0; j < m->n_coincidences; j++) {
+    slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         double ignored[DIM];
         const int32_t row = m->n_form_rows + DIM * j;
         slot = scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
     }
-    for (int32_t i = 0; i < m->n_rows; i++) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
-    const int32_t status = n_composites(c) ? composite_tangent(c, value) : HOLONOM_OK;
+    EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
+    const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
     return status || c->forceless || is_lean(c) ? status : law_tangent(c, value);
 }
 
@@ -207,12 +209,14 @@ static void inertia(const context *c, const double *x, double *momentum)
 {
     const holonom_model *m = c->m;
     const double twice_rate = 2.0 / c->h, *mass_of = c->number + m->mass_at;
-    const int32_t *node = m->mass_node, n_mass = m->n_mass;
-    memset(momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t e = 0; e < n_mass; e++, node += 2) {
-        const double mass = twice_rate * mass_of[e], *column = x + DIM * node[1];
-        double *row = momentum + DIM * node[0];
-        EACH(k) row[k] += mass * column[k];
+    EACH_COORDINATE(c, k) momentum[k] = 0.0;
+    for (int kind = ISLAND_MASS; kind <= ISLAND_MASS_DRIVEN; kind++) {
+        const int32_t end = c->end[kind], *node = m->mass_node + 2 * c->begin[kind];
+        for (int32_t e = c->begin[kind]; e < end; e++, node += 2) {
+            const double mass = twice_rate * mass_of[e], *column = x + DIM * node[1];
+            double *row = momentum + DIM * node[0];
+            EACH(k) row[k] += mass * column[k];
+        }
     }
 }
 
@@ -220,7 +224,7 @@ static void inertia(const context *c, const double *x, double *momentum)
 static int32_t add_composites(context *c)
 {
     const holonom_model *m = c->m;
-    for (int32_t j = 0; j < n_composites(c); j++) {
+    EACH_COMPOSITE(c, j) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
         if (row < 0 && c->forceless) continue;
@@ -243,7 +247,7 @@ static int32_t evaluate_residual(context *c)
 {
     const holonom_model *m = c->m;
     inertia(c, c->k.w, c->k.momentum);
-    for (int32_t i = 0; i < m->n_form_rows; i++) {
+    for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
         motion g;
         double u[DIM], w[DIM];
         if (is_plain_row(c, i)) {
@@ -254,16 +258,16 @@ static int32_t evaluate_residual(context *c)
         c->k.phi[i] = row_function(c, i, &g, u, w);
         add_gradient(c, m->row_form[i], c->h * c->k.mu[i], g.um, g.wm, c->k.momentum);
     }
-    for (int32_t j = 0; j < m->n_coincidences; j++) {
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         const int32_t row = m->n_form_rows + DIM * j;
         double force[DIM], none[DIM] = {0.0};
         coincidence_function(c, j, c->k.phi0 + row, c->k.phi + row);
         EACH(k) force[k] = c->h * c->k.mu[row + k];
         add_gradient(c, m->coincidence_form[j], 1.0, none, force, c->k.momentum); /* alpha w with w = force */
     }
-    const int32_t status = n_composites(c) ? add_composites(c) : HOLONOM_OK;
+    const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
-    for (int32_t i = 0; i < m->n_rows; i++)
+    EACH_ROW(c, i)
         c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
     return c->forceless ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
 }
@@ -271,24 +275,22 @@ static int32_t evaluate_residual(context *c)
 /* Right-hand side -(momentum, constraint) in elimination order. */
 static void gather_rhs(context *c)
 {
-    const holonom_model *m = c->m;
-    for (int32_t a = 0; a < m->n_free; a++)
+    for IN_ISLAND(c, a, ISLAND_FREE)
         EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[c->lu->row_position[i]] = -c->k.constraint[i];
+    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -c->k.constraint[i];
 }
 
 /* Adds what was solved for, one vector a free node, to x (DIM n_free, modified). */
 static void add_solution(const context *c, double *x)
 {
-    for (int32_t a = 0; a < c->m->n_free; a++)
+    for IN_ISLAND(c, a, ISLAND_FREE)
         EACH(k) x[DIM * a + k] += c->k.rhs[c->lu->node_position[a] + k];
 }
 
 static inline int32_t factorise(context *c)
 {
-    const holonom_model *m = c->m;
-    const int32_t status = assemble_tangent(c);
+    const int32_t status = assemble_tangent(c), *target = c->lu->lu_target + c->lu->lu_island[2 * c->first_island + 1];
     if (status) return status;
-    return hm_lu_factor(DIM * m->n_free + m->n_rows, c->lu->lu_ptr, c->lu->lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT
+    return hm_lu_factor(first_pivot(c), end_pivot(c), c->lu->lu_ptr, target, c->k.value) ? HOLONOM_SINGULAR_TANGENT
                                                                                          : HOLONOM_OK;
 }

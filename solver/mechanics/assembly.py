@@ -105,11 +105,10 @@ def _settings(scene: Scene) -> dict[str, float | str | bool]:
 
 def _rows(structure: Structure) -> Iterable[Row]:
     """What each multiplier belongs to."""
-    mechanism = structure.mechanism
-    yield from (row.row for row in mechanism.form_rows)
-    for coincidence in mechanism.coincidences:
-        yield from [coincidence.row] * mechanism.dim
-    yield from (row.row for row in (*mechanism.function_rows, *mechanism.velocity_rows))
+    yield from (row.row for row in structure.form_rows.items)
+    for coincidence in structure.coincidences.items:
+        yield from [coincidence.row] * structure.mechanism.dim
+    yield from (row.row for row in structure.functions)
 
 
 def _variables(
@@ -138,9 +137,7 @@ def _variables(
 
 def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
     """Operations of the function rows, velocity rows and potentials."""
-    mechanism = structure.mechanism
-    rows = (*mechanism.function_rows, *mechanism.velocity_rows)
-    formulas = (*(row.formula for row in rows), *mechanism.potentials)
+    formulas = (*(row.formula for row in structure.functions), *structure.potentials.items)
     operations = [numbers.operations(x.value, len(x.leaves)) for x in formulas]
     counted = pointers([range(len(x) // 4) for x in operations])
     flat = array("i", (x for listed in operations for x in listed))
@@ -175,7 +172,7 @@ def _counts(scene: Scene, structure: Structure) -> dict[str, int]:
         "n_moments": len(mechanism.moments),
         "n_body_moments": len(mechanism.body_moments),
         "n_mass": len(structure.masses),
-        "n_mass_free": sum(max(a, b) < structure.n_free for a, b, _ in structure.masses),
+        "n_mass_free": len(structure.free_masses),
         "n_bodies": len(mechanism.bodies),
         "n_places": len(mechanism.places),
         "n_reactions": len(mechanism.reactions),

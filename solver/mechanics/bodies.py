@@ -149,6 +149,7 @@ def add_rigid(mechanism: Mechanism, name: str, body: Rigid, places: Iterable[Vec
         mechanism, centre, directors, rotation, mechanism.nodes[centre].position,
         body.center_of_mass, body.points,
     )  # fmt: skip
+    mechanism.rigid.append((centre, *directors))
     _add_inertia(mechanism, frame, body, places, part)
     _add_unit_rows(mechanism, frame, part)
     if mechanism.dim == 3:

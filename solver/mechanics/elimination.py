@@ -91,13 +91,15 @@ class Graph:
 
     `sizes` of the blocks, the first `n_nodes` of them nodes; `couplings` of two blocks: False where
     equal components are coupled, True where all are; `anchors` of each row: the nodes that can
-    carry it, those in which its gradient does not vanish.
+    carry it, those in which its gradient does not vanish; `islands` of the blocks: nothing is
+    coupled to another island, and the order keeps each in one piece.
     """
 
     sizes: Sequence[int]
     n_nodes: int
     couplings: Mapping[tuple[int, int], bool]
     anchors: Mapping[int, Sequence[int]]
+    islands: Sequence[int]
 
 
 class Carriers:
@@ -212,7 +214,7 @@ def _take_out(
 
 def eliminate(graph: Graph) -> Pattern:
     """Return the order and the pattern of the factors of a graph."""
-    order = block_order(graph)
+    order = sorted(block_order(graph), key=graph.islands.__getitem__)
     sizes = np.array(graph.sizes, dtype=np.int64)
     position = np.empty(len(order), dtype=np.int64)
     position[order] = _pointers(sizes[order])[:-1]

@@ -40,6 +40,10 @@ class Ref(NamedTuple):
             item = structure.node_of[item] - structure.n_free
         elif self.section in ("quantity", "quantity_rate"):
             item = structure.quantity_of[item]
+        elif self.section == "multiplier":
+            item = structure.row_of(item)
+        elif self.section in (parts := structure.parts):
+            item = parts[self.section].place[item]
         width = WIDTHS[structure.mechanism.dim].get(self.section, 1)
         return sections[self.section][0] + width * item + self.k
 

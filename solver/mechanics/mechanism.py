@@ -64,6 +64,8 @@ class Mechanism:
     loads: list[Load] = field(default_factory=list)
     moments: list[Moment] = field(default_factory=list)
     body_moments: list[Moment] = field(default_factory=list)
+    rigid: list[tuple[int, ...]] = field(default_factory=list)
+    """Nodes of each rigid body: its centre of mass and directors."""
     bodies: dict[int, int] = field(default_factory=dict)
     """Number of each spatial body by its first director."""
     places: list[int] = field(default_factory=list)

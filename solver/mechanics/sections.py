@@ -17,7 +17,6 @@ def sections_of(
     scene: Scene, structure: Structure, counts: Mapping[str, int]
 ) -> dict[str, Sequence[Number]]:
     """Return the contents of the sections, in their order; what is derived later is 0."""
-    mechanism = structure.mechanism
     moving = structure.nodes[: structure.n_moving]
     entries = [entry for entries in structure.entries for entry in entries]
     turned = entries if structure.any_turned else []
@@ -29,22 +28,22 @@ def sections_of(
         "beta": [entry.beta[0] for entry in entries],
         "alpha_turn": [entry.alpha[1] for entry in turned],
         "beta_turn": [entry.beta[1] for entry in turned],
-        "row_constant": [row.constant for row in mechanism.form_rows],
+        "row_constant": [row.constant for row in structure.form_rows.items],
         "row_base": _bases(structure),
         "extent": [0.0, 0.0],
         "row_scale": zeros,
         "row_sigma": zeros,
-        "stiffness": [element.stiffness for element in mechanism.elements],
-        "rest": [element.rest for element in mechanism.elements],
-        "damping": [element.damping for element in mechanism.elements],
-        "drive": [element.drive for element in mechanism.elements],
+        "stiffness": [element.stiffness for element in structure.elements.items],
+        "rest": [element.rest for element in structure.elements.items],
+        "damping": [element.damping for element in structure.elements.items],
+        "drive": [element.drive for element in structure.elements.items],
         "gravity": list(scene.gravity),
         "support": _flat(node.position for node in structure.nodes[structure.n_moving :]),
         "initial_position": _flat(node.position for node in moving),
         "initial_velocity": _flat(node.velocity for node in moving),
-        "load": _flat(load.value for load in mechanism.loads),
-        "moment": _flat(moment.value for moment in mechanism.moments),
-        "body_moment": _flat(moment.value for moment in mechanism.body_moments),
+        "load": _flat(load.value for load in structure.loads.items),
+        "moment": _flat(moment.value for moment in structure.moments.items),
+        "body_moment": _flat(moment.value for moment in structure.body_moments.items),
         "parameter": parameters,
         "input": [given.start for given in scene.inputs.values()],
         "time": [scene.experiment.start_time],
@@ -63,12 +62,10 @@ def _flat(vectors: Iterable[Sequence[Number]]) -> list[Number]:
 
 
 def _bases(structure: Structure) -> list[Number]:
-    mechanism = structure.mechanism
-    functions = (*mechanism.function_rows, *mechanism.velocity_rows)
     return [
-        *(row.scale.base for row in mechanism.form_rows),
-        *([1.0] * (mechanism.dim * len(mechanism.coincidences))),
-        *(row.scale.base for row in functions),
+        *(row.scale.base for row in structure.form_rows.items),
+        *([1.0] * (structure.mechanism.dim * len(structure.coincidences))),
+        *(row.scale.base for row in structure.functions),
     ]
 
 
@@ -81,7 +78,7 @@ def sizes_of(
     length = {segment: len(tape.operations[segment]) // 5 for segment in Segment}
     stored = [numbers.segment_of[name] for name in ("stiffness", "rest")]
     ramped = {name for name, given in scene.inputs.items() if given.interpolation == "ramp"}
-    formulas = composites[len(structure.mechanism.elements) :]
+    formulas = composites[len(structure.elements) :]
     operations = [b - a for a, b in zip(*_shifted(tables["function_ptr"]), strict=True)]
     registers = [len(c.leaves) + n for c, n in zip(formulas, operations, strict=True)]
     known = {
@@ -100,6 +97,7 @@ def sizes_of(
         "n_lu_values": tables["lu_ptr"][-1],
         "n_lean_values": (tables["lean_lu_ptr"] or (0,))[-1],
         "n_slots": SLOTS[scene.solver.order],
+        "n_islands": structure.islands.count,
     }
     return {name: known[name] for name in SIZES}
 

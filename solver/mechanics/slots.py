@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 
 import numpy as np
 
 from solver.mechanics.anchors import Anchors
 from solver.mechanics.elimination import Graph, Integers, Pattern, eliminate
-from solver.mechanics.structure import LINEAR, TURNED, Structure
+from solver.mechanics.islands import Ordered
+from solver.mechanics.structure import LINEAR, TURNED, Structure, flat, pointers
 
 
 class Layout:
@@ -26,10 +28,9 @@ class Layout:
         self.structure, self.lean = structure, lean
         mechanism = structure.mechanism
         self.dim, self.n_nodes = mechanism.dim, structure.n_free
-        self.form_rows = [row.form for row in mechanism.form_rows]
-        self.coincidences = [row.form for row in mechanism.coincidences]
-        n_rows = len(mechanism.function_rows) + len(mechanism.velocity_rows)
-        n_elements = len(mechanism.elements)
+        self.form_rows = [row.form for row in structure.form_rows.items]
+        self.coincidences = [row.form for row in structure.coincidences.items]
+        n_rows, n_elements = len(structure.functions), len(structure.elements)
         self.row_composites = range(n_elements, n_elements + n_rows)
         self.first_coincidence = self.n_nodes + len(self.form_rows)
         self.first_function = self.first_coincidence + len(self.coincidences)
@@ -49,7 +50,21 @@ class Layout:
             for row, whole in rows:
                 for a in nodes:
                     couplings[a, row] = whole
-        return Graph(sizes, self.n_nodes, couplings, self._anchors())
+        return Graph(sizes, self.n_nodes, couplings, self._anchors(), self._islands())
+
+    def _islands(self) -> list[int]:
+        """Islands of the blocks."""
+        of_parts = (
+            [island for island, (a, b) in enumerate(pairwise(part.begin)) for _ in range(a, b)]
+            for part in self._parts()
+        )
+        return [island for of_part in of_parts for island in of_part]
+
+    def _parts(self) -> tuple[Ordered, ...]:
+        """Kinds of blocks."""
+        structure = self.structure
+        rows = (structure.form_rows, structure.coincidences)
+        return (structure.free_nodes, *rows, structure.function_rows, structure.velocity_rows)
 
     def _cliques(self) -> Iterator[tuple[Sequence[int], Sequence[tuple[int, bool]], bool]]:
         """Free nodes that are coupled with each other, rows coupled to them, and how."""
@@ -79,12 +94,12 @@ class Layout:
 
     def _moment_nodes(self) -> Iterator[list[int]]:
         """Nodes that moments and follower loads couple."""
-        structure, mechanism = self.structure, self.structure.mechanism
-        for moment in mechanism.moments:
+        structure = self.structure
+        for moment in structure.moments.items:
             yield structure.free(moment.place)
-        for moment in mechanism.body_moments:
+        for moment in structure.body_moments.items:
             yield self.directors(structure.node_of[moment.place], 3)
-        for load in mechanism.loads:
+        for load in structure.loads.items:
             if load.axes is not None:
                 first = structure.node_of[load.axes]
                 yield [*structure.free(load.form), *self.directors(first, self.n_directors)]
@@ -119,36 +134,51 @@ class Layout:
         for block in range(self.first_coincidence, self.first_function):
             rows.extend(position[block] + k for k in range(self.dim))
         rows.extend(position[self.first_function :])
-        masses = (
-            self._equal(a, b) for a, b, _ in self.structure.masses if max(a, b) < self.n_nodes
-        )
+        between_free = self.structure.masses[: len(self.structure.free_masses)]
+        masses = (self._equal(a, b) for a, b, _ in between_free)
         tables = {
             "node_position": array("i", position[: self.n_nodes]),
             "row_position": array("i", rows),
             "lu_ptr": _table(self.pattern.ptr),
             "lu_column": _table(self.pattern.column),
             "lu_target": _table(self.pattern.target),
-            "mass_slot": self._slots(masses),
-            "row_slot": self._slots(self._of_form_rows()),
-            "coincidence_slot": self._slots(self._of_coincidences()),
-            "composite_slot": self._slots(self._of_composites()),
+            "lu_island": self._pieces(),
+            "mass_slot": self._slots("mass", masses)["mass_slot"],
+            **self._slots("row", self._of_form_rows()),
+            **self._slots("coincidence", self._of_coincidences()),
+            **self._slots("composite", self._of_composites()),
         }
         if self.lean:
             return {f"lean_{name}": table for name, table in tables.items()}
         moments = (self.structure.free(form) for form in self._moment_forms())
-        return tables | {
-            "load_slot": self._slots(self._of_loads()),
-            "moment_slot": self._slots(self._full(free, free) for free in moments),
-            "body_moment_slot": self._slots(self._of_body_moments()),
+        body_moments = self._slots("body_moment", self._of_body_moments())
+        return {
+            **tables,
+            **self._slots("load", self._of_loads()),
+            **self._slots("moment", (self._full(free, free) for free in moments)),
+            "body_moment_slot": body_moments["body_moment_slot"],
         }
 
-    def _moment_forms(self) -> list[int]:
-        return [moment.place for moment in self.structure.mechanism.moments]
+    def _pieces(self) -> array:
+        """Of each island, and the end: its first pivot, and where the targets of this begin."""
+        widths = (self.dim, 1, self.dim, 1, 1)
+        pairs = [*zip(widths, self._parts(), strict=True)]
+        targets = [0, *np.cumsum(self.pattern.counts**2).tolist()]
+        pivots = [
+            sum([width * part.begin[island] for width, part in pairs])
+            for island in range(self.structure.islands.count + 1)
+        ]
+        return flat((pivot, targets[pivot]) for pivot in pivots)
 
-    def _slots(self, elements: Iterable[Iterable[int]]) -> array:
-        """Slots of lists of elements, one list after the other."""
-        flat = np.fromiter((x for listed in elements for x in listed), dtype=np.int64)
-        return _table(self.pattern.slots(*np.divmod(flat, self._n)))
+    def _moment_forms(self) -> list[int]:
+        return [moment.place for moment in self.structure.moments.items]
+
+    def _slots(self, name: str, elements: Iterable[Sequence[int]]) -> dict[str, array]:
+        """Slots of lists of elements, one list after the other, and where each begins."""
+        listed = [*elements]
+        all_elements = np.fromiter((x for items in listed for x in items), dtype=np.int64)
+        slots = self.pattern.slots(*np.divmod(all_elements, self._n))
+        return {f"{name}_slot_ptr": pointers(listed), f"{name}_slot": _table(slots)}
 
     def _equal(self, a: int, b: int) -> list[int]:
         """Elements of equal components of two blocks; element (i, j) is n i + j."""
@@ -184,38 +214,42 @@ class Layout:
     def _of_form_rows(self) -> Iterator[list[int]]:
         for row, form in enumerate(self.form_rows, start=self.n_nodes):
             free, kind = self.structure.free(form), self.structure.kinds[form]
-            linear = self.lean or kind & LINEAR
-            if kind & TURNED and not linear:
-                yield self._full(free, free)
-            elif not linear:
-                yield [x for a in free for b in free for x in self._equal(a, b)]
-            yield self._border(free, row)
+            border = self._border(free, row)
+            if self.lean or kind & LINEAR:
+                yield border
+            elif kind & TURNED:
+                yield self._full(free, free) + border
+            else:
+                yield [x for a in free for b in free for x in self._equal(a, b)] + border
 
     def _of_coincidences(self) -> Iterator[list[int]]:
         for row, form in enumerate(self.coincidences, start=self.first_coincidence):
+            turned = self.structure.kinds[form] & TURNED
+            elements: list[int] = []
             for a in self.structure.free(form):
-                if self.structure.kinds[form] & TURNED:
-                    yield [*self._full([a], [row]), *self._full([row], [a])]
-                else:
-                    yield [*self._equal(a, row), *self._equal(row, a)]
+                for i, k in ((a, row), (row, a)):
+                    elements += self._full([i], [k]) if turned else self._equal(i, k)
+            yield elements
 
     def _of_composites(self) -> Iterator[list[int]]:
         for k, composite in enumerate(self.structure.composites):
-            if not self.lean:
-                yield self._square(composite.nodes)
+            square = [] if self.lean else self._square(composite.nodes)
             if k in self.row_composites:
                 row = self.first_function + k - self.row_composites.start
-                yield self._border(composite.nodes, row)
+                square += self._border(composite.nodes, row)
+            yield square
 
     def _of_loads(self) -> Iterator[list[int]]:
         structure = self.structure
-        for load in structure.mechanism.loads:
-            if load.axes is not None:
-                axes = self.directors(structure.node_of[load.axes], self.n_directors)
-                yield self._full(structure.free(load.form), axes)
+        for load in structure.loads.items:
+            if load.axes is None:
+                yield []
+                continue
+            axes = self.directors(structure.node_of[load.axes], self.n_directors)
+            yield self._full(structure.free(load.form), axes)
 
     def _of_body_moments(self) -> Iterator[list[int]]:
-        for moment in self.structure.mechanism.body_moments:
+        for moment in self.structure.body_moments.items:
             yield self._square(self.directors(self.structure.node_of[moment.place], 3))
 
 

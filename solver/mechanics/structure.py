@@ -7,12 +7,13 @@ A composite is what is built of quantities - an element, a function row, a veloc
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from solver.mechanics.equations import DRIVEN, FIXED, FREE, SIGNAL, VALUE, Form, Leaf
+from solver.mechanics.equations import DRIVEN, FIXED, FREE, SIGNAL, VALUE, Form, FunctionRow, Leaf
+from solver.mechanics.islands import Islands, Ordered
 from solver.mechanics.mechanism import Mechanism
 from solver.scene import Number
 
@@ -39,23 +40,61 @@ class Composite:
 
 
 class Structure:
-    """Final indices of a mechanism: free nodes first, then driven, then fixed ones."""
+    """Final indices of a mechanism: free nodes first, then driven, then fixed ones; all by islands.
+
+    `form_rows` to `body_moments` are those of the mechanism in their final order.
+    """
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism
+        self.islands = islands = Islands(mechanism)
         motions = [node.motion for node in mechanism.nodes]
-        order = sorted(range(len(motions)), key=lambda n: motions[n])
+        indices = range(len(motions))
+        free, driven, fixed = (
+            [n for n in indices if motions[n] == motion] for motion in (FREE, DRIVEN, FIXED)
+        )
+        self.free_nodes, self.driven_nodes = (
+            islands.ordered(nodes, islands.of_node.__getitem__) for nodes in (free, driven)
+        )
+        order = [*self.free_nodes.items, *self.driven_nodes.items, *fixed]
         self.nodes = [mechanism.nodes[n] for n in order]
         self.node_of = {n: k for k, n in enumerate(order)}
-        self.n_free, self.n_driven, self.n_support = (
-            motions.count(motion) for motion in (FREE, DRIVEN, FIXED)
-        )
+        self.n_free, self.n_driven, self.n_support = len(free), len(driven), len(fixed)
         self.entries = [self._entries(form) for form in mechanism.forms]
+        self._order_parts(islands)
+        self.active = islands.ordered(
+            mechanism.active, lambda q: islands.of_forms(mechanism.quantities[q].forms)
+        )
         rest = (q for q in range(len(mechanism.quantities)) if q not in mechanism.active)
-        self.quantities = [*mechanism.active, *rest]
+        self.quantities = [*self.active.items, *rest]
         self.quantity_of = {q: k for k, q in enumerate(self.quantities)}
-        pairs = [(self.node_of[a], self.node_of[b], m) for (a, b), m in mechanism.masses.items()]
-        self.masses = sorted(pairs, key=lambda pair: max(pair[:2]) >= self.n_free)
+
+    def _order_parts(self, islands: Islands) -> None:
+        mechanism, of_node = self.mechanism, islands.of_node
+        ordered, of_forms, forms = islands.ordered, islands.of_forms, islands.forms
+        self.form_rows = ordered(mechanism.form_rows, lambda row: of_forms((row.form,)))
+        self.coincidences = ordered(mechanism.coincidences, lambda row: of_forms((row.form,)))
+        self.function_rows, self.velocity_rows = (
+            ordered(rows, lambda row: of_forms(forms(row.formula)))
+            for rows in (mechanism.function_rows, mechanism.velocity_rows)
+        )
+        self.elements = ordered(
+            mechanism.elements, lambda x: of_forms(mechanism.quantities[x.quantity].forms)
+        )
+        self.potentials = ordered(mechanism.potentials, lambda x: of_forms(forms(x)))
+        self.loads = ordered(mechanism.loads, lambda load: of_forms((load.form,)))
+        self.moments = ordered(mechanism.moments, lambda moment: of_forms((moment.place,)))
+        self.body_moments = ordered(mechanism.body_moments, lambda moment: of_node[moment.place])
+        self.bodies = ordered(mechanism.bodies, of_node.__getitem__)
+        masses = [*mechanism.masses.items()]
+        nodes = mechanism.nodes
+        free = [x for x in masses if all([nodes[n].motion == FREE for n in x[0]])]
+        with_driven = [x for x in masses if any([nodes[n].motion != FREE for n in x[0]])]
+        self.free_masses, self.driven_masses = (
+            ordered(part, lambda x: of_node[x[0][0]]) for part in (free, with_driven)
+        )
+        pairs = (*self.free_masses.items, *self.driven_masses.items)
+        self.masses = [(self.node_of[a], self.node_of[b], mass) for (a, b), mass in pairs]
 
     @property
     def n_moving(self) -> int:
@@ -92,15 +131,37 @@ class Structure:
         """Whether quarter turns are stored."""
         return any(kind & TURNED for kind in self.kinds)
 
+    @property
+    def functions(self) -> list[FunctionRow]:
+        """Function rows, then velocity rows."""
+        return [*self.function_rows.items, *self.velocity_rows.items]
+
+    @property
+    def parts(self) -> dict[str, Ordered]:
+        """What sections of measurements have an item for each of."""
+        bodies = dict.fromkeys(("quaternion", "body_rate"), self.bodies)
+        return {"element_force": self.elements, "rod_force": self.form_rows, **bodies}
+
+    def row_of(self, row: int) -> int:
+        """Return the place of a multiplier among all, by its index before ordering."""
+        dim, first = self.mechanism.dim, 0
+        for rows, width in (
+            (self.form_rows, 1), (self.coincidences, dim), (self.function_rows, 1),
+            (self.velocity_rows, 1),
+        ):  # fmt: skip
+            if row < first + width * len(rows):
+                index, component = divmod(row - first, width)
+                return first + width * rows.place[index] + component
+            first += width * len(rows)
+        raise IndexError(row)
+
     # ------------------------------------------------------------------------------ composites
 
     @cached_property
     def composites(self) -> list[Composite]:
         """Elements, function rows, velocity rows, potentials."""
-        mechanism = self.mechanism
-        elements = [(Leaf(VALUE, element.quantity),) for element in mechanism.elements]
-        rows = (*mechanism.function_rows, *mechanism.velocity_rows)
-        formulas = [*(row.formula for row in rows), *mechanism.potentials]
+        elements = [(Leaf(VALUE, element.quantity),) for element in self.elements.items]
+        formulas = [*(row.formula for row in self.functions), *self.potentials.items]
         return [self._composite(x) for x in (*elements, *(formula.leaves for formula in formulas))]
 
     def _composite(self, leaves: Sequence[Leaf]) -> Composite:
@@ -120,14 +181,14 @@ class Structure:
         return Composite(tuple(found), tuple(forms), tuple(nodes), local_nodes)
 
     @cached_property
-    def linked(self) -> list[int]:
+    def linked(self) -> Ordered[int]:
         """Forms that a step needs at its beginning: all but those that are only measured."""
         mechanism = self.mechanism
         needed = {row.form for row in mechanism.form_rows}
         needed.update(form for composite in self.composites for form in composite.forms)
         needed.update(moment.place for moment in mechanism.moments)
         needed.update(f for q in mechanism.active for f in mechanism.quantities[q].forms)
-        return sorted(needed)
+        return self.islands.ordered(sorted(needed), lambda form: self.islands.of_forms((form,)))
 
     # ---------------------------------------------------------------------------------- tables
 
@@ -136,8 +197,7 @@ class Structure:
         mechanism, composites = self.mechanism, self.composites
         quantities = [mechanism.quantities[q] for q in self.quantities]
         pairs = [((*q.forms, -1))[:2] for q in quantities]
-        reactions = [(r, *e) for r, entries in enumerate(mechanism.reactions) for e in entries]
-        node_of, loads = self.node_of, mechanism.loads
+        node_of, loads = self.node_of, self.loads.items
         return {
             "node_kind": array("i", (node.kind for node in self.nodes)),
             "form_ptr": pointers(self.entries),
@@ -147,34 +207,63 @@ class Structure:
             "form_kind": array("i", self.kinds),
             "quantity_kind": array("i", (q.kind for q in quantities)),
             "quantity_form": flat(pairs),
-            "linked_form": array("i", self.linked),
-            "row_form": array("i", (row.form for row in mechanism.form_rows)),
+            "linked_form": array("i", self.linked.items),
+            "row_form": array("i", (row.form for row in self.form_rows.items)),
             "row_power": array("i", self._row_powers()),
-            "coincidence_form": array("i", (row.form for row in mechanism.coincidences)),
+            "coincidence_form": array("i", (row.form for row in self.coincidences.items)),
             "composite_form_ptr": pointers(c.forms for c in composites),
             "composite_form": flat(c.forms for c in composites),
             "composite_node_ptr": pointers(c.nodes for c in composites),
             "composite_node": flat(c.nodes for c in composites),
+            "composite_local_ptr": pointers(c.local for c in composites),
             "composite_local": flat(c.local for c in composites),
             "leaf_ptr": pointers(c.leaves for c in composites),
             "leaf": flat(leaf for c in composites for leaf in c.leaves),
             "load_form": array("i", (load.form for load in loads)),
             "load_axes": array("i", (-1 if x.axes is None else node_of[x.axes] for x in loads)),
-            "moment_form": array("i", (moment.place for moment in mechanism.moments)),
-            "body_moment": flat((node_of[m.place], m.body_axes) for m in mechanism.body_moments),
-            "body_node": array("i", (node_of[body] for body in mechanism.bodies)),
+            "moment_form": array("i", (moment.place for moment in self.moments.items)),
+            "body_moment": flat((node_of[m.place], m.body_axes) for m in self.body_moments.items),
+            "body_node": array("i", (node_of[body] for body in self.bodies.items)),
             "place_form": array("i", mechanism.places),
-            "reaction_entry": flat(reactions),
+            "reaction_entry": flat(self._reactions()),
             "mass_node": flat(pair[:2] for pair in self.masses),
+            "island_begin": flat(zip(*self._windows(), strict=True)),
         }
 
-    def _row_powers(self) -> list[int]:
-        mechanism = self.mechanism
-        functions = (*mechanism.function_rows, *mechanism.velocity_rows)
+    def _reactions(self) -> Iterator[tuple[int, int, int, int]]:
+        """Yield joint, kind, row and sign of all entries."""
+        rows = (self.coincidences, self.form_rows, self.form_rows)
+        for joint, entries in enumerate(self.mechanism.reactions):
+            yield from ((joint, kind, rows[kind].place[row], sign) for kind, row, sign in entries)
+
+    def _windows(self) -> list[list[int]]:
+        """Where each island begins among free nodes and so on, see `holonom_island_column`."""
+        shift, windows = self.n_free, [self.free_nodes.begin]
+        windows.append([shift + k for k in self.driven_nodes.begin])
+        shift = 0
+        for part in (self.elements, self.function_rows, self.velocity_rows, self.potentials):
+            windows.append([shift + k for k in part.begin])
+            shift += len(part)
+        mass = len(self.free_masses)
         return [
-            *(row.scale.power for row in mechanism.form_rows),
-            *([1] * (mechanism.dim * len(mechanism.coincidences))),
-            *(row.scale.power for row in functions),
+            *windows,
+            self.form_rows.begin,
+            self.coincidences.begin,
+            self.loads.begin,
+            self.moments.begin,
+            self.body_moments.begin,
+            self.free_masses.begin,
+            [mass + k for k in self.driven_masses.begin],
+            self.linked.begin,
+            self.active.begin,
+            self.bodies.begin,
+        ]
+
+    def _row_powers(self) -> list[int]:
+        return [
+            *(row.scale.power for row in self.form_rows.items),
+            *([1] * (self.mechanism.dim * len(self.coincidences))),
+            *(row.scale.power for row in self.functions),
         ]
 
 

@@ -20,20 +20,25 @@ SIZES = (
     "n_parameters", "n_inputs", "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals",
     "n_tape_outputs", "time_dependent", "variable_potential", "sensing", "n_registers",
     "n_local_forms", "n_local_nodes", "n_lu_values", "n_lean_values", "n_slots",
+    "n_islands",
 )  # fmt: skip
 """Integers of a model, each a 32-bit field."""
 
+_ELIMINATION = (
+    "node_position", "row_position", "lu_ptr", "lu_column", "lu_target", "lu_island", "mass_slot",
+    "row_slot_ptr", "row_slot", "coincidence_slot_ptr", "coincidence_slot", "composite_slot_ptr",
+    "composite_slot",
+)  # fmt: skip
+
 TABLES = (
-    "node_kind", "form_ptr", "form_free", "form_moving", "form_node", "form_kind",
+    "island_begin", "node_kind", "form_ptr", "form_free", "form_moving", "form_node", "form_kind",
     "quantity_kind", "quantity_form", "linked_form", "row_form", "row_power", "coincidence_form",
     "composite_form_ptr", "composite_form", "composite_node_ptr", "composite_node",
-    "composite_local", "leaf_ptr", "leaf", "function_ptr", "operation", "load_form", "load_axes",
-    "moment_form", "body_moment", "body_node", "place_form", "reaction_entry", "mass_node",
-    "input_ramp", "tape", "node_position", "row_position", "lu_ptr", "lu_column", "lu_target",
-    "mass_slot", "row_slot", "coincidence_slot", "composite_slot", "lean_node_position",
-    "lean_row_position", "lean_lu_ptr", "lean_lu_column", "lean_lu_target", "lean_mass_slot",
-    "lean_row_slot", "lean_coincidence_slot", "lean_composite_slot", "load_slot", "moment_slot",
-    "body_moment_slot",
+    "composite_local_ptr", "composite_local", "leaf_ptr", "leaf", "function_ptr", "operation",
+    "load_form", "load_axes", "moment_form", "body_moment", "body_node", "place_form",
+    "reaction_entry", "mass_node", "input_ramp", "tape",
+    *_ELIMINATION, *(f"lean_{name}" for name in _ELIMINATION),
+    "load_slot_ptr", "load_slot", "moment_slot_ptr", "moment_slot", "body_moment_slot",
 )  # fmt: skip
 """Integer arrays of a model, each a pointer."""
 
@@ -49,15 +54,17 @@ OFFSETS = (
 HEAD = (
     "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
     "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
-    "residual_low", "mean_time", "mean_time_before", "parity", "penalty_level", "slow_steps",
-    "dependent", "full_steps", "full_wait", "known", "halves", "wanted", "last_length",
-    "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
+    "residual_low", "mean_time", "mean_time_before", "parity", "known", "halves", "wanted",
+    "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
     "order_in_use", "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation",
     "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance", "penalty", "xi",
     "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order", "tolerance",
     "absolute_tolerance", "longest_step", "horizon",
 )  # fmt: skip
 """Scalars at the head of a state."""
+
+ISLAND = ("penalty_level", "slow_steps", "dependent", "full_steps", "full_wait", "resting")
+"""Scalars of each island in the section `islands` of a state."""
 
 PLACE = {name: place for place, name in enumerate(HEAD)}
 """Index of each scalar of the head."""
@@ -76,7 +83,8 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of continuous
     sign; ``derived``: what the start tells once and for all, the sections extent (2), row_scale and
     row_sigma (n_rows each); ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped
-    input stands at the present time, and how fast it arrived there.
+    input stands at the present time, and how fast it arrived there; ``islands``: the scalars
+    `ISLAND` of each.
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
@@ -97,6 +105,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         "inputs": sizes["n_inputs"],
         "inputs_before": sizes["n_inputs"],
         "inputs_slope": sizes["n_inputs"],
+        "islands": len(ISLAND) * sizes["n_islands"],
         "parameters": sizes["n_parameters"],
     }
     return _consecutive(lengths, len(HEAD))

@@ -106,12 +106,12 @@ class Advance:
                     raise
                 solved, repeated, wanted = False, True, 0.5 * h
             if repeated and repeats < MAX_REPEATS:
-                repeats, raised = repeats + 1, head["penalty_level"]
+                repeats += 1
                 self._undo(backup, numbers)
                 head["wanted"] = wanted
-                if solved:
-                    head["penalty_level"] = raised
-                elif Prediction(self.motion, int(head["halves"])).reach:
+                if not solved:
+                    self.motion.lower_penalty()
+                if not solved and Prediction(self.motion, int(head["halves"])).reach:
                     self.motion.forget_changes()
                     head["wanted"] = h
                 continue
@@ -155,7 +155,6 @@ class Advance:
         head = self.motion.head
         spent = {name: head[name] for name in (*COSTS, *LEARNED)}
         self.motion.block[:], self.clock.numbers[:] = backup, numbers
-        head["penalty_level"] = head["slow_steps"] = 0.0
         for name, count in spent.items():
             head[name] = count
 
@@ -167,6 +166,7 @@ class Advance:
             self._internal_step(t, h)
         except UnsolvedError:
             self._undo(backup, numbers)
+            motion.lower_penalty()
             if Prediction(motion, int(motion.head["halves"])).reach:  # lines miss what turns fast
                 motion.forget_changes()
                 self._interval(t, h, halvings)

@@ -97,6 +97,7 @@ class Reference:
         mechanism, motion, head = self._mechanism(), self._motion, self._motion.head
         for name in HEAD[PLACE["kinetic_start"] : PLACE["formulation"]]:
             head[name] = 0.0
+        motion.islands[:] = 0.0
         signal_rates = self._take_initial(mechanism)
         self._clock.set_laws(mechanism, head["time"])
         derive_scales(mechanism, motion)
@@ -112,7 +113,7 @@ class Reference:
             if len(signal_rates):
                 assemble_velocities(mechanism, motion, signal_rates, keep_given=False)
         lam, a, driven_force = first_multipliers(mechanism, motion, self._clock)
-        head["dependent"] = float(has_dependent_rows(mechanism, motion))
+        motion.dependent = has_dependent_rows(mechanism, motion)
         for half in (0, 1):
             motion.mu[half][:], motion.a[half][:] = lam, a
             motion.driven_force[half][:] = driven_force

@@ -47,7 +47,7 @@ def penalties(mechanism: Mechanism, motion: Motion, h: float) -> Array:
     if motion.formulation.endswith("-penalty"):
         h = motion.head["step_size"] * (0.5 if motion.head["paired"] else 1.0)
     else:
-        chi *= 100.0 ** motion.head["penalty_level"]
+        chi *= 100.0**motion.penalty_level
     return 4.0 * chi / (h**2 * sigma)
 
 

@@ -7,6 +7,7 @@ import ctypes
 import numpy as np
 from numpy.typing import NDArray
 
+from ..layout import ISLAND
 from ..model import Model
 from ..options import CHOICES
 from ..state import State
@@ -45,7 +46,26 @@ class Motion:
         self.driven_force = (vectors["driven_first"], vectors["driven_second"])
         self.turns, self.signal = vectors["turns"], vectors["signal"]
         self.direction = vectors["direction"].reshape(-1, 2)
+        self.islands = vectors["islands"].reshape(-1, len(ISLAND))
         self.quaternion = vectors["quaternion"].reshape(-1, 4)
+
+    def of_islands(self, name: str) -> Array:
+        """One scalar of all islands, shape (n_islands,); here they are solved all at once."""
+        return self.islands[:, ISLAND.index(name)]
+
+    @property
+    def penalty_level(self) -> float:
+        """How often the penalty was raised, a hundredfold each time."""
+        return float(self.of_islands("penalty_level").max())
+
+    @property
+    def dependent(self) -> bool:
+        """Whether rows depend on each other."""
+        return bool(self.of_islands("dependent").any())
+
+    @dependent.setter
+    def dependent(self, found: bool) -> None:
+        self.of_islands("dependent")[:] = float(found)
 
     @property
     def formulation(self) -> str:
@@ -89,11 +109,15 @@ class Motion:
         In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2. Not from the start: with
         dependent rows a large penalty multiplies their rounding errors.
         """
-        head = self.head
-        head["slow_steps"] = head["slow_steps"] + 1.0 if updates >= 3 else 0.0
-        if head["slow_steps"] >= 8.0 and head["penalty_level"] < 2.0:
-            head["penalty_level"] += 1.0
-            head["slow_steps"] = 0.0
+        level, slow = self.of_islands("penalty_level"), self.of_islands("slow_steps")
+        slow[:] = slow + 1.0 if updates >= 3 else 0.0
+        if slow[0] >= 8.0 and level[0] < 2.0:
+            level += 1.0
+            slow[:] = 0.0
+
+    def lower_penalty(self) -> None:
+        """Return to the penalty that was asked for."""
+        self.of_islands("penalty_level")[:] = self.of_islands("slow_steps")[:] = 0.0
 
     def count(self, name: str, number: int = 1) -> None:
         """Add to a counter of the head."""

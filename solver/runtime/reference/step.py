@@ -52,9 +52,9 @@ class Step:
         self.head = motion.head
         self.equations = Equations(mechanism, motion, h, signal_n1)
         self.w = 0.5 * h**2 * prediction.acceleration()[: mechanism.n_free]
-        leak = LEAK if self.head["dependent"] else 0.0
+        leak = LEAK if motion.dependent else 0.0
         self.mu_held = (1.0 - leak) * motion.mu[prediction.parity]
-        self.mu = self.mu_held.copy() if self.head["dependent"] else prediction.multipliers()
+        self.mu = self.mu_held.copy() if motion.dependent else prediction.multipliers()
         self.paper_update = bool(self.head["paper_update"])
         self.simultaneous = bool(self.head["simultaneous"])
         self.target = self.head["newton_tolerance"] * np.sqrt(

@@ -1,0 +1,114 @@
+/* What the functions of a call share: the model, its numbers, state and scratch, and the islands that are at hand, for DIM
+   coordinates a node. Included once per dimension, first.                                                      */
+#include "internal.h"
+
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+
+#define EACH(k) for (int k = 0; k < DIM; k++)
+#define TURNING (DIM == 2 ? 1 : 3) /* components of a moment */
+
+typedef struct span {
+    int32_t begin, end;
+} span;
+
+typedef struct context {
+    const holonom_model *m;
+    double *number;
+    hm_state s;
+    hm_work k;
+    int64_t state_size;
+    int formulation;
+    double h, t;
+    double start;       /* of the communication step, for inputs that ramp                                    */
+    int32_t n_moving;
+    /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
+       by a step from rest whose forces and constraints act at its end.                                        */
+    double lever;
+    int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
+    int plain;          /* 1: conserving rows, gradients at the middle                                        */
+    int forceless;      /* 1: only the rows act                                                               */
+    int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.inc.h            */
+    const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
+    /* The islands at hand, one or all: where they begin and end by columns, the scalars of the first, and pieces that
+       need not lie side by side: nodes, rows (form rows, coincidences, functions, velocity rows), composites.   */
+    int32_t first_island, last_island;
+    const int32_t *begin, *end;
+    double *island;
+    span node[2], row[4], composite[4];
+    int nodes, rows, composites;
+} context;
+
+#define IN_ISLAND(c, i, column) (int32_t i = (c)->begin[column]; i < (c)->end[column]; i++)
+#define EACH_IN(c, pieces, piece, width, i)                                                                    \
+    for (int i##_piece = 0; i##_piece < (c)->pieces; i##_piece++)                                              \
+        for (int32_t i = (width) * (c)->piece[i##_piece].begin; i < (width) * (c)->piece[i##_piece].end; i++)
+#define EACH_ROW(c, i) EACH_IN(c, rows, row, 1, i)
+#define EACH_NODE(c, a) EACH_IN(c, nodes, node, 1, a)
+#define EACH_COORDINATE(c, k) EACH_IN(c, nodes, node, DIM, k)
+#define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, 1, j)
+
+/* Adds begin .. end - 1 to `count` pieces, to the last one if it ends there. */
+static int add_piece(span *piece, int count, int32_t begin, int32_t end)
+{
+    if (begin == end) return count;
+    if (count && piece[count - 1].end == begin) {
+        piece[count - 1].end = end;
+        return count;
+    }
+    piece[count] = (span){begin, end};
+    return count + 1;
+}
+
+/* Lets islands first .. last - 1 be those at hand. */
+static void look_at(context *c, int32_t first, int32_t last)
+{
+    const holonom_model *m = c->m;
+    const int32_t *begin = m->island_begin + ISLAND_COLUMNS * first, *end = m->island_begin + ISLAND_COLUMNS * last;
+    const int32_t first_coincidence = m->n_form_rows, first_function = first_coincidence + DIM * m->n_coincidences;
+    c->first_island = first, c->last_island = last;
+    c->begin = begin, c->end = end;
+    c->island = c->s.islands + I_SIZE * first;
+    c->nodes = c->composites = 0;
+    c->rows = add_piece(c->row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
+    c->rows = add_piece(c->row, c->rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
+                        first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
+    for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        c->rows = add_piece(c->row, c->rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
+    for (int k = ISLAND_FREE; k <= ISLAND_DRIVEN; k++) c->nodes = add_piece(c->node, c->nodes, begin[k], end[k]);
+    for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
+        c->composites = add_piece(c->composite, c->composites, begin[k], end[k]);
+}
+
+static inline double dot(const double *a, const double *b)
+{
+    double sum = 0.0;
+    EACH(k) sum += a[k] * b[k];
+    return sum;
+}
+
+static inline int is_lean(const context *c) { return c->lu == &c->m->lean; }
+
+static inline int is_seeking(const context *c) { return c->lever != 0.5; }
+
+/* The sections extent, row_scale and row_sigma lie side by side. */
+static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
+
+static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
+{
+    c->m = m;
+    c->number = number;
+    c->state_size = hm_map_state(m, state, &c->s);
+    hm_map_work(m, work, &c->k);
+    c->formulation = (int)c->s.head[S_FORMULATION];
+    c->t = c->start = c->s.head[S_TIME];
+    c->h = 0.0;
+    c->n_moving = m->n_free + m->n_driven;
+    c->lever = 0.5;
+    c->half = 0, c->halves = 2;
+    c->forceless = c->plain = c->unweighted = 0;
+    c->lu = &m->full;
+    look_at(c, 0, m->n_islands);
+    memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
+}
