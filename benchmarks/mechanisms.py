@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import Any
 
 import solver
@@ -63,6 +64,20 @@ def waving_chain(n: int, dimension: int) -> Content:
             "mass": 0.1,
         }
     return _content(f"wave{n}", dimension, 0.0, points=points, joints=_rods(_line(n), 0.1))
+
+
+def chains_beside(count: int, n: int, angles: Iterable[float]) -> Content:
+    """Chains of `n` rods of 0.1 m side by side, each at its angle from the vertical, at rest."""
+    points: Content = {}
+    pairs: list[tuple[str, str]] = []
+    for chain, angle in zip(range(count), angles, strict=True):
+        x, y = 0.1 * math.sin(angle), -0.1 * math.cos(angle)
+        names = [f"P{chain}_{i}" for i in range(n + 1)]
+        for i, name in enumerate(names):
+            at = {"position": [3.0 * chain + i * x, i * y]}
+            points[name] = at | ({"mass": 0.1} if i else {"fixed": True})
+        pairs += pairwise(names)
+    return _content(f"beside{count}", 2, GRAVITY, points=points, joints=_rods(pairs, 0.1))
 
 
 def four_bar(loops: int = 2) -> Content:

@@ -18,7 +18,14 @@ from pathlib import Path
 
 import solver
 from benchmarks.effort import TINY, Effort
-from benchmarks.mechanisms import Content, four_bar, hanging_chain, scene, waving_chain
+from benchmarks.mechanisms import (
+    Content,
+    chains_beside,
+    four_bar,
+    hanging_chain,
+    scene,
+    waving_chain,
+)
 from benchmarks.report import Section, Table, Value
 from benchmarks.stepping import Repeated
 from benchmarks.timing import Entry, Times, interleave
@@ -40,6 +47,8 @@ SKIPS = {
     "second link": 16,
     "measured forms": 32,
     "low penalty": 64,
+    "islands": 128,
+    "rest": 256,
 }
 """Bits of `enum skip`, by their names in `docs/skips.md`."""
 ALL = sum(SKIPS.values())
@@ -116,6 +125,10 @@ def mechanisms(largest: int) -> dict[str, tuple[Model, int]]:
         if n <= min(largest, 100):
             drawn = solver.loads(rigid_chain(n), name="rigid_chain.toml", format="toml")
             found[f"spatial rigid chain, N = {n}"] = (solver.assemble(drawn), 5 * n)
+    n = min(largest, 20)
+    for name, angle in (("rest", 0.0), ("swing a little", 1e-3)):
+        content = chains_beside(10, n, [1.5, *[angle] * 9])
+        found[f"ten chains of {n}, nine {name}"] = (model_of(content), 10 * n)
     return found
 
 

@@ -222,11 +222,11 @@ def write_island(tables: Tables, sizes: dict[str, int]) -> None:
     """Write the tables of the islands of a model that has one."""
     composites = ("n_elements", "n_function_rows", "n_velocity_rows", "n_potentials")
     ends = [0, *accumulate(sizes[name] for name in composites)]
-    n_free, n_mass_free = sizes["n_free"], sizes["n_mass_free"]
+    n_free = sizes["n_free"]
     names = ("n_form_rows", "n_coincidences", "n_loads", "n_moments", "n_body_moments")
     pieces = [
         (0, n_free), (n_free, n_free + sizes["n_driven"]), *pairwise(ends),
-        *((0, sizes[name]) for name in names), (0, n_mass_free), (n_mass_free, sizes["n_mass"]),
+        *((0, sizes[name]) for name in names), (0, sizes["n_mass"]),
         *((0, sizes[name]) for name in ("n_linked", "n_active", "n_bodies")),
     ]  # fmt: skip
     sizes["n_islands"] = 1

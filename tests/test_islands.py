@@ -1,4 +1,4 @@
-"""Parts of a mechanism that nothing joins are solved by themselves, and not at all while they rest."""
+"""Parts of a mechanism that nothing joins are solved by themselves, and not while they rest."""
 
 from __future__ import annotations
 
@@ -26,11 +26,18 @@ def beside(*contents: dict, **more) -> dict:
     first, joined = contents[0], {"points": {}, "joints": {}}
     for k, content in enumerate(contents):
         for name, point in content["points"].items():
-            joined["points"][f"{name}_{k}"] = point
+            joined["points"][f"{name}_{k}"] = dict(point)
         for name, joint in content["joints"].items():
             ends = [f"{point}_{k}" for point in joint["points"]]
             joined["joints"][f"{name}_{k}"] = joint | {"points": ends}
     return first | joined | more
+
+
+def driven(content: dict, *numbers: int) -> dict:
+    """The scene with the supports of some of its parts as points that move."""
+    for k in numbers:
+        del content["points"][f"O_{k}"]["fixed"]
+    return content
 
 
 def started(model: Model, kernel: str = "c") -> Integrator:
@@ -52,17 +59,23 @@ CASES = {
     "two, held by the ground alone": (beside(SWINGING, HANGING), 2),
     "tied by a spring": (
         beside(SWINGING, HANGING)
-        | {
-            "forces": {
-                "tie": {"type": "spring", "points": ["B_0", "A_1"], "stiffness": 1.0, "length": 1.0}
-            }
-        },
+        | {"forces": {"tie": {"type": "spring", "points": ["B_0", "A_1"], "stiffness": 1.0}}},
         1,
     ),
     "tied by a potential": (
         beside(SWINGING, HANGING)
-        | {"forces": {"tie": {"type": "potential", "value": "distance(B_0, A_1)^2"}}},
+        | {"forces": {"tie": {"type": "potential", "value": "distance(B_0, A_1)**2"}}},
         1,
+    ),
+    "driven points and what they hold count as one, and come last": (
+        driven(beside(SWINGING, HANGING, SWINGING), 0, 2)
+        | {
+            "drivers": {
+                f"d{k}": {"type": "position", "point": f"O_{k}", "value": ["sin(t)", "0"]}
+                for k in (0, 2)
+            }
+        },
+        2,
     ),
     "a rigid body is one, though its mass couples nothing to its axes": (
         {
@@ -91,22 +104,20 @@ def test_each_island_moves_as_it_would_alone(order):
     for k, content in enumerate(contents):
         alone = started(assembled(content, order=order))
         alone.advance(0.0, 1.0)
-        for name in content["points"]:
+        for name in [name for name, at in content["points"].items() if "mass" in at]:
             for axis in "xy":
                 ours, theirs = together[f"{name}_{k}.{axis}"], alone[f"{name}.{axis}"]
                 assert ours == pytest.approx(theirs, abs=1e-13), (k, name)
     assert abs(float(together["energy.error"])) < 1e-15
 
 
-def test_a_hard_island_makes_no_other_iterate():
-    # The chain takes several iterations at this step, the pendulum one or two: the count is that
-    # of the island which takes most, and no more than alone.
-    hard, easy = chain(8), pendulum(0.01)
-    alone = started(assembled(hard))
-    together = started(assembled(beside(hard, easy)))
+def test_counted_are_the_iterations_of_the_island_that_takes_most():
+    # Of two that are alike each takes what one takes alone: the count does not grow with them.
+    alone = started(assembled(chain(8)))
+    together = started(assembled(beside(chain(8), chain(8))))
     for mechanism in (alone, together):
         mechanism.advance(0.0, 50 * H)
-    assert together["solver.newton_iterations"] == alone["solver.newton_iterations"]
+    assert together["solver.newton_iterations"] == alone["solver.newton_iterations"] > 0.0
 
 
 def test_an_island_at_rest_is_left_alone_to_the_last_bit():
@@ -122,7 +133,7 @@ def test_an_island_at_rest_is_left_alone_to_the_last_bit():
     place = {name: k for k, name in enumerate(vectors)}
     assert "islands" in place
     # what holds it is still told: the weight
-    assert abs(float(together["rod_1.force"])) == pytest.approx(MASS * GRAVITY, rel=1e-12)
+    assert abs(float(together["rod1_1.force"])) == pytest.approx(MASS * GRAVITY, rel=1e-12)
 
 
 def test_a_mechanism_that_hangs_at_rest_takes_no_iteration():
@@ -135,7 +146,7 @@ def test_a_mechanism_that_hangs_at_rest_takes_no_iteration():
 def test_a_force_that_begins_wakes_an_island():
     # The kernel's island has slept for a second; the oracle knows no sleep.
     push = {"type": "force", "point": "A_1", "value": ["push", 0.0]}
-    content = beside(SWINGING, HANGING, inputs={"push": {"unit": "N"}}, forces={"push": push})
+    content = beside(SWINGING, HANGING, inputs={"push": {"unit": "N"}}, forces={"pushed": push})
     model = assembled(content)
     twins = [started(model, kernel) for kernel in ("c", "numpy")]
     for mechanism in twins:
@@ -152,7 +163,7 @@ def test_a_force_that_begins_wakes_an_island():
 
 def test_islands_wake_alike_after_a_save_and_a_restore():
     content = beside(SWINGING, HANGING, inputs={"push": {"unit": "N"}})
-    content["forces"] = {"push": {"type": "force", "point": "A_1", "value": ["push", 0.0]}}
+    content["forces"] = {"pushed": {"type": "force", "point": "A_1", "value": ["push", 0.0]}}
     model = assembled(content)
     first, second = started(model), started(model)
     first.advance(0.0, 0.5)
@@ -175,13 +186,13 @@ def test_what_dampers_bring_to_rest_rests_with_a_closed_ledger():
     assert resting(mechanism)[0] > 0.0
     assert float(mechanism["A_0.vx"]) == 0.0
     assert float(mechanism["energy.dissipated"]) == pytest.approx(0.5 * 0.3**2, rel=1e-9)
-    assert abs(float(mechanism["energy.balance"])) < 1e-13 * float(mechanism["energy.total"] or 1.0) + 1e-13
+    assert abs(float(mechanism["energy.balance"])) < 1e-13
 
 
 def test_nothing_rests_under_laws_that_follow_time():
     content = beside(SWINGING, HANGING)
     content["forces"] = {
-        "push": {"type": "force", "point": "A_1", "value": ["if(t > 0.5, 1.0, 0.0)", 0.0]}
+        "push": {"type": "force", "point": "A_1", "value": ["1.0 if t > 0.5 else 0.0", 0.0]}
     }
     mechanism = started(assembled(content))
     mechanism.advance(0.0, 1.0)
@@ -199,3 +210,10 @@ def test_scratch_of_sleeping_islands_is_never_read():
     for running in (mechanism, twin):
         running.advance(0.5, 0.1)
     assert bytes(mechanism.engine.state) == bytes(twin.engine.state)
+
+
+def test_an_inverted_pendulum_that_is_drawn_upright_stays_so():
+    # sin(pi) is 1e-16: its moment is round-off, though it would grow by e^(3.1 t).
+    mechanism = started(assembled(pendulum(np.pi)))
+    mechanism.advance(0.0, 10.0)
+    assert float(mechanism["A.y"]) == 1.0

@@ -82,6 +82,7 @@ def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
         ("non-holonomic rows", f"{model.sizes['n_velocity_rows']}  {', '.join(rolling)}".rstrip()),
         ("mobility", _mobility(counts)),
         ("degrees of freedom", _freedom(counts)),
+        ("separate parts", str(counts.islands)),
     ]
 
 

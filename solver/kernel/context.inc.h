@@ -31,23 +31,24 @@ typedef struct context {
     int forceless;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.inc.h            */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
-    /* The islands at hand, one or all: where they begin and end by columns, the scalars of the first, and pieces that
-       need not lie side by side: nodes, rows (form rows, coincidences, functions, velocity rows), composites.   */
+    /* The islands at hand, one or all: where they begin and end by columns, the scalars of the first, their moving nodes
+       (driven ones belong to the last island), and pieces that need not lie side by side: rows (form rows,
+       coincidences, functions, velocity rows) and composites.                                                  */
     int32_t first_island, last_island;
     const int32_t *begin, *end;
     double *island;
-    span node[2], row[4], composite[4];
-    int nodes, rows, composites;
+    span node, row[4], composite[4];
+    int rows, composites;
 } context;
 
-#define IN_ISLAND(c, i, column) (int32_t i = (c)->begin[column]; i < (c)->end[column]; i++)
-#define EACH_IN(c, pieces, piece, width, i)                                                                    \
-    for (int i##_piece = 0; i##_piece < (c)->pieces; i##_piece++)                                              \
-        for (int32_t i = (width) * (c)->piece[i##_piece].begin; i < (width) * (c)->piece[i##_piece].end; i++)
-#define EACH_ROW(c, i) EACH_IN(c, rows, row, 1, i)
-#define EACH_NODE(c, a) EACH_IN(c, nodes, node, 1, a)
-#define EACH_COORDINATE(c, k) EACH_IN(c, nodes, node, DIM, k)
-#define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, 1, j)
+#define IN_ISLAND(c, i, column) (int32_t i = (c)->begin[column], i##_end = (c)->end[column]; i < i##_end; i++)
+#define EACH_IN(c, pieces, piece, i)                                                                           \
+    for (const span *i##_in = (c)->piece, *i##_last = i##_in + (c)->pieces; i##_in < i##_last; i##_in++)       \
+        for (int32_t i = i##_in->begin, i##_end = i##_in->end; i < i##_end; i++)
+#define EACH_ROW(c, i) EACH_IN(c, rows, row, i)
+#define EACH_NODE(c, a) for (int32_t a = (c)->node.begin, a##_end = (c)->node.end; a < a##_end; a++)
+#define EACH_COORDINATE(c, k) for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
+#define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
 
 /* Adds begin .. end - 1 to `count` pieces, to the last one if it ends there. */
 static int add_piece(span *piece, int count, int32_t begin, int32_t end)
@@ -70,13 +71,13 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->first_island = first, c->last_island = last;
     c->begin = begin, c->end = end;
     c->island = c->s.islands + I_SIZE * first;
-    c->nodes = c->composites = 0;
+    c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
+    c->composites = 0;
     c->rows = add_piece(c->row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
     c->rows = add_piece(c->row, c->rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
                         first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
         c->rows = add_piece(c->row, c->rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
-    for (int k = ISLAND_FREE; k <= ISLAND_DRIVEN; k++) c->nodes = add_piece(c->node, c->nodes, begin[k], end[k]);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
         c->composites = add_piece(c->composite, c->composites, begin[k], end[k]);
 }

@@ -85,7 +85,6 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->w = take(block, &used, n);
     k->d = take(block, &used, n);
     k->momentum = take(block, &used, n);
-    k->constraint = take(block, &used, m->n_rows);
     k->rhs = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->value = take(block, &used, m->n_lu_values);
     map_composite(m, block, &used, k);

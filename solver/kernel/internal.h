@@ -124,7 +124,6 @@ typedef struct hm_work {
     double *epsilon;      /* n_rows: compliance 2/alpha or 1/alpha                                          */
     double *hv, *w, *d;   /* n: h v, unknown d - h v, increment d                                           */
     double *momentum;     /* n: residual of the momentum balance                                            */
-    double *constraint;   /* n_rows: residual of the rows                                                   */
     double *rhs;          /* dim n_free + n_rows, elimination order                                         */
     double *value;        /* n_lu_values: tangent and its factors                                           */
     double *local;        /* per form of a composite: links and values, see composite.inc.h                  */

@@ -83,6 +83,7 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - half);
         if (!status) gather_estimate(c, order, i + 1, stages);
     }
+    if (!status && order == 2) settle_islands(c, h);
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
     return status;

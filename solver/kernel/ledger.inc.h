@@ -127,44 +127,13 @@ static void accept_island(context *c, int parity)
     }
     for IN_ISLAND(c, j, ISLAND_BODY) follow_orientation(c, j);
     if (!is_telling(c)) return;
-    EACH_COORDINATE(c, k) s->a[parity][k] = 2.0 / (c->h * c->h) * c->k.w[k];
-    EACH_ROW(c, i) s->mu[parity][i] = c->k.mu[i];
-    for (int i = 0; i < c->nodes; i++)
-        remember_changes(c, s->a[parity], s->a[1 - parity], s->a_change, n, DIM * c->node[i].begin, DIM * c->node[i].end);
-    for (int i = 0; i < c->rows; i++)
-        remember_changes(c, s->mu[parity], s->mu[1 - parity], s->mu_change, m->n_rows, c->row[i].begin, c->row[i].end);
+    const int kept = n_kept(c);
+    const double per_step2 = 2.0 / (c->h * c->h), *a = s->a[1 - parity], *mu = s->mu[1 - parity];
+    EACH_COORDINATE(c, k) remember(c, kept, per_step2 * c->k.w[k], s->a[parity], a[k], s->a_change, n, k);
+    EACH_ROW(c, i) remember(c, kept, c->k.mu[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
     const int32_t first = DIM * m->n_free;
     for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)
         s->driven[parity][k - first] = c->k.momentum[k] / c->h;
-}
-
-/* An island from which dampers have taken all but round-off comes to rest, where its forces balance. What it still had,
-   below the square of the tolerance of the reference energy, is booked as theirs.                              */
-static void come_to_rest(context *c)
-{
-    const holonom_model *m = c->m;
-    const hm_state *s = &c->s;
-    const double tolerance = s->head[S_NEWTON_TOLERANCE];
-    double damping = 0.0, kinetic = 0.0;
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) damping += c->number[m->damping_at + j];
-    if (damping == 0.0 || !may_rest(c)) return;
-    for IN_ISLAND(c, e, ISLAND_MASS)
-        kinetic += 0.5 * c->number[m->mass_at + e] *
-                   dot(s->v + DIM * m->mass_node[2 * e], s->v + DIM * m->mass_node[2 * e + 1]);
-    if (kinetic == 0.0 || !(kinetic <= tolerance * tolerance * s->head[S_ENERGY_REFERENCE])) return;
-    links_at_start(c);
-    rows_at_start(c);
-    EACH_COORDINATE(c, k) c->k.hv[k] = c->k.w[k] = c->k.d[k] = 0.0;
-    if (!stays_at_rest(c, 1)) return;
-    book(c, S_DISSIPATED, kinetic);
-    EACH_COORDINATE(c, k) {
-        s->v[k] = s->v_low[k] = s->a[0][k] = s->a[1][k] = 0.0;
-        for (int slot = 0; slot < m->n_slots; slot++) s->a_change[DIM * (int64_t)c->n_moving * slot + k] = 0.0;
-    }
-    EACH_ROW(c, i) {
-        s->mu[0][i] = s->mu[1][i];
-        for (int slot = 0; slot < m->n_slots; slot++) s->mu_change[(int64_t)m->n_rows * slot + i] = 0.0;
-    }
 }
 
 /* Takes the solved step over into the state. */
@@ -173,9 +142,7 @@ static void accept_step(context *c, int parity)
     const int32_t parts = n_apart(c);
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
-        if (is_asleep(c)) continue;
-        accept_island(c, parity);
-        if (parity == 1) come_to_rest(c);
+        if (!is_asleep(c)) accept_island(c, parity);
     }
     look_at_all(c);
     if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;

@@ -193,6 +193,6 @@ int32_t NAME(hm_probe)(const holonom_model *m, double *number, double *state, do
     for (int32_t k = 0; k < n; k++) tx[k] = out[m->full.node_position[k / DIM] + k % DIM];
     for (int32_t i = 0; i < m->n_rows; i++) tx[n + i] = out[m->full.row_position[i]];
     memcpy(r, c.k.momentum, sizeof(double) * (size_t)n);
-    memcpy(r + n, c.k.constraint, sizeof(double) * (size_t)m->n_rows);
+    for (int32_t i = 0; i < m->n_rows; i++) r[n + i] = row_residual(&c, i);
     return HOLONOM_OK;
 }

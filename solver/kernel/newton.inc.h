@@ -162,13 +162,11 @@ static int may_update_early(const context *c, int iteration)
     return c->island[I_DEPENDENT] == 0.0 || iteration == 1;
 }
 
-/* Uzawa update, and what it changes in the residual of the rows. */
+/* Uzawa update; the residual of the rows follows. */
 static void hold_multipliers(context *c, newton_record *r)
 {
     update_multipliers(c);
     r->updates++;
-    EACH_ROW(c, i)
-        c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
 }
 
 /* Whether what is `left` of the increments, the rows' defect and the energy that the residual adds are a margin below

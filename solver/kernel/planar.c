@@ -17,6 +17,7 @@
 #include "rest.inc.h"
 #include "step.inc.h"
 #include "ledger.inc.h"
+#include "settle.inc.h"
 #include "energy.inc.h"
 #include "clock.inc.h"
 #include "start.inc.h"

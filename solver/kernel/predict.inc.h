@@ -23,15 +23,17 @@ static inline double predicted(const context *c, int reach, const double *same, 
     return last[i] + (reach == 1 ? now[i] : 2.0 * now[i] - before[i]);
 }
 
-/* Takes over the changes from the last half to this one of values begin .. end - 1 of n; `fresh` has just been solved
-   for.                                                                                                        */
-static void remember_changes(const context *c, const double *fresh, const double *last, double *change, int64_t n,
-                             int64_t begin, int64_t end)
+/* How many changes of a half the state keeps: none, that of this internal step, or that of the one before it too. */
+static inline int n_kept(const context *c) { return (c->halves <= c->m->n_slots) + (2 * c->halves <= c->m->n_slots); }
+
+/* Takes over value i of n that has just been solved for, and its change from the last half, of which `kept` are. */
+static inline void remember(const context *c, int kept, double fresh, double *value, double last, double *change,
+                            int64_t n, int64_t i)
 {
-    double *now = change + n * c->half, *before = now + n * c->halves;
-    if (c->halves > c->m->n_slots) return;
-    if (2 * c->halves <= c->m->n_slots) memcpy(before + begin, now + begin, sizeof(double) * (size_t)(end - begin));
-    for (int64_t i = begin; i < end; i++) now[i] = fresh[i] - last[i];
+    double *now = change + n * c->half + i;
+    if (kept == 2) now[n * c->halves] = *now;
+    if (kept) *now = fresh - last;
+    value[i] = fresh;
 }
 
 /* No line through what was before and what is after a jump, or over internal steps of another kind. */

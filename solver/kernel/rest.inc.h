@@ -5,8 +5,6 @@
    so many half steps that all it remembers of earlier ones is zero, without a look. Inputs and parameters that
    change wake all islands. Laws that follow time or the motion may touch any: where there are some, none sleeps.      */
 
-#define CLOSED 1e-15 /* round-off of a row as drawn, over its scale */
-
 static int is_asleep(const context *c) { return c->island[I_RESTING] > c->m->n_slots + 2; }
 
 static void wake(const context *c)
@@ -14,33 +12,30 @@ static void wake(const context *c)
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_RESTING] = 0.0;
 }
 
-/* Squared norm of what is in k.momentum, sum p^2/m over the free nodes; k.momentum is set to zero. */
-static double take_norm2(const context *c)
+/* Whether a row holds to the round-off of the coordinates that it is made of, |G| eps x. */
+static int is_closed(const context *c, int32_t i)
 {
-    const double *node_mass = c->number + c->m->node_mass_at;
-    double sum = 0.0;
-    for IN_ISLAND(c, a, ISLAND_FREE) {
-        const double *p = c->k.momentum + DIM * a;
-        sum += dot(p, p) / node_mass[a];
-    }
-    EACH_COORDINATE(c, k) c->k.momentum[k] = 0.0;
-    return sum;
+    const double *number = c->number + c->m->extent_at;
+    return fabs(c->k.phi[i]) <= 4.0 * 2.2e-16 * number[1] * sqrt(c->number[c->m->row_sigma_at + i]);
 }
 
-/* Whether forces and multipliers (k.mu, modified) balance to the tolerance where the island stands: d = w = 0, links
-   and rows are those of the state. Measured against the weights and loads, and against springs and potentials.    */
+/* Whether forces and multipliers (k.mu) balance to the tolerance where the island stands: d = w = 0, links and rows are
+   those of the state. Residuals, over h in the norm sum R^2/m, are measured against weights and the reference energy. */
 static int is_balanced(context *c)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    const double *node_mass = c->number + c->m->node_mass_at, *weight = c->number + c->m->node_weight_at;
+    const double *gravity = c->number + c->m->gravity_at, tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    double residual2 = 0.0, weight2 = 0.0;
     if (evaluate_residual(c)) return 0;
-    EACH_ROW(c, i) if (!(fabs(c->k.phi[i]) <= CLOSED * c->number[c->m->row_scale_at + i])) return 0;
-    const double residual2 = take_norm2(c);
-    EACH_ROW(c, i) c->k.mu[i] = 0.0;
-    if (subtract_forces(c, c->k.momentum)) return 0;
-    double forces2 = take_norm2(c);
-    if (add_composites(c)) return 0;
-    forces2 += take_norm2(c);
-    return residual2 <= tolerance * tolerance * forces2;
+    EACH_ROW(c, i) if (!is_closed(c, i)) return 0;
+    for IN_ISLAND(c, a, ISLAND_FREE) {
+        const double *r = c->k.momentum + DIM * a;
+        residual2 += dot(r, r) / node_mass[a];
+        weight2 += weight[a] * weight[a] / node_mass[a];
+    }
+    const double by_energy = c->s.head[S_ENERGY_REFERENCE] / c->number[c->m->extent_at + 1];
+    const double forces2 = weight2 * dot(gravity, gravity) + by_energy * by_energy;
+    return residual2 <= tolerance * tolerance * c->h * c->h * forces2;
 }
 
 /* Whether nothing but a touch could set islands in motion. */

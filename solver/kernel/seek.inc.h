@@ -183,5 +183,6 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     follow_angles(&c); /* from no direction, which is no turn */
     for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
     open_ledger(&c);
+    find_rest(&c);
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }

@@ -131,8 +131,9 @@ static int32_t solve_at_state(context *c, const double *weight)
     if (status) return status;
     double largest = 0.0, change = INFINITY;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.constraint[i] = c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i];
-        gather_rhs(c);
+        gather_momentum(c);
+        for (int32_t i = 0; i < m->n_rows; i++)
+            c->k.rhs[m->full.row_position[i]] = -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
         hm_lu_solve(0, size, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
         largest = change = 0.0;
         for (int32_t i = 0; i < m->n_rows; i++) {
@@ -248,6 +249,5 @@ static int32_t first_multipliers(context *c)
     memcpy(c->s.mean, mu, rows);
     memcpy(c->s.mean_before, mu, rows);
     c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
-    find_rest(c);
     return HOLONOM_OK;
 }

@@ -176,7 +176,7 @@ static int32_t assemble_tangent(context *c)
     const double h = c->h;
     const int32_t first = c->lu->lu_ptr[first_pivot(c)];
     memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
-    for IN_ISLAND(c, e, ISLAND_MASS)
+    for (int32_t e = c->begin[ISLAND_MASS]; e < c->end[ISLAND_MASS] && e < m->n_mass_free; e++)
         EACH(k) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
     const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[c->begin[ISLAND_FORM_ROW]];
     for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
@@ -210,13 +210,11 @@ static void inertia(const context *c, const double *x, double *momentum)
     const holonom_model *m = c->m;
     const double twice_rate = 2.0 / c->h, *mass_of = c->number + m->mass_at;
     EACH_COORDINATE(c, k) momentum[k] = 0.0;
-    for (int kind = ISLAND_MASS; kind <= ISLAND_MASS_DRIVEN; kind++) {
-        const int32_t end = c->end[kind], *node = m->mass_node + 2 * c->begin[kind];
-        for (int32_t e = c->begin[kind]; e < end; e++, node += 2) {
-            const double mass = twice_rate * mass_of[e], *column = x + DIM * node[1];
-            double *row = momentum + DIM * node[0];
-            EACH(k) row[k] += mass * column[k];
-        }
+    for IN_ISLAND(c, e, ISLAND_MASS) {
+        const int32_t *node = m->mass_node + 2 * e;
+        const double mass = twice_rate * mass_of[e], *column = x + DIM * node[1];
+        double *row = momentum + DIM * node[0];
+        EACH(k) row[k] += mass * column[k];
     }
 }
 
@@ -242,7 +240,7 @@ static int32_t add_composites(context *c)
     return HOLONOM_OK;
 }
 
-/* Evaluates both residuals at the present (w, d, mu): momentum, phi = C(d), constraint. */
+/* Evaluates both residuals at the present (w, d, mu): momentum, and phi = C(d) of that of the rows. */
 static int32_t evaluate_residual(context *c)
 {
     const holonom_model *m = c->m;
@@ -267,17 +265,26 @@ static int32_t evaluate_residual(context *c)
     }
     const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
-    EACH_ROW(c, i)
-        c->k.constraint[i] = c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
     return c->forceless ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
 }
 
-/* Right-hand side -(momentum, constraint) in elimination order. */
-static void gather_rhs(context *c)
+/* Residual of a row. */
+static inline double row_residual(const context *c, int32_t i)
+{
+    return c->k.phi[i] - c->k.epsilon[i] * (c->k.mu[i] - c->k.lambda[i]);
+}
+
+/* The nodes' part of the right-hand side -(momentum, rows) in elimination order. */
+static void gather_momentum(const context *c)
 {
     for IN_ISLAND(c, a, ISLAND_FREE)
         EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
-    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -c->k.constraint[i];
+}
+
+static void gather_rhs(const context *c)
+{
+    gather_momentum(c);
+    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -row_residual(c, i);
 }
 
 /* Adds what was solved for, one vector a free node, to x (DIM n_free, modified). */

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from itertools import accumulate
 from typing import Generic, TypeVar
 
-from solver.mechanics.equations import FIXED, SIGNAL, Formula
+from solver.mechanics.equations import DRIVEN, FIXED, SIGNAL, Formula
 from solver.mechanics.mechanism import Mechanism
 
 Item = TypeVar("Item")
@@ -35,7 +35,11 @@ class Ordered(Generic[Item]):
 
 
 class Islands:
-    """Islands of a mechanism, numbered in the order of their first nodes."""
+    """Islands of a mechanism, numbered in the order of their first nodes.
+
+    What driven points belong to counts as one, and comes last: its nodes, free and driven, then lie
+    side by side, as those of every other island do.
+    """
 
     def __init__(self, mechanism: Mechanism) -> None:
         self._mechanism = mechanism
@@ -44,8 +48,12 @@ class Islands:
             first, *others = group or [0]
             for node in others:
                 self._join(first, node)
+        driven = [n for n, node in enumerate(mechanism.nodes) if node.motion == DRIVEN]
+        for node in driven[1:]:
+            self._join(driven[0], node)
+        last = {self._find(n): None for n in driven}
         moving = [n for n, node in enumerate(mechanism.nodes) if node.motion != FIXED]
-        roots = dict.fromkeys(map(self._find, moving))
+        roots = dict.fromkeys([n for n in map(self._find, moving) if n not in last]) | last
         number = {root: island for island, root in enumerate(roots)}
         self.of_node = [number.get(self._find(n), 0) for n in range(len(mechanism.nodes))]
         """Of each node; of one that does not move 0."""

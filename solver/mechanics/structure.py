@@ -90,10 +90,8 @@ class Structure:
         nodes = mechanism.nodes
         free = [x for x in masses if all([nodes[n].motion == FREE for n in x[0]])]
         with_driven = [x for x in masses if any([nodes[n].motion != FREE for n in x[0]])]
-        self.free_masses, self.driven_masses = (
-            ordered(part, lambda x: of_node[x[0][0]]) for part in (free, with_driven)
-        )
-        pairs = (*self.free_masses.items, *self.driven_masses.items)
+        self.free_masses = ordered(free, lambda x: of_node[x[0][0]])
+        pairs = (*self.free_masses.items, *with_driven)
         self.masses = [(self.node_of[a], self.node_of[b], mass) for (a, b), mass in pairs]
 
     @property
@@ -244,7 +242,6 @@ class Structure:
         for part in (self.elements, self.function_rows, self.velocity_rows, self.potentials):
             windows.append([shift + k for k in part.begin])
             shift += len(part)
-        mass = len(self.free_masses)
         return [
             *windows,
             self.form_rows.begin,
@@ -252,8 +249,7 @@ class Structure:
             self.loads.begin,
             self.moments.begin,
             self.body_moments.begin,
-            self.free_masses.begin,
-            [mass + k for k in self.driven_masses.begin],
+            [*self.free_masses.begin[:-1], len(self.masses)],
             self.linked.begin,
             self.active.begin,
             self.bodies.begin,

@@ -57,6 +57,8 @@ class Survey:
     loads_and_torques: int
     stored_entries: int
     """Entries of the tangent's factors: proportional to the work of a step."""
+    islands: int
+    """Parts that no mass, row or force joins: each is solved by itself."""
 
 
 def constraint_jacobian(integrator: Integrator) -> NDArray[np.float64]:
@@ -134,4 +136,5 @@ def survey(model: Model) -> Survey:
         springs_and_dampers=sizes["n_elements"],
         loads_and_torques=sizes["n_loads"] + sizes["n_moments"] + sizes["n_body_moments"],
         stored_entries=sizes["n_lu_values"],
+        islands=sizes["n_islands"],
     )

@@ -1,0 +1,79 @@
+/* Damped islands that come to rest. Included once per dimension, after ledger.inc.h.                            */
+
+#define LEAST_ENERGY 1e-9 /* over the reference energy: more than that is no round-off of constraints, and is left */
+
+static int is_damped(const context *c)
+{
+    for IN_ISLAND(c, j, ISLAND_ELEMENT)
+        if (c->number[c->m->damping_at + j] != 0.0) return 1;
+    return 0;
+}
+
+static double kinetic_of_island(const context *c)
+{
+    double sum = 0.0;
+    for IN_ISLAND(c, e, ISLAND_MASS) {
+        const int32_t *node = c->m->mass_node + 2 * e;
+        sum += 0.5 * c->number[c->m->mass_at + e] * dot(c->s.v + DIM * node[0], c->s.v + DIM * node[1]);
+    }
+    return sum;
+}
+
+/* Mass norm of the displacement over the pair that has just been solved. Velocities across the constraints, which no
+   damper sees, turn round in its middle and do not show in it.                                                 */
+static double displacement_over_pair(const context *c)
+{
+    const double *q = c->k.pair_backup + (c->s.q - c->s.head), *q_low = c->k.pair_backup + (c->s.q_low - c->s.head);
+    double sum = 0.0;
+    for IN_ISLAND(c, a, ISLAND_FREE)
+        for (int32_t k = DIM * a; k < DIM * (a + 1); k++) {
+            const double moved = (c->s.q[k] - q[k]) + (c->s.q_low[k] - q_low[k]);
+            sum += c->number[c->m->node_mass_at + a] * moved * moved;
+        }
+    return sqrt(sum);
+}
+
+static void stop_island(const context *c)
+{
+    const hm_state *s = &c->s;
+    const int64_t n = DIM * c->n_moving, rows = c->m->n_rows;
+    EACH_COORDINATE(c, k) {
+        s->v[k] = s->v_low[k] = s->a[0][k] = s->a[1][k] = 0.0;
+        for (int slot = 0; slot < c->m->n_slots; slot++) s->a_change[n * slot + k] = 0.0;
+    }
+    EACH_ROW(c, i) {
+        s->mu[0][i] = s->mu[1][i] = c->k.mu[i];
+        for (int slot = 0; slot < c->m->n_slots; slot++) s->mu_change[rows * slot + i] = 0.0;
+    }
+}
+
+/* An island that dampers have brought to a standstill, to the tolerance over a pair of length h, rests where its forces
+   balance, with the mean of its last multipliers. The energy it still had is booked as the dampers'.            */
+static void come_to_rest(context *c, double h)
+{
+    const double *head = c->s.head, tolerance = head[S_NEWTON_TOLERANCE], energy = head[S_ENERGY_REFERENCE];
+    if (!is_damped(c) || !(displacement_over_pair(c) <= tolerance * h * sqrt(2.0 * energy))) return;
+    const double kinetic = kinetic_of_island(c);
+    if (kinetic == 0.0 || !(kinetic <= LEAST_ENERGY * energy)) return;
+    links_at_start(c);
+    rows_at_start(c);
+    EACH_COORDINATE(c, k) c->k.hv[k] = c->k.w[k] = c->k.d[k] = 0.0;
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i] = 0.5 * (c->s.mu[0][i] + c->s.mu[1][i]);
+    const int rests = is_balanced(c);
+    EACH_ROW(c, i) c->k.mu[i] = c->k.lambda[i];
+    if (!rests) return;
+    stop_island(c);
+    book(c, S_DISSIPATED, kinetic);
+}
+
+/* After a pair of length h. */
+static void settle_islands(context *c, double h)
+{
+    const int32_t parts = n_apart(c);
+    if (!may_rest(c)) return;
+    for (int32_t part = 0; part < parts; part++) {
+        look_at_part(c, part, parts);
+        if (!is_asleep(c)) come_to_rest(c, h);
+    }
+    look_at_all(c);
+}
