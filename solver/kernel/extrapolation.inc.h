@@ -27,15 +27,20 @@ static int is_extrapolating(const context *c)
     return c->s.head[S_ORDER_IN_USE] > 2.0 && augmented && is_dissipative(c);
 }
 
-/* Velocities w that make up for the rates g in `phi` by the smallest change, added to x. */
+/* Velocities w that make up for the rates g in `phi` by the smallest change, added to x; islands that sleep are left
+   as they are.                                                                                                */
 static void add_correction(context *c, double *x)
 {
     const holonom_model *m = c->m;
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    memcpy(c->k.constraint, c->k.phi, sizeof(double) * (size_t)m->n_rows);
-    gather_rhs(c);
-    hm_lu_solve(DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
-    add_solution(c, x);
+    gather_momentum(c);
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->full.row_position[i]] = -c->k.phi[i];
+    hm_lu_solve(0, DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+    for (int32_t island = 0; island < m->n_islands; island++) {
+        look_at(c, island, island + 1);
+        if (!is_asleep(c)) add_solution(c, x);
+    }
+    look_at_all(c);
 }
 
 /* Largest of phi over the scale of its row. */

@@ -70,7 +70,11 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
-    if (is_extrapolating(c)) return extrapolated_step(c, h);
+    if (is_extrapolating(c)) {
+        status = extrapolated_step(c, h);
+        if (!status) settle_islands(c, h);
+        return status;
+    }
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
     int stages = 1;

@@ -12,6 +12,7 @@
 #include "function.inc.h"
 #include "laws.inc.h"
 #include "tangent.inc.h"
+#include "linear_solve.inc.h"
 #include "predict.inc.h"
 #include "newton.inc.h"
 #include "rest.inc.h"
