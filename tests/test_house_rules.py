@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-CODE = ("solver", "fmu_src", "build_fmu", "build_kernel", "benchmarks")
+CODE = ("solver", "fmu_src", "build_fmu", "build_kernel", "benchmarks", "examples")
 TEXT = (*CODE, "docs", "scenes", "tests")
 FILE_LINES = 300
 FUNCTION_LINES = 40

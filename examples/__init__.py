@@ -1,0 +1,1 @@
+"""Co-simulations of several FMUs, with the energy that crosses between them."""
