@@ -49,6 +49,7 @@ SKIPS = {
     "low penalty": 64,
     "islands": 128,
     "rest": 256,
+    "fresh factors": 512,
 }
 """Bits of `enum skip`, by their names in `docs/skips.md`."""
 ALL = sum(SKIPS.values())

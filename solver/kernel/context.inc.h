@@ -31,6 +31,9 @@ typedef struct context {
     int forceless;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.inc.h            */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
+    double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
+    const holonom_elimination *factors_lu;
+    int fresh_increments; /* of the last half step that made its own                                           */
     /* The islands at hand, one or all: where they begin and end by columns, the scalars of the first, their moving nodes
        (driven ones belong to the last island), and pieces that need not lie side by side: rows (form rows,
        coincidences, functions, velocity rows) and composites.                                                  */
@@ -109,7 +112,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->lever = 0.5;
     c->half = 0, c->halves = 2;
     c->forceless = c->plain = c->unweighted = 0;
-    c->lu = &m->full;
+    c->lu = c->factors_lu = &m->full;
+    c->factors_h = 0.0;
     look_at(c, 0, m->n_islands);
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }

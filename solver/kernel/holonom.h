@@ -208,7 +208,7 @@ enum holonom_state_place {
 };
 
 /* Scalars of each island in the section `islands` of a state. */
-enum holonom_island_place { I_PENALTY_LEVEL, I_SLOW_STEPS, I_DEPENDENT, I_FULL_STEPS, I_FULL_WAIT, I_RESTING, I_SIZE };
+enum holonom_island_place { I_PENALTY_LEVEL, I_SLOW_STEPS, I_DEPENDENT, I_FULL_STEPS, I_FULL_WAIT, I_FRESH_STEPS, I_FRESH_WAIT, I_RESTING, I_SIZE };
 
 HOLONOM_API int32_t holonom_abi(void);
 

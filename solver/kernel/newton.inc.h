@@ -143,6 +143,31 @@ static void pause_lean(double *island)
     island[I_FULL_STEPS] = island[I_FULL_WAIT] = fmin(fmax(2.0 * island[I_FULL_WAIT], 64.0), 4096.0);
 }
 
+/* Factors of the half step before serve another of the same length, where they are dear and the mechanism moves little:
+   as long as they cost no increment more than fresh ones; else they are left alone for a while, each time for twice as
+   many half steps. They are scratch of one internal step, and of one island.                                     */
+static int take_factors_over(const context *c, newton_record *r)
+{
+    double *island = c->island;
+    if (island[I_FRESH_STEPS] > 0.0) island[I_FRESH_STEPS] -= 1.0;
+    if (c->m->n_islands > 1 || c->factors_h != c->h || c->factors_lu != c->lu || island[I_FRESH_STEPS] > 0.0 ||
+        !hm_skips(SKIP_FRESH_FACTORS))
+        return 0;
+    r->factorised = 1;
+    r->theta = 0.9 * GOOD_CONTRACTION;
+    return 1;
+}
+
+static void judge_factors(context *c, const newton_record *r, int taken_over)
+{
+    double *island = c->island;
+    if (taken_over && r->increments > c->fresh_increments)
+        island[I_FRESH_STEPS] = island[I_FRESH_WAIT] = fmin(fmax(2.0 * island[I_FRESH_WAIT], 64.0), 4096.0);
+    if (!taken_over) c->fresh_increments = r->increments;
+    c->factors_h = r->factorised && !r->stiffened ? c->h : 0.0;
+    c->factors_lu = c->lu;
+}
+
 static void give_up_lean(context *c, newton_record *r)
 {
     pause_lean(c->island);
@@ -209,7 +234,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (simultaneous) update_multipliers(c);
         status = evaluate_residual(c);
         if (status) return status;
-        const double left = iteration > 0 || keep ? r->theta * r->eta : r->eta;
+        const double left = iteration > 0 || (keep && r->increments > 1) ? r->theta * r->eta : r->eta;
         const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
         if (simultaneous && !is_penalty(c)) defect = constraint_defect(c);
         if (is_solved(c, r, left, defect, stalled)) return HOLONOM_OK;

@@ -102,6 +102,7 @@ static int32_t solve_island(context *c, int parity, int *effort)
         prepare_step(c, parity);
     }
     choose_factors(c);
+    const int taken_over = take_factors_over(c, &r);
     int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
     int uzawa = 0;
     r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
@@ -125,6 +126,7 @@ static int32_t solve_island(context *c, int parity, int *effort)
         last = defect;
         hold_multipliers(c, &r);
     }
+    judge_factors(c, &r, taken_over);
     if (is_lean(c) && r.increments > LEAN_INCREMENTS) pause_lean(c->island);
     effort[0] = r.increments;
     effort[1] = r.updates;

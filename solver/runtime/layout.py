@@ -63,7 +63,10 @@ HEAD = (
 )  # fmt: skip
 """Scalars at the head of a state."""
 
-ISLAND = ("penalty_level", "slow_steps", "dependent", "full_steps", "full_wait", "resting")
+ISLAND = (
+    "penalty_level", "slow_steps", "dependent", "full_steps", "full_wait", "fresh_steps",
+    "fresh_wait", "resting",
+)  # fmt: skip
 """Scalars of each island in the section `islands` of a state."""
 
 PLACE = {name: place for place, name in enumerate(HEAD)}
