@@ -32,6 +32,7 @@ typedef struct newton_record {
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
     int factorised, stiffened;
+    int taken_over;          /* factors are those of the half step before                                           */
     int increments;      /* of the step                                                                            */
     int updates;         /* Uzawa updates of the step                                                             */
 } newton_record;
@@ -153,11 +154,19 @@ static int take_factors_over(const context *c, newton_record *r)
     if (c->m->n_islands > 1 || c->factors_h != c->h || c->factors_lu != c->lu || island[I_FRESH_STEPS] > 0.0 ||
         !hm_skips(SKIP_FRESH_FACTORS))
         return 0;
-    r->factorised = 1;
+    r->factorised = r->taken_over = 1;
     r->theta = 0.9 * GOOD_CONTRACTION;
     return 1;
 }
 
+/* Where an increment tells that they are no good, fresh ones are made before lean ones are given up. */
+static void drop_factors(newton_record *r)
+{
+    r->factorised = r->taken_over = 0;
+    r->theta = 1.0;
+}
+
+/* What a half step tells of the factors that it used, for the next one. */
 static void judge_factors(context *c, const newton_record *r, int taken_over)
 {
     double *island = c->island;
@@ -245,7 +254,8 @@ static int32_t iterate_newton(context *c, newton_record *r)
             r->theta = 1.0;
         } else if (r->theta < GOOD_CONTRACTION && may_update_early(c, iteration) && (iteration > 0 || constraint_defect(c) > UNBIASED))
             hold_multipliers(c, r);
-        if (is_slow) give_up_lean(c, r);
+        if (is_slow && r->taken_over) drop_factors(r);
+        else if (is_slow) give_up_lean(c, r);
     }
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;

@@ -88,14 +88,39 @@ static void follow_contraction(double *island, int increments, int outer)
     island[I_SLOW_STEPS] = 0.0;
 }
 
-/* One step of an island: outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16).
-   Increments and updates that it takes are left in `effort`.                                                    */
+/* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
+   those that a converged Newton iteration did not bring along.                                                 */
+static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *updates)
+{
+    const double *head = c->s.head, tolerance = head[S_NEWTON_TOLERANCE];
+    const int max_uzawa = (int)head[S_MAX_UZAWA];
+    double last = INFINITY;
+    for (*updates = 0;; *updates += 1) {
+        const int32_t status = iterate_newton(c, r);
+        if (status || single) return status;
+        const double defect = constraint_defect(c);
+        if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
+        if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) return HOLONOM_OK;
+        /* Near a singular configuration one combination of rows contracts slowly, or not at all. It need not go on
+           where its energy is round-off; else the penalty is raised; contraction that ends even so is round-off. */
+        const double energy = constraint_energy(c), round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
+        if (defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r->energy) return HOLONOM_OK;
+        if (defect > 0.25 * last && defect > 10.0 * last / (1.0 + head[S_PENALTY]) && stiffen(c, &r->stiffened))
+            r->factorised = 0;
+        else if (defect > 0.9 * last && defect <= tolerance && energy <= round_off) return HOLONOM_OK;
+        if (*updates >= max_uzawa)
+            return defect <= tolerance && energy <= tolerance * r->energy + r->noise ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+        last = defect;
+        hold_multipliers(c, r);
+    }
+}
+
+/* One step of an island. Increments and updates that it takes are left in `effort`.                              */
 static int32_t solve_island(context *c, int parity, int *effort)
 {
-    double *head = c->s.head, last = INFINITY;
-    const double tolerance = head[S_NEWTON_TOLERANCE];
-    const int max_uzawa = (int)head[S_MAX_UZAWA], single = is_penalty(c) || head[S_SIMULTANEOUS] != 0.0;
-    newton_record r = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0};
+    const int single = is_penalty(c) || c->s.head[S_SIMULTANEOUS] != 0.0;
+    newton_record r = {.theta = 1.0, .floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]};
+    int updates = 0;
     prepare_step(c, parity);
     if (stands_still(c)) {
         if (stays_at_rest(c, parity)) return HOLONOM_OK;
@@ -104,33 +129,16 @@ static int32_t solve_island(context *c, int parity, int *effort)
     choose_factors(c);
     const int taken_over = take_factors_over(c, &r);
     int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
-    int uzawa = 0;
-    r.floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1];
-    for (; !status; uzawa++) {
-        status = iterate_newton(c, &r);
-        if (status || single) break;
-        const double defect = constraint_defect(c);
-        if (!(defect < INFINITY)) status = HOLONOM_NOT_FINITE;
-        if (status || defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) break;
-        /* Near a singular configuration one combination of rows contracts slowly, or not at all. It need not go on
-           where its energy is round-off; else the penalty is raised; contraction that ends even so is round-off. */
-        const double energy = constraint_energy(c);
-        if (defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r.energy) break;
-        if (defect > 0.25 * last && defect > 10.0 * last / (1.0 + head[S_PENALTY]) && stiffen(c, &r.stiffened))
-            r.factorised = 0;
-        else if (defect > 0.9 * last && defect <= tolerance && energy <= ENERGY_LIMIT * tolerance * r.energy + r.noise) break;
-        if (uzawa >= max_uzawa) {
-            if (!(defect <= tolerance && energy <= tolerance * r.energy + r.noise)) status = HOLONOM_UZAWA_DIVERGED;
-            break;
-        }
-        last = defect;
-        hold_multipliers(c, &r);
-    }
+    if (!status) status = iterate_uzawa(c, &r, single, &updates);
     judge_factors(c, &r, taken_over);
-    if (is_lean(c) && r.increments > LEAN_INCREMENTS) pause_lean(c->island);
+    if (status && taken_over) { /* the old factors may have led astray */
+        c->factors_h = 0.0;
+        return solve_island(c, parity, effort);
+    }
+    if (is_lean(c) && !taken_over && r.increments > LEAN_INCREMENTS) pause_lean(c->island);
     effort[0] = r.increments;
     effort[1] = r.updates;
-    if (!status && !single && !r.stiffened) follow_contraction(c->island, r.increments, uzawa);
+    if (!status && !single && !r.stiffened) follow_contraction(c->island, r.increments, updates);
     return status;
 }
 
