@@ -16,6 +16,7 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
+from build_fmu.trial import trial
 from build_fmu.version import VERSION
 
 if TYPE_CHECKING:
@@ -33,16 +34,36 @@ def build_archive(
     overrides: Mapping[str, object],
 ) -> Path:
     """Write the FMU of a scene; see `build_fmu.build`."""
-    return write_fmu(compile_scene(scene, overrides), path)
+    loaded = load_scene(scene, overrides)
+    return write_fmu(compile_scene(loaded), path, loaded)
 
 
-def write_fmu(model: Model, path: str | PathLike[str] | None = None) -> Path:
-    """Write the FMU of a model; a folder or None as path means the model's own name, there."""
+def write_fmu(
+    model: Model, path: str | PathLike[str] | None = None, scene: Scene | None = None
+) -> Path:
+    """Write the FMU of a model; a folder or None as path means the model's own name, there.
+
+    The scene that it was compiled from travels along, as text and as a picture.
+    """
     target = Path(path or ".")
     if target.is_dir():
         target /= f"{identifier(model.name)}.fmu"
-    write_archive(target, archive_entries(model))
+    write_archive(target, archive_entries(model, scene))
     return target
+
+
+def load_scene(
+    scene: str | PathLike[str] | Scene, overrides: Mapping[str, object] | None = None
+) -> Scene:
+    """Scene of a file with overrides, or the loaded scene itself."""
+    from solver.scene import load
+
+    if isinstance(scene, str | PathLike):
+        return load(scene, overrides or {})
+    if overrides:
+        text = "overrides belong to a scene file; give them to solver.load for a loaded scene"
+        raise ValueError(text)
+    return scene
 
 
 def compile_scene(
@@ -50,19 +71,13 @@ def compile_scene(
 ) -> Model:
     """Compiled model of a scene file or a loaded scene."""
     from solver.mechanics import assemble
-    from solver.scene import load
 
-    if isinstance(scene, str | PathLike):
-        scene = load(scene, overrides or {})
-    elif overrides:
-        text = "overrides belong to a scene file; give them to solver.load for a loaded scene"
-        raise ValueError(text)
-    return assemble(scene)
+    return assemble(load_scene(scene, overrides))
 
 
-def archive_entries(model: Model) -> dict[str, bytes]:
+def archive_entries(model: Model, scene: Scene | None = None) -> dict[str, bytes]:
     """Content of the archive by path."""
-    code = payload()
+    code, seen = payload(), trial(model)
     name = identifier(model.name)
     entries = {f"resources/{file}": data for file, data in code.files.items()}
     entries["resources/model.bin"] = model.to_bytes()
@@ -72,8 +87,9 @@ def archive_entries(model: Model) -> dict[str, bytes]:
         entries[f"binaries/{platform}/{name}{suffix}"] = data
     entries |= documentation(model)
     entries["modelDescription.xml"] = model_description(
-        model, identifier=name, guid=guid(entries), date=generation_date(), tool=TOOL
-    )
+        model, identifier=name, guid=guid(entries), date=generation_date(), tool=TOOL,
+        nominal=seen.nominal, source=scene.source if scene else None,
+    )  # fmt: skip
     return entries
 
 

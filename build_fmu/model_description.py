@@ -6,15 +6,18 @@ every start value comes back as the same double.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from build_fmu.units import BaseUnit, base_unit
+from build_fmu.dependencies import dependencies
+from build_fmu.units import BaseUnit, base_unit, declared_types
 from fmu_src.status import LOG_CATEGORIES
 
 if TYPE_CHECKING:
     from solver.runtime import Model, Variable
+    from solver.scene import Source
 
 CAPABILITIES = {
     "needsExecutionTool": "true",  # a Python interpreter
@@ -28,6 +31,7 @@ CAPABILITIES = {
     "canSerializeFMUstate": "true",
     "providesDirectionalDerivative": "false",
 }
+_ILLEGIBLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 EXPERIMENT = {
     "startTime": "start_time",
     "stopTime": "stop_time",
@@ -36,7 +40,10 @@ EXPERIMENT = {
 }
 
 
-def model_description(model: Model, *, identifier: str, guid: str, date: str, tool: str) -> bytes:
+def model_description(
+    model: Model, *, identifier: str, guid: str, date: str, tool: str,
+    nominal: Mapping[str, float] | None = None, source: Source | None = None,
+) -> bytes:  # fmt: skip
     """Text of modelDescription.xml.
 
     Parameters
@@ -51,6 +58,10 @@ def model_description(model: Model, *, identifier: str, guid: str, date: str, to
         Generation date and time, `YYYY-MM-DDThh:mm:ssZ`.
     tool
         Name and version of this program.
+    nominal
+        Nominal value by unit.
+    source
+        Text of the scene, which becomes an annotation.
     """
     attributes = {
         "fmiVersion": "2.0",
@@ -65,13 +76,24 @@ def model_description(model: Model, *, identifier: str, guid: str, date: str, to
     root = Element("fmiModelDescription", {k: v for k, v in attributes.items() if v})
     SubElement(root, "CoSimulation", {"modelIdentifier": identifier, **CAPABILITIES})
     _units(root, model.variables)
+    types = declared_types(model.variables)
+    _types(root, types, nominal or {})
     _log_categories(root)
     _default_experiment(root, model)
+    _annotations(root, source)
     variables = SubElement(root, "ModelVariables")
-    variables.extend(_variable(i, variable) for i, variable in enumerate(model.variables))
-    _structure(root, model.variables)
+    variables.extend(_variable(i, x, types) for i, x in enumerate(model.variables))
+    _structure(root, model)
+    for element in root.iter():
+        for name, value in element.attrib.items():
+            element.set(name, _legible(value))
     indent(root)
     return tostring(root, "UTF-8", xml_declaration=True) + b"\n"
+
+
+def _legible(text: str) -> str:
+    """Text without the characters that XML does not have."""
+    return _ILLEGIBLE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
 def _units(root: Element, variables: Iterable[Variable]) -> None:
@@ -93,6 +115,28 @@ def _base_unit(base: BaseUnit) -> dict[str, str]:
     return attributes
 
 
+def _types(root: Element, types: Mapping[str, str], nominal: Mapping[str, float]) -> None:
+    """One type per unit, with the nominal value of what has it."""
+    if not types:
+        return
+    definitions = SubElement(root, "TypeDefinitions")
+    for unit, name in types.items():
+        simple = SubElement(definitions, "SimpleType", {"name": name})
+        size = {"nominal": repr(nominal[unit])} if unit in nominal else {}
+        SubElement(simple, "Real", {"quantity": name.rpartition(".")[2], "unit": unit, **size})
+
+
+def _annotations(root: Element, source: Source | None) -> None:
+    """The scene, so that an FMU can be built again from what it carries."""
+    if source is None or not source.text:
+        return
+    tool = SubElement(SubElement(root, "VendorAnnotations"), "Tool", {"name": "holonom"})
+    scene = SubElement(tool, "Scene", {"format": source.notation})
+    SubElement(scene, "Text").text = _legible(source.text)
+    for text in source.overrides.values():
+        SubElement(scene, "Override").text = _legible(text)
+
+
 def _log_categories(root: Element) -> None:
     categories = SubElement(root, "LogCategories")
     for name, description in LOG_CATEGORIES.items():
@@ -106,7 +150,7 @@ def _default_experiment(root: Element, model: Model) -> None:
         SubElement(root, "DefaultExperiment", given)
 
 
-def _variable(index: int, variable: Variable) -> Element:
+def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
     settable = variable.causality in ("parameter", "input")
     attributes = {
         "name": variable.name,
@@ -120,6 +164,8 @@ def _variable(index: int, variable: Variable) -> Element:
     element = Element("ScalarVariable", {k: v for k, v in attributes.items() if v})
     limits = {"unit": variable.unit, "min": variable.minimum, "max": variable.maximum}
     values = limits if variable.type == "Real" else {}
+    if variable.type == "Real" and variable.unit:
+        values = {"declaredType": types[variable.unit], **values}
     if settable:
         values = {**values, "start": variable.start}
     given = {k: _text(v) for k, v in values.items() if v is not None and (k != "unit" or v)}
@@ -133,12 +179,16 @@ def _text(value: object) -> str:
     return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]
 
 
-def _structure(root: Element, variables: Iterable[Variable]) -> None:
-    structure = SubElement(root, "ModelStructure")
-    numbered = list(enumerate(variables, start=1))
-    outputs = [str(i) for i, v in numbered if v.causality == "output"]
-    unknowns = [str(i) for i, v in numbered if v.causality in ("output", "calculatedParameter")]
-    for name, indices in (("Outputs", outputs), ("InitialUnknowns", unknowns)):
-        if indices:
-            element = SubElement(structure, name)
-            element.extend(Element("Unknown", {"index": index}) for index in indices)
+def _structure(root: Element, model: Model) -> None:
+    """Outputs and InitialUnknowns, each with what it depends on; indices count from 1."""
+    structure, known = SubElement(root, "ModelStructure"), dependencies(model)
+    outputs = {i: x.directly for i, x in known.items() if model.variables[i].causality == "output"}
+    first = {i: x.at_the_start for i, x in known.items()}
+    for name, unknowns in (("Outputs", outputs), ("InitialUnknowns", first)):
+        if unknowns:
+            SubElement(structure, name).extend(_unknown(i, x) for i, x in unknowns.items())
+
+
+def _unknown(index: int, known: tuple[int, ...]) -> Element:
+    listed = " ".join(str(i + 1) for i in known)
+    return Element("Unknown", {"index": str(index + 1), "dependencies": listed})

@@ -13,6 +13,7 @@ from build_fmu.errors import UsageError
 
 if TYPE_CHECKING:
     from solver.runtime import Model
+    from solver.scene import Scene
 
 
 def is_fmu(target: str) -> bool:
@@ -42,11 +43,17 @@ def require_fmu(target: str) -> None:
 
 def scene_model(target: str, settings: Mapping[str, object]) -> Model:
     """Compiled model of a scene file; its mistakes become a UsageError."""
-    from build_fmu.export import compile_scene
+    return scene_and_model(target, settings)[1]
+
+
+def scene_and_model(target: str, settings: Mapping[str, object]) -> tuple[Scene, Model]:
+    """Scene of a file and its compiled model; its mistakes become a UsageError."""
+    from build_fmu.export import compile_scene, load_scene
     from solver.scene import SceneError
 
     try:
-        return compile_scene(target, settings)
+        scene = load_scene(target, settings)
+        return scene, compile_scene(scene)
     except SceneError as error:
         raise UsageError(str(error)) from None
 
@@ -78,6 +85,6 @@ def runnable(
         return
     from build_fmu.export import write_fmu
 
-    model = scene_model(target, settings)
+    scene, model = scene_and_model(target, settings)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        yield str(write_fmu(model, folder)), {}
+        yield str(write_fmu(model, folder, scene)), {}

@@ -9,7 +9,12 @@ FMI, the radian is a base unit, but it does not survive in derived units: N.m/ra
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from solver.runtime import Variable
 
 _NEWTON = {"kg": 1, "m": 1, "s": -2}
 _JOULE = {"kg": 1, "m": 2, "s": -2}
@@ -52,6 +57,31 @@ _SYMBOLS: dict[str, tuple[dict[str, int], float]] = {
     "cd": ({"cd": 1}, 1.0),
     "V": ({"kg": 1, "m": 2, "s": -3, "A": -1}, 1.0),
 }
+QUANTITIES = {
+    "1": "Ratio",
+    "m": "Length",
+    "m/s": "Velocity",
+    "m/s2": "Acceleration",
+    "rad": "Angle",
+    "rad/s": "AngularVelocity",
+    "1/s": "Rate",
+    "s": "Time",
+    "kg": "Mass",
+    "kg/m": "LinearDensity",
+    "kg/m3": "Density",
+    "kg.m2": "MomentOfInertia",
+    "N": "Force",
+    "N.m": "Torque",
+    "J": "Energy",
+    "W": "Power",
+    "kg.m/s": "Momentum",
+    "kg.m2/s": "AngularMomentum",
+    "N/m": "TranslationalStiffness",
+    "N.m/rad": "RotationalStiffness",
+    "N.s/m": "TranslationalDamping",
+    "N.m.s/rad": "RotationalDamping",
+}
+"""What is measured in a unit, as the names of declared types say it."""
 _FACTOR = re.compile(r"(?P<symbol>[A-Za-z%]+|1)(?:(?:\^|\*\*)?(?P<power>-?\d+))?")
 _OPERATORS = re.compile(r"(?<!\*)\*(?!\*)|[./]")
 
@@ -80,6 +110,18 @@ def base_unit(unit: str) -> BaseUnit | None:
         for base, exponent in known[0].items():
             powers[base] = powers.get(base, 0) + exponent * power
     return BaseUnit({base: p for base, p in powers.items() if p and _keeps(base, powers)}, factor)
+
+
+def declared_types(variables: Iterable[Variable]) -> dict[str, str]:
+    """Name of the declared type by unit, of all units that variables have.
+
+    A type must not be called as a variable: names of a scene have no dot, and what is measured of a
+    part ends in a small letter's word.
+    """
+    units = sorted({variable.unit for variable in variables if variable.unit})
+    return {
+        unit: f"SI.{QUANTITIES[unit]}" if unit in QUANTITIES else f"In.{unit}" for unit in units
+    }
 
 
 def _keeps(base: str, powers: dict[str, int]) -> bool:

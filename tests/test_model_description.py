@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
 import xml.etree.ElementTree as ElementTree
 import zipfile
 
 import fmpy
 import pytest
+from fmpy.fmi1 import FMICallException
 
 import solver
+from build_fmu import build
 from build_fmu.export import generation_date
 from build_fmu.model_description import model_description
 from build_fmu.units import BaseUnit, base_unit
 from solver.runtime import Model
-from tests.fmu_instance import SCENES, pendulum, scene_fmu
+from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
 
+ERROR = 3
 AWKWARD = [0.1 + 0.2, 1 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0, 1e22]
 
 
@@ -57,7 +61,9 @@ def test_start_values_come_back_as_the_same_doubles():
 def test_limits_units_and_texts_are_written():
     root = described(awkward_model())
     real = root.find("ModelVariables/ScalarVariable[@name='limited']/Real")
-    assert real.attrib == {"unit": "furlong", "min": "0.1", "max": "0.7", "start": "0.3"}
+    assert real.attrib == {
+        "declaredType": "In.furlong", "unit": "furlong", "min": "0.1", "max": "0.7", "start": "0.3",
+    }  # fmt: skip
     assert root.find("UnitDefinitions/Unit[@name='furlong']/BaseUnit") is None
     assert root.get("description") == 'a "quoted" <text> & more'
 
@@ -90,7 +96,6 @@ def test_capabilities_are_those_that_the_slave_has():
     assert simulation.canHandleVariableCommunicationStepSize
     assert simulation.canGetAndSetFMUstate
     assert simulation.canSerializeFMUstate
-    assert not simulation.canInterpolateInputs
     assert not simulation.providesDirectionalDerivative
 
 
@@ -149,3 +154,99 @@ def test_a_unit_that_is_not_known_has_no_base(unit):
 
 def test_a_degree_is_a_part_of_a_radian():
     assert base_unit("deg") == BaseUnit({"rad": 1}, 3.141592653589793 / 180)
+
+
+# -------------------------------------------------------- types, limits, the scene, derivatives
+
+
+@pytest.mark.parametrize("name", ["four_bar", "stewart", "double_wishbone"])
+def test_every_real_with_a_unit_has_a_declared_type_of_this_unit(name):
+    root = root_of(scene_fmu(name))
+    units = {
+        each.get("name"): each.find("Real").get("unit")
+        for each in root.findall("TypeDefinitions/SimpleType")
+    }
+    names = {variable.get("name") for variable in root.find("ModelVariables")}
+    assert units
+    assert not names & units.keys()
+    for variable in root.findall("ModelVariables/ScalarVariable[Real]"):
+        real = variable.find("Real")
+        assert units.get(real.get("declaredType")) == real.get("unit")
+
+
+def test_nominal_values_tell_the_size_of_what_moves():
+    # Four-bar: bars of 1 m and 1 kg, a crank at 1 rad/s at first and energies of some 10 J.
+    root = root_of(scene_fmu("four_bar"))
+    nominal = {
+        real.get("unit"): float(real.get("nominal", "nan"))
+        for real in root.findall("TypeDefinitions/SimpleType/Real")
+    }
+    assert (nominal["m"], nominal["m/s"]) == (1.0, 10.0)
+    assert nominal["J"] == 100.0
+
+
+def test_settings_have_the_limits_that_are_checked():
+    model = solver.assemble(solver.load(SCENES / "four_bar.toml"))
+    integrator = solver.Integrator(model)
+    for variable in model.variables:
+        if variable.kind == "option" and variable.type == "Real":
+            assert variable.minimum is not None
+            assert variable.maximum is not None
+            for value in (variable.minimum, variable.maximum):
+                integrator[variable.name] = value
+            for value in (variable.minimum - 1.0, 2.0 * variable.maximum):
+                with pytest.raises(solver.OptionError, match=variable.name):
+                    integrator[variable.name] = value
+
+
+def test_the_scene_travels_as_an_annotation_and_gives_the_same_model():
+    path = SCENES / "double_pendulum.toml"
+    root = root_of(scene_fmu("double_pendulum"))
+    scene = root.find("VendorAnnotations/Tool[@name='holonom']/Scene")
+    text = scene.findtext("Text")
+    assert text == path.read_text(encoding="utf-8")
+    again = solver.assemble(solver.loads(text, format=scene.get("format")))
+    assert again.fingerprint == solver.assemble(solver.load(path)).fingerprint
+
+
+def test_overrides_stand_beside_the_scene(tmp_path):
+    path = build(SCENES / "double_pendulum.toml", tmp_path / "a.fmu", overrides={"mass": 2.5})
+    texts = [each.text for each in root_of(path).findall("VendorAnnotations/Tool/Scene/Override")]
+    assert texts == ["mass=2.5"]
+    assert fmpy.read_model_description(str(path)).modelName == "double_pendulum"
+
+
+def test_characters_that_xml_does_not_have_do_not_spoil_the_description():
+    text = PLAIN.replace('"plain"', r'"a\u0007b\uFFFE"').replace("# note", "# \ufffe")
+    scene = solver.loads(text)
+    model = solver.assemble(scene)
+    xml = model_description(
+        model, identifier="a", guid="{g}", date="d", tool="t", source=scene.source
+    )
+    assert ElementTree.fromstring(xml).get("description") == "a\ufffdb\ufffd"
+
+
+PLAIN = """
+name = "a"
+description = "plain" # note
+dimension = 2
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1 }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+"""
+
+
+def test_derivatives_that_the_wrapper_does_not_carry_are_not_promised():
+    simulation = fmpy.read_model_description(str(pendulum())).coSimulation
+    assert not simulation.canInterpolateInputs
+    assert simulation.maxOutputDerivativeOrder == 0
+    with instance(pendulum()) as fmu:
+        fmu.initialise()
+        for call in (fmu.fmu.fmi2SetRealInputDerivatives, fmu.fmu.fmi2GetRealOutputDerivatives):
+            references, orders = (ctypes.c_uint32 * 1)(0), (ctypes.c_int32 * 1)(1)
+            with pytest.raises(FMICallException) as caught:
+                call(fmu.fmu.component, references, 1, orders, (ctypes.c_double * 1)())
+            assert caught.value.status == ERROR
+        assert fmu.step(0.0, 0.1)

@@ -7,7 +7,7 @@ import sys
 
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json
-from build_fmu.target import is_fmu, scene_model
+from build_fmu.target import is_fmu, scene_and_model
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -17,8 +17,8 @@ def run(arguments: argparse.Namespace) -> int:
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)
-    model = scene_model(arguments.scene, dict(arguments.settings))
-    path = write_fmu(model, arguments.output)
+    scene, model = scene_and_model(arguments.scene, dict(arguments.settings))
+    path = write_fmu(model, arguments.output, scene)
     size = path.stat().st_size
     if arguments.json:
         print_json({"fmu": str(path), "name": model.name, "bytes": size})

@@ -11,7 +11,7 @@ from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Segment
 from solver.runtime.layout import measured_sections
 from solver.runtime.model import Variable
-from solver.runtime.options import DEFAULTS, MEANINGS, RANGES
+from solver.runtime.options import DEFAULTS, LIMITS, MEANINGS, NO_LIMITS, RANGES
 from solver.scene import Expr, Number, Scene
 from solver.scene.expression import sqrt, symbol
 
@@ -129,5 +129,6 @@ def _settings(scene: Scene) -> Iterator[Variable]:
         yield Variable(
             name=f"solver.{name}", type=kind, causality="parameter", variability="fixed",
             unit=unit, description=MEANINGS[name], start=float(start) if kind == "Real" else start,
+            minimum=LIMITS.get(name, NO_LIMITS)[0], maximum=LIMITS.get(name, NO_LIMITS)[1],
             kind="option",
         )  # fmt: skip

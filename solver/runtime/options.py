@@ -56,6 +56,19 @@ RANGES: dict[str, tuple[float, float, str, str]] = {
 LEAST = {"tolerance": 1e-14}
 """Least value other than 0, which turns the setting off: no run comes closer than round-off."""
 
+TINY = 2.2250738585072014e-308
+"""Least normal number, for what must be greater than zero."""
+
+NO_LIMITS = None, None
+LIMITS: dict[str, tuple[float, float]] = {
+    "order": (0.0, 8.0),
+    **{
+        name: (0.0 if low < 0.0 else 1.0 if name in ("max_newton", "max_uzawa") else TINY, high)
+        for name, (low, high, _, _) in RANGES.items()
+    },
+}
+"""Least and largest value of the settings that are numbers, as far as an interval tells it."""
+
 MEANINGS = {
     "formulation": "how constraints act: one of " + ", ".join(CHOICES["formulation"]),
     "algorithm": "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
