@@ -6,6 +6,12 @@
 
 #include <math.h>
 
+/* Short loops stay loops. GCC makes calls of memset and memcpy of those that clear or copy, which costs small mechanisms a
+   tenth of a step, and saves large ones nothing that could be measured.                                         */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-loop-distribute-patterns")
+#endif
+
 /* What a step leaves out where it can (docs/skips.md), and the places that ask. Always so, but for benchmarks/skips.py,
    which measures what each saves with kernels compiled with -DHOLONOM_WITHOUT=<sum of these>.                     */
 enum skip {
