@@ -36,10 +36,10 @@ class LoggedSlave(Fmi2Slave):
         """Log what works, but not as one might expect."""
         self._log(text, Fmi2Status.warning)
 
-    def discard(self, text: str) -> None:
-        """Log why a step was discarded; aloud the first time, as importers may retry."""
+    def discard(self, text: str, what: str) -> None:
+        """Log why a step was discarded; aloud the first time of each kind, as importers retry."""
         self._log(text, Fmi2Status.discard)
-        self._tell("discarded step", text)
+        self._tell(f"{what} step", text)
 
     def error(self, text: str) -> None:
         """Log what was refused, aloud."""

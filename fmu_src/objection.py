@@ -1,0 +1,73 @@
+"""Sentences about steps that are not taken, and about those that fail again and again."""
+
+from __future__ import annotations
+
+from . import status
+
+MANY = 3
+"""Failures in a row at the same time after which it is said what else to change."""
+
+
+def impossible_step(current_time: float, step_size: float) -> tuple[int, str]:
+    """Code and sentence for a step of no length, or one that ends after the stop time."""
+    step = f"step from t = {current_time!r} s with size {step_size!r} s"
+    if not step_size > 0.0:
+        return status.STEP_REFUSED, f"{step}: the size must be > 0 s"
+    return status.STEP_REFUSED, (
+        f"{step}: it ends after the stop time given to setupExperiment; take a shorter step "
+        "or define no stop time"
+    )
+
+
+def wrong_experiment(start_time: float, stop_time: float | None) -> str:
+    """Sentence for times that no experiment has; empty for a sound one."""
+    if not abs(start_time) < float("inf"):
+        return f"setupExperiment: the start time must be a finite number, got {start_time!r} s"
+    if stop_time is not None and not stop_time >= start_time:
+        return (
+            f"setupExperiment: the stop time must not be before the start time {start_time!r} s, "
+            f"got {stop_time!r} s"
+        )
+    return ""
+
+
+class Failures:
+    """Steps in a row that could not be solved from the same time.
+
+    It is no part of a state: importers restore one between their attempts.
+    """
+
+    def __init__(self) -> None:
+        self._time: float | None = None
+        self._sizes: list[float] = []
+
+    def forget(self) -> None:
+        """Begin anew, after a step that succeeded."""
+        self._time = None
+        self._sizes.clear()
+
+    def remedy(self, time: float, size: float, step_size: float) -> str:
+        """Count a failure; from the third one on, what to change, else nothing.
+
+        `step_size` is the internal step; all in s.
+        """
+        if time != self._time:
+            self.forget()
+            self._time = time
+        self._sizes.append(size)
+        if len(self._sizes) < MANY:
+            return ""
+        count, shortest, longest = len(self._sizes), min(self._sizes), max(self._sizes)
+        if shortest == longest:
+            tried = f"{count} steps in a row failed at this time, all of {size:g} s"
+            advice = "take a smaller communication step"
+        else:
+            tried = (
+                f"{count} steps in a row failed at this time, from {longest:g} to {shortest:g} s"
+            )
+            advice = "shorter communication steps alone do not help"
+        return (
+            f"; {tried}: {advice}, set solver.step_size below {min(step_size, shortest):g} s, and "
+            "look for very small masses, very stiff springs, dampers or forces that jump, and "
+            "lengths that cannot be closed at this time"
+        )

@@ -1,0 +1,153 @@
+"""Values of a slave: what is read and set, and what is refused.
+
+A getter never raises and never hands out NaN; a setter takes all values or none. What was refused
+is remembered until the same variable is set well.
+"""
+
+from __future__ import annotations
+
+import os  # not pathlib, which would take a tenth of the time to import all this
+from collections.abc import Sequence
+
+from solver.runtime import AssemblyError, Integrator, Model, OptionError
+
+from . import status
+from .log import LoggedSlave, sentence
+
+MODEL_FILE = "model.bin"
+PHASES = INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = (0, 1, 2, 3)
+ZERO = {"Real": 0.0, "Integer": 0, "Boolean": False, "String": ""}
+
+
+class SlaveWithValues(LoggedSlave):
+    """A model with its state, as variables by their value references."""
+
+    def __init__(self, **kwargs) -> None:
+        super().__init__(**kwargs)
+        with open(os.path.join(self.resources or ".", MODEL_FILE), "rb") as file:
+            self._model = Model.from_bytes(file.read())
+        self._integrator = Integrator(self._model, log=self.warn)
+        self._phase = INSTANTIATED
+        self._start_time: float | None = None
+        self._assembled = False  # with the present parameters
+        self._status = 0
+        self._refusals: dict[int | str, str] = {}
+        self._sort_variables()
+
+    def _sort_variables(self) -> None:
+        variables = list(enumerate(self._model.variables))
+        self._of_type = {kind: {i for i, v in variables if v.type == kind} for kind in ZERO}
+        self._settable = {i for i, v in variables if v.causality in ("parameter", "input")}
+        self._fixed = {i for i in self._settable if variables[i][1].variability == "fixed"}
+        self._status_index = next((i for i, v in variables if v.name == "solver.status"), -1)
+
+    def _assemble(self) -> None:
+        self._integrator.initialise(self._start_time)
+        self._assembled = True
+        self._status = 0
+
+    # --------------------------------------------------------------------------------- values
+
+    def get_real(self, vrs: list[int]) -> list[float]:
+        """Values of Real variables; never NaN."""
+        return self._get("Real", vrs)
+
+    def get_integer(self, vrs: list[int]) -> list[int]:
+        """Values of Integer variables: there are none, so zeros and a line in the log."""
+        return self._get("Integer", vrs)
+
+    def get_boolean(self, vrs: list[int]) -> list[bool]:
+        """Values of Boolean variables."""
+        return self._get("Boolean", vrs)
+
+    def get_string(self, vrs: list[int]) -> list[str]:
+        """Values of String variables."""
+        return self._get("String", vrs)
+
+    def set_real(self, vrs: list[int], values: list[float]) -> None:
+        """Take values of Real variables: all of them, or none and a line in the log."""
+        self._set("Real", vrs, values)
+
+    def set_integer(self, vrs: list[int], values: list[int]) -> None:
+        """Refuse: there are no Integer variables."""
+        self._set("Integer", vrs, values)
+
+    def set_boolean(self, vrs: list[int], values: list[bool]) -> None:
+        """Take values of Boolean variables: all of them, or none and a line in the log."""
+        self._set("Boolean", vrs, values)
+
+    def set_string(self, vrs: list[int], values: list[str]) -> None:
+        """Take values of String variables: all of them, or none and a line in the log."""
+        self._set("String", vrs, values)
+
+    def _get(self, kind: str, vrs: list[int]) -> list:
+        try:
+            self._check_type(kind, vrs)
+            if not self._assembled and not self._settable.issuperset(vrs):
+                if "assembly" in self._refusals:
+                    return self._substitutes(kind, vrs)
+                self._assemble()
+            values = self._integrator.get(vrs)
+        except AssemblyError as error:
+            self._status = status.ASSEMBLY_FAILED
+            self.error(sentence(error))
+            return self._substitutes(kind, vrs)
+        except Exception as error:
+            self.error(sentence(error))
+            return self._substitutes(kind, vrs)
+        if self._status and self._status_index in vrs:
+            values = [
+                float(self._status) if vr == self._status_index else value
+                for vr, value in zip(vrs, values, strict=True)
+            ]
+        return values
+
+    def _substitutes(self, kind: str, vrs: list[int]) -> list:
+        """What is handed out where nothing can be computed: parameters, inputs, and else zeros."""
+        return [self._substitute(kind, vr) for vr in vrs]
+
+    def _substitute(self, kind: str, vr: int) -> object:
+        if vr == self._status_index and kind == "Real":
+            return float(self._status)
+        if vr in self._settable and vr in self._of_type[kind]:
+            try:
+                return self._integrator.get([vr])[0]
+            except Exception:
+                return ZERO[kind]
+        return ZERO[kind]
+
+    def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
+        try:
+            self._check_type(kind, vrs)
+            self._check_phase(vrs)
+            self._integrator.set(vrs, values)
+        except Exception as error:
+            self._refuse(vrs, status.VALUE_REFUSED, sentence(error))
+            return
+        if self._phase < STEPPING:
+            self._assembled = False
+        for vr in vrs if self._refusals else ():
+            self._refusals.pop(vr, None)
+
+    def _check_type(self, kind: str, vrs: list[int]) -> None:
+        if not self._of_type[kind].issuperset(vrs):
+            strangers = sorted(set(vrs) - self._of_type[kind])
+            text = f"value references {strangers} are not those of {kind} variables"
+            raise OptionError(text)
+
+    def _check_phase(self, vrs: list[int]) -> None:
+        if self._phase == TERMINATED:
+            text = "no value can be set after terminate; reset the instance first"
+            raise OptionError(text)
+        if self._phase == STEPPING and not self._fixed.isdisjoint(vrs):
+            names = ", ".join(self._model.variables[vr].name for vr in vrs if vr in self._fixed)
+            text = f"{names}: a fixed parameter cannot be set after the initialization; reset first"
+            raise OptionError(text)
+
+    # ------------------------------------------------------------------------------- refusals
+
+    def _refuse(self, what: Sequence[int | str], code: int, text: str) -> None:
+        """Remember a refusal: no step is taken while it stands."""
+        self._status = code
+        self._refusals.update(dict.fromkeys(what, text))
+        self.error(text)
