@@ -64,6 +64,7 @@ def payload() -> Payload:
     return Payload(f"{package}_slave", files)
 
 
+@functools.cache
 def wrapper_libraries() -> dict[str, bytes]:
     """Libraries of pythonfmu, which carry the FMI functions, by platform and suffix.
 

@@ -71,6 +71,18 @@ def test_entries_are_sorted_deflated_and_of_one_time():
     assert {entry.compress_type for entry in entries} == {zipfile.ZIP_DEFLATED}
 
 
+def test_the_zip_file_is_the_one_that_pythons_own_module_writes(tmp_path):
+    entries = {"b/é.txt": b"text " * 99, "binaries/a.so": b"\x7fELF", "empty": b""}
+    write_archive(tmp_path / "ours.zip", entries)
+    with zipfile.ZipFile(tmp_path / "theirs.zip", "w") as theirs:
+        for name, data in sorted(entries.items()):
+            header = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+            header.compress_type, header.create_system = zipfile.ZIP_DEFLATED, 3
+            header.external_attr = (0o100755 if name == "binaries/a.so" else 0o100644) << 16
+            theirs.writestr(header, data)
+    assert (tmp_path / "ours.zip").read_bytes() == (tmp_path / "theirs.zip").read_bytes()
+
+
 def test_the_archive_has_what_the_standard_wants():
     with zipfile.ZipFile(scene_fmu("four_bar")) as archive:
         names = set(archive.namelist())
