@@ -1,7 +1,7 @@
 """Turns a scene into an FMI 2.0 co-simulation unit, and runs, checks and describes such units.
 
 >>> from build_fmu import build
->>> build("scenes/four_bar.toml", overrides={"points.B0.velocity": [2, 0]})  # doctest: +SKIP
+>>> build("scenes/four_bar.toml", parameters={"points.B0.velocity": [2, 0]})  # doctest: +SKIP
 PosixPath('four_bar.fmu')
 """
 
@@ -22,9 +22,11 @@ def build(
     scene: str | PathLike[str] | Scene,
     path: str | PathLike[str] | None = None,
     *,
-    overrides: Mapping[str, object] | None = None,
+    parameters: Mapping[str, object] | str | PathLike[str] | None = None,
 ) -> Path:
     """Write the FMU of a scene; the same scene gives the same bytes.
+
+    Its parameters go into a second file beside it, a parameter set of SSP (.ssv).
 
     Parameters
     ----------
@@ -32,9 +34,10 @@ def build(
         A scene file (.toml or .json) or a loaded scene.
     path
         Where to write; None: `<name of the scene>.fmu` in the current folder.
-    overrides
+    parameters
         Numbers and options that replace those of the scene file, by dotted name: a declared
-        parameter ("length") or any field ("points.A.mass").
+        parameter ("length") or any field ("points.A.mass"); or a file of them, .toml, .json, .csv
+        or .ssv.
 
     Returns
     -------
@@ -45,9 +48,11 @@ def build(
     ------
     solver.scene.SceneError
         With every mistake of the scene.
+    build_fmu.errors.UsageError
+        With every mistake of a file of parameters.
     build_fmu.errors.EnvironmentLackError
         If the compiled kernel or pythonfmu's libraries are missing.
     """
     from build_fmu.export import build_archive
 
-    return build_archive(scene, path, overrides or {})
+    return build_archive(scene, path, parameters)

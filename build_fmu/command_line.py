@@ -13,6 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from build_fmu.errors import LACK, USAGE, CommandError
+from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
 
 INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
@@ -55,26 +56,11 @@ def setting(text: str) -> tuple[str, object]:
     if not equals or not name.strip():
         message = f"{text!r} is not of the form name=value"
         raise argparse.ArgumentTypeError(message)
-    return name.strip(), _value(value.strip())
-
-
-def _value(text: str) -> object:
-    if text in ("true", "false"):
-        return text == "true"
-    for read in (int, float):
-        try:
-            return read(text)
-        except ValueError:
-            continue
-    if text.startswith(("[", "{")):
-        import json
-
-        try:
-            return json.loads(text)
-        except ValueError as error:
-            message = f"{text}: {error}"
-            raise argparse.ArgumentTypeError(message) from None
-    return text
+    try:
+        return name.strip(), read_value(value)
+    except ValueError as error:
+        message = f"{value.strip()}: {error}"
+        raise argparse.ArgumentTypeError(message) from None
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -119,6 +105,13 @@ def _add_settings(command: argparse.ArgumentParser, text: str) -> None:
         default=[],
         metavar="NAME=VALUE",
         help=text,
+    )
+    command.add_argument(
+        *("--parameters", "-p"),
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="values from a file: .toml, .json, .csv, or .ssv (SSP); --set has precedence",
     )
 
 

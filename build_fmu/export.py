@@ -16,6 +16,8 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
+from build_fmu.study.settings import Source, entries_of, scene_overrides
+from build_fmu.study.ssv import parameter_set
 from build_fmu.trial import trial
 from build_fmu.version import VERSION
 
@@ -31,11 +33,14 @@ _NAMESPACE = uuid.UUID("c5a1d8f0-6a0b-5d63-9d3e-6f1f0c0b7e21")
 def build_archive(
     scene: str | PathLike[str] | Scene,
     path: str | PathLike[str] | None,
-    overrides: Mapping[str, object],
+    parameters: Source | None,
 ) -> Path:
-    """Write the FMU of a scene; see `build_fmu.build`."""
-    loaded = load_scene(scene, overrides)
-    return write_fmu(compile_scene(loaded), path, loaded)
+    """Write the FMU of a scene and its parameter set; see `build_fmu.build`."""
+    loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
+    model = compile_scene(loaded)
+    written = write_fmu(model, path, loaded)
+    write_parameter_set(model, written)
+    return written
 
 
 def write_fmu(
@@ -52,6 +57,13 @@ def write_fmu(
     return target
 
 
+def write_parameter_set(model: Model, fmu: Path) -> Path:
+    """Write the parameters of an FMU beside it, as a .ssv file of SSP."""
+    target = fmu.with_suffix(".ssv")
+    target.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
+    return target
+
+
 def load_scene(
     scene: str | PathLike[str] | Scene, overrides: Mapping[str, object] | None = None
 ) -> Scene:
@@ -61,7 +73,7 @@ def load_scene(
     if isinstance(scene, str | PathLike):
         return load(scene, overrides or {})
     if overrides:
-        text = "overrides belong to a scene file; give them to solver.load for a loaded scene"
+        text = "parameters belong to a scene file; give them to solver.load for a loaded scene"
         raise ValueError(text)
     return scene
 

@@ -7,18 +7,18 @@ the result, with the sentence of the FMU's log that says why.
 from __future__ import annotations
 
 import contextlib
-import difflib
 import logging
 import math
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.study.settings import Source, entries_of, fmu_settings
 from fmu_src.status import LOGGER
 
 if TYPE_CHECKING:
@@ -30,14 +30,6 @@ DISCARD, ERROR = 2, 3  # fmi2Status
 INSTANTIATION_FAILED = "Failed to instantiate model"
 MOST_STEPS = 10_000_000
 """Most communication steps of a run: all rows are kept in memory until its end."""
-
-_KINDS = {
-    "Real": (lambda value: _is_number(value, int, float), "a number"),
-    "Integer": (lambda value: _is_number(value, int), "a whole number"),
-    "Boolean": (lambda value: isinstance(value, bool), "true or false"),
-    "String": (lambda value: isinstance(value, str), "a text"),
-}
-"""What a value for each type of variable must be."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +66,7 @@ def run_fmu(
     *,
     stop_time: float | None = None,
     step_size: float | None = None,
-    settings: Mapping[str, object] | None = None,
+    settings: Source | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Run:
     """Simulate an FMU from its archive.
@@ -86,15 +78,15 @@ def run_fmu(
     stop_time, step_size
         Stop time and communication step in s; None: of the FMU's default experiment.
     settings
-        Values of parameters and inputs by name.
+        Values of parameters and inputs by name, or a file of them.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
 
     Raises
     ------
     UsageError
-        If the FMU has no variable of a name in `settings`, a value is not of its type, or a time
-        makes no sense.
+        If the FMU has no variable of a name in `settings`, a value is not of its type, its unit or
+        within its limits, or a time makes no sense.
     EnvironmentLackError
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
@@ -102,10 +94,10 @@ def run_fmu(
     import fmpy
 
     description = fmpy.read_model_description(fspath(path), validate=False)
-    _check_platform(fspath(path))
+    check_platform(fspath(path))
     check_unpack_folder(Path(tempfile.gettempdir()))
-    _check_settings(fspath(path), description, settings or {})
-    stop_time, step_size = _times(description, stop_time, step_size)
+    start_values = fmu_settings(fspath(path), description, [entries_of(settings)])[0]
+    stop_time, step_size = experiment_times(description, stop_time, step_size)
     log: list[tuple[int, str]] = []
     begin = time.perf_counter()
     values, failure = _simulate(
@@ -113,7 +105,7 @@ def run_fmu(
         model_description=description,
         stop_time=stop_time,
         output_interval=step_size,
-        start_values=dict(settings or {}),
+        start_values=start_values,
         debug_logging=True,
         logger=lambda *entry: log.append((entry[2], entry[4].decode("utf-8", "replace"))),
         step_finished=_reporter(progress, stop_time),
@@ -183,13 +175,8 @@ def _reason(log: list[tuple[int, str]], failure: str) -> str:
     return severe[-1] if severe else failure or "the FMU ended the simulation without a message"
 
 
-def _is_number(value: object, *kinds: type) -> bool:
-    if isinstance(value, int):  # which True is, and which can be larger than any double
-        return not isinstance(value, bool) and abs(value) < 1 << 1023
-    return isinstance(value, kinds)
-
-
-def _check_platform(path: str) -> None:
+def check_platform(path: str) -> None:
+    """Refuse an FMU that has no library for this machine."""
     from fmpy import platform, supported_platforms
 
     if platform not in supported_platforms(path):
@@ -197,27 +184,7 @@ def _check_platform(path: str) -> None:
         raise EnvironmentLackError(text)
 
 
-def _check_settings(
-    path: str, description: ModelDescription, settings: Mapping[str, object]
-) -> None:
-    """Check names and types: fmpy would end in a traceback."""
-    variables = {
-        v.name: v for v in description.modelVariables if v.causality in ("parameter", "input")
-    }
-    for name, value in settings.items():
-        if name not in variables:
-            near = difflib.get_close_matches(name, variables, 1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
-            text = f"{path} has no parameter or input {name!r}{hint}"
-            raise UsageError(text)
-        fits, words = _KINDS.get(variables[name].type, _KINDS["Integer"])  # an Enumeration is one
-        if not fits(value):
-            unit = f" in {variables[name].unit}" if variables[name].unit else ""
-            text = f"{name}: must be {words}{unit}, got {value!r}"
-            raise UsageError(text)
-
-
-def _times(
+def experiment_times(
     description: ModelDescription, stop_time: float | None, step_size: float | None
 ) -> tuple[float, float]:
     """Stop time and communication step, checked: a run must come to an end."""

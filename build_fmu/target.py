@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from build_fmu.errors import UsageError
 
 if TYPE_CHECKING:
+    from build_fmu.study.values import Entry
     from solver.runtime import Model
     from solver.scene import Scene
 
@@ -41,18 +42,19 @@ def require_fmu(target: str) -> None:
     raise UsageError(text)
 
 
-def scene_model(target: str, settings: Mapping[str, object]) -> Model:
-    """Compiled model of a scene file; its mistakes become a UsageError."""
-    return scene_and_model(target, settings)[1]
+def scene_model(target: str, entries: Mapping[str, Entry]) -> Model:
+    """Compiled model of a scene file with these values; its mistakes become a UsageError."""
+    return scene_and_model(target, entries)[1]
 
 
-def scene_and_model(target: str, settings: Mapping[str, object]) -> tuple[Scene, Model]:
-    """Scene of a file and its compiled model; its mistakes become a UsageError."""
+def scene_and_model(target: str, entries: Mapping[str, Entry]) -> tuple[Scene, Model]:
+    """Scene of a file with these values, and its model; its mistakes become a UsageError."""
     from build_fmu.export import compile_scene, load_scene
+    from build_fmu.study.settings import scene_overrides
     from solver.scene import SceneError
 
     try:
-        scene = load_scene(target, settings)
+        scene = load_scene(target, scene_overrides(target, entries))
         return scene, compile_scene(scene)
     except SceneError as error:
         raise UsageError(str(error)) from None
@@ -73,18 +75,18 @@ def fmu_model(target: str) -> Model:
 
 @contextlib.contextmanager
 def runnable(
-    target: str, settings: Mapping[str, object]
-) -> Iterator[tuple[str, Mapping[str, object]]]:
-    """FMU to run, and the settings that are left for the run itself.
+    target: str, entries: Mapping[str, Entry]
+) -> Iterator[tuple[str, Mapping[str, Entry]]]:
+    """FMU to run, and the values that are left for the run itself.
 
-    A scene is built into a temporary folder with the settings as overrides of its numbers.
+    A scene is built into a temporary folder with the values as overrides of its numbers.
     """
     if is_fmu(target):
         require_fmu(target)
-        yield target, settings
+        yield target, entries
         return
     from build_fmu.export import write_fmu
 
-    scene, model = scene_and_model(target, settings)
+    scene, model = scene_and_model(target, entries)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         yield str(write_fmu(model, folder, scene)), {}

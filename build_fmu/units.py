@@ -93,6 +93,11 @@ class BaseUnit:
     powers: dict[str, int] = field(default_factory=dict)
     factor: float = 1.0
 
+    def attributes(self) -> dict[str, str]:
+        """Attributes of an XML element BaseUnit, of FMI and of SSP."""
+        powers = {name: str(power) for name, power in self.powers.items()}
+        return powers if self.factor == 1.0 else {**powers, "factor": repr(self.factor)}
+
 
 def base_unit(unit: str) -> BaseUnit | None:
     """Powers and factor of a unit string; None where a symbol of it is not known."""

@@ -57,7 +57,9 @@ def test_two_builds_of_a_scene_give_the_same_bytes(tmp_path):
 
 
 def test_another_number_gives_other_bytes(tmp_path):
-    overridden = build(SCENES / "double_pendulum.toml", tmp_path / "a.fmu", overrides={"mass": 2.0})
+    overridden = build(
+        SCENES / "double_pendulum.toml", tmp_path / "a.fmu", parameters={"mass": 2.0}
+    )
     assert overridden.read_bytes() != scene_fmu("double_pendulum").read_bytes()
 
 

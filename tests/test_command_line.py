@@ -49,7 +49,7 @@ def test_set_replaces_any_number_of_the_scene(capsys, tmp_path):
     settings = {"mass": 2.0, "points.B.velocity": [0, 3], "solver.step_size": 0.02}
     arguments = [f"--set={name}={value}" for name, value in settings.items()]
     run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu", *arguments)
-    build(PENDULUM, tmp_path / "b.fmu", overrides=settings)
+    build(PENDULUM, tmp_path / "b.fmu", parameters=settings)
     assert (tmp_path / "a.fmu").read_bytes() == (tmp_path / "b.fmu").read_bytes()
     info = json.loads(run(capsys, "info", tmp_path / "a.fmu", "--json")[1])
     assert next(v["start"] for v in info["variables"] if v["name"] == "mass") == 2.0

@@ -1,4 +1,4 @@
-"""`build-fmu build SCENE`: write an FMU; its path goes to stdout."""
+"""`build-fmu build SCENE`: write an FMU and its parameter set; its path goes to stdout."""
 
 from __future__ import annotations
 
@@ -7,21 +7,25 @@ import sys
 
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json
+from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import is_fmu, scene_and_model
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
-    from build_fmu.export import write_fmu
+    from build_fmu.export import write_fmu, write_parameter_set
 
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)
-    scene, model = scene_and_model(arguments.scene, dict(arguments.settings))
+    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
+    scene, model = scene_and_model(arguments.scene, entries)
     path = write_fmu(model, arguments.output, scene)
+    write_parameter_set(model, path)
     size = path.stat().st_size
     if arguments.json:
-        print_json({"fmu": str(path), "name": model.name, "bytes": size})
+        beside = str(path.with_suffix(".ssv"))
+        print_json({"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside})
     else:
         sys.stdout.write(f"{path}\n")
         sys.stderr.write(f"{model.name}: {len(model.variables)} variables, {size / 1e3:.0f} kB\n")

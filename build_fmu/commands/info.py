@@ -17,6 +17,7 @@ from build_fmu.equilibrium import (
 )
 from build_fmu.errors import UsageError
 from build_fmu.report import number, print_json, print_table
+from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, scene_model
 
 if TYPE_CHECKING:
@@ -32,9 +33,13 @@ def run(arguments: argparse.Namespace) -> int:
     from solver.mechanics.survey import survey
 
     if not is_fmu(arguments.target):
-        model = scene_model(arguments.target, dict(arguments.settings))
-    elif arguments.settings:
-        text = "--set changes the numbers of a scene; those of an FMU are set when it is simulated"
+        entries = given_on_the_command_line(arguments.parameters, arguments.settings)
+        model = scene_model(arguments.target, entries)
+    elif arguments.settings or arguments.parameters:
+        text = (
+            "--set and --parameters change the numbers of a scene; those of an FMU are set when it "
+            "is simulated"
+        )
         raise UsageError(text)
     else:
         model = fmu_model(arguments.target)

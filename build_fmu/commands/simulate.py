@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, TextIO
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
+from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import runnable
 
 if TYPE_CHECKING:
@@ -48,9 +49,9 @@ def report_end(result: Run) -> int:
 
 def simulate(arguments: argparse.Namespace) -> Run:
     """Run what the arguments say, with a progress bar on a terminal."""
-    settings = dict(arguments.settings)
+    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     with (
-        runnable(arguments.target, settings) as (path, left),
+        runnable(arguments.target, entries) as (path, left),
         progress_bar(f"simulating {Path(path).stem}") as progress,
     ):
         return run_fmu(

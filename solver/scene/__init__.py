@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import Any, Literal
 
 from solver.scene.expression import Expr, ExpressionError, Number, evaluate, parse, symbols
-from solver.scene.report import Problem, SceneError, Source
+from solver.scene.report import Given, Problem, SceneError, Source
 from solver.scene.vocabulary import (
     Bar,
     Body,
@@ -65,6 +65,7 @@ __all__ = [
     "Force",
     "ForceElement",
     "Gear",
+    "Given",
     "Gravitation",
     "Input",
     "Joint",
@@ -109,7 +110,8 @@ def load(path: str | os.PathLike[str], overrides: Mapping[str, object] | None = 
         A ``.toml`` or ``.json`` file.
     overrides : mapping, optional
         New values by name: a parameter or input, ``"length"``, or any field of the scene,
-        ``"points.A.mass"``. A value is a number or a text as it would stand in the file.
+        ``"points.A.mass"``. A value is a number or a text as it would stand in the file, or one of
+        these as ``Given`` with the place that reports of mistakes in it shall name.
 
     Raises
     ------

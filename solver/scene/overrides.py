@@ -1,7 +1,7 @@
 """Overrides: numbers of a scene replaced from outside, ``points.A.mass=2``.
 
 A name alone means the parameter or input of that name. The new value goes through the same checks
-as the file, and mistakes in it are reported with the override instead of a line.
+as the file, and mistakes in it are reported with the override instead of a line of the scene.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from solver.scene.fields import shown
-from solver.scene.report import Path, Problem, did_you_mean, location_of, path_of
+from solver.scene.report import Given, Path, Problem, did_you_mean, location_of, path_of
 from solver.scene.schema import Heading
 
 if sys.version_info >= (3, 11):
@@ -28,12 +28,15 @@ def apply_overrides(
     Returns
     -------
     dict
-        Text of each override, ``name=value``, by the path of what it replaced.
+        Where each override was given, ``--set name=value``, by the path of what it replaced.
     """
     replaced: dict[Path, str] = {}
-    for name, given in overrides.items():
+    for name, override in overrides.items():
+        given = override.value if isinstance(override, Given) else override
         value = _value(given)
-        text = f"{name}={given if isinstance(given, str) else shown(value)}"
+        text = f"--set {name}={given if isinstance(given, str) else shown(value)}"
+        if isinstance(override, Given):
+            text = override.where
         path = _target(data, path_of(name))
         if path is None or not _replace(data, path, value):
             help = did_you_mean(name, _known(data))

@@ -21,6 +21,14 @@ _MOST = 20
 
 
 @dataclass(frozen=True, slots=True)
+class Given:
+    """The value of an override that has a place of its own, "masses.csv:3:2"."""
+
+    value: object
+    where: str
+
+
+@dataclass(frozen=True, slots=True)
 class Problem:
     """One mistake."""
 
@@ -33,7 +41,7 @@ class Problem:
     column: int | None = None
     """Column in that line, from 1, where it is known."""
     override: str | None = None
-    """The override that brought the mistake in, ``points.B.mass=-1``; None for the file."""
+    """The override that brought the mistake in, ``--set points.B.mass=-1``; None for the file."""
 
 
 def location_of(path: Path) -> str:
@@ -75,7 +83,7 @@ class Source:
     notation: str = ""
     """"toml" or "json"; empty where no line can be named."""
     overrides: Mapping[Path, str] = field(default_factory=dict)
-    """Text of the override that replaced a value, by the path of the value."""
+    """Where the override was given that replaced a value, by the path of the value."""
 
     def problem(
         self,
@@ -144,7 +152,7 @@ class SceneError(Exception):
 def _described(problem: Problem, source: Source) -> str:
     where = f"{source.name}:{problem.line}" if problem.line else source.name
     if problem.override is not None:
-        where = f"--set {problem.override}"
+        where = problem.override
     subject = f"{problem.location}: " if problem.location else ""
     lines = [f"{where}: error: {subject}{problem.message}"]
     gutter = " " * (4 + len(str(problem.line or "")))

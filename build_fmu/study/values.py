@@ -1,0 +1,76 @@
+"""Values of parameters as they are written, with the place where they were, and their mistakes."""
+
+from __future__ import annotations
+
+import difflib
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from build_fmu.errors import UsageError
+
+MOST_MISTAKES = 30
+"""Mistakes that are shown; of the rest only their number."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A value, where it was given ("masses.csv:3:2"), and in which unit if that was said."""
+
+    value: object
+    where: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """What is wrong, where, and what to write instead."""
+
+    where: str
+    message: str
+    help: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.where}: error: {self.message}" + (
+            f"\n  = help: {self.help}" * bool(self.help)
+        )
+
+
+def refuse(mistakes: Iterable[Mistake | str]) -> None:
+    """Raise UsageError with all mistakes, each once, if there are any."""
+    texts = list(dict.fromkeys(str(mistake) for mistake in mistakes))
+    if not texts:
+        return
+    shown, left = texts[:MOST_MISTAKES], len(texts) - MOST_MISTAKES
+    if left > 0:
+        shown.append(f"... and {left} more mistakes")
+    raise UsageError("\n".join(shown))
+
+
+def read_value(text: str) -> object:
+    """Number, true or false, list, else the text as it stands.
+
+    Raises
+    ------
+    ValueError
+        If a list is not one of JSON.
+    """
+    text = text.strip()
+    if text in ("true", "false"):
+        return text == "true"
+    for read in (int, float):
+        try:
+            return read(text)
+        except ValueError:
+            continue
+    return json.loads(text) if text.startswith(("[", "{")) else text
+
+
+def nearest(wrong: str, known: Iterable[str]) -> str:
+    """Suggest the name that was perhaps meant, or say which there are."""
+    names = list(known)
+    near = difflib.get_close_matches(wrong, names, 1)
+    if near:
+        return f"did you mean {near[0]!r}?"
+    shown = ", ".join(names[:20]) + (", ..." if len(names) > 20 else "")
+    return f"there are {shown}" if names else ""
