@@ -7,15 +7,16 @@ PosixPath('four_bar.fmu')
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from build_fmu.study.variants import Variant
     from solver.scene import Scene
 
-__all__ = ["build"]
+__all__ = ["build", "variants"]
 
 
 def build(
@@ -56,3 +57,62 @@ def build(
     from build_fmu.export import build_archive
 
     return build_archive(scene, path, parameters)
+
+
+def variants(
+    scene: str | PathLike[str],
+    folder: str | PathLike[str],
+    *,
+    grid: Mapping[str, object] | Sequence[str] = (),
+    table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
+    parameters: Mapping[str, object] | str | PathLike[str] | None = None,
+    manifest: str = "manifest.csv",
+    engine: str = "auto",
+    workers: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> list[Variant]:
+    """Write one FMU for each row of a grid or table, and a manifest of them, into a folder.
+
+    Parameters
+    ----------
+    scene
+        A scene file.
+    folder
+        Where the FMUs, a parameter set beside each, and the manifest are written.
+    grid
+        Values by the name of a parameter or any field of the scene: a list, or a text such as
+        "1:5:9", which is 9 values from 1 to 5. All combinations are built.
+    table
+        A CSV file with names in its first line, or rows of values by name.
+    parameters
+        Values of all variants, by name or in a file.
+    manifest
+        Name of the manifest, .csv or .json.
+    engine, workers
+        "auto", "serial", "processes" or "dask://host:port", and the number of processes.
+    progress
+        Called with the number of variants that are done, and of all.
+
+    Returns
+    -------
+    list of Variant
+        The rows of the manifest.
+
+    Raises
+    ------
+    solver.scene.SceneError, build_fmu.errors.UsageError
+        With every mistake; variants without one are written all the same.
+    """
+    from build_fmu.study.variants import export_variants
+
+    return export_variants(
+        scene,
+        folder,
+        grid=grid,
+        table=table,
+        parameters=parameters,
+        manifest=manifest,
+        engine=engine,
+        workers=workers,
+        progress=progress,
+    )

@@ -76,6 +76,7 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
     build.add_argument("-o", "--output", metavar="FILE", help="default: <name of the scene>.fmu")
     _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
+    _add_variants(commands)
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
     _add_run(simulate)
     simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
@@ -94,6 +95,32 @@ def _parser() -> argparse.ArgumentParser:
     for command in (build, simulate, check, info, validate):
         command.add_argument("--json", action="store_true", help="print JSON instead of a table")
     return parser
+
+
+def _add_variants(commands: argparse._SubParsersAction) -> None:
+    command = commands.add_parser("variants", help="write one FMU for each row of a grid or table")
+    command.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
+    text = "folder for the FMUs and the manifest (default: <name of the file>_variants)"
+    command.add_argument("-o", "--output", metavar="FOLDER", help=text)
+    text = "name of the file that says which FMU is which, .csv or .json (default: %(default)s)"
+    command.add_argument("--manifest", default="manifest.csv", metavar="FILE", help=text)
+    _add_study(command, "processes")
+    _add_settings(command, "replace a parameter or any number of the scene, in all of them")
+    command.add_argument("--json", action="store_true", help="print JSON instead of the file")
+
+
+def _add_study(command: argparse.ArgumentParser, engines: str) -> None:
+    """Arguments of what is done for many values."""
+    text = "values of one parameter, a=2,3, or a range, a=1:5:9 (9 values) or a=1:100:9:log"
+    command.add_argument(
+        "--grid", action="append", default=[], metavar="NAME=VALUES", help=f"{text}; grids multiply"
+    )
+    text = "CSV file with names in its first line and one row of values for each"
+    command.add_argument("--table", metavar="FILE", help=text)
+    text = f"auto (default), serial, {engines}, processes:N or dask://HOST:PORT"
+    command.add_argument("--engine", default="auto", metavar="ENGINE", help=text)
+    text = "number of processes (default: one for each processor)"
+    command.add_argument("--jobs", type=int, metavar="N", help=text)
 
 
 def _add_settings(command: argparse.ArgumentParser, text: str) -> None:

@@ -5,10 +5,13 @@ from __future__ import annotations
 import contextlib
 import json
 import sys
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
 FILE_WIDTH = 120
 """Columns of a table that does not go to a terminal."""
+SECONDS_BETWEEN_LINES = 10.0
+"""Of progress where stderr is no terminal."""
 
 
 def print_json(values: object) -> None:
@@ -53,3 +56,21 @@ def progress_bar(title: str) -> Iterator[Callable[[float], object] | None]:
     with Progress(*columns, console=Console(file=sys.stderr), transient=True) as progress:
         task = progress.add_task(title, total=1.0)
         yield lambda done: progress.update(task, completed=done)
+
+
+@contextlib.contextmanager
+def count_bar(title: str, what: str) -> Iterator[Callable[[int, int], object]]:
+    """Bar on stderr, or where that is no terminal a line now and then; takes done and all."""
+    with progress_bar(title) as bar:
+        begin = said = time.monotonic()
+
+        def show(done: int, count: int) -> None:
+            nonlocal said
+            if bar is not None:
+                bar(done / count)
+            elif time.monotonic() - said > SECONDS_BETWEEN_LINES:
+                said = time.monotonic()
+                left = (said - begin) * (count / done - 1.0)
+                sys.stderr.write(f"{title}: {done} of {count} {what}, {left:.0f} s left\n")
+
+        yield show

@@ -101,7 +101,14 @@ def test_the_commands_run_one_after_the_other(monkeypatch, tmp_path, capsys):
     (tmp_path / "scenes").symlink_to(ROOT / "scenes")
     monkeypatch.chdir(tmp_path)
     shown = [shlex.split(command)[1:] for command in commands()]
-    assert {words[0] for words in shown} == {"build", "simulate", "check", "info", "validate"}
+    assert {words[0] for words in shown} == {
+        "build",
+        "variants",
+        "simulate",
+        "check",
+        "info",
+        "validate",
+    }
     for words in shown:
         assert command_line.main(words) == 0, capsys.readouterr()
     assert (tmp_path / "out.csv").is_file()

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.study.parameter_files import read_parameters
-from build_fmu.study.values import Entry, Mistake, nearest, refuse
+from build_fmu.study.values import Entry, Mistake, nearest, plain, refuse
 from build_fmu.units import base_unit
 
 if TYPE_CHECKING:
@@ -29,7 +28,7 @@ def entries_of(source: Source | None) -> dict[str, Entry]:
     if isinstance(source, str | PathLike):
         return read_parameters([source])
     return {
-        name: value if isinstance(value, Entry) else Entry(value, f"--set {name}={value}")
+        name: value if isinstance(value, Entry) else Entry(plain(value), f"--set {name}={value}")
         for name, value in source.items()
     }
 
@@ -51,7 +50,7 @@ def scene_overrides(
         from build_fmu.export import compile_scene
 
         entries = _fitted(compile_scene(scene), entries)
-    return {name: Given(entry.value, entry.where) for name, entry in entries.items()}
+    return {name: Given(entry.value, entry.where, entry.named) for name, entry in entries.items()}
 
 
 def _fitted(model: Model, entries: Mapping[str, Entry]) -> dict[str, Entry]:
@@ -130,7 +129,8 @@ def fmu_settings(
         for name, entry in row.items():
             if name not in variables:
                 message = f"{path} has no parameter or input {name!r}"
-                mistakes.append(Mistake(entry.where, message, nearest(name, variables)))
+                where = entry.named or entry.where
+                mistakes.append(Mistake(where, message, nearest(name, variables)))
                 continue
             known = (name, entry.where, repr(entry.value))
             if known not in seen:
@@ -172,4 +172,4 @@ def given_on_the_command_line(
     files: Sequence[str], settings: Iterable[tuple[str, object]]
 ) -> dict[str, Entry]:
     """Values of `--parameters` and `--set`, of which the latter count."""
-    return read_parameters(map(Path, files)) | entries_of(dict(settings))
+    return read_parameters(files) | entries_of(dict(settings))

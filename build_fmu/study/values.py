@@ -15,11 +15,13 @@ MOST_MISTAKES = 30
 
 @dataclass(frozen=True)
 class Entry:
-    """A value, where it was given ("masses.csv:3:2"), and in which unit if that was said."""
+    """A value, where it was given ("masses.csv:3"), and in which unit if that was said."""
 
     value: object
     where: str
     unit: str = ""
+    named: str = ""
+    """Where its name was given, if that is elsewhere: in the header of a table."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +66,11 @@ def read_value(text: str) -> object:
         except ValueError:
             continue
     return json.loads(text) if text.startswith(("[", "{")) else text
+
+
+def plain(value: object) -> object:
+    """Value as Python's own type: NumPy's numbers and arrays as numbers and lists."""
+    return getattr(value, "tolist", lambda: value)()
 
 
 def nearest(wrong: str, known: Iterable[str]) -> str:

@@ -41,7 +41,8 @@ def apply_overrides(
         if path is None or not _replace(data, path, value):
             help = did_you_mean(name, _known(data))
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
-            problems.append(Problem(name, message, help, override=text))
+            where = (override.named if isinstance(override, Given) else "") or text
+            problems.append(Problem(name, message, help, override=where))
         else:
             replaced[path] = text
     return replaced

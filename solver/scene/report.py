@@ -22,10 +22,12 @@ _MOST = 20
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """The value of an override that has a place of its own, "masses.csv:3:2"."""
+    """The value of an override that has a place of its own, "masses.csv:3"."""
 
     value: object
     where: str
+    named: str = ""
+    """Where its name was given, if that is elsewhere."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,52 @@
+"""`build-fmu variants SCENE`: one FMU for each row of a grid or table, and a manifest of them."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+from build_fmu.errors import UsageError
+from build_fmu.report import count_bar, print_json
+from build_fmu.study.settings import given_on_the_command_line
+from build_fmu.target import is_fmu
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Export; exit code 0."""
+    from build_fmu.study.variants import export_variants
+    from solver.scene import SceneError
+
+    scene = arguments.scene
+    if is_fmu(scene):
+        text = f"{scene}: an FMU, not a scene; sweep runs one FMU with many values"
+        raise UsageError(text)
+    if not arguments.grid and not arguments.table:
+        text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
+        raise UsageError(text)
+    folder = Path(arguments.output or f"{Path(scene).stem}_variants")
+    begin = time.perf_counter()
+    try:
+        with count_bar(f"variants of {Path(scene).stem}", "FMUs") as progress:
+            made = export_variants(
+                scene,
+                folder,
+                grid=arguments.grid,
+                table=arguments.table,
+                parameters=given_on_the_command_line(arguments.parameters, arguments.settings),
+                manifest=arguments.manifest,
+                engine=arguments.engine,
+                workers=arguments.jobs,
+                progress=progress,
+            )
+    except SceneError as error:
+        raise UsageError(str(error)) from None
+    if arguments.json:
+        rows = [{"fmu": str(folder / v.fmu), "parameters": v.parameters} for v in made]
+        print_json({"manifest": str(folder / arguments.manifest), "variants": rows})
+    else:
+        sys.stdout.write(f"{folder / arguments.manifest}\n")
+        spent = time.perf_counter() - begin
+        sys.stderr.write(f"{len(made)} FMUs in {spent:.1f} s\n")
+    return 0

@@ -1,0 +1,230 @@
+"""Rows of a study: grids, `--grid a=1:5:9 --grid b=2,3`, and tables of values, `--table FILE.csv`.
+
+    1:5:9         9 values from 1 to 5, both included
+    1e-3:10:5:log the same, each a fixed multiple of the one before
+    2,3,5:6:11    single values, and ranges among them
+
+Grids multiply, the last one turning fastest; a table has one row for each line.
+"""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+
+from build_fmu.study.parameter_files import value_of_cell
+from build_fmu.study.values import Entry, Mistake, plain, read_value, refuse
+
+MOST_ROWS = 1_000_000
+"""Most runs or variants of one study; a grid of more is rather a mistake."""
+FORM = "write values, a=2,3, or a range, a=1:5:9, which is 9 values from 1 to 5"
+
+Row = dict[str, Entry]
+_ITEM = re.compile(r"(?:\[[^\]]*\]|[^,])*")
+
+
+def rows_of(
+    grids: Iterable[str] | Mapping[str, object],
+    table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
+) -> list[Row]:
+    """Rows of values by name; at least one, which is empty where nothing is varied.
+
+    Parameters
+    ----------
+    grids
+        Texts such as "a=1:5:9", or values by name: a list of them, or a text such as "1:5:9".
+    table
+        A CSV file whose header has the names, or rows of values by name.
+
+    Raises
+    ------
+    UsageError
+        With every mistake of all of them.
+    """
+    mistakes: list[Mistake] = []
+    lists = [_table(table, mistakes)] if table is not None else []
+    lists += [[{name: x} for x in values] for name, values in _grids(grids, mistakes)]
+    seen: dict[str, str] = {}
+    for rows in lists:
+        for name, entry in rows[0].items() if rows else ():
+            where = entry.named or entry.where
+            if name in seen:
+                mistakes.append(Mistake(where, f"{name}: varied by {seen[name]} too"))
+            seen[name] = where
+    count = math.prod(map(len, lists))
+    if count > MOST_ROWS:
+        message = f"{count:.3g} combinations, more than the {MOST_ROWS:g} of one study"
+        mistakes.append(Mistake(next(iter(seen.values())), message))
+    refuse(mistakes)
+    return [{k: v for row in rows for k, v in row.items()} for rows in itertools.product(*lists)]
+
+
+# ---------------------------------------------------------------------------------------- grids
+
+
+def _grids(
+    grids: Iterable[str] | Mapping[str, object], mistakes: list[Mistake]
+) -> list[tuple[str, list[Entry]]]:
+    if isinstance(grids, Mapping):
+        pairs = [(name, values, f"--grid {name}={values}") for name, values in grids.items()]
+    else:
+        pairs = []
+        for text in grids:
+            name, equals, values = text.partition("=")
+            where = f"--grid {text}"
+            if equals and name.strip():
+                pairs.append((name.strip(), values, where))
+            else:
+                mistakes.append(Mistake(where, "not of the form name=values", FORM))
+    return [(name, _entries(values, where, mistakes)) for name, values, where in pairs]
+
+
+def _entries(values: object, where: str, mistakes: list[Mistake]) -> list[Entry]:
+    if isinstance(values, str):
+        found = _values(values, where, mistakes)
+    else:
+        found = plain(values)
+        found = [plain(value) for value in found] if isinstance(found, Iterable) else [found]
+        if not found:
+            mistakes.append(Mistake(where, "no values", FORM))
+    return [Entry(value, where) for value in found]
+
+
+def _values(text: str, where: str, mistakes: list[Mistake]) -> list[object]:
+    """Values of "1:5:9,7", each item with its column for mistakes."""
+    values: list[object] = []
+    offset, at = len(where.removeprefix("--grid ")) - len(text), 0
+    while True:
+        match = _ITEM.match(text, at)
+        item = match.group() if match else ""
+        column = offset + at + len(item) - len(item.lstrip()) + 1
+        values += _item(item.strip(), column, where, mistakes)
+        at += len(item)
+        if at >= len(text):
+            return values
+        at += 1  # the comma
+
+
+def _item(item: str, column: int, where: str, mistakes: list[Mistake]) -> list[object]:
+    """Values of one item: a range, or a single value."""
+    parts = item.split(":")
+    if len(parts) == 1 or item.startswith("["):
+        try:
+            if not item:
+                mistakes.append(Mistake(where, f"column {column}: a value is missing", FORM))
+            return [read_value(item)]
+        except ValueError as error:
+            mistakes.append(Mistake(where, f"column {column}: {item!r}: {error}", FORM))
+            return []
+    log = len(parts) == 4 and parts[3].strip() == "log"
+    if len(parts) != 3 and not log:
+        message = f"column {column}: {item!r} is not a range from:to:count"
+        mistakes.append(Mistake(where, message, FORM))
+        return []
+    numbers: list[float] = []
+    for part in parts[:3]:
+        value = read_value(part) if not part.strip().startswith(("[", "{")) else part
+        if (
+            isinstance(value, bool)
+            or not isinstance(value, int | float)
+            or not math.isfinite(value)
+        ):
+            message = f"column {column}: {part!r} is not a number"
+            mistakes.append(Mistake(where, message, FORM))
+            return []
+        numbers.append(value)
+        column += len(part) + 1
+    return _range(numbers, log, where, mistakes)
+
+
+def _range(
+    numbers: Sequence[float], log: bool, where: str, mistakes: list[Mistake]
+) -> list[object]:
+    first, last, count = numbers
+    wrong = ""
+    if not (isinstance(count, int) and 2 <= count <= MOST_ROWS):
+        wrong = f"the count must be a whole number from 2 to {MOST_ROWS:g}, got {count!r}"
+    elif log and not first * last > 0.0:
+        wrong = f"from and to of a range with log must have one sign, got {first!r} and {last!r}"
+    if wrong:
+        mistakes.append(Mistake(where, wrong, FORM))
+        return []
+    parts = [i / (count - 1) for i in range(1, int(count) - 1)]
+    if log:
+        return [first, *(first * (last / first) ** part for part in parts), last]
+    inner = [first + (last - first) * i / (count - 1) for i in range(1, int(count) - 1)]
+    whole = isinstance(first, int) and isinstance(last, int)
+    if whole and all(value.is_integer() for value in inner):
+        return [first, *map(int, inner), last]
+    return [float(first), *inner, float(last)]
+
+
+# ---------------------------------------------------------------------------------------- tables
+
+
+def _table(
+    table: str | PathLike[str] | Sequence[Mapping[str, object]], mistakes: list[Mistake]
+) -> list[Row]:
+    if not isinstance(table, str | PathLike):
+        return [
+            {k: Entry(plain(v), f"table[{i}]", named="table") for k, v in row.items()}
+            for i, row in enumerate(table)
+        ]
+    path = Path(table)
+    try:
+        lines = path.read_bytes().decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
+        message = f"not a UTF-8 text: byte 0x{error.object[error.start]:02x}"
+        mistakes.append(Mistake(str(path), message, "save the file as UTF-8"))
+        return []
+    except OSError as error:
+        mistakes.append(Mistake(str(path), f"cannot be read: {error.strerror}"))
+        return []
+    reader = csv.reader(lines, skipinitialspace=True)
+    head = [cell.strip() for cell in next(reader, [])]
+    if not _header_fits(path, head, mistakes):
+        return []
+    rows = [
+        _row(f"{path}:{reader.line_num}", head, cells, mistakes)
+        for cells in reader
+        if any(cell.strip() for cell in cells)
+    ]
+    if not rows:
+        mistakes.append(Mistake(str(path), "has no rows below its header"))
+    return rows
+
+
+def _header_fits(path: Path, head: Sequence[str], mistakes: list[Mistake]) -> bool:
+    before = len(mistakes)
+    help = "write the names of parameters, separated by commas, into the first line"
+    if not head:
+        mistakes.append(Mistake(f"{path}:1", "no header", help))
+    for number, name in enumerate(head, start=1):
+        message = ""
+        if not name:
+            message = f"column {number} has no name"
+        elif name in head[: number - 1]:
+            message = f"column {number}: {name!r} is there twice"
+        elif re.search("[;\t]", name) or isinstance(read_value(name.strip("[{")), int | float):
+            message = f"column {number}: {name!r} is not a name"
+        if message:
+            mistakes.append(Mistake(f"{path}:1", message, help))
+    return len(mistakes) == before
+
+
+def _row(where: str, head: Sequence[str], cells: Sequence[str], mistakes: list[Mistake]) -> Row:
+    if len(cells) != len(head):
+        message = f"has {len(cells)} cells, and the header has {len(head)}"
+        mistakes.append(Mistake(where, message, "put a text with a comma into quotes"))
+    row = {}
+    header = f"{where.rpartition(':')[0]}:1"
+    for name, cell in zip(head, cells, strict=False):
+        if not cell.strip():
+            mistakes.append(Mistake(where, f"{name}: an empty cell"))
+        row[name] = Entry(value_of_cell(cell, where, mistakes), where, named=header)
+    return row
