@@ -210,7 +210,7 @@ def test_the_scene_travels_as_an_annotation_and_gives_the_same_model():
 
 
 def test_overrides_stand_beside_the_scene(tmp_path):
-    path = build(SCENES / "double_pendulum.toml", tmp_path / "a.fmu", overrides={"mass": 2.5})
+    path = build(SCENES / "double_pendulum.toml", tmp_path / "a.fmu", parameters={"mass": 2.5})
     texts = [each.text for each in root_of(path).findall("VendorAnnotations/Tool/Scene/Override")]
     assert texts == ["mass=2.5"]
     assert fmpy.read_model_description(str(path)).modelName == "double_pendulum"

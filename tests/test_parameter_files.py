@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import zipfile
 from pathlib import Path
 
 import fmpy
@@ -157,23 +158,29 @@ def test_mistakes_in_values_name_the_file_and_all_are_reported(capsys, tmp_path)
 # ----------------------------------------------------------------------------------- written
 
 
-@pytest.mark.parametrize("scene", ["double_pendulum", "double_wishbone", "four_bar"])
-def test_the_set_beside_an_fmu_is_valid_and_gives_the_same_fmu(tmp_path, scene):
+def model_of(fmu: Path) -> bytes:
+    with zipfile.ZipFile(fmu) as archive:
+        return archive.read("resources/model.bin")
+
+
+@pytest.mark.parametrize(
+    ("scene", "changes"),
+    [
+        ("double_pendulum", {"mass": 2, "solver.step_size": 0.001}),
+        ("double_wishbone", {"solver.max_newton": 15}),
+        ("four_bar", {}),
+        # Order and longest step follow from a tolerance, and are in the set.
+        ("double_pendulum", {"solver.tolerance": 1e-6, "solver.step_size": 0.02}),
+    ],
+)
+def test_the_set_beside_an_fmu_is_valid_and_gives_the_same_model(tmp_path, scene, changes):
     file = SCENES / f"{scene}.toml"
-    changes = {"solver.step_size": 0.001, "solver.max_newton": 15}
     first = build(file, tmp_path / "a.fmu", parameters=changes)
     beside = tmp_path / "a.ssv"
     etree.XMLSchema(etree.parse(SCHEMA)).assertValid(etree.parse(beside))
     second = build(file, tmp_path / "b.fmu", parameters=beside)
-    assert second.read_bytes() == first.read_bytes()
+    assert model_of(second) == model_of(first)
     assert (tmp_path / "b.ssv").read_bytes() == beside.read_bytes()
-
-
-def test_a_set_of_a_run_with_a_tolerance_gives_the_same_fmu(tmp_path):
-    changes = {"solver.tolerance": 1e-6, "solver.step_size": 0.02}
-    first = build(PENDULUM, tmp_path / "a.fmu", parameters=changes)
-    second = build(PENDULUM, tmp_path / "b.fmu", parameters=tmp_path / "a.ssv")
-    assert second.read_bytes() == first.read_bytes()
 
 
 def test_the_set_has_every_parameter_with_its_unit(tmp_path):
@@ -189,7 +196,7 @@ def test_a_value_in_another_unit_is_converted(tmp_path):
     file = written(tmp_path, "set.ssv", SET.format(value=500, unit="mm"))
     scene = build(measured(tmp_path), tmp_path / "a.fmu", parameters=file)
     half = build(measured(tmp_path), tmp_path / "b.fmu", parameters={"length": 0.5})
-    assert scene.read_bytes() == half.read_bytes()
+    assert model_of(scene) == model_of(half)
     unchanged = build(measured(tmp_path), tmp_path / "c.fmu")
     for settings in (file, {"length": 0.5}):
         values = run_fmu(unchanged, settings=settings).values

@@ -93,17 +93,18 @@ def _export(shared: _Shared, jobs: Sequence[tuple[int, Row]]) -> list[Variant]:
 
 
 def _exported(shared: _Shared, number: int, row: Row) -> Variant:
-    from build_fmu.export import compile_scene, write_fmu, write_parameter_set
+    from build_fmu.export import compile_scene, load_scene, write_fmu, write_parameter_set
     from solver.scene import Given, SceneError
 
     own = {name: Given(entry.value, entry.where, entry.named) for name, entry in row.items()}
     values = {name: entry.value for name, entry in row.items()}
     try:
-        model = compile_scene(shared.scene, {**shared.overrides, **own})
+        scene = load_scene(shared.scene, {**shared.overrides, **own})
+        model = compile_scene(scene)
     except SceneError as error:
         return Variant(number, "", values, str(error))
     path = Path(shared.folder, f"{shared.stem}_{number:0{shared.digits}d}.fmu")
-    write_parameter_set(model, write_fmu(model, path))
+    write_parameter_set(model, write_fmu(model, path, scene))
     return Variant(number, path.name, values)
 
 

@@ -22,30 +22,31 @@ else:
 
 def apply_overrides(
     data: dict[str, Any], overrides: Mapping[str, object], problems: list[Problem]
-) -> dict[Path, str]:
+) -> tuple[dict[Path, str], dict[Path, str]]:
     """Replace values in the data of a scene, in place.
 
     Returns
     -------
-    dict
-        Where each override was given, ``--set name=value``, by the path of what it replaced.
+    tuple of dict
+        By the path of what was replaced: text of each override, ``name=value``, in the order of
+        the texts; and where it was given, ``--set name=value``.
     """
     replaced: dict[Path, str] = {}
+    places: dict[Path, str] = {}
     for name, override in overrides.items():
         given = override.value if isinstance(override, Given) else override
         value = _value(given)
-        text = f"--set {name}={given if isinstance(given, str) else shown(value)}"
-        if isinstance(override, Given):
-            text = override.where
+        text = f"{name}={given if isinstance(given, str) else shown(value)}"
+        where = override.where if isinstance(override, Given) else f"--set {text}"
         path = _target(data, path_of(name))
         if path is None or not _replace(data, path, value):
             help = did_you_mean(name, _known(data))
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
-            where = (override.named if isinstance(override, Given) else "") or text
-            problems.append(Problem(name, message, help, override=where))
+            named = override.named if isinstance(override, Given) else ""
+            problems.append(Problem(name, message, help, override=named or where))
         else:
-            replaced[path] = text
-    return replaced
+            replaced[path], places[path] = text, where
+    return dict(sorted(replaced.items(), key=lambda item: item[1])), places
 
 
 def _value(given: object) -> object:

@@ -59,8 +59,7 @@ def read_text(text: str, name: str, notation: str, overrides: Mapping[str, objec
     text = text.replace("\r\n", "\n")
     data = _json(text, name, problems) if notation == "json" else _toml(text, name)
     _shallow(data, Source(name, text))
-    replaced = apply_overrides(data, overrides, problems)
-    source = Source(name, text, notation, replaced)
+    source = Source(name, text, notation, *apply_overrides(data, overrides, problems))
     draft = Draft(data, source, problems)
     scene = build(draft)
     if problems:

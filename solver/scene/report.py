@@ -85,7 +85,9 @@ class Source:
     notation: str = ""
     """"toml" or "json"; empty where no line can be named."""
     overrides: Mapping[Path, str] = field(default_factory=dict)
-    """Where the override was given that replaced a value, by the path of the value."""
+    """Text of the override that replaced a value, ``name=value``, by the path of the value."""
+    places: Mapping[Path, str] = field(default_factory=dict)
+    """Where each of these was given."""
 
     def problem(
         self,
@@ -111,8 +113,8 @@ class Source:
         location = place if isinstance(place, str) else location_of(place)
         lines = lines_of(self.text, self.notation)
         for end in range(len(path), -1, -1):
-            if path[:end] in self.overrides:
-                return Problem(location, message, help, override=self.overrides[path[:end]])
+            if path[:end] in self.places:
+                return Problem(location, message, help, override=self.places[path[:end]])
             if path[:end] in lines:
                 line = lines[path[:end]]
                 return Problem(location, message, help, line, self._column(line, *mark))
