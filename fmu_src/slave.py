@@ -83,6 +83,7 @@ class Slave(SlaveWithValues):
         self._phase = STEPPING
         try:
             self._assemble()
+            self._integrator.begin()
         except Exception as error:
             self._refuse(["assembly"], status.ASSEMBLY_FAILED, sentence(error))
 

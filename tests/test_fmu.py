@@ -199,3 +199,28 @@ def test_two_fmus_in_one_process_move_as_they_do_alone():
             rows["double_pendulum"] += a.run(i * 0.05, 0.05, 1)
             rows["four_bar"] += b.run(i * 0.05, 0.05, 1)
     assert rows == alone
+
+
+def test_what_is_read_before_the_first_step_does_not_change_it():
+    path = scene_fmu("spring_pendulum")
+    with instance(path) as read, instance(path) as b:
+        for fmu in (read, b):
+            fmu.initialise(push=1.0)
+            fmu.set(stiffness=150.0)
+            if fmu is read:
+                assert fmu.outputs()
+            fmu.set(push=3.0)
+        assert read.outputs() == b.outputs()
+        assert read.run(0.0, 0.05, 5) == b.run(0.0, 0.05, 5)
+
+
+def test_a_tunable_parameter_set_before_the_first_step_is_booked_as_work_too():
+    with instance(scene_fmu("spring_pendulum")) as fmu:
+        fmu.initialise(damping=0.0)
+        before, stretch = fmu.get("energy.total"), fmu.get("stretch")
+        fmu.set(stiffness=300.0)
+        jump = fmu.get("energy.total") - before
+        assert jump == pytest.approx(0.5 * 100.0 * stretch**2, rel=1e-9, abs=1e-12)
+        assert fmu.get("energy.work") == pytest.approx(jump, rel=1e-9, abs=1e-12)
+        fmu.run(0.0, 0.05, 5)
+        assert fmu.get("energy.error") < 1e-9

@@ -216,6 +216,14 @@ class Integrator:
         self.phase = ASSEMBLED
         self._measured = False
 
+    def begin(self) -> None:
+        """End the start: what is set from now on is for the step to come, as after a step.
+
+        Else a tunable parameter that is set before the first step starts the mechanism anew.
+        """
+        if self.phase == ASSEMBLED:
+            self.phase = MOVING
+
     def advance(self, t: float, step: float) -> None:
         """Advance from time `t`, which must be the present time, by `step`; both in s.
 
