@@ -19,7 +19,7 @@ SCENES = Path(__file__).resolve().parents[1] / "scenes"
 STOP = 5.0
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9)
 POINTS = 10
-SHARPEST = {"smooth": 1e-11, "damped": 1e-7}
+SHARPEST = 1e-11
 """Tolerance of the run that others are compared with."""
 
 SMOOTH = (
@@ -114,11 +114,10 @@ def course_of(name: str, tolerance: float, stop: float, *, each: int = 1) -> Cou
 def measure(effort: Effort) -> Section:
     stop = max(0.01, STOP * effort.scale)
     rows = [
-        row(name, kind, tolerance, stop, effort)
-        for kind, names in (("smooth", SMOOTH), ("damped", DAMPED))
+        row(name, tolerance, stop, effort)
+        for names in (SMOOTH, DAMPED)
         for name in (names if effort.steps > 2 else names[:1])
         for tolerance in TOLERANCES[: effort.steps]
-        if tolerance > 10.0 * SHARPEST[kind]
     ]
     return Section(
         name="tolerances",
@@ -127,7 +126,7 @@ def measure(effort: Effort) -> Section:
             f"Scenes over {stop:g} s or their own experiment, in ten communication steps, order "
             "and length of internal steps chosen. Error: the largest of places and rates at any "
             "of the points, in the mass norm over size and speed of the mechanism, against a run "
-            f"with {SHARPEST['smooth']:.0e}, or {SHARPEST['damped']:.0e} where there are dampers."
+            f"with {SHARPEST:.0e}."
         ),
         tables=[Table(title="Tolerances", columns=COLUMNS, rows=rows, formats=FORMATS)],
     )
@@ -136,9 +135,9 @@ def measure(effort: Effort) -> Section:
 _EXACT: dict[tuple[str, float], Course] = {}
 
 
-def row(name: str, kind: str, tolerance: float, stop: float, effort: Effort) -> dict[str, Value]:
+def row(name: str, tolerance: float, stop: float, effort: Effort) -> dict[str, Value]:
     """What a tolerance gives and costs."""
-    exact = _EXACT.get((name, stop)) or course_of(name, SHARPEST[kind], stop)
+    exact = _EXACT.get((name, stop)) or course_of(name, SHARPEST, stop)
     _EXACT[name, stop] = exact
     found = course_of(name, tolerance, stop)
     runs: list[tuple[Integrator, float]] = []

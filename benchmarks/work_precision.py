@@ -61,8 +61,7 @@ REMARKS = (
     "The reduced four-bar, Andrews' squeezer and Bricard's mechanism are one equation each, "
     "derived by hand for this mechanism alone.",
     "A dash in the overview: not reached with any of the settings measured.",
-    "*holonom* in the overview is the best of its orders and of the choice by tolerance; where "
-    "there are dampers the order is 2: higher ones go back in time, where dampers give energy.",
+    "*holonom* in the overview is the best of its orders and of the choice by tolerance.",
     "SUNDIALS' CVODE comes with scikit-sundae, IDAS with CasADi: `assimulo` and "
     "`scikits-odes-sundials` have no wheels. Simbody comes with OpenSim, which has no damper "
     "between two points.",

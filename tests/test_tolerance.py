@@ -122,21 +122,6 @@ def test_the_step_size_is_then_the_longest_internal_step():
     assert run["solver.substeps"] >= 200.0
 
 
-def test_what_dissipates_is_solved_to_its_tolerance_with_order_two():
-    drawn = solver.load(scene("spring_pendulum"))
-    ends: list[Array] = []
-    for tolerance in (1e-3, 1e-4, 1e-6):
-        run = Integrator(solver.assemble(drawn))
-        run["solver.tolerance"], run["solver.order"] = tolerance, 0.0
-        run.advance(0.0, run.model.experiment.stop_time)
-        assert run["solver.order_in_use"] == 2.0
-        assert abs(float(run["energy.balance"])) < 1e-11
-        ends.append(vector(run, "q"))
-    size = float(run.state.vectors["derived"][0])
-    for tolerance, place in zip((1e-3, 1e-4), ends, strict=False):
-        assert 0.01 * tolerance < np.abs(place - ends[-1]).max() / size < 10 * tolerance
-
-
 PUSHED = """
 name = "pushed"
 dimension = 2

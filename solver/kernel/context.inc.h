@@ -30,6 +30,7 @@ typedef struct context {
     int plain;          /* 1: conserving rows, gradients at the middle                                        */
     int forceless;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.inc.h            */
+    int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
     double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
     const holonom_elimination *factors_lu;
@@ -111,7 +112,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->lever = 0.5;
     c->half = 0, c->halves = 2;
-    c->forceless = c->plain = c->unweighted = 0;
+    c->forceless = c->plain = c->unweighted = c->damped = 0;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;
     look_at(c, 0, m->n_islands);

@@ -7,9 +7,6 @@ enum { MAX_REPEATS = 40 };
 #define REJECTED 2.0  /* times what a step may add */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 
-/* By order: largest omega h at which Newton's iteration still converges well. */
-static const double FASTEST[N_ORDERS] = {1.0, 1.5, 2.0, 2.5};
-
 /* Whether something takes energy out: parts of a step that go back in time would give it. */
 static int is_dissipative(const context *c)
 {
@@ -34,8 +31,9 @@ static double steps_over(const context *c, double time, double wanted)
 /* Length of a step of an order that adds what it may where the motion changes at a rate. */
 static double length_for(const context *c, int p, double rate)
 {
-    const double may = SAFETY * tolerated(c) / (MEAN[p] * times_mean(c, p) * rate * c->s.head[S_HORIZON]);
-    return fmin(pow(may, 1.0 / ORDERS[p]), FASTEST[p]) / rate;
+    const method *x = method_of(c, p);
+    const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, p) * rate * c->s.head[S_HORIZON]);
+    return fmin(pow(may, 1.0 / ORDERS[p]), x->fastest) / rate;
 }
 
 /* Order and length of the steps to come, for the least number of iterations in a communication step of length `step`. */
@@ -46,7 +44,7 @@ static void choose_order(context *c, double rate, double step)
     int best = present;
     for (int p = 0; p < N_ORDERS; p++) {
         const double n = steps_over(c, step, length_for(c, p, rate)), iterations = 2.0 + 4.0 * rate * step / n;
-        const double cost = N_STAGES[p] * n * iterations * (p == present ? 0.8 : 1.0);
+        const double cost = method_of(c, p)->pairs * n * iterations * (p == present ? 0.8 : 1.0);
         if (!(cost < least)) continue;
         least = cost;
         best = p;
@@ -56,18 +54,34 @@ static void choose_order(context *c, double rate, double step)
     head[S_WANTED] = length_for(c, best, rate);
 }
 
-/* Order to begin with, and a length that is safe: a part of the time in which the motion changes. */
+/* Whether steps with dampers are of order 2: weighted covers need a method that conserves, and what differences tell is
+   lost on loads that read the mechanism, whose order is less.                                                   */
+static int is_limited(const context *c)
+{
+    return c->damped && (!may_extrapolate(c) || (c->m->sensing && c->s.head[S_ORDER] == 0.0));
+}
+
+/* How fast velocities change [1/s]; 0: at rest, and for ever. */
+static double rate_at_start(const context *c)
+{
+    const double size = c->number[c->m->extent_at + 1], speed = mass_norm(c, c->s.v) / size;
+    return sqrt(mass_norm(c, c->s.a[0]) / size + speed * speed);
+}
+
+/* Order to begin with, and a length that is safe: a part of the time in which the motion changes. With dampers order 2 is
+   the one for wide tolerances and strong dampers; its first pairs, which nothing judges yet, are shorter. From rest the
+   motion tells no length, and order 4 judges itself.                                                            */
 static void begin_control(context *c)
 {
     double *head = c->s.head;
-    const double asked = head[S_ORDER], size = c->number[c->m->extent_at + 1];
-    if (is_dissipative(c)) head[S_ORDER_IN_USE] = 2.0;
+    const double asked = head[S_ORDER], rate = rate_at_start(c);
+    c->damped = is_dissipative(c);
+    if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
-    else if (head[S_ORDER_IN_USE] == 0.0) head[S_ORDER_IN_USE] = 4.0;
+    else if (head[S_ORDER_IN_USE] == 0.0) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     if (head[S_WANTED] > 0.0) return;
-    const double speed = mass_norm(c, c->s.v) / size;
-    const double rate = sqrt(mass_norm(c, c->s.a[0]) / size + speed * speed); /* 0: at rest, and for ever */
-    head[S_WANTED] = rate > 0.0 ? 0.5 / rate * pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) : INFINITY;
+    const double part = (c->damped ? 0.25 : 0.5) * pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    head[S_WANTED] = rate > 0.0 ? part / rate : INFINITY;
 }
 
 /* What the last step, of length h from t, says of the next ones; 1 if it is to be repeated with shorter ones. */
@@ -75,15 +89,15 @@ static int is_rejected(context *c, double t, double h, double law_time, double s
 {
     double *head = c->s.head;
     step_error e;
-    const int order = (int)head[S_ORDER_IN_USE];
+    const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
     if (!estimate_error(c, order, h, &e)) return 0;
-    if (order > 2) learn(c, order, t, h, law_time, &e);
-    double share = e.mean * times_mean(c, index_of(order)) * head[S_HORIZON] / (h * tolerated(c));
+    if (found > 2) learn(c, order, t, h, law_time, &e);
+    double share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
     if (e.is_noise) share = fmin(share, SAFETY);
-    const double change = pow(SAFETY / fmax(share, 1e-30), 1.0 / order);
+    const double change = pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     head[S_WANTED] = h * fmin(fmax(change, 0.2), 2.0);
     if (share > REJECTED) return 1;
-    if (head[S_ORDER] == 0.0 && !is_dissipative(c) && e.rate > 0.0) choose_order(c, e.rate, step);
+    if (head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
     return 0;
 }
 
@@ -101,6 +115,8 @@ static int32_t cover_to_tolerance(context *c, double start, double step)
         const double law_time = c->number[c->m->time_at];
         if (!(n < 1e9)) return HOLONOM_BAD_STEP;
         c->t = start + done;
+        c->unweighted = 0;
+        c->damped = is_dissipative(c);
         const int32_t status = internal_step(c, h);
         const int rejected = status ? 1 : is_rejected(c, start + done, h, law_time, step);
         if (status || (rejected && repeats < MAX_REPEATS)) {
@@ -119,6 +135,7 @@ static int32_t cover_to_tolerance(context *c, double start, double step)
         done = n == 1.0 ? step : done + h;
         follow_energy_reference(c);
     }
+    if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return HOLONOM_OK;
 }
 

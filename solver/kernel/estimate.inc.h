@@ -2,22 +2,35 @@
 
    The difference from an embedded solution of order r, e ~ (omega h)^(r+1), tells how fast the motion changes, and with it
    the error of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. How far a mechanism is from the mean
-   is learned by repeating a few steps as two of half the length.                                                  */
+   is learned by repeating a few steps as two of half the length. With dampers, the embedded solution is that of all covers
+   but the coarsest.                                                                                               */
 
 #define LEAST 0.25 /* times the mean, that an error is taken for ... */
-#define MOST 100.0 /* ... and the largest such multiple */
+#define MOST 100.0 /* ... and the largest such multiple; of weighted covers, on which strong dampers show, MOST squared */
 
 enum { N_ORDERS = 1 + N_COMPOSED };
-static const int ORDERS[N_ORDERS] = {2, 4, 6, 8}, N_STAGES[N_ORDERS] = {1, 5, 9, 15};
+static const int ORDERS[N_ORDERS] = {2, 4, 6, 8};
 
-/* By order p: r; omega h over e^(1/(r+1)); error over (omega h)^(p+1): means over mechanisms.                     */
-static const double LOWER[N_ORDERS] = {2.0, 3.0, 4.0, 6.0};
-static const double RATE[N_ORDERS] = {1.0, 2.7, 2.9, 2.64};
-static const double MEAN[N_ORDERS] = {1.1e-2, 6e-5, 5.2e-6, 3.1e-7};
-/* What is left in a run of the errors of single steps, which partly cancel: mean over mechanisms.                 */
-static const double REMAINS[N_ORDERS] = {1.0, 0.24, 0.5, 0.45};
-/* Round-off of the difference: the norm of the weights times that of a solved step.                               */
-static const double ROUND_OFF[N_ORDERS] = {1e-13, 1e-13, 1e-13, 1e-12};
+/* A step of order p. */
+typedef struct method {
+    int pairs;         /* of half steps in it                                                                 */
+    double lower;      /* r                                                                                   */
+    double rate, mean; /* omega h over e^(1/(r+1)), and error over (omega h)^(p+1): means over mechanisms      */
+    double remains;    /* in a run of the errors of single steps, which partly cancel: mean over mechanisms   */
+    double round_off;  /* of the difference: the norm of the weights times that of a solved step              */
+    double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
+} method;
+
+/* Compositions, and with dampers weighted covers. */
+static const method METHODS[2][N_ORDERS] = {
+    {{1, 2.0, 1.0, 1.1e-2, 1.0, 1e-13, 1.0},
+     {5, 3.0, 2.7, 6e-5, 0.24, 1e-13, 1.5},
+     {9, 4.0, 2.9, 5.2e-6, 0.5, 1e-13, 2.0},
+     {15, 6.0, 2.64, 3.1e-7, 0.45, 1e-12, 2.5}},
+    {{1, 2.0, 1.0, 1.1e-2, 1.0, 1e-13, 1.0},
+     {3, 2.0, 4.9, 1.2e-3, 0.5, 1e-13, 1.0},
+     {6, 4.0, 5.9, 3e-5, 0.5, 1e-13, 1.5},
+     {10, 6.0, 6.2, 7e-7, 0.5, 1e-12, 2.0}}};
 
 typedef struct step_error {
     double rate;  /* omega [1/s]                                                            */
@@ -26,6 +39,8 @@ typedef struct step_error {
 } step_error;
 
 static inline int index_of(int order) { return order / 2 - 1; }
+
+static inline const method *method_of(const context *c, int p) { return &METHODS[c->damped != 0][p]; }
 
 static double mass_norm(const context *c, const double *x)
 {
@@ -68,16 +83,17 @@ static int difference_of_pairs(const context *c, double h, double *difference)
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(const context *c, int order, double h, step_error *e)
 {
-    const int p = index_of(order);
-    const double *x = c->k.estimate;
+    const method *used = method_of(c, index_of(order));
+    const int64_t n = DIM * c->n_moving;
+    const double *x = c->k.estimate + (c->damped && !c->unweighted ? 2 * n : 0);
     double difference;
-    if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + DIM * c->n_moving));
+    if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
-    const double turned = RATE[p] * pow(difference, 1.0 / (LOWER[p] + 1.0));
-    e->rate = turned / h;
-    e->mean = MEAN[p] * pow(turned, order + 1);
+    const double turned = used->rate * pow(difference, 1.0 / (used->lower + 1.0));
+    e->rate = c->unweighted ? 0.0 : turned / h; /* the end that was not taken tells the error of the one that was */
+    e->mean = c->unweighted ? difference : used->mean * pow(turned, order + 1);
     /* Velocities are only known to round-off of places over h: shorter steps would show more of it, not less error. */
-    e->is_noise = difference <= ROUND_OFF[p] * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
+    e->is_noise = difference <= used->round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
     return 1;
 }
 
@@ -115,7 +131,8 @@ static double difference_from_halves(context *c, double t, double h, double law_
         x[k] = (c->s.q[k] - q[k]) + (c->s.q_low[k] - q_low[k]);
         x[n + k] = (c->s.v[k] - v[k]) + (c->s.v_low[k] - v_low[k]);
     }
-    const double found = status ? 0.0 : relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    const double found = status || c->unweighted ? 0.0 : relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    c->unweighted = 0;
     whole[S_NEWTON] += head[S_NEWTON] - before[S_NEWTON];
     whole[S_UZAWA] += head[S_UZAWA] - before[S_UZAWA];
     memcpy(head, whole, bytes);
@@ -129,9 +146,9 @@ static void learn(context *c, int order, double t, double h, double law_time, co
 {
     const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED_4 + p - 1] += 1.0);
     if (checks < 0 || e->is_noise || c->m->sensing) return;
-    const double error = REMAINS[p] * difference_from_halves(c, t, h, law_time);
+    const double error = method_of(c, p)->remains * difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
-    const double found = log(fmin(fmax(error / e->mean, LEAST), MOST));
+    const double found = log(fmin(fmax(error / e->mean, LEAST), c->damped ? MOST * MOST : MOST));
     double *learned = c->s.head + S_LEARNED_4 + p - 1;
     *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
 }

@@ -21,10 +21,23 @@ typedef struct extrapolation {
     int kept[RIGID];                        /* whether every pair keeps them                              */
 } extrapolation;
 
+static int may_extrapolate(const context *c)
+{
+    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_AL_BETA;
+}
+
 static int is_extrapolating(const context *c)
 {
-    const int augmented = c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_AL_BETA;
-    return c->s.head[S_ORDER_IN_USE] > 2.0 && augmented && is_dissipative(c);
+    return c->s.head[S_ORDER_IN_USE] > 2.0 && may_extrapolate(c) && is_dissipative(c);
+}
+
+/* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
+static double weight_of(int pairs, int first, int last)
+{
+    double weight = pairs < first ? 0.0 : 1.0;
+    for (int k = first; k <= last; k++)
+        if (k != pairs) weight *= (double)(pairs * pairs) / (pairs * pairs - k * k);
+    return weight;
 }
 
 /* Velocities w that make up for the rates g in `phi` by the smallest change, added to x; islands that sleep are left
@@ -171,16 +184,20 @@ static void go_back(context *c, double t, double law_time)
     c->t = t;
 }
 
-/* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta. */
-static void weigh(context *c, double weight, extrapolation *x)
+/* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta; and to
+   what they differ by from those of one order less, without the coarsest cover: `less` times.                  */
+static void weigh(context *c, double weight, double less, extrapolation *x)
 {
     const int64_t n = DIM * c->n_moving;
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup, *q0 = start + (s->q - s->head), *v0 = start + (s->v - s->head);
     double total[RIGID], size[RIGID];
+    double *x_q = c->k.estimate, *x_v = x_q + n, *less_q = x_v + n, *less_v = less_q + n;
     for (int64_t k = 0; k < n; k++) { /* low parts follow high ones */
-        c->k.estimate[k] += weight * ((s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]));
-        c->k.estimate[n + k] += weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]));
+        const double dq = (s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]);
+        const double dv = (s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]);
+        x_q[k] += weight * dq, less_q[k] += less * dq;
+        x_v[k] += weight * dv, less_v[k] += less * dv;
     }
     x->work += weight * ((s->head[S_WORK] - start[S_WORK]) + (s->head[S_WORK_LOW] - start[S_WORK_LOW]));
     x->dissipated += weight * ((s->head[S_DISSIPATED] - start[S_DISSIPATED]) +
@@ -200,11 +217,11 @@ static int32_t take_weighted(context *c, double h, const extrapolation *x)
     const hm_state *s = &c->s;
     double *head = s->head, *dq = c->k.estimate, *dv = dq + n;
     const double *start = c->k.pair_backup, *q0 = start + (s->q - s->head), *v0 = start + (s->v - s->head);
-    if (!(x->dissipated >= 0.0)) return HOLONOM_DAMPING_REVERSED;
     for (int64_t k = 0; k < n; k++) {
         dq[k] -= (s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]);
         dv[k] -= (s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]);
     }
+    if (!(x->dissipated >= 0.0)) return HOLONOM_DAMPING_REVERSED;
     if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= SURE)) return HOLONOM_NOT_FINITE;
     for (int64_t k = 0; k < n; k++) {
         hm_add(s->q + k, s->q_low + k, dq[k]);
@@ -229,22 +246,20 @@ static int32_t extrapolated_step(context *c, double h)
     int32_t status = HOLONOM_OK;
     int half = 0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
-    memset(c->k.estimate, 0, sizeof(double) * (size_t)(2 * DIM * c->n_moving));
+    memset(c->k.estimate, 0, sizeof(double) * (size_t)(4 * DIM * c->n_moving));
     momenta(c, c->k.momentum);
     rigid_momenta(c, c->k.momentum, x.before, x.scale);
     for (int i = 0; i < RIGID; i++) x.kept[i] = 1, x.momentum[i] = x.before[i];
     begin_halves(c, covers * (covers + 1));
     for (int pairs = 1; pairs <= covers; pairs++) {
-        double weight = 1.0;
-        for (int k = 1; k <= covers; k++)
-            if (k != pairs) weight *= (double)(pairs * pairs) / (pairs * pairs - k * k);
+        const double weight = weight_of(pairs, 1, covers);
         if (pairs > 1) go_back(c, t, law_time);
         for (int i = 0; i < 2 * pairs; i++) {
             if ((status = single_step(c, 0.5 * h / pairs, half++))) return status;
             if (i % 2) average_multipliers(c, c->t - 0.5 * h / pairs);
         }
         if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
-        weigh(c, weight, &x);
+        weigh(c, weight, weight - weight_of(pairs, 2, covers), &x);
     }
     memcpy(c->k.finest, c->s.head, bytes);
     if (take_weighted(c, h, &x)) {

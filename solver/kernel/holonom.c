@@ -88,7 +88,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->rhs = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->value = take(block, &used, m->n_lu_values);
     map_composite(m, block, &used, k);
-    k->estimate = take(block, &used, 2 * n);
+    k->estimate = take(block, &used, 4 * n);
     k->step_backup = take(block, &used, state_size);
     k->pair_backup = take(block, &used, state_size);
     k->finest = take(block, &used, state_size);

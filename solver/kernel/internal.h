@@ -140,7 +140,8 @@ typedef struct hm_work {
     double *block;        /* (dim n_local_nodes) squared                                                    */
     double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.inc.h            */
     hm_registers r;       /* of one function                                                                */
-    double *estimate;     /* 2 n: difference from a solution of lower order, in q and in v                   */
+    double *estimate;     /* 4 n: in q and in v, difference from a solution of lower order; of weighted covers: change from
+                             the finest one, and behind it that difference                                  */
     double *step_backup, *pair_backup, *finest; /* state size each                                          */
     double *whole_backup; /* twice the state size: after a step and before it, while it is checked             */
 } hm_work;

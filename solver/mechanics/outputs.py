@@ -28,7 +28,7 @@ COUNTERS = {
     "newton_iterations": "Newton iterations of the last communication step",
     "uzawa_iterations": "Uzawa updates of the last communication step",
     "substeps": "implicit steps solved in the last communication step",
-    "order_in_use": "order of the last internal step, 0 before it: 2 where dampers take energy out",
+    "order_in_use": "order of the last internal step, 0 before it",
     "status": "0 after a step that was solved, else the reason why it was not",
 }
 

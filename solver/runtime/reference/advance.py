@@ -52,8 +52,6 @@ class Advance:
     def __init__(self, mechanism: Mechanism, motion: Motion, clock: Clock) -> None:
         self.mechanism, self.motion, self.clock = mechanism, motion, clock
         self.control = Control(mechanism, motion)
-        self._unweighted = False
-        """Whether a step with dampers was left of order 2."""
 
     def cover(self, start: float, step: float) -> None:
         """Cover a communication step by internal ones."""
@@ -77,10 +75,10 @@ class Advance:
         head["order_in_use"] = max(head["order"], 2.0)
         if self.control.dissipative and not is_extrapolating(self.motion, self.control):
             head["order_in_use"] = 2.0
-        self._unweighted = False
+        self.control.estimate.unweighted = False
         for i in range(n):
             self._interval(start + step / n * i, step / n, 0)
-        if self._unweighted:
+        if self.control.estimate.unweighted:
             head["order_in_use"] = 2.0
 
     def _cover_to_tolerance(self, start: float, step: float) -> None:
@@ -97,6 +95,7 @@ class Advance:
             h = rest / n
             backup, numbers = self.motion.block.copy(), self.clock.numbers.copy()
             solved = True
+            control.look()
             try:
                 self._internal_step(start + done, h)
                 repeated = self._rejects(start + done, h, step, (backup, numbers))
@@ -118,6 +117,8 @@ class Advance:
             repeats = 0
             done = step if n == 1.0 else done + h
             follow_energy_reference(self.mechanism, self.motion)
+        if control.estimate.unweighted:
+            head["order_in_use"] = 2.0
 
     def _rejects(self, t: float, h: float, step: float, before: tuple[Array, Array]) -> bool:
         """Judge the step of length h just taken from t; measure what some of them add."""
@@ -141,9 +142,12 @@ class Advance:
         try:
             for start in (t, t + 0.5 * h):
                 self._internal_step(start, 0.5 * h)
+                if estimate.unweighted:
+                    raise UnsolvedError(Status.NOT_FINITE)
             difference = estimate.distance(estimate.present() - whole)
         except UnsolvedError:
             difference = 0.0
+        estimate.unweighted = False
         spent = {name: spent[name] + head[name] - costs[name] for name in COSTS}
         self.motion.block[:], self.clock.numbers[:] = after
         for name, count in spent.items():
@@ -212,7 +216,8 @@ class Advance:
         covers, numbers = int(motion.head["order_in_use"]) // 2, clock.numbers.copy()
         step = Extrapolation(mechanism, motion, clock, t, h)
         prediction = Prediction(motion, covers * (covers + 1))
-        for pairs, weight in enumerate(weights(covers), 1):
+        ends = zip(weights(1, covers), weights(2, covers), strict=True)
+        for pairs, (weight, less) in enumerate(ends, 1):
             if pairs > 1:
                 step.go_back()
                 clock.numbers[:] = numbers
@@ -223,14 +228,15 @@ class Advance:
                 self._average_multipliers(middle, half)
             if clock.model.sizes["time_dependent"]:  # ends are compared under the same laws
                 clock.set_laws(mechanism, t + h, booked=True)
-            step.weigh(weight)
+            step.weigh(weight, less)
         finest = motion.block.copy()
         try:
             step.take_over(self.control.estimate.size)
         except UnsolvedError:
             motion.block[:] = finest
-            self._unweighted = True
+            self.control.estimate.take_covers(step.from_finest, weighted=False)
             return
+        self.control.estimate.take_covers(step.from_less, weighted=True)
         follow_angles(mechanism, motion)
         follow_bodies(clock.model, motion)
 

@@ -3,7 +3,7 @@
 The difference from an embedded solution of order r, e ~ (omega h)^(r+1), tells how fast the motion
 changes, and with it the error of the step's own order p, (omega h)^(p+1) times a mean over
 mechanisms. How far a mechanism is from the mean is learned by repeating a few steps as two of half
-the length.
+the length. With dampers, the embedded solution is that of all covers but the coarsest.
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ from .state import Motion
 Array = NDArray[np.float64]
 
 LEAST, MOST = 0.25, 100.0
-"""Times the mean, that an error is taken for."""
+"""Times the mean, that an error is taken for; of weighted covers, on which strong dampers show, up
+to MOST squared."""
 
 CHECKED, REGULARLY = (2.0, 8.0, 32.0, 128.0), 256.0
 """Steps of an order whose error is measured: these, and one in so many."""
@@ -64,6 +65,15 @@ METHODS = {
     6: Method(9, 4.0, 2.9, 5.2e-6, 0.5, 1e-13, 2.0),
     8: Method(15, 6.0, 2.64, 3.1e-7, 0.45, 1e-12, 2.5),
 }
+"""Compositions."""
+
+WEIGHTED = {
+    2: METHODS[2],
+    4: Method(3, 2.0, 4.9, 1.2e-3, 0.5, 1e-13, 1.0),
+    6: Method(6, 4.0, 5.9, 3e-5, 0.5, 1e-13, 1.5),
+    8: Method(10, 6.0, 6.2, 7e-7, 0.5, 1e-12, 2.0),
+}
+"""Weighted covers, with dampers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +96,16 @@ class Estimate:
         self.free = slice(mechanism.n_free)
         self._weights: tuple[float, ...] = ()
         self._outputs: list[Array] = []
+        self._of_covers: Array | None = None
+        self.damped = False
+        """Whether something takes energy out of the step at hand."""
+        self.unweighted = False
+        """Whether a step with dampers was left of order 2."""
+
+    @property
+    def methods(self) -> dict[int, Method]:
+        """What steps may be of, by order."""
+        return WEIGHTED if self.damped else METHODS
 
     # --------------------------------------------------------------------------- difference
 
@@ -93,6 +113,15 @@ class Estimate:
         """Begin an internal step of an order."""
         self._weights = embedded(order) if order > 2 and self.head["tolerance"] > 0.0 else ()
         self._outputs = [self.present()]
+        self._of_covers = None
+
+    def take_covers(self, difference: Array, *, weighted: bool) -> None:
+        """Take the difference (2, n) in q and v from weights of one order less.
+
+        Where the weighted end was not taken, from the end of the finest cover, which was.
+        """
+        self._of_covers = difference
+        self.unweighted |= not weighted
 
     def gather(self) -> None:
         """Keep the output after a stage."""
@@ -127,6 +156,8 @@ class Estimate:
         return self.mechanism.norm(x[self.free])
 
     def _difference(self) -> float:
+        if self._of_covers is not None:
+            return self.size(*self._of_covers)
         start = self._outputs[0]
         found = np.zeros_like(start)
         for weight, output in zip(self._weights, self._outputs, strict=True):
@@ -151,11 +182,14 @@ class Estimate:
         difference = self._difference() if order > 2 else self._difference_of_pairs(h)
         if difference is None:
             return None
-        method = METHODS[order]
+        method = self.methods[order]
         turned = method.rate * difference ** (1.0 / (method.lower + 1.0))
         extent = float(self.mechanism.section["extent"][1])
         noise = method.round_off * (1.0 + extent / (h * max(self._speed, 1e-300)))
-        return StepError(turned / h, method.mean * turned ** (order + 1), difference <= noise)
+        is_noise = difference <= noise
+        if self.unweighted:  # the end that was not taken tells the error of the one that was
+            return StepError(0.0, difference, is_noise)
+        return StepError(turned / h, method.mean * turned ** (order + 1), is_noise)
 
     # ----------------------------------------------------------------------------- learning
 
@@ -166,7 +200,7 @@ class Estimate:
     def checks_before(self) -> int | None:
         """Count the step just judged; return how many before it were measured, if it is to be."""
         order = int(self.head["order_in_use"])
-        if order == 2:
+        if order == 2 or self.unweighted:
             return None
         judged = self.head[f"judged_{order}"] = self.head[f"judged_{order}"] + 1.0
         if judged in CHECKED:
@@ -178,8 +212,8 @@ class Estimate:
         order = int(self.head["order_in_use"])
         if not measured > 0.0:
             return
-        times = METHODS[order].remains * measured / error.mean
-        found = math.log(min(max(times, LEAST), MOST))
+        times = self.methods[order].remains * measured / error.mean
+        found = math.log(min(max(times, LEAST), MOST**2 if self.damped else MOST))
         learned = self.head[f"learned_{order}"]
         # The mean over mechanisms counts as a check.
         self.head[f"learned_{order}"] = learned + (found - learned) / (checks + 2.0)

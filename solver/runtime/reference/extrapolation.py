@@ -42,18 +42,20 @@ KEEPS = ("q", "q_low", "v", "v_low", "turns", "direction", "signal", "quaternion
 """What a cover begins with; what predicts half steps goes on from cover to cover."""
 
 
-def weights(covers: int) -> list[float]:
-    """Weights of the ends after 1, 2, ... pairs: errors in their lengths' even powers cancel."""
-    return [
-        math.prod(j * j / (j * j - k * k) for k in range(1, covers + 1) if k != j)
-        for j in range(1, covers + 1)
+def weights(first: int, last: int) -> list[float]:
+    """Weights of the ends after 1, 2, ... `last` pairs: errors in even powers of lengths cancel.
+
+    Of `first` pairs and more alone; those before have none.
+    """
+    used = range(first, last + 1)
+    return [0.0] * (first - 1) + [
+        math.prod(j * j / (j * j - k * k) for k in used if k != j) for j in used
     ]
 
 
 def is_extrapolating(motion: Motion, control: Control) -> bool:
     """Whether steps are of these."""
-    augmented = motion.formulation in ("conserving-al", "conserving-al-beta")
-    return motion.head["order_in_use"] > 2.0 and augmented and control.dissipative
+    return motion.head["order_in_use"] > 2.0 and control.extrapolates and control.dissipative
 
 
 def rigid_velocities(mechanism: Mechanism, motion: Motion) -> Array:
@@ -82,6 +84,10 @@ class Extrapolation:
         self.kept = np.full(len(self.before), mechanism.n == mechanism.n_free)
         self.momentum = self.before.copy()
         self.dq, self.dv = np.zeros(mechanism.n), np.zeros(mechanism.n)
+        self.from_less = np.zeros((2, mechanism.n))
+        """Difference in q and v of the weighted end from that of one order less."""
+        self.from_finest = np.zeros((2, mechanism.n))
+        """And from the end of the finest cover."""
         self.booked = dict.fromkeys(("work", "dissipated"), 0.0)
 
     def _momenta(self) -> tuple[Array, Array]:
@@ -97,9 +103,13 @@ class Extrapolation:
         for name, value in self.accounts.items():
             self.motion.head[name] = value
 
-    def weigh(self, weight: float) -> None:
-        """Add the end of a cover, `weight` times, to what the step does."""
+    def weigh(self, weight: float, less: float) -> None:
+        """Add the end of a cover, `weight` times, to what the step does.
+
+        Without the coarsest cover, which leaves one order less, its weight is `less`.
+        """
         dq, dv = self._moved()
+        self.from_less += (weight - less) * np.array([dq, dv])
         self.dq += weight * dq
         self.dv += weight * dv
         for name in self.booked:
@@ -125,10 +135,10 @@ class Extrapolation:
             Where it cannot be put back; the motion is then to be restored.
         """
         motion = self.motion
+        dq, dv = self._moved()
+        dq, dv = self.from_finest[:] = self.dq - dq, self.dv - dv
         if not self.booked["dissipated"] >= 0.0:
             raise UnsolvedError(Status.DAMPING_REVERSED)
-        dq, dv = self._moved()
-        dq, dv = self.dq - dq, self.dv - dv
         if not size(dq, dv) <= SURE:
             raise UnsolvedError(Status.NOT_FINITE)
         add(motion.q, motion.q_low, dq)
