@@ -89,7 +89,8 @@ class Instance:
             unzipDirectory=folder,
             modelIdentifier=self.description.coSimulation.modelIdentifier,
         )
-        self.fmu.instantiate(callbacks=self._callbacks(), loggingOn=logging)
+        self.callbacks = self._callbacks()
+        self.fmu.instantiate(callbacks=self.callbacks, loggingOn=logging)
 
     def _callbacks(self) -> fmi2CallbackFunctions:
         """Callbacks with a log per instance: fmpy's own logger is one for the whole process."""

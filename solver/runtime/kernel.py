@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import os
 import sys
 from array import array
@@ -74,6 +75,12 @@ def load_library(path: str | None = None) -> ctypes.CDLL:
     return library
 
 
+@functools.cache
+def _shared_library(path: str) -> ctypes.CDLL:
+    """Load a kernel once: ctypes keeps some 1.4 kB for every time that a library is loaded."""
+    return load_library(path)
+
+
 def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
     content = array("d", values) or array("d", [0.0])
     return (ctypes.c_double * len(content)).from_buffer_copy(content)
@@ -89,7 +96,7 @@ class Kernel:
 
     def __init__(self, model: Model, library: ctypes.CDLL | None = None) -> None:
         self.model = model
-        self._library = library or load_library()
+        self._library = library or _shared_library(library_path())
         self.numbers = _doubles(model.numbers)
         self.state = (ctypes.c_double * state_size(model.sizes))()
         self._struct = _ModelStruct(
