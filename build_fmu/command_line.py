@@ -80,6 +80,7 @@ def _parser() -> argparse.ArgumentParser:
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
     _add_run(simulate)
     simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
+    _add_sweep(commands)
     check = commands.add_parser("check", help="run it and test that energy and constraints hold")
     _add_run(check)
     for name in ("energy", "constraint"):
@@ -107,6 +108,19 @@ def _add_variants(commands: argparse._SubParsersAction) -> None:
     _add_study(command, "processes")
     _add_settings(command, "replace a parameter or any number of the scene, in all of them")
     command.add_argument("--json", action="store_true", help="print JSON instead of the file")
+
+
+def _add_sweep(commands: argparse._SubParsersAction) -> None:
+    command = commands.add_parser("sweep", help="run one FMU with many values of its parameters")
+    _add_run(command)
+    _add_study(command, "processes")
+    text = "outputs to keep, separated by commas (default: all)"
+    command.add_argument("--output", action="append", default=[], metavar="NAMES", help=text)
+    text = "file of results, .csv or .h5 (default: <name of the file>_sweep.csv); one that is"
+    text += " there, of the same sweep, is continued"
+    command.add_argument("-o", "--results", metavar="FILE", help=text)
+    command.add_argument("--fresh", action="store_true", help="replace what is in that file")
+    command.add_argument("--json", action="store_true", help="print JSON instead of a table")
 
 
 def _add_study(command: argparse.ArgumentParser, engines: str) -> None:

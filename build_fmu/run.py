@@ -148,7 +148,7 @@ def _simulate(path: str, **options) -> tuple[ndarray | None, str]:
     from fmpy.fmi1 import FMICallException
 
     try:
-        with _not_said_twice():
+        with not_said_twice():
             return fmpy.simulate_fmu(path, **options), ""
     except FMICallException as error:
         return None, str(error)
@@ -159,7 +159,7 @@ def _simulate(path: str, **options) -> tuple[ndarray | None, str]:
 
 
 @contextlib.contextmanager
-def _not_said_twice() -> Iterator[None]:
+def not_said_twice() -> Iterator[None]:
     """Keep the FMU from saying aloud what its log has: the log is read here."""
     logger = logging.getLogger(LOGGER)
     before, logger.disabled = logger.disabled, True

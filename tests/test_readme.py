@@ -105,6 +105,7 @@ def test_the_commands_run_one_after_the_other(monkeypatch, tmp_path, capsys):
         "build",
         "variants",
         "simulate",
+        "sweep",
         "check",
         "info",
         "validate",

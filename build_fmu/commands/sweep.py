@@ -1,0 +1,105 @@
+"""`build-fmu sweep FMU|SCENE`: run it with many values; a table of what came out goes to stdout."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from build_fmu.errors import UNFINISHED, UsageError
+from build_fmu.report import count_bar, number, print_json, print_table
+from build_fmu.study.plan import Result
+from build_fmu.study.settings import given_on_the_command_line
+from build_fmu.study.sweep import Sweep, sweep_fmu
+
+MOST_REASONS = 10
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Sweep; exit code 3 if a run did not come to its end."""
+    if not arguments.grid and not arguments.table:
+        text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
+        raise UsageError(text)
+    names = [name.strip() for text in arguments.output for name in text.split(",")]
+    path = Path(arguments.results or f"{Path(arguments.target).stem}_sweep.csv")
+    begin = time.perf_counter()
+    with count_bar(f"sweep of {Path(arguments.target).stem}", "runs") as progress:
+        found = sweep_fmu(
+            arguments.target,
+            grid=arguments.grid,
+            table=arguments.table,
+            parameters=given_on_the_command_line(arguments.parameters, arguments.settings),
+            outputs=[name for name in names if name] or None,
+            stop_time=arguments.stop,
+            step_size=arguments.step,
+            path=path,
+            fresh=arguments.fresh,
+            engine=arguments.engine,
+            workers=arguments.jobs,
+            progress=progress,
+        )
+    spent = time.perf_counter() - begin
+    if arguments.json:
+        print_json(_document(found, path, spent))
+    else:
+        _print(found, path, spent)
+    _report(found.failed)
+    return UNFINISHED if found.failed else 0
+
+
+def _extremes(found: Sweep) -> list[tuple[str, float, int, float, int]]:
+    """Smallest and largest value of each output, each with its run."""
+    rows = []
+    for at, name in enumerate(found.plan.outputs):
+        low = [
+            (r.summary[at][1], r.run) for r in found.results if r.summary[at][1] == r.summary[at][1]
+        ]
+        high = [
+            (r.summary[at][2], r.run) for r in found.results if r.summary[at][2] == r.summary[at][2]
+        ]
+        if low and high:
+            rows.append((name, *min(low), *max(high)))
+        else:
+            rows.append((name, math.nan, 0, math.nan, 0))
+    return rows
+
+
+def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
+    return {
+        "results": str(path),
+        "runs": found.plan.count,
+        "resumed": found.resumed,
+        "failed": [{"run": r.run, "time": r.end_time, "reason": r.reason} for r in found.failed],
+        "wall_time": spent,
+        "outputs": {
+            name: {"min": low, "run_of_min": low_run, "max": high, "run_of_max": high_run}
+            for name, low, low_run, high, high_run in _extremes(found)
+            if low_run
+        },
+    }
+
+
+def _print(found: Sweep, path: Path, spent: float) -> None:
+    new = found.plan.count - found.resumed
+    title = f"{path}: {found.plan.count} runs, {len(found.failed)} failed, {new} in {spent:.1f} s"
+    rows = [
+        (name, number(low), _values(found, low_run), number(high), _values(found, high_run))
+        for name, low, low_run, high, high_run in _extremes(found)
+    ]
+    print_table(title, ("output", "smallest", "with", "largest", "with"), rows)
+
+
+def _values(found: Sweep, run: int) -> str:
+    row = found.plan.rows[run - 1] if run else {}
+    return ", ".join(f"{k}={x:g}" if isinstance(x, float) else f"{k}={x}" for k, x in row.items())
+
+
+def _report(failed: Sequence[Result]) -> None:
+    for result in failed[:MOST_REASONS]:
+        where = f"run {result.run} ended at t = {result.end_time:g} s"
+        sys.stderr.write(f"build-fmu: {where}: {result.reason}\n")
+    if len(failed) > MOST_REASONS:
+        sys.stderr.write(f"build-fmu: ... and {len(failed) - MOST_REASONS} more runs\n")

@@ -1,0 +1,215 @@
+"""Sweeps: each run is the one that `simulate` makes, whatever engine, file or interruption."""
+
+from __future__ import annotations
+
+import csv
+import importlib.util
+import json
+
+import numpy as np
+import pytest
+
+import build_fmu
+from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.run import run_fmu
+from build_fmu.study import sweep as sweep_module
+from tests.commands import run
+from tests.fmu_instance import SCENES, pendulum, scene_fmu
+
+GRID = {"length": [0.5, 1.0], "mass": [1.0, 2.0, 3.0]}
+OUTPUTS = ("A.x", "energy.error")
+BROKEN = {"mass": [1.0, -1.0, 2.0]}
+"""The second cannot be assembled, and no limit of the parameter says so before."""
+
+
+def lines(path) -> list[dict[str, str]]:
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+# ------------------------------------------------------------------------------------ the runs
+
+
+@pytest.mark.parametrize("engine", ["serial", "processes:2"])
+def test_every_run_is_the_one_of_a_new_instance(engine):
+    found = build_fmu.sweep(
+        pendulum(), grid=GRID, outputs=OUTPUTS, trajectories=True, engine=engine
+    )
+    assert list(found["run"]) == [1, 2, 3, 4, 5, 6]
+    assert found["finished"].all()
+    for row in found:
+        alone = run_fmu(pendulum(), settings={"length": row["length"], "mass": row["mass"]})
+        assert list(row["time"]) == pytest.approx(list(alone.values["time"]))
+        assert list(row["A.x"]) == list(alone.values["A.x"])  # bit for bit
+        assert row["A.x.final"] == alone.values["A.x"][-1]
+        assert (row["A.x.min"], row["A.x.max"]) == (row["A.x"].min(), row["A.x"].max())
+
+
+def test_a_run_that_fails_is_recorded_and_the_others_are_as_without_it():
+    found = build_fmu.sweep(pendulum(), grid=BROKEN, outputs=["A.x"], trajectories=True)
+    assert list(found["finished"]) == [True, False, True]
+    assert "mass" in found["reason"][1]
+    assert np.isnan(found["A.x"][1][1:]).all()
+    good = build_fmu.sweep(pendulum(), grid={"mass": [1.0, 2.0]}, outputs=["A.x"])
+    assert list(found["A.x.final"][[0, 2]]) == list(good["A.x.final"])
+
+
+def test_the_last_step_ends_at_the_stop_time():
+    found = build_fmu.sweep(
+        pendulum(), grid={"mass": [1]}, stop_time=0.25, step_size=0.1, trajectories=True
+    )
+    assert list(found["time"][0]) == pytest.approx([0.0, 0.1, 0.2, 0.25])
+    assert found["finished"].all()
+
+
+def test_a_scene_is_swept_as_its_fmu():
+    arguments = {"grid": GRID, "outputs": ["A.x"], "stop_time": 0.5, "engine": "serial"}
+    by_scene = build_fmu.sweep(SCENES / "double_pendulum.toml", **arguments)
+    by_fmu = build_fmu.sweep(scene_fmu("double_pendulum"), **arguments)
+    assert by_scene.tolist() == by_fmu.tolist()
+
+
+# ----------------------------------------------------------------------------------- the files
+
+
+def test_the_command_writes_a_summary_and_prints_the_extremes(capsys, tmp_path):
+    grids = ("--grid", "length=0.5:1:2", "--grid", "mass=1,2,3", "--output", ",".join(OUTPUTS))
+    file = tmp_path / "a.csv"
+    code, out, err = run(capsys, "sweep", pendulum(), *grids, "-o", file, "--json")
+    assert (code, err) == (0, "")
+    document = json.loads(out)
+    assert (document["runs"], document["failed"], document["resumed"]) == (6, [], 0)
+    found = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS)
+    rows = lines(file)
+    assert [float(row["A.x.final"]) for row in rows] == list(found["A.x.final"])
+    assert [float(row["length"]) for row in rows] == list(found["length"])
+    assert document["outputs"]["A.x"]["min"] == found["A.x.min"].min()
+    code, out, _ = run(capsys, "sweep", pendulum(), *grids, "-o", file)
+    assert code == 0
+    assert "6 runs, 0 failed, 0 in" in out
+
+
+def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
+    arguments = ("--grid", "mass=1,-1,2", "--output", "A.x", "-o", tmp_path / "a.csv")
+    code, out, err = run(capsys, "sweep", pendulum(), *arguments)
+    assert code == 3
+    assert "3 runs, 1 failed" in out
+    assert err.startswith("build-fmu: run 2 ended at t = 0 s: ")
+    assert [row["finished"] for row in lines(tmp_path / "a.csv")] == ["true", "false", "true"]
+
+
+def files_of(tmp_path) -> list:
+    kinds = [".csv", *([".h5"] if importlib.util.find_spec("h5py") else [])]
+    return [tmp_path / f"a{kind}" for kind in kinds]
+
+
+def test_an_interrupted_sweep_goes_on_where_it_stopped(tmp_path, monkeypatch):
+    whole = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS, engine="serial")
+    arguments = {"grid": GRID, "outputs": OUTPUTS, "engine": "serial"}
+    one = sweep_module._one
+    for file in files_of(tmp_path):
+        begun = []
+
+        def interrupted(fmu, shared, number, values, begun=begun):
+            begun.append(number)
+            if len(begun) == 4:
+                raise KeyboardInterrupt
+            return one(fmu, shared, number, values)
+
+        monkeypatch.setattr(sweep_module, "_one", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            build_fmu.sweep(pendulum(), path=file, **arguments)
+        again = build_fmu.sweep(pendulum(), path=file, **arguments)
+        assert begun == [1, 2, 3, 4, 4, 5, 6]
+        assert again.tolist() == whole.tolist()
+
+
+def test_a_line_that_was_cut_off_is_run_again(tmp_path):
+    file = tmp_path / "a.csv"
+    arguments = {"grid": GRID, "outputs": OUTPUTS, "path": file, "engine": "serial"}
+    whole = build_fmu.sweep(pendulum(), **arguments)
+    text = file.read_text()
+    file.write_text(text[:-40])
+    assert build_fmu.sweep(pendulum(), **arguments).tolist() == whole.tolist()
+    assert file.read_text() == text
+
+
+def test_another_sweep_is_not_mixed_into_a_file(tmp_path):
+    for file in files_of(tmp_path):
+        build_fmu.sweep(pendulum(), grid=GRID, path=file, engine="serial")
+        with pytest.raises(UsageError, match="holds another sweep, with another times"):
+            build_fmu.sweep(pendulum(), grid=GRID, path=file, stop_time=0.5)
+        with pytest.raises(UsageError, match="holds another sweep, with another FMU"):
+            build_fmu.sweep(pendulum(mass=2), grid=GRID, path=file)
+        build_fmu.sweep(pendulum(), grid=GRID, path=file, stop_time=0.5, fresh=True)
+    (tmp_path / "b.csv").write_text("mine\n")
+    with pytest.raises(UsageError, match="is not one of a sweep"):
+        build_fmu.sweep(pendulum(), grid=GRID, path=tmp_path / "b.csv")
+    assert (tmp_path / "b.csv").read_text() == "mine\n"
+
+
+# ----------------------------------------------------------------------------------- the forms
+
+
+def test_hdf5_has_summary_and_trajectories(tmp_path):
+    h5py = pytest.importorskip("h5py")
+    arguments = {"outputs": OUTPUTS, "trajectories": True, "engine": "serial"}
+    build_fmu.sweep(pendulum(), grid=BROKEN, path=tmp_path / "a.h5", **arguments)
+    found = build_fmu.sweep(pendulum(), grid=BROKEN, **arguments)
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert list(file["runs"]["finished"]) == [True, False, True]
+        assert list(file["runs"]["mass"]) == BROKEN["mass"]
+        assert file["trajectories/A.x"].attrs["unit"] == "m"
+        np.testing.assert_array_equal(file["trajectories/A.x"][:], found["A.x"])
+        np.testing.assert_array_equal(file["time"][:], found["time"][0])
+
+
+def test_pandas_and_xarray_have_the_same_numbers():
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    found = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS, trajectories=True)
+    for trajectories in (False, True):
+        arguments = {"grid": GRID, "outputs": OUTPUTS, "trajectories": trajectories}
+        data = build_fmu.sweep(pendulum(), form="xarray", **arguments)
+        assert list(data["A.x.final"]) == list(found["A.x.final"])
+        frame = build_fmu.sweep(pendulum(), form="pandas", **arguments)
+        if trajectories:
+            np.testing.assert_array_equal(data["A.x"], found["A.x"])
+            np.testing.assert_array_equal(frame["A.x"].to_numpy(), found["A.x"].ravel())
+        else:
+            assert list(frame["A.x.final"]) == list(found["A.x.final"])
+
+
+# -------------------------------------------------------------------------------- the mistakes
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ((), ["nothing is varied"]),
+        (("--grid", "mas=1,2"), ["has no parameter or input 'mas'", "did you mean 'mass'?"]),
+        (("--grid", "mass=a,2"), ["--grid mass=a,2: error: mass: must be a number, got 'a'"]),
+        (
+            ("--grid", "solver.max_newton=0,2000", "--grid", "lenght=1"),
+            ["must be >= 1, got 0", "must be <= 1000, got 2000", "did you mean 'length'?"],
+        ),
+        (("--grid", "mass=1", "--output", "A.z"), ["--output A.z: error", "did you mean 'A."]),
+        (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
+        (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be after"]),
+    ],
+    ids=range(7),
+)
+def test_mistakes_end_with_2_before_anything_runs(capsys, tmp_path, monkeypatch, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run(capsys, "sweep", pendulum(), *arguments)
+    assert (code, out) == (2, "")
+    assert not [each for each in words if each not in err]
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_form_that_is_not_there_is_refused():
+    with pytest.raises(UsageError, match="no form 'list'; write one of numpy, pandas, xarray"):
+        build_fmu.sweep(pendulum(), grid=GRID, form="list")
+    if importlib.util.find_spec("xarray") is None:
+        with pytest.raises(EnvironmentLackError, match="pip install xarray"):
+            build_fmu.sweep(pendulum(), grid=GRID, form="xarray")
