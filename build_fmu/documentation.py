@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.payload import package_folder
+from solver.runtime.options import TINY
 
 if TYPE_CHECKING:
+    from build_fmu.trial import Trial
     from solver.runtime import Model, Variable
 
 _PAGE = """<!DOCTYPE html>
@@ -22,21 +24,27 @@ _PAGE = """<!DOCTYPE html>
 body {{ font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 64rem }}
 table {{ border-collapse: collapse; width: 100% }}
 th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: left }}
+img {{ float: right; margin: 0 0 1rem 1rem; border: 1px solid #ccc }}
 td.number {{ font-variant-numeric: tabular-nums }}
 </style>
 </head>
 <body>
 <h1>{name}</h1>
-<p>{description}</p>
+{picture}<p>{description}</p>
 <p>An FMI 2.0 co-simulation unit. It advances the mechanism with a conserving augmented-Lagrangian
 method; its outputs <code>energy.error</code> and <code>constraint.position</code> say how well
 energy and constraints are kept, and <code>solver.status</code> is 0 as long as every communication
 step succeeded. Where it is not 0 the last step was discarded and the log has the reason.</p>
 <p>Default experiment: {experiment}. {needs}</p>
+<h2>How it is solved</h2>
+<p>{solved}</p>
+<h2>How exact it is</h2>
+<p>{accuracy}</p>
 {tables}
 </body>
 </html>
 """
+_PICTURE = '<img src="../model.png" alt="the mechanism as drawn" width="480" height="360">\n'
 _NEEDS = "Needs Python 3.10 or newer on the machine that runs it, and no package."
 _SECTIONS = {
     "parameter": "Parameters",
@@ -47,19 +55,19 @@ _SECTIONS = {
 }
 
 
-def documentation(model: Model) -> dict[str, bytes]:
-    """Files below `documentation/` by path in the archive."""
+def documentation(model: Model, seen: Trial, *, pictured: bool) -> dict[str, bytes]:
+    """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
     pythonfmu = _licence("pythonfmu", package_folder("pythonfmu"))
     ours = _licence("holonom", Path(__file__).parents[1])
     return {
-        "documentation/index.html": page(model).encode(),
+        "documentation/index.html": page(model, seen, pictured=pictured).encode(),
         "documentation/externalDependencies.txt": f"{_NEEDS}\n".encode(),
         "documentation/licenses/license.txt": ours.encode(),
         "documentation/licenses/pythonfmu.txt": pythonfmu.encode(),
     }
 
 
-def page(model: Model) -> str:
+def page(model: Model, seen: Trial, *, pictured: bool) -> str:
     """HTML page with a table of variables per causality."""
     tables = [
         _table(title, [v for v in model.variables if v.causality == causality])
@@ -74,7 +82,43 @@ def page(model: Model) -> str:
             f"with steps of {experiment.step_size!r} s"
         ),
         needs=_NEEDS,
+        picture=_PICTURE if pictured else "",
+        solved=escape(solved(model)),
+        accuracy=escape(accuracy(seen)),
         tables="\n".join(filter(None, tables)),
+    )
+
+
+def solved(model: Model) -> str:
+    """Sentences on size and method."""
+    sizes, settings = model.sizes, model.settings
+    unknowns = sizes["dim"] * sizes["n_free"]
+    text = (
+        f"{unknowns} coordinates and {sizes['n_rows']} constraint rows in "
+        f"{sizes['n_islands']} part(s) that nothing joins, by {settings['formulation']}"
+    )
+    if settings["tolerance"]:
+        return (
+            f"{text}, in steps chosen for a relative error of the run of {settings['tolerance']:g}."
+        )
+    order = float(settings["order"]) or 2.0
+    return f"{text}, in internal steps of at most {settings['step_size']:g} s, of order {order:g}."
+
+
+def accuracy(seen: Trial) -> str:
+    """Sentences on a run from the start, with the numbers of the scene."""
+    text = (
+        f"In a run of {seen.duration:g} s, when this FMU was built, the energy balance was off by "
+        f"{seen.energy:.1e} of the reference energy at most, and the constraints by "
+        f"{seen.constraint:.1e} of their size."
+    )
+    if seen.reason:
+        return f"{text} The run ended early: {seen.reason}"
+    if seen.convergence is None:
+        return text
+    return (
+        f"{text} At its end no coordinate was farther than {seen.convergence:.1e} m from where a "
+        "run twice as fine led."
     )
 
 
@@ -89,7 +133,7 @@ def _table(title: str, variables: Iterable[Variable]) -> str:
 def _row(variable: Variable) -> str:
     start = "" if variable.start is None else str(variable.start)
     limits = (variable.minimum, variable.maximum)
-    texts = ["" if limit is None else repr(limit) for limit in limits]
+    texts = ["" if limit is None else _limit(limit) for limit in limits]
     span = " to ".join(texts) if any(texts) else ""
     cells = (variable.name, variable.unit, start, span, variable.description)
     name, unit, value, limits_text, meaning = (escape(cell or "") for cell in cells)
@@ -97,6 +141,11 @@ def _row(variable: Variable) -> str:
         f'<tr><td><code>{name}</code></td><td>{unit}</td><td class="number">{value}</td>'
         f"<td>{limits_text}</td><td>{meaning}</td></tr>"
     )
+
+
+def _limit(value: float) -> str:
+    """A limit; what must be greater than 0 has the least normal number as its minimum."""
+    return "above 0" if value == TINY else f"{value:.17g}" if value % 1.0 else f"{value:g}"
 
 
 def _licence(distribution: str, source_tree: Path) -> str:

@@ -16,6 +16,7 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
+from build_fmu.picture import picture
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
 from build_fmu.trial import trial
@@ -97,7 +98,9 @@ def archive_entries(model: Model, scene: Scene | None = None) -> dict[str, bytes
     for library, data in wrapper_libraries().items():
         platform, suffix = library.split("/")
         entries[f"binaries/{platform}/{name}{suffix}"] = data
-    entries |= documentation(model)
+    entries |= documentation(model, seen, pictured=scene is not None)
+    if scene is not None:
+        entries["model.png"] = picture(scene)
     entries["modelDescription.xml"] = model_description(
         model, identifier=name, guid=guid(entries), date=generation_date(), tool=TOOL,
         nominal=seen.nominal, source=scene.source if scene else None,
