@@ -1,6 +1,8 @@
 # make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
 # make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
 # make benchmark   time and accuracy, on this machine
+# make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
+# make cofmupy     the same in cofmupy, which is large
 # make kernel      compile the C kernel and nothing else
 # make clean       back to a fresh clone
 #
@@ -11,10 +13,11 @@ JOBS ?= 2
 
 VENV := .venv
 BIN := $(VENV)/bin
+COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h)
 
-.PHONY: demo test lint benchmark kernel clean
+.PHONY: demo test lint benchmark importers cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m build_fmu.demo
@@ -32,11 +35,22 @@ lint: $(VENV)/installed-tools
 benchmark: $(VENV)/installed-benchmarks
 	$(BIN)/python -m benchmarks
 
+importers: export IMPORTERS = fmpy libcosimpy ecospy pathsim-fmi fmu-manipulation-toolbox
+importers: $(VENV)/installed-importers
+	$(BIN)/python -m pytest -n $(JOBS) tests/importers
+	@$(BIN)/python -m tests.importers.page
+
+cofmupy: export IMPORTERS = cofmupy
+cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
+cofmupy: $(VENV)/installed-importers $(COFMUPY)/installed
+	$(BIN)/python -m pytest tests/importers/test_coupled.py -k cofmupy
+	@$(BIN)/python -m tests.importers.page
+
 kernel:
 	$(PYTHON) -m build_kernel
 
 clean:
-	rm -rf $(VENV) build dist *.egg-info solver/runtime/_kernel
+	rm -rf $(VENV) $(COFMUPY) build dist *.egg-info solver/runtime/_kernel
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -65,3 +79,14 @@ $(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and what benchmarks need"
 	@$(PIP) install --quiet --editable '.[benchmarks]'
 	@touch $@ $(VENV)/installed
+
+$(VENV)/installed-importers: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and importers of FMUs"
+	@$(PIP) install --quiet --editable '.[test,importers]'
+	@touch $@
+
+$(COFMUPY)/installed: $(VENV)/created
+	@echo "installing cofmupy (1 GB, some minutes)"
+	@$(PYTHON) -m venv --without-pip $(COFMUPY)
+	@$(PIP) --python $(COFMUPY)/bin/python install --quiet cofmupy
+	@touch $@

@@ -1,0 +1,41 @@
+"""Programs that read an FMU and judge or run it find nothing to complain of in any scene."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.fmu_instance import SCENES, scene_fmu
+from tests.importers.tools import REQUIRED, command, need
+
+if not REQUIRED:
+    pytest.skip("takes minutes: make importers runs it", allow_module_level=True)
+ALL = sorted(path.stem for path in SCENES.glob("*.toml"))
+
+
+@pytest.mark.parametrize("scene", ALL)
+def test_fmpy_validates_a_scene(scene):
+    run = command(need("fmpy"), "fmpy", "validate", str(scene_fmu(scene)))
+    assert run.returncode == 0, run.stdout
+    assert "No problems found" in run.stdout
+
+
+@pytest.mark.parametrize("scene", ALL)
+def test_fmpy_simulates_a_scene(scene, tmp_path):
+    result = tmp_path / "result.csv"
+    arguments = ["--stop-time", "0.1", "--output-file", str(result)]
+    run = command(need("fmpy"), "fmpy", *arguments, "simulate", str(scene_fmu(scene)))
+    # Its work done, Python may abort in an exit handler of pythonfmu's library (docs/fmu.md, 5).
+    assert run.returncode in (0, -6), run.stderr
+    rows = result.read_text(encoding="utf-8").splitlines()
+    assert float(rows[-1].partition(",")[0]) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("scene", ALL)
+def test_fmutool_finds_no_error_in_a_scene(scene):
+    tool = need("fmu-manipulation-toolbox")
+    run = command(tool, "fmutool", "-input", str(scene_fmu(scene)), "-check")
+    output = run.stdout + run.stderr
+    assert run.returncode == 0, output
+    assert "compliant with FMI-2.0" in output
+    assert "No semantic error" in output
+    assert "ERROR" not in output

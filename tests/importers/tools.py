@@ -1,0 +1,136 @@
+"""The importers, where they are, and what to know of each; docs/importers.md is written from it."""
+
+from __future__ import annotations
+
+import functools
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DRIVERS = Path(__file__).with_name("drivers")
+REQUIRED = os.environ.get("IMPORTERS", "").split()
+"""Tools that have to be there; `make importers` names them."""
+
+
+@dataclass(frozen=True)
+class Tool:
+    """An importer."""
+
+    name: str
+    """of its package"""
+    module: str
+    ran: str
+    remark: str
+    interpreter: str = "IMPORTERS_PYTHON"
+    """environment variable that names the Python which has it, this one if it is not set"""
+
+    @property
+    def python(self) -> str:
+        """Python that runs this tool."""
+        return os.environ.get(self.interpreter, sys.executable)
+
+
+TOOLS = (
+    Tool(
+        "fmpy",
+        "fmpy",
+        "`fmpy validate` and `fmpy simulate` of every scene; all tests of FMUs use its `FMU2Slave`",
+        "`simulate_fmu` ends a run at a discarded step without a word; see `solver.status`",
+    ),
+    Tool(
+        "libcosimpy",
+        "libcosimpy",
+        "coupled, fixed step",
+        "the parallel scheme, to round-off of t, which it counts in nanoseconds",
+    ),
+    Tool(
+        "ecospy",
+        "ecospy",
+        "coupled, fixed step",
+        "the parallel scheme; needs libtbb12 of the system; adds t up, and so `step_until(1.0)` "
+        "stops at 0.99 with steps of 0.01: count steps",
+    ),
+    Tool(
+        "pathsim-fmi",
+        "pathsim_fmi",
+        "coupled, scheduled events",
+        "the sequential scheme, in the order of the list of blocks; at t its blocks show t + H",
+    ),
+    Tool(
+        "fmu-manipulation-toolbox",
+        "fmu_manipulation_toolbox",
+        "`fmutool -check` of every scene; `fmucontainer` of the three coupled FMUs, run in fmpy",
+        "the parallel scheme, or with `sequential` that one, bit for bit; its log says "
+        "`[ERROR] Solver configure....` in any case",
+    ),
+    Tool(
+        "cofmupy",
+        "cofmupy",
+        "coupled, `jacobi` and `gauss_seidel`",
+        "the parallel scheme, and a sequential one; sets inputs to 0 where its configuration has "
+        "no `initialization`, whatever their start values; 86 packages that go with an older fmpy: "
+        "an environment of its own",
+        "COFMUPY_PYTHON",
+    ),
+)
+BY_NAME = {tool.name: tool for tool in TOOLS}
+
+
+def need(name: str) -> Tool:
+    """Return an importer; without it skip the test, or fail if it has to be there."""
+    tool = BY_NAME[name]
+    reason = missing(tool)
+    if reason and name in REQUIRED:
+        pytest.fail(f"{name}: {reason}")
+    if reason:
+        pytest.skip(f"{name}: {reason}")
+    return tool
+
+
+@functools.cache
+def missing(tool: Tool) -> str:
+    """Why a tool cannot be used, empty if it can."""
+    if tool.python == sys.executable and importlib.util.find_spec(tool.module) is None:
+        target = "make cofmupy" if tool.name == "cofmupy" else "make importers"
+        return f"not installed ({target})"
+    run = subprocess.run(
+        [tool.python, "-c", f"import {tool.module}"], capture_output=True, text=True, check=False
+    )
+    if "libtbb" in run.stderr:
+        return "needs libtbb.so.12 of the system (Debian: apt-get install libtbb12)"
+    return run.stderr.strip().rpartition("\n")[2] if run.returncode else ""
+
+
+def version(tool: Tool) -> str:
+    """Version that is installed."""
+    code = f"import importlib.metadata as m; print(m.version({tool.name!r}))"
+    command = [tool.python, "-c", code]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+def command(tool: Tool, name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run a program that a tool has brought, from the folder of its Python."""
+    program = Path(tool.python).with_name(name)
+    return subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+
+
+def drive(tool: Tool, job: dict) -> list[list[float]]:
+    """Run the tool's driver in a process of its own; what was watched, after each step.
+
+    A job has `fmus` (file of each unit), `links` (unit, output, unit, input), `references` (of
+    each unit's variables), `start` (values of its inputs), `h`, `steps`, `watch` (unit, output)
+    and `scheme`.
+    """
+    driver = DRIVERS / f"{tool.module}_driver.py"
+    run = subprocess.run(
+        [tool.python, driver], input=json.dumps(job), capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr[-3000:]
+    return json.loads(run.stdout.rpartition("ROWS")[2])
