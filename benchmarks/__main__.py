@@ -18,6 +18,7 @@ SECTIONS = {
     "steps": "benchmarks.steps",
     "chains": "benchmarks.chains",
     "fmu": "benchmarks.fmu",
+    "sweeps": "benchmarks.sweeps",
     "work-precision": "benchmarks.work_precision",
     "formulations": "benchmarks.formulations",
     "long-run": "benchmarks.long_run",

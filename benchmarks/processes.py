@@ -47,10 +47,10 @@ def build_times(scene: Path, target: Path, effort: Effort) -> dict[str, Duration
     new, same = [], []
     build(scene, target)
     for _ in range(min(effort.repetitions, LIMIT)):
-        before, begin = _children(), time.perf_counter()
+        before, begin = children_cpu(), time.perf_counter()
         _run(command)
         wall = time.perf_counter() - begin
-        after = _children()
+        after = children_cpu()
         new.append((wall if before is None or after is None else after - before, wall))
         cpu, begin = time.process_time(), time.perf_counter()
         build(scene, target)
@@ -77,7 +77,7 @@ def _run(arguments: list[str]) -> str:
     return run.stdout
 
 
-def _children() -> float | None:
+def children_cpu() -> float | None:
     """CPU seconds of all processes that were started and have ended; None if not known."""
     try:
         import resource

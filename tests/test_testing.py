@@ -1,0 +1,147 @@
+"""The assertions that users import, and the plugin: they pass, and fail with a sentence."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from build_fmu import demo
+from build_fmu.errors import UsageError
+from build_fmu.testing import assert_conserves, assert_follows
+from tests.fmu_instance import SCENES, pendulum, scene_fmu
+
+ROOT = SCENES.parent
+USERS_TEST = """
+from build_fmu.testing import assert_conserves
+
+def test_of_a_scene(built_fmu):
+    fmu = built_fmu({scene!r}, mass=2.0)
+    assert fmu is built_fmu({scene!r}, mass=2.0)
+    assert assert_conserves(fmu, stop_time=0.5).end_time == 0.5
+
+def test_of_a_file(fmu_path):
+    assert_conserves(fmu_path, stop_time=0.5)
+"""
+
+
+def exact() -> dict[str, np.ndarray]:
+    """Motion of the four-bar, by its equation of one degree of freedom."""
+    t = np.linspace(0.0, 10.0, 101)
+    phi = demo.exact_angle(t)
+    return {"time": t, "B0.x": np.sin(phi), "B0.y": np.cos(phi)}
+
+
+# ------------------------------------------------------------------------------------- conserves
+
+
+@pytest.mark.parametrize("name", ["four_bar", "double_pendulum"])
+def test_what_conserves_passes(name):
+    run = assert_conserves(scene_fmu(name), stop_time=2.0)
+    assert run.end_time == 2.0
+
+
+def test_a_scene_stands_for_its_fmu():
+    assert_conserves(SCENES / "double_pendulum.toml", stop_time=0.5, parameters={"mass": 3.0})
+
+
+def test_what_does_not_conserve_says_what_and_when():
+    settings = {"solver.formulation": "midpoint-al"}
+    with pytest.raises(AssertionError) as caught:
+        assert_conserves(scene_fmu("four_bar"), stop_time=2.0, parameters=settings)
+    lines = str(caught.value).splitlines()
+    assert lines[0].endswith("four_bar.fmu does not conserve:")
+    assert lines[1].startswith("  energy.error is ")
+    assert lines[1].endswith("more than 1e-09")
+    assert " at t = " in lines[1]
+
+
+def test_a_run_that_ends_early_does_not_pass():
+    with pytest.raises(AssertionError, match=r"the run ended at t = 0\.0 s: .*mass"):
+        assert_conserves(pendulum(), parameters={"mass": -1.0})
+
+
+# --------------------------------------------------------------------------------------- follows
+
+
+def test_the_four_bar_follows_the_exact_motion():
+    # Second order at steps of 5 ms leaves 3.1e-4 m after 10 s.
+    found = assert_follows(scene_fmu("four_bar"), exact(), relative=0.0, absolute=4e-4)
+    assert sorted(found) == ["B0.x", "B0.y", "time"]
+
+
+def test_a_file_is_a_reference(tmp_path):
+    file = tmp_path / "a.csv"
+    columns = exact()
+    rows = zip(*columns.values(), strict=True)
+    file.write_text("\n".join([",".join(columns), *(",".join(map(str, row)) for row in rows)]))
+    assert_follows(scene_fmu("four_bar"), file, relative=4e-4)
+    with pytest.raises(AssertionError) as caught:
+        assert_follows(scene_fmu("four_bar"), file, relative=0.0, absolute={"B0.x": 1.0})
+    lines = str(caught.value).splitlines()
+    assert lines[0] == f"{scene_fmu('four_bar')} does not follow {file}:"
+    assert lines[1].startswith("  B0.y is off by ")
+    assert "more than 0; " in lines[1]
+    assert len(lines) == 2  # of B0.x a metre passes
+
+
+def test_communication_points_are_those_of_the_reference():
+    times = [0.0, 0.03, 0.5, 0.51]
+    found = assert_follows(
+        pendulum(), {"time": times, "A.x": [1.0] * 4}, absolute=9.0, columns=["A.x"]
+    )
+    assert list(found["time"]) == times
+    assert found["A.x"][1] == pytest.approx(1.0, abs=1e-4)  # it falls from rest: x changes as t^4
+
+
+@pytest.mark.parametrize(
+    ("text", "report"),
+    [
+        ("t,A.x\n0,1\n1,1\n", "has no column 'time'\n  = help: there are t, A.x"),
+        ("time,A.x\n0,1\n0,1\n", "time must ascend, from at least two rows; row 2 does not"),
+        ("time,A.x\n0,1\n1,one\n2\n", ":3: error: A.x: must be a number, got 'one'"),
+        ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cells, and the header has 2"),
+        ("time,B.x\n0,1\n1,1\n", "no column is a variable of the FMU"),
+    ],
+    ids=range(5),
+)
+def test_a_wrong_reference_names_file_and_line(tmp_path, text, report):
+    file = tmp_path / "a.csv"
+    file.write_text(text)
+    with pytest.raises(UsageError) as caught:
+        assert_follows(pendulum(), file)
+    assert report in str(caught.value)
+    assert str(caught.value).startswith(str(file))
+
+
+def test_a_column_that_is_not_there_is_named_with_a_suggestion():
+    reference = {"time": [0.0, 1.0], "A.x": [1.0, 1.0]}
+    with pytest.raises(UsageError, match=r"A\.xx: not in the reference") as caught:
+        assert_follows(pendulum(), reference, columns=["A.xx"])
+    assert "did you mean 'A.x'?" in str(caught.value)
+
+
+# ---------------------------------------------------------------------------------------- plugin
+
+
+def users_tests(folder: Path, *arguments: str) -> str:
+    """Output of pytest for a user's file."""
+    scene = str(SCENES / "double_pendulum.toml")
+    (folder / "test_mine.py").write_text(USERS_TEST.format(scene=scene))
+    command = [sys.executable, "-m", "pytest", "-p", "build_fmu.pytest_plugin", "-q", "--no-header"]
+    command += ["-p", "no:cacheprovider", "--rootdir", str(folder), str(folder), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT).stdout
+
+
+def test_the_fixtures_build_and_take_fmus(tmp_path):
+    assert "1 passed, 1 skipped" in users_tests(tmp_path)
+    both = [f"--fmu={scene_fmu(name)}" for name in ("four_bar", "double_pendulum")]
+    assert "3 passed" in users_tests(tmp_path, *both)
+
+
+def test_the_plugin_is_registered_under_the_name_by_which_it_is_imported():
+    text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    assert '"build_fmu.pytest_plugin" = "build_fmu.pytest_plugin"' in text
