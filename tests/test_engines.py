@@ -44,6 +44,11 @@ def test_an_engine_that_is_not_there_is_refused(engine):
         run_jobs(Task(square, 0, lost), [1], engine)
 
 
+def test_a_number_of_processes_is_at_least_one():
+    with pytest.raises(UsageError, match="must be at least 1, got 0"):
+        run_jobs(Task(square, 0, lost), [1], "processes", 0)
+
+
 def test_without_dask_or_its_scheduler_the_environment_lacks_something():
     with pytest.raises(EnvironmentLackError, match=r"holonom\[dask\]|no scheduler"):
         list(run_jobs(Task(square, 0, lost), [1], "dask://127.0.0.1:9"))

@@ -134,6 +134,14 @@ def test_a_line_that_was_cut_off_is_run_again(tmp_path):
     assert file.read_text() == text
 
 
+def test_a_damaged_plan_is_one_of_another_sweep(tmp_path):
+    file = tmp_path / "a.csv"
+    build_fmu.sweep(pendulum(), grid=GRID, path=file, engine="serial")
+    (tmp_path / "a.csv.plan.json").write_text("{")
+    with pytest.raises(UsageError, match="holds another sweep"):
+        build_fmu.sweep(pendulum(), grid=GRID, path=file)
+
+
 def test_another_sweep_is_not_mixed_into_a_file(tmp_path):
     for file in files_of(tmp_path):
         build_fmu.sweep(pendulum(), grid=GRID, path=file, engine="serial")

@@ -58,6 +58,9 @@ def run_jobs(
         Number of processes; None: one for each processor.
     """
     kind, _, rest = engine.partition(":")
+    if workers is not None and workers < 1:
+        text = f"the number of processes must be at least 1, got {workers}"
+        raise UsageError(text)
     workers = workers or processors()
     if kind == "auto" and not rest:
         return _auto(task, jobs, workers)

@@ -6,6 +6,7 @@ one is not mixed into it.
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 from collections.abc import Iterable, Mapping, Sequence
@@ -49,6 +50,15 @@ class Store:
         """Finish the file."""
 
 
+def _plan_of(path: Path) -> dict[str, Any]:
+    """Plan that was written; nothing where the file is damaged."""
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
 def _require_the_same(path: Path, theirs: Mapping[str, Any], ours: Mapping[str, Any]) -> None:
     different = [name for name in ours if ours[name] != theirs.get(name)]
     if different:
@@ -70,8 +80,7 @@ class CsvStore(Store):
         self._path, self._plan_path = path, path.with_name(f"{path.name}.plan.json")
         path.parent.mkdir(parents=True, exist_ok=True)
         if path.is_file() and self._plan_path.is_file():
-            theirs = json.loads(self._plan_path.read_text(encoding="utf-8"))
-            _require_the_same(path, theirs, plan.document)
+            _require_the_same(path, _plan_of(self._plan_path), plan.document)
             self._read()
         elif path.is_file():
             text = f"{path} is there and is not one of a sweep; name another file, or --fresh"
@@ -85,7 +94,9 @@ class CsvStore(Store):
         rows = csv.reader(whole.splitlines())
         next(rows, None)
         for row in rows:
-            if len(row) == len(self.plan.columns):
+            if len(row) != len(self.plan.columns):
+                continue
+            with contextlib.suppress(ValueError):  # what cannot be read is run again
                 result = self.plan.result_of(row)
                 self.results[result.run] = result
 
