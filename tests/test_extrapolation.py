@@ -203,3 +203,33 @@ def test_a_run_goes_on_bit_for_bit_from_a_saved_state():
     for run in (first, second):
         run.advance(run.time, 0.5)
     assert bytes(first.state.block) == bytes(second.state.block)
+
+
+def test_a_damper_that_cannot_move_leaves_the_order():
+    # It lies along a rod: its weighted losses are round-off, of either sign.
+    model = solver.assemble(solver.loads(LOCKED))
+    mechanism = Integrator(model, kernel="c")
+    mechanism.initialise()
+    for _ in range(40):
+        mechanism.advance(mechanism.time, 0.025)
+        assert mechanism["solver.order_in_use"] == 4.0
+    assert float(mechanism["energy.dissipated"]) >= 0.0
+
+
+LOCKED = """
+name = "locked"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [0.8, -0.6], mass = 1.0 }
+B = { position = [1.4, 0.2], mass = 1.0 }
+[joints]
+upper = { type = "distance", points = ["O", "A"] }
+lower = { type = "distance", points = ["A", "B"] }
+[forces]
+brake = { type = "damper", points = ["O", "A"], damping = 2.0 }
+[solver]
+order = 4
+step_size = 0.025
+"""

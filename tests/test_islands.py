@@ -1,59 +1,20 @@
-"""Parts of a mechanism that nothing joins are solved by themselves, and not while they rest."""
+"""Parts of a mechanism that nothing joins are solved by themselves."""
 
 from __future__ import annotations
 
-import json
-
-import numpy as np
 import pytest
 
-import solver
-from solver.runtime import Integrator, Model, State
-from solver.runtime.layout import ISLAND
-from tests.problems import chain, double_pendulum, pendulum
+from tests.island_scenes import (
+    HANGING,
+    SWINGING,
+    H,
+    assembled,
+    beside,
+    driven,
+    started,
+)
+from tests.problems import chain, pendulum
 
-H = 0.01
-MASS, GRAVITY = 1.0, 9.81
-
-
-def assembled(content: dict, **settings) -> Model:
-    text = json.dumps(content | {"solver": {"step_size": H} | settings})
-    return solver.assemble(solver.loads(text, name="islands.json", format="json"))
-
-
-def beside(*contents: dict, **more) -> dict:
-    """One scene of several, their names with the number of each behind them."""
-    first, joined = contents[0], {"points": {}, "joints": {}}
-    for k, content in enumerate(contents):
-        for name, point in content["points"].items():
-            joined["points"][f"{name}_{k}"] = dict(point)
-        for name, joint in content["joints"].items():
-            ends = [f"{point}_{k}" for point in joint["points"]]
-            joined["joints"][f"{name}_{k}"] = joint | {"points": ends}
-    return first | joined | more
-
-
-def driven(content: dict, *numbers: int) -> dict:
-    """The scene with the supports of some of its parts as points that move."""
-    for k in numbers:
-        del content["points"][f"O_{k}"]["fixed"]
-    return content
-
-
-def started(model: Model, kernel: str = "c") -> Integrator:
-    integrator = Integrator(model, kernel=kernel)
-    integrator.initialise()
-    return integrator
-
-
-def resting(integrator: Integrator) -> list[float]:
-    """How many half steps each island has rested."""
-    values = State(integrator.model, integrator.engine.state).vectors["islands"]
-    return list(values[ISLAND.index("resting") :: len(ISLAND)])
-
-
-HANGING = pendulum(0.0)
-SWINGING = double_pendulum(0.5)
 CASES = {
     "one mechanism": (SWINGING, 1),
     "two, held by the ground alone": (beside(SWINGING, HANGING), 2),
@@ -123,100 +84,25 @@ def test_counted_are_the_iterations_of_the_island_that_takes_most():
     assert counts[0] > 100.0
 
 
-def test_an_island_at_rest_is_left_alone_to_the_last_bit():
-    together = started(assembled(beside(SWINGING, HANGING, chain(3))))
-    vectors = State(together.model, together.engine.state).vectors
-    hangs = [float(together[f"A_1.{axis}"]) for axis in "xy"]
-    together.advance(0.0, 100 * H)
-    swings, rests, falls = resting(together)
-    assert swings == falls == 0.0
-    assert rests > together.model.sizes["n_slots"] + 2
-    assert [float(together[f"A_1.{axis}"]) for axis in "xy"] == hangs
-    assert float(together["A_1.vx"]) == float(together["A_1.vy"]) == 0.0
-    place = {name: k for k, name in enumerate(vectors)}
-    assert "islands" in place
-    # what holds it is still told: the weight
-    assert abs(float(together["rod1_1.force"])) == pytest.approx(MASS * GRAVITY, rel=1e-12)
-
-
-def test_a_mechanism_that_hangs_at_rest_takes_no_iteration():
-    mechanism = started(assembled(HANGING))
-    mechanism.advance(0.0, 10 * H)
-    assert mechanism["solver.newton_iterations"] == 0.0
-    assert mechanism["energy.error"] == 0.0
-
-
-def test_a_force_that_begins_wakes_an_island():
-    # The kernel's island has slept for a second; the oracle knows no sleep.
-    push = {"type": "force", "point": "A_1", "value": ["push", 0.0]}
-    content = beside(SWINGING, HANGING, inputs={"push": {"unit": "N"}}, forces={"pushed": push})
-    model = assembled(content)
-    twins = [started(model, kernel) for kernel in ("c", "numpy")]
-    for mechanism in twins:
-        mechanism.advance(0.0, 1.0)
-    assert resting(twins[0])[1] > 0.0
-    for mechanism in twins:
-        mechanism["push"] = 0.7
-        mechanism.advance(1.0, 0.5)
-    ours, theirs = twins
-    assert abs(float(ours["A_1.x"])) > 1e-2
-    for name in ("A_1.x", "A_1.vx", "B_0.x", "energy.work"):
-        assert ours[name] == pytest.approx(theirs[name], abs=1e-12), name
-
-
-def test_islands_wake_alike_after_a_save_and_a_restore():
-    content = beside(SWINGING, HANGING, inputs={"push": {"unit": "N"}})
-    content["forces"] = {"pushed": {"type": "force", "point": "A_1", "value": ["push", 0.0]}}
-    model = assembled(content)
-    first, second = started(model), started(model)
-    first.advance(0.0, 0.5)
-    second.restore(first.save())
-    for mechanism in (first, second):
-        mechanism.advance(0.5, 0.3)
-        mechanism["push"] = 0.4
-        mechanism.advance(0.8, 0.3)
-    assert bytes(first.engine.state) == bytes(second.engine.state)
-
-
-def test_what_dampers_bring_to_rest_rests_with_a_closed_ledger():
-    # 27 time constants of 2 m/c = 0.5 s take the amplitude to 1e-12: the island rests before 40 s.
-    content = beside(HANGING, SWINGING)
+def test_dampers_of_one_island_cost_no_other_its_energy():
+    # With separate islands weighted steps would share energy out among them: order 2 stays.
+    content = beside(SWINGING, SWINGING)
     content["points"]["W"] = {"position": [-2.0, -1.0], "fixed": True}
-    content["points"]["A_0"]["velocity"] = [0.3, 0.0]
-    content["forces"] = {"d": {"type": "damper", "points": ["W", "A_0"], "damping": 4.0}}
-    mechanism = started(assembled(content))
-    mechanism.advance(0.0, 40.0)
-    assert resting(mechanism)[0] > 0.0
-    assert float(mechanism["A_0.vx"]) == 0.0
-    assert float(mechanism["energy.dissipated"]) == pytest.approx(0.5 * 0.3**2, rel=1e-9)
-    assert abs(float(mechanism["energy.balance"])) < 1e-13
+    content["forces"] = {"d": {"type": "damper", "points": ["W", "A_0"], "damping": 1.0}}
+    mechanism = started(assembled(content, order=4))
+    mechanism.advance(0.0, 5.0)
+    assert mechanism["solver.order_in_use"] == 2.0
+    alone = started(assembled(SWINGING, order=2))
+    alone.advance(0.0, 5.0)
+    for name in ("A", "B"):
+        assert mechanism[f"{name}_1.x"] == pytest.approx(alone[f"{name}.x"], abs=1e-11)
 
 
-def test_nothing_rests_under_laws_that_follow_time():
-    content = beside(SWINGING, HANGING)
-    content["forces"] = {
-        "push": {"type": "force", "point": "A_1", "value": ["1.0 if t > 0.5 else 0.0", 0.0]}
-    }
-    mechanism = started(assembled(content))
-    mechanism.advance(0.0, 1.0)
-    assert resting(mechanism) == [0.0, 0.0]
-    assert abs(float(mechanism["A_1.x"])) > 1e-2
-
-
-def test_scratch_of_sleeping_islands_is_never_read():
-    mechanism = started(assembled(beside(HANGING, SWINGING)))
-    mechanism.advance(0.0, 0.5)
-    twin = started(mechanism.model)
-    twin.restore(mechanism.save())
-    work = np.frombuffer(twin.engine.work, dtype=float)
-    work[:] = np.nan
-    for running in (mechanism, twin):
-        running.advance(0.5, 0.1)
-    assert bytes(mechanism.engine.state) == bytes(twin.engine.state)
-
-
-def test_an_inverted_pendulum_that_is_drawn_upright_stays_so():
-    # sin(pi) is 1e-16: its moment is round-off, though it would grow by e^(3.1 t).
-    mechanism = started(assembled(pendulum(np.pi)))
-    mechanism.advance(0.0, 10.0)
-    assert float(mechanism["A.y"]) == 1.0
+def test_an_island_that_cannot_take_a_step_makes_all_take_shorter_ones():
+    # A long step turns the fast pendulum too far; with its halves both move as with short steps.
+    fast = pendulum(0.3, 40.0)
+    content = beside(fast, SWINGING)
+    together = started(assembled(content, step_size=0.2))
+    together.advance(0.0, 0.2)
+    assert float(together["solver.substeps"]) >= 2.0
+    assert abs(float(together["energy.error"])) < 1e-12

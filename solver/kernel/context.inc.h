@@ -115,6 +115,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->forceless = c->plain = c->unweighted = c->damped = 0;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;
+    c->fresh_increments = 0;
     look_at(c, 0, m->n_islands);
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }

@@ -17,12 +17,12 @@
 enum skip {
     SKIP_STIFFNESS = 1,       /* lean factors: choose_factors                  */
     SKIP_FACTORISATION = 2,   /* factors kept while they contract: iterate_newton */
-    SKIP_OUTER_ITERATION = 4, /* early Uzawa updates: first_early_update       */
+    SKIP_OUTER_ITERATION = 4, /* early Uzawa updates: may_update_early         */
     SKIP_OLD_GUESS = 8,       /* predicted half steps: known_changes           */
     SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_plain_row      */
     SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
     SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction     */
-    SKIP_ISLANDS = 128,       /* each solved by itself: islands_apart          */
+    SKIP_ISLANDS = 128,       /* each solved by itself: n_apart                */
     SKIP_REST = 256,          /* islands that stand still: stays_at_rest       */
     SKIP_FRESH_FACTORS = 512  /* those of the half step before: take_factors_over */
 };

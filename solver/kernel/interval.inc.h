@@ -72,7 +72,7 @@ static int32_t internal_step(context *c, double h)
     }
     if (is_extrapolating(c)) {
         status = extrapolated_step(c, h);
-        if (!status) settle_islands(c, h);
+        if (!status) let_islands_rest(c, h);
         return status;
     }
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
@@ -87,7 +87,7 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - half);
         if (!status) gather_estimate(c, order, i + 1, stages);
     }
-    if (!status && order == 2) settle_islands(c, h);
+    if (!status && order == 2) let_islands_rest(c, h);
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
     return status;

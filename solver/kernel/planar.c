@@ -18,7 +18,7 @@
 #include "rest.inc.h"
 #include "step.inc.h"
 #include "ledger.inc.h"
-#include "settle.inc.h"
+#include "come_to_rest.inc.h"
 #include "energy.inc.h"
 #include "clock.inc.h"
 #include "start.inc.h"

@@ -99,7 +99,7 @@ static int32_t close_mechanism(context *c)
     return make_velocities_consistent(c, 1);
 }
 
-static int32_t settle(context *c)
+static int32_t seek_equilibrium(context *c)
 {
     const holonom_model *m = c->m;
     double h = c->s.head[S_STEP_SIZE], size = INFINITY;
@@ -177,7 +177,7 @@ int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *stat
     memcpy(c.s.derived, number + m->extent_at, derived_bytes(m));
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
-    if (!status && head[S_EQUILIBRIUM] != 0.0) status = settle(&c);
+    if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (!status) status = first_multipliers(&c);
     if (status) return status;
     follow_angles(&c); /* from no direction, which is no turn */

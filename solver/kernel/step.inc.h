@@ -1,4 +1,4 @@
-/* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after predict.inc.h.      */
+/* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after rest.inc.h.         */
 
 /* Length of usual steps: what a tolerance wants may be far from the option step_size. */
 static inline double usual_length(const context *c)
@@ -115,12 +115,25 @@ static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *upda
     }
 }
 
-/* One step of an island. Increments and updates that it takes are left in `effort`.                              */
-static int32_t solve_island(context *c, int parity, int *effort)
+/* One try with the factors chosen, from what prepare_step has left; what it takes is added to `effort`. */
+static int32_t try_step(context *c, int taken_over, newton_record *r, int *effort)
 {
     const int single = is_penalty(c) || c->s.head[S_SIMULTANEOUS] != 0.0;
-    newton_record r = {.theta = 1.0, .floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]};
     int updates = 0;
+    int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
+    if (!status) status = iterate_uzawa(c, r, single, &updates);
+    judge_factors(c, r, taken_over);
+    if (is_lean(c) && !taken_over && r->increments > LEAN_INCREMENTS) pause_lean(c->island);
+    effort[0] += r->increments;
+    effort[1] += r->updates;
+    if (!status && !single && !r->stiffened) follow_contraction(c->island, r->increments, updates);
+    return status;
+}
+
+/* One step of an island. Increments and updates that it takes are added to `effort`.                             */
+static int32_t solve_island(context *c, int parity, int *effort)
+{
+    newton_record r = {.theta = 1.0, .floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]};
     prepare_step(c, parity);
     if (stands_still(c)) {
         if (stays_at_rest(c, parity)) return HOLONOM_OK;
@@ -128,17 +141,13 @@ static int32_t solve_island(context *c, int parity, int *effort)
     }
     choose_factors(c);
     const int taken_over = take_factors_over(c, &r);
-    int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
-    if (!status) status = iterate_uzawa(c, &r, single, &updates);
-    judge_factors(c, &r, taken_over);
-    if (status && taken_over) { /* the old factors may have led astray */
+    int32_t status = try_step(c, taken_over, &r, effort);
+    if (status && taken_over) { /* old factors may have led astray */
         c->factors_h = 0.0;
-        return solve_island(c, parity, effort);
+        r = (newton_record){.theta = 1.0, .floor = r.floor};
+        prepare_step(c, parity);
+        status = try_step(c, 0, &r, effort);
     }
-    if (is_lean(c) && !taken_over && r.increments > LEAN_INCREMENTS) pause_lean(c->island);
-    effort[0] = r.increments;
-    effort[1] = r.updates;
-    if (!status && !single && !r.stiffened) follow_contraction(c->island, r.increments, updates);
     return status;
 }
 

@@ -82,7 +82,10 @@ class Structure:
             mechanism.elements, lambda x: of_forms(mechanism.quantities[x.quantity].forms)
         )
         self.potentials = ordered(mechanism.potentials, lambda x: of_forms(forms(x)))
-        self.loads = ordered(mechanism.loads, lambda load: of_forms((load.form,)))
+        self.loads = ordered(
+            mechanism.loads,
+            lambda load: of_forms((load.form,)) if load.axes is None else of_node[load.axes],
+        )
         self.moments = ordered(mechanism.moments, lambda moment: of_forms((moment.place,)))
         self.body_moments = ordered(mechanism.body_moments, lambda moment: of_node[moment.place])
         self.bodies = ordered(mechanism.bodies, of_node.__getitem__)

@@ -38,8 +38,12 @@ class Control:
 
     @property
     def extrapolates(self) -> bool:
-        """Whether steps with dampers may be weighted covers: if the method conserves."""
-        return self.motion.formulation in ("conserving-al", "conserving-al-beta")
+        """Whether steps with dampers may be weighted covers: if the method conserves.
+
+        Ledger and momenta are put back as those of the whole, so not with separate islands.
+        """
+        whole = self.mechanism.model.sizes["n_islands"] == 1
+        return whole and self.motion.formulation in ("conserving-al", "conserving-al-beta")
 
     @property
     def limited(self) -> bool:

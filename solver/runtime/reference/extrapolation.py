@@ -137,8 +137,10 @@ class Extrapolation:
         motion = self.motion
         dq, dv = self._moved()
         dq, dv = self.from_finest[:] = self.dq - dq, self.dv - dv
-        if not self.booked["dissipated"] >= 0.0:
+        round_off = 1e-15 * motion.head["energy_reference"]  # weights take differences of losses
+        if not self.booked["dissipated"] >= -round_off:
             raise UnsolvedError(Status.DAMPING_REVERSED)
+        self.booked["dissipated"] = max(self.booked["dissipated"], 0.0)
         if not size(dq, dv) <= SURE:
             raise UnsolvedError(Status.NOT_FINITE)
         add(motion.q, motion.q_low, dq)

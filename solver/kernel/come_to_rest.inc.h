@@ -1,6 +1,8 @@
 /* Damped islands that come to rest. Included once per dimension, after ledger.inc.h.                            */
 
-#define LEAST_ENERGY 1e-9 /* over the reference energy: more than that is no round-off of constraints, and is left */
+/* Of an island's weights times the size: speed at which it stands still, and what its velocities may hold besides. */
+#define STILL 1e-14
+#define LEAST_ENERGY 1e-9
 
 static int is_damped(const context *c)
 {
@@ -47,12 +49,16 @@ static void stop_island(const context *c)
     }
 }
 
-/* An island that dampers have brought to a standstill, to the tolerance over a pair of length h, rests where its forces
-   balance, with the mean of its last multipliers. The energy it still had is booked as the dampers'.            */
+/* An island that dampers have brought to a standstill over a pair of length h rests where its forces balance, with the
+   mean of its last multipliers. The energy it still had is booked as the dampers'. Measured by its own weight: an
+   island without weight may drift for ever.                                                                    */
 static void come_to_rest(context *c, double h)
 {
-    const double *head = c->s.head, tolerance = head[S_NEWTON_TOLERANCE], energy = head[S_ENERGY_REFERENCE];
-    if (!is_damped(c) || !(displacement_over_pair(c) <= tolerance * h * sqrt(2.0 * energy))) return;
+    double mass, weight2;
+    if (!is_damped(c) || !may_rest(c)) return;
+    weigh_island(c, &mass, &weight2);
+    const double energy = sqrt(mass * weight2) * c->number[c->m->extent_at];
+    if (!(displacement_over_pair(c) <= STILL * h * sqrt(2.0 * energy))) return;
     const double kinetic = kinetic_of_island(c);
     if (kinetic == 0.0 || !(kinetic <= LEAST_ENERGY * energy)) return;
     links_at_start(c);
@@ -67,10 +73,9 @@ static void come_to_rest(context *c, double h)
 }
 
 /* After a pair of length h. */
-static void settle_islands(context *c, double h)
+static void let_islands_rest(context *c, double h)
 {
     const int32_t parts = n_apart(c);
-    if (!may_rest(c)) return;
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
         if (!is_asleep(c)) come_to_rest(c, h);
