@@ -145,7 +145,7 @@ def _row(variable: Variable) -> str:
 
 def _limit(value: float) -> str:
     """A limit; what must be greater than 0 has the least normal number as its minimum."""
-    return "above 0" if value == TINY else f"{value:.17g}" if value % 1.0 else f"{value:g}"
+    return "above 0" if value == TINY else repr(value).removesuffix(".0")
 
 
 def _licence(distribution: str, source_tree: Path) -> str:

@@ -250,3 +250,41 @@ def test_derivatives_that_the_wrapper_does_not_carry_are_not_promised():
                 call(fmu.fmu.component, references, 1, orders, (ctypes.c_double * 1)())
             assert caught.value.status == ERROR
         assert fmu.step(0.0, 0.1)
+
+
+ALLOWED = {
+    ("parameter", "fixed", "exact"),
+    ("parameter", "tunable", "exact"),
+    ("calculatedParameter", "fixed", "calculated"),
+    ("calculatedParameter", "tunable", "calculated"),
+    ("input", "continuous", None),
+    ("output", "continuous", "calculated"),
+}
+"""Causality, variability and initial of FMI 2.0.5, 2.2.7, as far as they occur here."""
+
+
+@pytest.mark.parametrize("path", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
+def test_causality_variability_initial_and_start_fit_each_other(path):
+    root = described(solver.assemble(solver.load(path)))
+    variables = root.findall("ModelVariables/ScalarVariable")
+    assert len({v.get("name") for v in variables}) == len(variables)
+    for variable in variables:
+        kind = (variable.get("causality"), variable.get("variability"), variable.get("initial"))
+        assert kind in ALLOWED
+        (value,) = variable
+        start = value.get("start")
+        assert (start is None) == (variable.get("initial") == "calculated")
+        if start is not None and value.tag == "Real":
+            low, high = value.get("min", "-inf"), value.get("max", "inf")
+            assert float(low) <= float(start) <= float(high)
+
+
+def test_a_parameter_calculated_from_a_tunable_one_is_tunable_and_lists_it():
+    root = root_of(scene_fmu("spring_pendulum"))
+    variables = root.findall("ModelVariables/ScalarVariable")
+    indices = {v.get("name"): str(i) for i, v in enumerate(variables, 1)}
+    frequency = variables[int(indices["frequency"]) - 1]
+    assert frequency.get("variability") == "tunable"
+    unknown = root.find(f"ModelStructure/InitialUnknowns/Unknown[@index='{indices['frequency']}']")
+    known = {indices["stiffness"], indices["mass"]}
+    assert set(unknown.get("dependencies").split()) == known
