@@ -142,7 +142,8 @@ class Hdf5Store(Store):
         path.parent.mkdir(parents=True, exist_ok=True)
         there = path.is_file()
         try:
-            self._file = h5py.File(path, "r+" if there else "w")
+            # What h5py says that a name may stand for is more than a data set; here it is one.
+            self._file: Any = h5py.File(path, "r+" if there else "w")
         except OSError as error:
             text = f"{path}: cannot be opened ({error}); name another file, or --fresh"
             raise UsageError(text) from None
