@@ -24,6 +24,9 @@ INTERRUPTED = 105
 INTERNAL_FAULT = 106
 """A fault of this program; the log has its text."""
 
+NOT_FINITE = 107
+"""An output is not a finite number, and 0 was handed out for it."""
+
 LOG_CATEGORIES = {
     "logStatusWarning": "What works, but not as one might expect.",
     "logStatusDiscard": "Why a communication step was discarded, and what to change.",

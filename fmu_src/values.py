@@ -9,7 +9,7 @@ from __future__ import annotations
 import os  # not pathlib, which would take a tenth of the time to import all this
 from collections.abc import Sequence
 
-from solver.runtime import AssemblyError, Integrator, Model, OptionError
+from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
 
 from . import status
 from .log import LoggedSlave, sentence
@@ -92,6 +92,8 @@ class SlaveWithValues(LoggedSlave):
             self._status = status.ASSEMBLY_FAILED
             self.error(sentence(error))
             return self._substitutes(kind, vrs)
+        except StepError:
+            values = [self._one(kind, vr) for vr in vrs]
         except Exception as error:
             self.error(sentence(error))
             return self._substitutes(kind, vrs)
@@ -101,6 +103,15 @@ class SlaveWithValues(LoggedSlave):
                 for vr, value in zip(vrs, values, strict=True)
             ]
         return values
+
+    def _one(self, kind: str, vr: int) -> object:
+        """Value of one variable; what is not a finite number is 0, and said to be."""
+        try:
+            return self._integrator.get([vr])[0]
+        except StepError as error:
+            self._status = self._status or status.NOT_FINITE
+            self.error(sentence(error))
+            return self._substitute(kind, vr)
 
     def _substitutes(self, kind: str, vrs: list[int]) -> list:
         """What is handed out where nothing can be computed: parameters, inputs, and else zeros."""

@@ -221,3 +221,20 @@ def test_a_form_that_is_not_there_is_refused():
     if importlib.util.find_spec("xarray") is None:
         with pytest.raises(EnvironmentLackError, match="pip install xarray"):
             build_fmu.sweep(pendulum(), grid=GRID, form="xarray")
+
+
+def test_a_file_that_holds_no_sweep_is_never_removed(tmp_path):
+    notes = tmp_path / "notes.txt"
+    notes.write_text("kept")
+    with pytest.raises(UsageError, match=r"\.csv"):
+        build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS, path=notes, fresh=True)
+    assert notes.read_text() == "kept"
+
+
+def test_other_communication_steps_are_another_sweep(tmp_path):
+    # Both have five points up to the stop time.
+    path = tmp_path / "runs.csv"
+    grid = {"mass": [1.0]}
+    build_fmu.sweep(pendulum(), grid=grid, path=path, stop_time=1.0, step_size=0.3)
+    with pytest.raises(UsageError, match="times"):
+        build_fmu.sweep(pendulum(), grid=grid, path=path, stop_time=1.0, step_size=0.25)

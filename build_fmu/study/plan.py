@@ -59,13 +59,18 @@ class Plan:
     @cached_property
     def document(self) -> dict[str, Any]:
         """What two sweeps must have in common for one to go on where the other stopped."""
-        rows = json.dumps(list(self.rows)).encode()
+        rows, times = (json.dumps(list(x)).encode() for x in (self.rows, self.times))
         return {
             "FMU": {"name": self.fmu, "sha256": self.digest},
             "values": {"runs": self.count, "sha256": hashlib.sha256(rows).hexdigest()},
             "settings": self.fixed,
             "outputs": list(self.outputs),
-            "times": {"start": self.times[0], "stop": self.times[-1], "points": len(self.times)},
+            "times": {
+                "start": self.times[0],
+                "stop": self.times[-1],
+                "points": len(self.times),
+                "sha256": hashlib.sha256(times).hexdigest(),
+            },
         }
 
     @property

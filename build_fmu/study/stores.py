@@ -24,15 +24,19 @@ LONGEST_REASON = 300
 """Bytes of a reason in HDF5."""
 
 
-def store_for(path: Path | None, plan: Plan) -> Store:
-    """Store for a file name: none, .csv, .h5 or .hdf5."""
-    if path is None:
-        return Store(plan)
-    kinds = {".csv": CsvStore, ".h5": Hdf5Store, ".hdf5": Hdf5Store}
-    if path.suffix not in kinds:
+def check_name(path: Path | None) -> None:
+    """Refuse a file that cannot hold results, before anything is done to it."""
+    if path is not None and path.suffix not in (".csv", ".h5", ".hdf5"):
         text = f"{path}: results go to a .csv, .h5 or .hdf5 file"
         raise UsageError(text)
-    return kinds[path.suffix](plan, path)
+
+
+def store_for(path: Path | None, plan: Plan) -> Store:
+    """Store for a file name: none, .csv, .h5 or .hdf5."""
+    check_name(path)
+    if path is None:
+        return Store(plan)
+    return CsvStore(plan, path) if path.suffix == ".csv" else Hdf5Store(plan, path)
 
 
 class Store:

@@ -19,7 +19,7 @@ from build_fmu.study.grid import rows_of
 from build_fmu.study.kept import KeptFmu, description_of
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.settings import Source, entries_of, fmu_settings
-from build_fmu.study.stores import Store, by_run, remove, store_for
+from build_fmu.study.stores import Store, by_run, check_name, remove, store_for
 from build_fmu.study.values import Mistake, nearest, refuse
 from build_fmu.target import runnable
 
@@ -89,14 +89,16 @@ def sweep_fmu(
             times=_times(*experiment_times(description, stop_time, step_size), description),
             units={v.name: v.unit or "" for v in description.modelVariables},
         )
-        if path is not None and fresh:
-            remove(Path(path))
-        store = store_for(None if path is None else Path(path), plan)
-        resumed = len(store.results)
+        results = None if path is None else Path(path)
+        check_name(results)
         wanted = trajectories or Path(path or "").suffix in (".h5", ".hdf5")
         if wanted and plan.count * len(plan.times) * len(plan.outputs) > MOST_VALUES:
             text = "the trajectories would fill more than 4 GB; name fewer outputs, longer steps"
             raise UsageError(text)
+        if fresh:
+            remove(results)
+        store = store_for(results, plan)
+        resumed = len(store.results)
         try:
             _run(plan, store, fmu, wanted, engine, workers, progress)
         finally:

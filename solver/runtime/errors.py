@@ -99,8 +99,8 @@ SENTENCE = {
 
 LIMITED = (
     "solver.order is {:g}, but steps are of order 2: where dampers take energy out a higher order "
-    "needs solver.formulation conserving-al, no tolerance, and steps in which the motion changes "
-    "little; take a smaller step_size"
+    "needs solver.formulation conserving-al, a mechanism of one part (build-fmu info counts the "
+    "separate ones: export each by itself), and steps in which the motion changes little"
 )
 """What is said once where dampers limit the order."""
 
