@@ -13,7 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from build_fmu.errors import LACK, USAGE, CommandError
-from build_fmu.study.values import read_value
+from build_fmu.study.values import not_finite, read_value
 from build_fmu.version import VERSION
 
 INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
@@ -57,10 +57,14 @@ def setting(text: str) -> tuple[str, object]:
         message = f"{text!r} is not of the form name=value"
         raise argparse.ArgumentTypeError(message)
     try:
-        return name.strip(), read_value(value)
+        read = read_value(value)
     except ValueError as error:
         message = f"{value.strip()}: {error}"
         raise argparse.ArgumentTypeError(message) from None
+    if (wrong := not_finite(read)) is not None:
+        message = f"{name.strip()}: must be a finite number, got {wrong}"
+        raise argparse.ArgumentTypeError(message)
+    return name.strip(), read
 
 
 def _parser() -> argparse.ArgumentParser:

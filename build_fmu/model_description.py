@@ -6,13 +6,13 @@ every start value comes back as the same double.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from build_fmu.dependencies import dependencies
 from build_fmu.units import BaseUnit, base_unit, declared_types
+from build_fmu.xml_text import legible
 from fmu_src.status import LOG_CATEGORIES
 
 if TYPE_CHECKING:
@@ -31,7 +31,6 @@ CAPABILITIES = {
     "canSerializeFMUstate": "true",
     "providesDirectionalDerivative": "false",
 }
-_ILLEGIBLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 EXPERIMENT = {
     "startTime": "start_time",
     "stopTime": "stop_time",
@@ -86,14 +85,9 @@ def model_description(
     _structure(root, model)
     for element in root.iter():
         for name, value in element.attrib.items():
-            element.set(name, _legible(value))
+            element.set(name, legible(value))
     indent(root)
     return tostring(root, "UTF-8", xml_declaration=True) + b"\n"
-
-
-def _legible(text: str) -> str:
-    """Text without the characters that XML does not have."""
-    return _ILLEGIBLE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
 def _units(root: Element, variables: Iterable[Variable]) -> None:
@@ -132,9 +126,9 @@ def _annotations(root: Element, source: Source | None) -> None:
         return
     tool = SubElement(SubElement(root, "VendorAnnotations"), "Tool", {"name": "holonom"})
     scene = SubElement(tool, "Scene", {"format": source.notation})
-    SubElement(scene, "Text").text = _legible(source.text)
+    SubElement(scene, "Text").text = legible(source.text)
     for text in source.overrides.values():
-        SubElement(scene, "Override").text = _legible(text)
+        SubElement(scene, "Override").text = legible(text)
 
 
 def _log_categories(root: Element) -> None:

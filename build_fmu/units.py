@@ -93,6 +93,11 @@ class BaseUnit:
     powers: dict[str, int] = field(default_factory=dict)
     factor: float = 1.0
 
+    def fits(self, other: BaseUnit, *, radians: bool = True) -> bool:
+        """Whether it measures the same quantity; without radians, rad/s and 1/s are one."""
+        bases = {*self.powers, *other.powers} - ({"rad"} if not radians else set())
+        return all(self.powers.get(base) == other.powers.get(base) for base in bases)
+
     def attributes(self) -> dict[str, str]:
         """Attributes of an XML element BaseUnit, of FMI and of SSP."""
         powers = {name: str(power) for name, power in self.powers.items()}

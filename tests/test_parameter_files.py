@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import zipfile
 from pathlib import Path
@@ -95,7 +96,51 @@ def test_set_has_precedence_and_of_two_files_the_later(capsys, tmp_path):
     [
         ("a.toml", "mass = 1\nlength = = 2\n", "a.toml:2:10: error: TOML: Invalid value"),
         ("a.json", '{"mass": 1,\n "length": }', "a.json:2:12: error: JSON: Expecting value"),
-        ("a.json", "[1]", "a.json:1: error: must be an object of values by name"),
+        ("a.json", "[1]", "a.json: error: must be a table of fields, got [1]"),
+        (
+            "a.json",
+            '{"mass": 1,\n "mass": 2}',
+            "a.json:2: error: mass: given twice, first in line 1",
+        ),
+        (
+            "a.json",
+            '{"solver.order": 2,\n "solver": {"order": 4}}',
+            "a.json:2: error: solver.order: given twice, first at a.json:1",
+        ),
+        (
+            "a.toml",
+            '"solver.order" = 2\n[solver]\norder = 4\n',
+            "a.toml:3: error: solver.order: given twice, first at a.toml:1",
+        ),
+        (
+            "a.toml",
+            "mass = 2\nparameters.mass = 4\n",
+            "a.toml:2: error: parameters.mass: given twice, first as mass at a.toml:1",
+        ),
+        (
+            "a.toml",
+            "mass = 2\nmass = 4\n",
+            "a.toml:2:9: error: TOML: Cannot overwrite a value\n"
+            "  = help: the same key is given twice",
+        ),
+        ("a.json", '{"mass": NaN}', "a.json:1: error: mass: must be a finite number, got nan"),
+        ("a.toml", "a = 1\nmass = inf\n", "a.toml:2: error: mass: must be a finite number"),
+        ("a.csv", "name,value\nmass,nan\n", "a.csv:2: error: mass: must be a finite number"),
+        ("a.json", '{"g": [0, Infinity]}', "a.json:1: error: g: must be a finite number, got inf"),
+        ("a.json", '{"a":' * 100_000, "a.json: error: JSON: nested too deeply"),
+        ("a.json", '{"a":' * 200 + "1" + "}" * 200, "a.json: error: nested too deeply"),
+        ("a.toml", "a = " + "[" * 100_000, "a.toml: error: TOML: nested too deeply"),
+        (
+            "a.csv",
+            '"name,value"\n"mass,1"\n',
+            "a.csv:1: error: the header is 'name,value' in quotes, as one cell\n"
+            "  = help: write it without quotes",
+        ),
+        (
+            "a.csv",
+            "name,value\na," + "[" * 100_000 + "\n",
+            "a.csv:2: error: a: nested too deeply",
+        ),
         (
             "a.csv",
             "parameter,value\nmass,1\n",
@@ -114,7 +159,7 @@ def test_set_has_precedence_and_of_two_files_the_later(capsys, tmp_path):
             "a.csv:2: error: has 3 cells, and the header has 2\n"
             "  = help: put a text with a comma into quotes\n"
             "a.csv:3: error: length: an empty cell\n"
-            "a.csv:5: error: length: given twice",
+            "a.csv:5: error: length: given twice, first at a.csv:4",
         ),
         ("a.ssv", "<a>\n</b>", "a.ssv:1: error: not a parameter set of SSP 1.0, but 'a'\n"),
         ("a.ssv", "", "a.ssv:1:1: error: not XML: no element found"),
@@ -130,7 +175,7 @@ def test_set_has_precedence_and_of_two_files_the_later(capsys, tmp_path):
             "  = help: known: .toml, .json, .csv, .ssv",
         ),
     ],
-    ids=range(10),
+    ids=itertools.count(),
 )
 def test_mistakes_of_a_file_name_their_line(tmp_path, monkeypatch, name, text, report):
     monkeypatch.chdir(tmp_path)
@@ -219,3 +264,24 @@ def test_an_fmu_is_simulated_with_values_of_a_file(capsys, tmp_path):
     by_name = run(capsys, "simulate", pendulum(), "--csv", "-", "--set", "length=0.5")
     assert by_file == by_name
     assert by_file[0] == 0
+
+
+def test_a_parameter_is_no_remedy_for_itself(capsys, tmp_path):
+    file = written(tmp_path, "a.csv", "name,value\nlength,lengt\n")
+    code, _, err = run(capsys, "build", PENDULUM, "-o", tmp_path, "--parameters", file)
+    assert code == 2
+    help = "     = help: known: mass\n"
+    assert err == f"{file}:2: error: parameters.length.value: unknown symbol 'lengt'\n{help}"
+
+
+def test_a_value_off_the_limits_of_its_parameter_is_one_mistake(capsys, tmp_path):
+    """What is calculated from it is wrong too, and not for another reason."""
+    code, _, err = run(capsys, "build", PENDULUM, "-o", tmp_path, "--set", "mass=-1")
+    wrong = "--set mass=-1: error: parameters.mass.value: must be >= 1e-06 kg (min), got -1\n"
+    assert (code, err) == (2, wrong)
+
+
+def test_what_is_set_must_be_finite(capsys, tmp_path):
+    with pytest.raises(SystemExit):
+        run(capsys, "build", PENDULUM, "-o", tmp_path, "--set", "mass=nan")
+    assert "mass: must be a finite number, got nan" in capsys.readouterr().err

@@ -11,20 +11,13 @@ Each value knows the line it stands in, and all mistakes of all files are report
 from __future__ import annotations
 
 import csv
-import json
 import re
-import sys
 from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike
 from pathlib import Path
 
 from build_fmu.study.ssv import read_parameter_set
-from build_fmu.study.values import Entry, Mistake, read_value, refuse
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from build_fmu.study.values import Entry, Mistake, keep, not_finite, read_value, refuse
 
 HEADS = (["name", "value"], ["name", "value", "unit"])
 
@@ -46,7 +39,9 @@ def read_parameters(paths: Iterable[str | PathLike[str]]) -> dict[str, Entry]:
             mistakes.append(Mistake(str(path), message, f"known: {', '.join(_READERS)}"))
             continue
         try:
-            found |= read(path, mistakes)
+            entries = read(path, mistakes)
+            found |= entries
+            mistakes += _infinite(entries)
         except UnicodeDecodeError as error:
             message = f"not a UTF-8 text: byte 0x{error.object[error.start]:02x}"
             mistakes.append(Mistake(str(path), message, "save the file as UTF-8"))
@@ -56,6 +51,12 @@ def read_parameters(paths: Iterable[str | PathLike[str]]) -> dict[str, Entry]:
     return found
 
 
+def _infinite(entries: Mapping[str, Entry]) -> Iterator[Mistake]:
+    for name, entry in entries.items():
+        if (wrong := not_finite(entry.value)) is not None:
+            yield Mistake(entry.where, f"{name}: must be a finite number, got {wrong}")
+
+
 def _text(path: Path) -> str:
     return path.read_bytes().decode("utf-8-sig").replace("\r\n", "\n")
 
@@ -63,33 +64,25 @@ def _text(path: Path) -> str:
 # ------------------------------------------------------------------------------- TOML and JSON
 
 
-def _toml(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
-    text = _text(path)
+def _tables(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
+    from solver.scene import SceneError
+    from solver.scene.tables import tables_of
+
+    text, notation = _text(path), path.suffix.lower().removeprefix(".")
     try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        place = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
-        where = f"{path}:{place[1]}:{place[2]}" if place else str(path)
-        mistakes.append(Mistake(where, f"TOML: {str(error).partition(' (at ')[0]}"))
-        return {}
-    return _flattened(path, data, text, "toml")
+        data, problems = tables_of(text, str(path), notation)
+    except SceneError as error:
+        data, problems = {}, error.problems
+    for problem in problems:
+        where = ":".join(str(x) for x in (path, problem.line, problem.column) if x)
+        subject = f"{problem.location}: " if problem.location else ""
+        mistakes.append(Mistake(where, subject + problem.message, problem.help or ""))
+    return _flattened(path, data, text, notation, mistakes) if data else {}
 
 
-def _json(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
-    text = _text(path)
-    try:
-        data = json.loads(text)
-    except json.JSONDecodeError as error:
-        where = f"{path}:{error.lineno}:{error.colno}"
-        mistakes.append(Mistake(where, f"JSON: {error.msg}"))
-        return {}
-    if not isinstance(data, dict):
-        mistakes.append(Mistake(f"{path}:1", "must be an object of values by name"))
-        return {}
-    return _flattened(path, data, text, "json")
-
-
-def _flattened(path: Path, data: Mapping, text: str, notation: str) -> dict[str, Entry]:
+def _flattened(
+    path: Path, data: Mapping, text: str, notation: str, mistakes: list[Mistake]
+) -> dict[str, Entry]:
     """Values of nested tables by dotted names."""
     from solver.scene.positions import lines_of
     from solver.scene.report import location_of
@@ -103,13 +96,12 @@ def _flattened(path: Path, data: Mapping, text: str, notation: str) -> dict[str,
             else:
                 yield (*place, key), value
 
-    return {
+    found: dict[str, Entry] = {}
+    for place, value in leaves(data, ()):
         # A key that is a dotted name itself stands for it.
-        place[0] if len(place) == 1 else location_of(place): Entry(
-            value, f"{path}:{lines.get(place, 1)}"
-        )
-        for place, value in leaves(data, ())
-    }
+        name = place[0] if len(place) == 1 else location_of(place)
+        keep(found, name, Entry(value, f"{path}:{lines.get(place, 1)}"), mistakes)
+    return found
 
 
 # ----------------------------------------------------------------------------------------- CSV
@@ -120,9 +112,12 @@ def _csv(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
     head = [cell.strip() for cell in next(reader, [])]
     if head not in HEADS:
         help = f"it must be {' or '.join(','.join(names) for names in HEADS)}"
-        if len(head) == 1 and re.search("[;\t]", head[0]):
+        message = f"the header is {','.join(head)!r}"
+        if len(head) == 1 and head[0].split(",") in HEADS:
+            message, help = f"{message} in quotes, as one cell", "write it without quotes"
+        elif len(head) == 1 and re.search("[;\t]", head[0]):
             help += ", separated by commas"
-        mistakes.append(Mistake(f"{path}:1", f"the header is {','.join(head)!r}", help))
+        mistakes.append(Mistake(f"{path}:1", message, help))
         return {}
     found: dict[str, Entry] = {}
     for row in reader:
@@ -133,23 +128,22 @@ def _csv(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
             message = f"has {len(row)} cells, and the header has {len(head)}"
             mistakes.append(Mistake(where, message, "put a text with a comma into quotes"))
             continue
-        name, text, *unit = (cell.strip() for cell in row)
+        name, text, unit = [*(cell.strip() for cell in row), ""][:3]
         if not name or not text:
             mistakes.append(Mistake(where, f"{name or 'a value'}: an empty cell"))
-        elif name in found:
-            mistakes.append(Mistake(where, f"{name}: given twice"))
         else:
-            found[name] = Entry(value_of_cell(text, where, mistakes), where, *unit)
+            entry = Entry(value_of_cell(text, where, mistakes, name), where, unit)
+            keep(found, name, entry, mistakes)
     return found
 
 
-def value_of_cell(text: str, where: str, mistakes: list[Mistake]) -> object:
+def value_of_cell(text: str, where: str, mistakes: list[Mistake], name: str = "") -> object:
     """Value of a cell; a list that cannot be read is a mistake."""
     try:
         return read_value(text)
     except ValueError as error:
-        mistakes.append(Mistake(where, f"{text}: {error}"))
+        mistakes.append(Mistake(where, f"{name or text}: {error}"))
         return text
 
 
-_READERS = {".toml": _toml, ".json": _json, ".csv": _csv, ".ssv": read_parameter_set}
+_READERS = {".toml": _tables, ".json": _tables, ".csv": _csv, ".ssv": read_parameter_set}

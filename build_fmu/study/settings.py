@@ -46,7 +46,7 @@ def scene_overrides(
     """
     from solver.scene import Given
 
-    if any(entry.unit or ".ssv:" in entry.where for entry in entries.values()):
+    if any(entry.unit or entry.repeats for entry in entries.values()):
         from build_fmu.export import compile_scene
 
         entries = _fitted(compile_scene(scene), entries)
@@ -58,6 +58,8 @@ def _fitted(model: Model, entries: Mapping[str, Entry]) -> dict[str, Entry]:
     variables = {v.name: v for v in model.variables if v.causality in ("parameter", "input")}
     mistakes: list[Mistake] = []
     fitted: dict[str, Entry] = {}
+    step = entries.get("solver.step_size", Entry(None, ""))
+    step = converted(step, "solver.step_size", "s", mistakes)  # which refuse() says once
     for name, entry in entries.items():
         variable = variables.get(name)
         if variable is None:
@@ -67,7 +69,7 @@ def _fitted(model: Model, entries: Mapping[str, Entry]) -> dict[str, Entry]:
             fitted[name] = entry
             continue
         value = converted(entry, name, variable.unit, mistakes)
-        follows = name == "solver.longest_step" and value == _value(entries, "solver.step_size")
+        follows = name == "solver.longest_step" and value == step
         if value == variable.start or follows:
             continue
         if variable.kind == "option" and isinstance(value, float) and value.is_integer():
@@ -77,23 +79,26 @@ def _fitted(model: Model, entries: Mapping[str, Entry]) -> dict[str, Entry]:
     return fitted
 
 
-def _value(entries: Mapping[str, Entry], name: str) -> object:
-    return entries[name].value if name in entries else None
-
-
 def converted(entry: Entry, name: str, unit: str, mistakes: list[Mistake]) -> object:
     """Value in `unit`; where the entry has another of another kind, a mistake."""
     value = entry.value
-    if not entry.unit or entry.unit == unit or not _is_number(value, int, float):
+    same, stated = entry.unit == unit, entry.base
+    if not entry.unit or (same and not stated) or not _is_number(value, int, float):
         return value
-    given, wanted = base_unit(entry.unit), base_unit(unit or "1")
-    fits = given and wanted and given.powers == wanted.powers
+    given, wanted = stated or base_unit(entry.unit), base_unit(unit or "1")
+    if same and not wanted:
+        return value
+    # Of equal names one may count the radian, and the other not.
+    fits = given and wanted and given.fits(wanted, radians=not same)
     if not unit and given and given.factor == 1.0:
         return value  # nobody said what the parameter is measured in
     if given is None or wanted is None or not fits:
         words = f"the unit {unit!r}" if unit else "no unit"
         mistakes.append(Mistake(entry.where, f"{name}: given in {entry.unit!r}, but has {words}"))
         return value
+    ratio = given.factor / wanted.factor
+    if same and math.isclose(ratio, 1.0):
+        return value  # 0.0174533 and all digits of it are one degree
     return float(value) * given.factor / wanted.factor  # type: ignore[arg-type]
 
 

@@ -7,14 +7,16 @@ in a copy of it can be given back to every command by `--parameters`.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 from xml.parsers import expat
 
-from build_fmu.study.values import Entry, Mistake
-from build_fmu.units import base_unit
+from build_fmu.study.values import Entry, Mistake, keep
+from build_fmu.units import BaseUnit, base_unit
+from build_fmu.xml_text import legible
 
 if TYPE_CHECKING:
     from solver.runtime import Model, Variable
@@ -41,7 +43,7 @@ def parameter_set(model: Model, *, date: str, tool: str) -> bytes:
     listed = SubElement(root, f"{{{VALUES}}}Parameters")
     for variable in parameters:
         attributes = {"name": variable.name, "description": variable.description}
-        given = {name: text for name, text in attributes.items() if text}
+        given = {name: legible(text) for name, text in attributes.items() if text}
         parameter = SubElement(listed, f"{{{VALUES}}}Parameter", given)
         SubElement(parameter, f"{{{VALUES}}}{variable.type}", _value(variable))
     _units(root, parameters)
@@ -79,17 +81,21 @@ def read_parameter_set(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
     except expat.ExpatError as error:
         where = f"{path}:{error.lineno}:{error.offset + 1}"
         mistakes.append(Mistake(where, f"not XML: {expat.ErrorString(error.code)}"))
-    return reader.found
+    except (LookupError, ValueError) as error:  # an encoding that Python or expat does not know
+        mistakes.append(Mistake(f"{path}:1", f"not XML: {error}", "save the file as UTF-8"))
+    return reader.in_stated_units()
 
 
 class _Reader:
     """Reads the elements as they come: the parser alone knows their lines."""
 
     def __init__(self, path: Path, mistakes: list[Mistake]) -> None:
-        self.found: dict[str, Entry] = {}
+        self._found: dict[str, Entry] = {}
+        self._units: dict[str, tuple[BaseUnit, float]] = {}  # and their offsets
+        self._unit = ""
         self._path, self._mistakes = path, mistakes
         self._depth = 0
-        self._name, self._values = "", 0  # of the Parameter that is open, and how many it has
+        self._name, self._line = "", 0  # of the Parameter that is open, and of its value
         self.parser = expat.ParserCreate(namespace_separator=" ")
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
@@ -100,17 +106,23 @@ class _Reader:
         if self._depth == 1 and (namespace, kind) != (VALUES, "ParameterSet"):
             help = f"the root must be ParameterSet of the namespace {VALUES}"
             self._object(f"not a parameter set of SSP 1.0, but {kind!r}", help)
-        if namespace != VALUES:
+        if namespace == COMMON and kind == "Unit":
+            self._unit = attributes.get("name", "")
+        elif namespace == COMMON and kind == "BaseUnit":
+            self._define(attributes)
+        elif namespace != VALUES:
             return
-        if kind == "Parameter":
-            self._name, self._values = attributes.get("name", ""), 0
+        elif kind == "Parameter":
+            self._name, self._line = attributes.get("name", ""), 0
             if not self._name:
                 self._object("a Parameter without a name")
-            elif self._name in self.found:
-                self._object(f"{self._name}: given twice")
         elif self._name and kind in _READERS:
-            self._values += 1
-            self._take(kind, attributes)
+            if self._line:
+                help = f"the first is in line {self._line}"
+                self._object(f"{self._name}: has two values", help)
+            else:
+                self._take(kind, attributes)
+            self._line = self._line or self.parser.CurrentLineNumber
 
     def _take(self, kind: str, attributes: dict[str, str]) -> None:
         read, words = _READERS[kind]
@@ -120,13 +132,40 @@ class _Reader:
         except (ValueError, KeyError):
             self._object(f"{self._name}: must be {words}, got {text!r}")
             return
-        self.found[self._name] = Entry(value, self._where(), attributes.get("unit", ""))
+        entry = Entry(value, self._where(), attributes.get("unit", ""), repeats=True)
+        keep(self._found, self._name, entry, self._mistakes)
+
+    def _define(self, attributes: dict[str, str]) -> None:
+        """Take what the file says of a unit: value in SI = factor * value + offset."""
+        numbers = {"factor": 1.0, "offset": 0.0}
+        powers: dict[str, int] = {}
+        for name, text in attributes.items():
+            try:
+                if name in numbers:
+                    numbers[name] = float(text)
+                elif int(text):
+                    powers[name] = int(text)
+            except ValueError:
+                self._object(f"unit {self._unit!r}: {name} must be a number, got {text!r}")
+        base = BaseUnit(powers, numbers["factor"])
+        self._units[self._unit] = base, numbers["offset"]
+
+    def in_stated_units(self) -> dict[str, Entry]:
+        """Values by name; units are defined behind the values that have them."""
+        for name, entry in self._found.items():
+            base, offset = self._units.get(entry.unit, (None, 0.0))
+            if offset:
+                message = f"{name}: the unit {entry.unit!r} has an offset"
+                help = "write the value in a unit without one"
+                self._mistakes.append(Mistake(entry.where, message, help))
+            self._found[name] = replace(entry, base=base)
+        return self._found
 
     def _end(self, tag: str) -> None:
         self._depth -= 1
         if tag != f"{VALUES} Parameter":
             return
-        if self._name and not self._values:
+        if self._name and not self._line:
             kinds = ", ".join(_READERS)
             self._object(f"{self._name}: has no value", f"write an element {kinds} in it")
         self._name = ""

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import difflib
 import json
+import math
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 from build_fmu.errors import UsageError
+from build_fmu.units import BaseUnit
 
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
+_LONG_NAME = re.compile(r"parameters\.(\w+)(?:\.value)?|inputs\.(\w+)(?:\.start)?")
 
 
 @dataclass(frozen=True)
@@ -22,6 +26,10 @@ class Entry:
     unit: str = ""
     named: str = ""
     """Where its name was given, if that is elsewhere: in the header of a table."""
+    base: BaseUnit | None = None
+    """What the file says of its unit."""
+    repeats: bool = False
+    """Whether it comes from a list of all parameters, most of which are as they were."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +73,35 @@ def read_value(text: str) -> object:
             return read(text)
         except ValueError:
             continue
-    return json.loads(text) if text.startswith(("[", "{")) else text
+    if not text.startswith(("[", "{")):
+        return text
+    try:
+        return json.loads(text)
+    except RecursionError:
+        message = "nested too deeply"
+        raise ValueError(message) from None
+
+
+def not_finite(value: object) -> float | None:
+    """First number of a value or list that is infinite or none; None if all are finite."""
+    if isinstance(value, list):
+        return next((x for x in map(not_finite, value) if x is not None), None)
+    return value if isinstance(value, float) and not math.isfinite(value) else None
+
+
+def keep(found: dict[str, Entry], name: str, entry: Entry, mistakes: list[Mistake]) -> None:
+    """Take a value of a file, unless it was there; `parameters.mass` is `mass`."""
+    short = _LONG_NAME.fullmatch(name)
+    known = (short[1] or short[2]) if short else name
+    spellings = (f"parameters.{known}", f"inputs.{known}")
+    spellings += (f"parameters.{known}.value", f"inputs.{known}.start")
+    for other in (known, *spellings):
+        if other in found:
+            first = "first" if other == name else f"first as {other}"
+            message = f"{name}: given twice, {first} at {found[other].where}"
+            mistakes.append(Mistake(entry.where, message))
+            return
+    found[name] = entry
 
 
 def plain(value: object) -> object:

@@ -31,6 +31,8 @@ class Place:
     """Of the mechanism's own quantities."""
     own: tuple[str, ...] = ()
     """Symbols with a meaning at this place alone."""
+    of: str = ""
+    """The parameter whose value stands here, and which is no remedy for a mistake in it."""
 
 
 SETTING = Place(parameters=False, tunable=False)
@@ -233,7 +235,8 @@ class Numbers:
             return f"'{name}' is a function", f"write {name}(...)"
         if kind is not None:
             return f"'{name}' is {a(kind)}, not a number", None
-        words = [*place.own, *(self.known.of("parameter") if place.parameters else [])]
+        parameters = self.known.of("parameter") if place.parameters else []
+        words = [*place.own, *(other for other in parameters if other != place.of)]
         if place.time:
             words += ["t", *self.known.of("input")]
         if name.count("."):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
@@ -16,11 +17,17 @@ def read_parameters(numbers: Numbers) -> dict[str, Parameter]:
     """Read the table [parameters]; their default values and variabilities become known."""
     draft, known = numbers.draft, numbers.known
     parts = draft.parts("parameters")
+    ranges = {}
     for name in _order(draft, parts):
-        _calculate(numbers, name, parts[name])
+        part = parts[name]
+        _calculate(numbers, name, part)
+        before = len(draft.problems)
+        ranges[name] = _range(numbers, ("parameters", name), part, known.values.get(name))
+        if len(draft.problems) > before:
+            known.values.pop(name, None)  # what is calculated from it is not wrong once more
     read = {}
     for name, part in parts.items():
-        low, high = _range(numbers, ("parameters", name), part, known.values.get(name))
+        low, high = ranges[name]
         read[name] = Parameter(
             value=0.0 if part.value is BROKEN else part.value.number,
             unit=part.unit,
@@ -59,7 +66,8 @@ def _calculate(numbers: Numbers, name: str, part: Any) -> None:
     if uses and part.variability is not None and part.variability is not BROKEN:
         message = "a calculated parameter has the variability of what it is calculated from"
         numbers.draft.error(("parameters", name, "variability"), message, "leave it out")
-    if part.value is BROKEN or not numbers.mentions_are_allowed(path, part.value, PARAMETER):
+    place = replace(PARAMETER, of=name)
+    if part.value is BROKEN or not numbers.mentions_are_allowed(path, part.value, place):
         return
     value = numbers.default(path, part.value)
     if value is not None:

@@ -1,0 +1,96 @@
+"""From the text of a file to its tables, in TOML or JSON, with the mistakes in the notation."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from typing import Any, NoReturn
+
+from solver.scene.positions import lines_of_json
+from solver.scene.report import Problem, SceneError, Source, location_of
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+DEEPEST = 50
+"""Tables and lists within each other; no scene has so many."""
+_TOML_HELP = {
+    "Illegal character '\\n'": "a text ends on the line it begins on: close its quotes",
+    "Cannot overwrite a value": "the same key is given twice",
+}
+
+
+def tables_of(text: str, name: str, notation: str) -> tuple[dict[str, Any], list[Problem]]:
+    """Tables of a text, and the keys that are given twice in it.
+
+    Raises
+    ------
+    SceneError
+        If the text cannot be read.
+    """
+    problems: list[Problem] = []
+    data = _json(text, name, problems) if notation == "json" else _toml(text, name)
+    _shallow(data, Source(name, text))
+    return data, problems
+
+
+def give_up(source: Source, problem: Problem) -> NoReturn:
+    """Raise a mistake that lets nothing else be found."""
+    raise SceneError([problem], source)
+
+
+def _toml(text: str, name: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        give_up(Source(name, text), Problem("", "TOML: nested too deeply"))
+    except tomllib.TOMLDecodeError as error:
+        words = str(error)
+        place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
+        message = words[: place.start()] if place else words
+        line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
+        column = int(place[2]) if place and place[2] else None
+        help = _TOML_HELP.get(message)
+        give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
+
+
+def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
+    twice: list[str] = []
+
+    def table(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        entries = dict(pairs)
+        if len(entries) < len(pairs):
+            twice.extend(key for key, _ in pairs)
+        return entries
+
+    try:
+        data = json.loads(text, object_pairs_hook=table)
+    except RecursionError:
+        give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
+    except json.JSONDecodeError as error:
+        problem = Problem("", f"JSON: {error.msg}", None, error.lineno, error.colno)
+        give_up(Source(name, text), problem)
+    if not isinstance(data, dict):
+        from solver.scene.fields import shown  # pydantic takes a third of a second to import
+
+        give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
+    if twice:
+        lines, repeated = lines_of_json(text)
+        for path, line in repeated:
+            message = f"given twice, first in line {lines[path]}"
+            problems.append(Problem(location_of(path), message, line=line))
+    return data
+
+
+def _shallow(data: Any, source: Source) -> None:
+    """Give up on nesting that no scene has, before anything descends into it."""
+    level = [data]
+    for _ in range(DEEPEST):
+        inside = [value.values() if isinstance(value, dict) else value for value in level]
+        level = [item for items in inside for item in items if isinstance(item, (dict, list))]
+        if not level:
+            return
+    give_up(source, Problem("", "nested too deeply"))
