@@ -17,6 +17,7 @@ from solver.runtime import AssemblyError, StepError
 from . import snapshot, status
 from .log import sentence
 from .objection import Failures, impossible_step, wrong_experiment
+from .shield import shielded
 from .values import INITIALIZING, INSTANTIATED, PHASES, STEPPING, TERMINATED, SlaveWithValues
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 NOT_YET = "exitInitializationMode comes first"
+NO_STOP_TIME = sys.float_info.max
 ROUNDING, STOP_SLACK = 8, 1e-3
 """A step may end after the stop time by so many last digits of it and this part of the step:
 communication points are often sums, and a million additions of 0.1 are off by 1e-5 steps."""
@@ -34,13 +36,15 @@ class Slave(SlaveWithValues):
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
-        self._latest = sys.float_info.max  # no communication step ends after this
+        self._latest = NO_STOP_TIME  # no communication step ends after this
+        self._own_horizon = self._integrator.state.head["horizon"]
         self._failures = Failures()
         if self.resources in sys.path:  # pythonfmu puts it there for every instance and leaves it
             sys.path.remove(self.resources)
 
     # ------------------------------------------------------------------------ initialisation
 
+    @shielded()
     def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
         """Take start and stop time and, where the scene asks for a tolerance, this one."""
         if self._phase != INSTANTIATED:
@@ -52,11 +56,13 @@ class Slave(SlaveWithValues):
             return
         self._refusals.pop("experiment", None)
         self._start_time, self._assembled = start_time, False
+        self._latest, horizon = NO_STOP_TIME, self._own_horizon
         if stop_time is not None:
             self._latest = stop_time + ROUNDING * math.ulp(max(abs(stop_time), abs(start_time)))
+            if 0.0 < stop_time - start_time < math.inf:
+                horizon = stop_time - start_time
         try:
-            if stop_time is not None and 0.0 < stop_time - start_time < math.inf:
-                self._integrator.state.head["horizon"] = stop_time - start_time
+            self._integrator.state.head["horizon"] = horizon
             if tolerance is None:
                 return
             fixed = "this run is one of fixed steps, set by solver.step_size and solver.order"
@@ -68,6 +74,7 @@ class Slave(SlaveWithValues):
             reason = sentence(error)
         self.note(f"tolerance {tolerance!r} has no effect: {reason}")
 
+    @shielded()
     def enter_initialization_mode(self) -> None:
         """Begin initialisation; outputs may be read from now on."""
         if self._phase != INSTANTIATED:
@@ -75,6 +82,7 @@ class Slave(SlaveWithValues):
             return
         self._phase = INITIALIZING
 
+    @shielded()
     def exit_initialization_mode(self) -> None:
         """Assemble the mechanism with the parameters that have arrived."""
         if self._phase != INITIALIZING:
@@ -89,6 +97,7 @@ class Slave(SlaveWithValues):
 
     # ---------------------------------------------------------------------------------- steps
 
+    @shielded(lambda *_: False)
     def do_step(self, current_time: float, step_size: float) -> bool:
         """Advance to `current_time + step_size`; False (fmi2Discard) leaves all as it was."""
         try:
@@ -104,10 +113,9 @@ class Slave(SlaveWithValues):
             return self._fail(error, current_time, step_size)
         except AssemblyError as error:
             return self._discard(status.ASSEMBLY_FAILED, sentence(error))
-        except KeyboardInterrupt:
-            return self._break(status.INTERRUPTED, "interrupted from the keyboard")
         except Exception as error:
-            return self._break(status.INTERNAL_FAULT, sentence(error))
+            self._break(status.INTERNAL_FAULT, sentence(error))
+            return False
         self._status = 0
         self._failures.forget()
         return True
@@ -136,11 +144,7 @@ class Slave(SlaveWithValues):
         self.discard(text, what)
         return False
 
-    def _break(self, code: int, text: str) -> bool:
-        """Discard a step in the midst of which something broke: nobody knows where it stands."""
-        self._refuse(["step"], code, f"{text}; restore a saved state, or reset the instance")
-        return False
-
+    @shielded()
     def terminate(self) -> None:
         """End the run; values can still be read."""
         if self._phase != STEPPING:
@@ -151,12 +155,7 @@ class Slave(SlaveWithValues):
 
     # ---------------------------------------------------------------------------------- state
 
-    def _get_fmu_state(self) -> Any:
-        try:
-            state = self._integrator.save()
-        except Exception as error:
-            self.error(f"the state cannot be saved: {sentence(error)}")
-            state = b""
+    def _packed(self, state: bytes) -> bytes:
         header = {
             "phase": self._phase,
             "start_time": self._start_time,
@@ -166,6 +165,16 @@ class Slave(SlaveWithValues):
         }
         return snapshot.pack(header, state)
 
+    @shielded(lambda self: self._packed(b""))
+    def _get_fmu_state(self) -> Any:
+        try:
+            state = self._integrator.save()
+        except Exception as error:
+            self.error(f"the state cannot be saved: {sentence(error)}")
+            state = b""
+        return self._packed(state)
+
+    @shielded()
     def _set_fmu_state(self, state: Any) -> None:
         try:
             header, data = snapshot.unpack(state)
@@ -176,10 +185,5 @@ class Slave(SlaveWithValues):
             return
         self._phase, self._start_time, self._assembled, self._status, self._refusals = memory
 
-    @staticmethod
-    def _fmu_state_to_bytes(state: Any) -> bytes:
-        return state
-
-    @staticmethod
-    def _fmu_state_from_bytes(state: bytes) -> Any:
-        return state
+    # A state is bytes already. The library asks the class, where nobody could shield a method.
+    _fmu_state_to_bytes = _fmu_state_from_bytes = bytes  # type: ignore[assignment]

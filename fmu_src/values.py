@@ -13,6 +13,7 @@ from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepEr
 
 from . import status
 from .log import LoggedSlave, sentence
+from .shield import shielded
 
 MODEL_FILE = "model.bin"
 PHASES = INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = (0, 1, 2, 3)
@@ -44,38 +45,47 @@ class SlaveWithValues(LoggedSlave):
     def _assemble(self) -> None:
         self._integrator.initialise(self._start_time)
         self._assembled = True
-        self._status = 0
+        if not self._refusals:
+            self._status = 0
 
     # --------------------------------------------------------------------------------- values
 
+    @shielded(lambda self, vrs: self._substitutes("Real", vrs))
     def get_real(self, vrs: list[int]) -> list[float]:
         """Values of Real variables; never NaN."""
         return self._get("Real", vrs)
 
+    @shielded(lambda self, vrs: self._substitutes("Integer", vrs))
     def get_integer(self, vrs: list[int]) -> list[int]:
         """Values of Integer variables: there are none, so zeros and a line in the log."""
         return self._get("Integer", vrs)
 
+    @shielded(lambda self, vrs: self._substitutes("Boolean", vrs))
     def get_boolean(self, vrs: list[int]) -> list[bool]:
         """Values of Boolean variables."""
         return self._get("Boolean", vrs)
 
+    @shielded(lambda self, vrs: self._substitutes("String", vrs))
     def get_string(self, vrs: list[int]) -> list[str]:
         """Values of String variables."""
         return self._get("String", vrs)
 
+    @shielded()
     def set_real(self, vrs: list[int], values: list[float]) -> None:
         """Take values of Real variables: all of them, or none and a line in the log."""
         self._set("Real", vrs, values)
 
+    @shielded()
     def set_integer(self, vrs: list[int], values: list[int]) -> None:
         """Refuse: there are no Integer variables."""
         self._set("Integer", vrs, values)
 
+    @shielded()
     def set_boolean(self, vrs: list[int], values: list[bool]) -> None:
         """Take values of Boolean variables: all of them, or none and a line in the log."""
         self._set("Boolean", vrs, values)
 
+    @shielded()
     def set_string(self, vrs: list[int], values: list[str]) -> None:
         """Take values of String variables: all of them, or none and a line in the log."""
         self._set("String", vrs, values)
@@ -162,3 +172,11 @@ class SlaveWithValues(LoggedSlave):
         self._status = code
         self._refusals.update(dict.fromkeys(what, text))
         self.error(text)
+
+    def _break(self, code: int, text: str) -> None:
+        """Refuse all steps after one call broke in its midst: nobody knows where it left things."""
+        self._refuse(["break"], code, f"{text}; restore a saved state, or reset the instance")
+
+    def interrupted(self) -> None:
+        """Take notice of an interrupt from the keyboard."""
+        self._break(status.INTERRUPTED, "interrupted from the keyboard")

@@ -1,0 +1,148 @@
+"""Ctrl-C in any call of the slave: no exception leaves it, and no step is taken afterwards."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import fmu_src
+from fmu_src import status
+from fmu_src.slave import Slave
+from tests.fmu_instance import instance, pendulum, slave_of
+
+OF_THE_SLAVE = str(Path(fmu_src.__file__).parent)
+SHIELD = str(Path(OF_THE_SLAVE, "shield.py"))
+
+SEQUENCE: dict[str, Callable[[Slave], object]] = {
+    "setup_experiment": lambda slave: slave.setup_experiment(0.0, 1.0, 1e-6),
+    "get_real before": lambda slave: slave.get_real(reals(slave)),
+    "set_real": lambda slave: slave.set_real([slave._model.index("push")], [1.0]),
+    "set_integer": lambda slave: slave.set_integer([], []),
+    "set_boolean": lambda slave: slave.set_boolean([slave._model.index("solver.paired")], [False]),
+    "set_string": lambda slave: slave.set_string(
+        [slave._model.index("solver.algorithm")], ["simultaneous"]
+    ),
+    "enter_initialization_mode": lambda slave: slave.enter_initialization_mode(),
+    "exit_initialization_mode": lambda slave: slave.exit_initialization_mode(),
+    "get_real": lambda slave: slave.get_real(reals(slave)),
+    "get_integer": lambda slave: slave.get_integer([]),
+    "get_boolean": lambda slave: slave.get_boolean(sorted(slave._of_type["Boolean"])),
+    "get_string": lambda slave: slave.get_string(sorted(slave._of_type["String"])),
+    "_get_fmu_state": lambda slave: slave._get_fmu_state(),
+    "do_step": lambda slave: slave.do_step(0.0, 0.1),
+    "terminate": lambda slave: slave.terminate(),
+}
+"""Calls in an order that FMI allows."""
+
+
+def reals(slave: Slave) -> list[int]:
+    return sorted(slave._of_type["Real"])
+
+
+@pytest.fixture(scope="module")
+def fresh():
+    """Slaves as after instantiation."""
+    with instance(pendulum()) as fmu:
+        yield lambda: slave_of(fmu)
+
+
+def struck(call: Callable[[], object], at: int) -> tuple[object, bool]:
+    """Answer of a call with an interrupt before its line number `at`, and whether it had so many.
+
+    Lines of the slave's files count, in the order in which they run.
+    """
+    left = at
+
+    def look(frame, event, _):
+        nonlocal left
+        if not frame.f_code.co_filename.startswith(OF_THE_SLAVE):
+            return None
+        if frame.f_code.co_filename == SHIELD:
+            return None
+        if event == "line":
+            left -= 1
+            if left < 0:
+                sys.settrace(None)
+                raise KeyboardInterrupt
+        return look
+
+    before = sys.gettrace()
+    sys.settrace(look)
+    try:
+        answer = call()
+    except KeyboardInterrupt:
+        pytest.fail(f"an interrupt before line number {at} of a call left it")
+    finally:
+        sys.settrace(before)
+    return answer, left < 0
+
+
+def sequence_struck(slave: Slave, name: str, at: int) -> tuple[object, bool]:
+    """All calls up to a first step, of which one is interrupted: its answer, and if it was."""
+    answer, hit = None, False
+    for each, call in SEQUENCE.items():
+        if each == name:
+            answer, hit = struck(lambda: call(slave), at)  # noqa: B023 - called at once
+            if name == "terminate":
+                break
+        elif each not in ("do_step", "terminate"):
+            call(slave)
+    return answer, hit
+
+
+@pytest.mark.parametrize("name", SEQUENCE)
+def test_an_interrupt_in_any_line_of_a_call_ends_it_with_a_refusal(fresh, name):
+    at = 0
+    while True:
+        slave = fresh()
+        answer, hit = sequence_struck(slave, name, at)
+        if not hit:
+            break
+        texts = [message.msg for message in slave._get_log_queue()]
+        assert any("interrupted from the keyboard" in text for text in texts)
+        assert slave.do_step(0.0, 0.1) is False
+        assert slave.get_real([slave._status_index]) == [status.INTERRUPTED]
+        if name.startswith("get_"):
+            assert isinstance(answer, list)
+        if name == "do_step":
+            assert answer is False
+        at += 1
+    assert at > 1
+
+
+def test_a_state_that_was_saved_before_an_interrupt_ends_the_refusal(fresh):
+    slave = fresh()
+    for name in ("setup_experiment", "enter_initialization_mode", "exit_initialization_mode"):
+        SEQUENCE[name](slave)
+    state = slave._get_fmu_state()
+    at = 0
+    while struck(lambda: slave._set_fmu_state(state), at)[1]:
+        assert slave.do_step(0.0, 0.1) is False
+        assert slave.get_real([slave._status_index]) == [status.INTERRUPTED]
+        slave._set_fmu_state(state)
+        assert slave.get_real([slave._status_index]) == [0.0]
+        at += 1
+    assert at > 3
+    assert slave.do_step(0.0, 0.1)
+
+
+def test_a_state_that_was_being_saved_at_an_interrupt_is_refused(fresh):
+    slave = fresh()
+    for name in ("setup_experiment", "enter_initialization_mode", "exit_initialization_mode"):
+        SEQUENCE[name](slave)
+    state, hit = struck(slave._get_fmu_state, 0)
+    assert hit
+    assert isinstance(state, bytes)  # pythonfmu's library asks for its size
+    slave._set_fmu_state(state)
+    assert slave.get_real([slave._status_index]) == [status.STATE_REFUSED]
+    assert not slave.do_step(0.0, 0.1)
+
+
+def test_bytes_of_states_are_passed_on_without_code_that_an_interrupt_could_strike():
+    assert Slave._fmu_state_to_bytes(b"a") == Slave._fmu_state_from_bytes(b"a") == b"a"
+    assert not inspect.isfunction(Slave._fmu_state_to_bytes)
+    assert not inspect.isfunction(Slave._fmu_state_from_bytes)
