@@ -21,7 +21,7 @@ EXIT_CODES = """exit codes:
   0  done
   1  a check failed
   2  usage or scene error
-  3  the simulation did not finish, or no equilibrium was found
+  3  the simulation did not finish or logged an error, or no equilibrium was found
   4  the environment lacks something
 """
 

@@ -1,33 +1,28 @@
-"""One run of an FMU in fmpy, from the archive: trajectory, log, and whether it came to its end.
+"""One run of an FMU in fmpy, from the archive: trajectory, log, and whether it is a clean one.
 
-`fmpy.simulate_fmu` ends quietly at a discarded step, with success. Here an early end is a fact of
-the result, with the sentence of the FMU's log that says why.
+`fmpy.simulate_fmu` ends quietly at a discarded step, with success, and says nothing of errors that
+the FMU logs on its way. Here both are facts of the result, with the sentence that says why.
 """
 
 from __future__ import annotations
 
-import contextlib
-import logging
 import math
-import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from os import PathLike, fspath
-from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.errors import UsageError
+from build_fmu.instance import FATAL, Log, description_of, instantiated, not_said_twice, unpacked
 from build_fmu.study.settings import Source, entries_of, fmu_settings
-from fmu_src.status import LOGGER
 
 if TYPE_CHECKING:
+    from fmpy.fmi2 import FMU2Slave
     from fmpy.model_description import ModelDescription
     from fmpy.simulation import Recorder
     from numpy import ndarray
 
-DISCARD, ERROR = 2, 3  # fmi2Status
-INSTANTIATION_FAILED = "Failed to instantiate model"
 MOST_STEPS = 10_000_000
 """Most communication steps of a run: all rows are kept in memory until its end."""
 
@@ -43,8 +38,10 @@ class Run:
     """Seconds for unpacking, instantiation and all steps."""
     messages: tuple[str, ...]
     """Lines of the FMU's log with status Warning and above."""
+    finished: bool
+    """Whether it came to its stop time."""
     reason: str
-    """Why the run ended early; empty if it did not."""
+    """Why it ended early, or the first error that the FMU logged; empty if it is a clean run."""
 
     @property
     def end_time(self) -> float:
@@ -55,6 +52,11 @@ class Run:
     def steps(self) -> int:
         """Number of communication steps that succeeded."""
         return len({float(t) for t in self.values["time"]}) - 1
+
+    @property
+    def failure(self) -> str:
+        """Where it ended and the reason, in a sentence; empty if it is a clean run."""
+        return failure(self.end_time, self.stop_time, self.finished, self.reason)
 
     def largest(self, name: str) -> float:
         """Largest magnitude of an output over the run."""
@@ -91,43 +93,36 @@ def run_fmu(
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
-    import fmpy
-
-    description = fmpy.read_model_description(fspath(path), validate=False)
-    check_platform(fspath(path))
-    check_unpack_folder(Path(tempfile.gettempdir()))
+    description = description_of(path)
     start_values = fmu_settings(fspath(path), description, [entries_of(settings)])[0]
     stop_time, step_size = experiment_times(description, stop_time, step_size)
-    log: list[tuple[int, str]] = []
+    log = Log()
     begin = time.perf_counter()
-    values, failure = _simulate(
-        fspath(path),
-        model_description=description,
-        stop_time=stop_time,
-        output_interval=step_size,
-        start_values=start_values,
-        debug_logging=True,
-        logger=lambda *entry: log.append((entry[2], entry[4].decode("utf-8", "replace"))),
-        step_finished=_reporter(progress, stop_time),
-    )
-    wall_time = time.perf_counter() - begin
-    messages = tuple(text for level, text in log if level > 0)
-    finished = values is not None and values["time"][-1] >= stop_time - 1e-6 * step_size
-    reason = "" if finished else _reason(log, failure)
-    if values is None:
-        raise UsageError(reason)
-    return Run(values, stop_time, wall_time, messages, reason)
-
-
-def check_unpack_folder(folder: Path) -> None:
-    """Refuse a folder below which an FMU would end the process: its library decodes %20 alone."""
-    wrong = "%" in folder.absolute().as_uri().replace("%20", "")
-    if wrong:
-        text = (
-            f"the folder for temporary files, {folder}, has a character in its path that "
-            "pythonfmu's library cannot read; set TMPDIR to a folder of plain letters"
+    with unpacked(path) as folder, not_said_twice():
+        values, failed = _simulate(
+            folder,
+            instantiated(description, folder, log),
+            model_description=description,
+            stop_time=stop_time,
+            output_interval=step_size,
+            start_values=start_values,
+            step_finished=_reporter(progress, stop_time),
         )
-        raise EnvironmentLackError(text)
+    wall_time = time.perf_counter() - begin
+    if values is None:
+        raise UsageError(log.reason(failed))
+    finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
+    reason = log.error if finished else log.reason()
+    return Run(values, stop_time, wall_time, log.messages, finished, reason)
+
+
+def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> str:
+    """Sentence about a run that is not a clean one; empty without a reason. Times in s."""
+    if not reason:
+        return ""
+    if finished:
+        return f"the run came to its end, but the FMU logged an error: {reason}"
+    return f"the run ended at t = {end_time!r} s, before {stop_time!r} s: {reason}"
 
 
 def _reporter(progress: Callable[[float], object] | None, stop_time: float) -> Callable | None:
@@ -142,46 +137,20 @@ def _reporter(progress: Callable[[float], object] | None, stop_time: float) -> C
     return step_finished
 
 
-def _simulate(path: str, **options) -> tuple[ndarray | None, str]:
-    """Result of fmpy, None with a text if an FMI function returned an error."""
+def _simulate(folder: str, fmu: FMU2Slave, **options: Any) -> tuple[ndarray | None, str]:
+    """Result of fmpy, None with a text if an FMI function returned an error; frees the instance."""
     import fmpy
     from fmpy.fmi1 import FMICallException
 
+    fatal = False
     try:
-        with not_said_twice():
-            return fmpy.simulate_fmu(path, **options), ""
+        return fmpy.simulate_fmu(folder, fmu_instance=fmu, **options), ""
     except FMICallException as error:
+        fatal = error.status == FATAL  # its memory is gone
         return None, str(error)
-    except Exception as error:
-        if str(error) != INSTANTIATION_FAILED:  # fmpy raises a bare Exception
-            raise
-        return None, f"{path} cannot be instantiated: is the archive damaged? Build it again"
-
-
-@contextlib.contextmanager
-def not_said_twice() -> Iterator[None]:
-    """Keep the FMU from saying aloud what its log has: the log is read here."""
-    logger = logging.getLogger(LOGGER)
-    before, logger.disabled = logger.disabled, True
-    try:
-        yield
     finally:
-        logger.disabled = before
-
-
-def _reason(log: list[tuple[int, str]], failure: str) -> str:
-    """Last sentence that the FMU logged about a refusal."""
-    severe = [text for level, text in log if level >= DISCARD]
-    return severe[-1] if severe else failure or "the FMU ended the simulation without a message"
-
-
-def check_platform(path: str) -> None:
-    """Refuse an FMU that has no library for this machine."""
-    from fmpy import platform, supported_platforms
-
-    if platform not in supported_platforms(path):
-        text = f"{path} has no library for this platform, {platform}"
-        raise EnvironmentLackError(text)
+        if not fatal:
+            fmu.freeInstance()
 
 
 def experiment_times(

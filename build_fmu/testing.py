@@ -65,9 +65,7 @@ def assert_conserves(
 
     with runnable(fspath(target), entries_of(parameters)) as (path, left):
         run = run_fmu(path, stop_time=stop_time, step_size=step_size, settings=left)
-    problems = []
-    if run.reason:
-        problems.append(f"the run ended at t = {run.end_time!r} s: {run.reason}")
+    problems = [run.failure] if run.failure else []
     names = run.values.dtype.names or ()
     for name, limit in (("energy.error", energy), ("constraint.position", constraint)):
         if name not in names:
@@ -117,6 +115,7 @@ def assert_follows(
     __tracebackhide__ = True
     import numpy as np
 
+    from build_fmu.run import failure
     from build_fmu.study.kept import KeptFmu
     from build_fmu.study.settings import fmu_settings
     from build_fmu.target import runnable
@@ -132,9 +131,9 @@ def assert_follows(
             record = fmu.run(settings, times, names)
         finally:
             fmu.close()
-    problems = []
-    if record.reason:
-        problems.append(f"the run ended at t = {record.end_time!r} s: {record.reason}")
+    finished = len(record.values) == len(times)
+    told = failure(record.end_time, times[-1], finished, record.reason)
+    problems = [told] if told else []
     found = {"time": expected["time"][: len(record.values)]}
     for name, column in zip(names, record.values.T, strict=True):
         found[name] = column

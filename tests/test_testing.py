@@ -60,7 +60,7 @@ def test_what_does_not_conserve_says_what_and_when():
 
 
 def test_a_run_that_ends_early_does_not_pass():
-    with pytest.raises(AssertionError, match=r"the run ended at t = 0\.0 s: .*mass"):
+    with pytest.raises(AssertionError, match=r"the run ended at t = 0\.0 s, before 1\.0 s: .*mass"):
         assert_conserves(pendulum(), parameters={"mass": -1.0})
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import logging
 import subprocess
 import sys
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import fmpy
 import pytest
 
+from build_fmu.instance import not_said_twice
 from build_fmu.run import run_fmu
 from fmu_src.log import MOST_TOLD
 from fmu_src.status import LOGGER
@@ -90,3 +93,49 @@ def test_who_reads_the_log_is_not_told_twice(heard):
     assert "solver.order" in run.reason
     assert not heard()
     assert not logging.getLogger(LOGGER).disabled
+
+
+def test_who_reads_the_log_in_one_thread_silences_no_other(heard):
+    logger, began, said = logging.getLogger(LOGGER), threading.Event(), threading.Event()
+
+    def read() -> None:
+        with not_said_twice():
+            logger.error("read")
+            began.set()
+            assert said.wait(10.0)
+        logger.error("after")
+
+    with ThreadPoolExecutor(1) as pool:
+        done = pool.submit(read)
+        assert began.wait(10.0)
+        with not_said_twice():
+            logger.error("read here")
+            said.set()
+            done.result()
+        logger.error("heard")
+    assert heard() == ["after", "heard"]
+
+
+def test_runs_at_the_same_time_have_each_its_own_log():
+    began, go_on = threading.Event(), threading.Event()
+    with ThreadPoolExecutor(1) as pool:
+        first = pool.submit(
+            run_fmu,
+            pendulum(push="sqrt(0.15 - t)"),  # the second step cannot be solved
+            stop_time=0.3,
+            progress=lambda _: [began.set(), go_on.wait(20.0)],
+        )
+        assert began.wait(20.0)
+        clean = run_fmu(pendulum(), stop_time=0.1, progress=lambda _: [go_on.set(), first.result()])
+    assert "step from t = 0.1 s" in first.result().reason
+    assert clean.messages == ()
+
+
+def test_a_per_cent_sign_is_a_single_one_where_fmpy_cannot_format_messages(monkeypatch):
+    def lacking(_):
+        raise OSError
+
+    monkeypatch.setattr("fmpy.logging.addLoggerProxy", lacking)
+    run = run_fmu(pendulum(), stop_time=0.2, settings={"solver.formulation": "50% more"})
+    assert "got '50% more'" in run.reason
+    assert "got '50% more'" in run.messages[0]

@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 
 from build_fmu.commands.simulate import report_end, simulate
-from build_fmu.errors import CHECK_FAILED, UsageError
+from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.report import print_json, print_table
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Check; exit code 1 if a limit is exceeded, 3 if the run ends early."""
+    """Check; exit code 1 if a limit is exceeded or the FMU logs an error, 3 at an early end."""
     result = simulate(arguments)
     limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
     missing = [name for name in limits if name not in (result.values.dtype.names or ())]
@@ -33,7 +33,10 @@ def run(arguments: argparse.Namespace) -> int:
         ]
         title = f"{arguments.target}: {result.steps} steps to t = {result.end_time:g} s"
         print_table(title, ("output", "largest", "limit", "holds"), rows)
-    return report_end(result) or (0 if holds else CHECK_FAILED)
+    report_end(result)
+    if not result.finished:
+        return UNFINISHED
+    return 0 if holds else CHECK_FAILED
 
 
 def _verdict(holds: object) -> str:

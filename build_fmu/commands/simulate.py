@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Simulate; exit code 3 if the run ends before its stop time."""
+    """Simulate; exit code 3 if the run ends before its stop time, or the FMU logs an error."""
     if arguments.csv == "-" and arguments.json:
         text = "--csv - and --json both want stdout; name a file for one of them"
         raise UsageError(text)
@@ -37,13 +37,12 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def report_end(result: Run) -> int:
-    """Log and reason of an early end on stderr; the exit code."""
+    """Log and what went wrong on stderr; the exit code."""
     for message in dict.fromkeys(result.messages):
         if message != result.reason:
             sys.stderr.write(f"{message}\n")
-    if result.reason:
-        text = f"the run ended at t = {result.end_time!r} s, before {result.stop_time!r} s"
-        sys.stderr.write(f"build-fmu: {text}: {result.reason}\n")
+    if result.failure:
+        sys.stderr.write(f"build-fmu: {result.failure}\n")
     return UNFINISHED if result.reason else 0
 
 
@@ -75,7 +74,7 @@ def summary(result: Run) -> dict[str, object]:
     names = result.values.dtype.names or ()
     errors = [name for name in ("energy.error", "constraint.position") if name in names]
     return {
-        "finished": not result.reason,
+        "finished": result.finished,
         "reason": result.reason,
         "end_time": result.end_time,
         "stop_time": result.stop_time,

@@ -6,22 +6,17 @@ initialization are 1 ms; a new instance in a new folder for each would take 60 m
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike, fspath
-from pathlib import Path
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from build_fmu.errors import UsageError
-from build_fmu.run import DISCARD, check_platform, check_unpack_folder, not_said_twice
+from build_fmu.instance import FATAL, Log, description_of, instantiated, not_said_twice, unpacked
 
 if TYPE_CHECKING:
     from fmpy.fmi2 import FMU2Slave
-    from fmpy.model_description import ModelDescription
     from numpy import ndarray
 
-FATAL = 4
 KINDS = ("Real", "Integer", "Boolean", "String")
 
 
@@ -33,23 +28,18 @@ class Record:
     """Shape (points, outputs); the points that were reached."""
     end_time: float
     reason: str
-    """Why it ended early; empty if it did not."""
+    """Why it ended early, or the first error that the FMU logged; empty if it is a clean run."""
 
 
 class KeptFmu:
     """An FMU in fmpy, ready to run."""
 
     def __init__(self, path: str | PathLike[str]) -> None:
-        import fmpy
-
         self.description = description_of(path)
-        check_platform(fspath(path))
-        self._folder = tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True)
-        check_unpack_folder(Path(self._folder.name))
-        fmpy.extract(fspath(path), self._folder.name)
+        self._folder = unpacked(path)
         self._variables = {v.name: v for v in self.description.modelVariables}
         self._fmu: FMU2Slave | None = None
-        self._log: list[tuple[int, str]] = []
+        self._log = Log()
 
     def run(
         self, settings: Mapping[str, object], times: Sequence[float], outputs: Sequence[str]
@@ -78,11 +68,9 @@ class KeptFmu:
         except FMICallException as error:
             if error.status == FATAL:
                 self._fmu = None  # its memory is gone
-            severe = [text for level, text in self._log if level >= DISCARD]
-            reason = severe[-1] if severe else str(error)
             end = times[max(reached - 1, 0)]
-            return Record(values[:reached], end, reason)
-        return Record(values, times[-1], "")
+            return Record(values[:reached], end, self._log.reason(str(error)))
+        return Record(values, times[-1], self._log.error)
 
     def close(self) -> None:
         """Free the instance and remove the folder."""
@@ -101,40 +89,8 @@ class KeptFmu:
                 return self._fmu
             except FMICallException:
                 self._fmu.freeInstance()
-        self._fmu = self._instance()
+        self._fmu = instantiated(self.description, self._folder.name, self._log)
         return self._fmu
-
-    def _instance(self) -> FMU2Slave:
-        from fmpy.fmi2 import FMU2Slave
-
-        unit = self.description.coSimulation
-        assert unit is not None
-        fmu = FMU2Slave(
-            guid=self.description.guid,
-            unzipDirectory=self._folder.name,
-            modelIdentifier=unit.modelIdentifier,
-            instanceName="study",
-        )
-        try:
-            fmu.instantiate(callbacks=self._callbacks(), loggingOn=True)
-        except Exception as error:  # fmpy raises a bare Exception
-            text = f"{unit.modelIdentifier} cannot be instantiated: is the archive damaged? {error}"
-            raise UsageError(text) from None
-        return fmu
-
-    def _callbacks(self) -> Any:
-        """Callbacks with a log of our own: fmpy's is one for the whole process."""
-        from fmpy import fmi2
-
-        callbacks = fmi2.fmi2CallbackFunctions()
-        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._hear)
-        callbacks.allocateMemory = fmi2.fmi2CallbackAllocateMemoryTYPE(fmi2.calloc)
-        callbacks.freeMemory = fmi2.fmi2CallbackFreeMemoryTYPE(fmi2.free)
-        return callbacks
-
-    def _hear(self, _environment: Any, _name: Any, level: int, _kind: Any, message: bytes) -> None:
-        if level > 0:
-            self._log.append((level, message.decode("utf-8", "replace").replace("%%", "%")))
 
     def _set(self, fmu: FMU2Slave, settings: Mapping[str, object]) -> None:
         for kind in KINDS:
@@ -155,14 +111,3 @@ class KeptFmu:
             return (lambda: fmu.getReal(references)) if outputs else list
         pairs = list(zip(kinds, references, strict=True))
         return lambda: [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]
-
-
-def description_of(path: str | PathLike[str]) -> ModelDescription:
-    """Model description of an FMU that can be run here: FMI 2.0, co-simulation."""
-    import fmpy
-
-    description = fmpy.read_model_description(fspath(path), validate=False)
-    if description.fmiVersion != "2.0" or description.coSimulation is None:
-        text = f"{fspath(path)}: not an FMI 2.0 co-simulation unit"
-        raise UsageError(text)
-    return description

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.run import check_platform, experiment_times
+from build_fmu.instance import check_platform
+from build_fmu.run import experiment_times
 from build_fmu.study.engines import Task, run_jobs
 from build_fmu.study.grid import rows_of
 from build_fmu.study.kept import KeptFmu, description_of

@@ -1,0 +1,160 @@
+"""An instance of an FMU in fmpy: unpacked, checked, and with a log of its own.
+
+fmpy's logger serves one instance of a process: with several, each message arrives at the one that
+was made last, and what it does not format, where it has no library for the machine, keeps the
+doubled per cent signs of the FMU. Here each instance has callbacks of its own.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import tempfile
+from collections.abc import Iterator
+from contextvars import ContextVar
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from build_fmu.errors import EnvironmentLackError, UsageError
+from fmu_src.status import LOGGER
+
+if TYPE_CHECKING:
+    from fmpy.fmi2 import FMU2Slave
+    from fmpy.model_description import ModelDescription
+
+WARNING, DISCARD, ERROR, FATAL = 1, 2, 3, 4  # fmi2Status
+
+_is_read = ContextVar("_is_read", default=False)
+"""Whether this thread reads the log of the FMU that it calls."""
+logging.getLogger(LOGGER).addFilter(lambda _: not _is_read.get())
+
+
+@contextlib.contextmanager
+def not_said_twice() -> Iterator[None]:
+    """Keep the FMUs that this thread calls from saying aloud what their log has: it is read."""
+    token = _is_read.set(True)
+    try:
+        yield
+    finally:
+        _is_read.reset(token)
+
+
+class Log:
+    """What an instance said: sentences with status Warning and above."""
+
+    def __init__(self) -> None:
+        self._lines: list[tuple[int, str]] = []
+
+    def clear(self) -> None:
+        """Forget what was said."""
+        self._lines.clear()
+
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """All sentences."""
+        return tuple(text for _, text in self._lines)
+
+    @property
+    def error(self) -> str:
+        """First sentence about an error; empty if there is none."""
+        return next((text for level, text in self._lines if level >= ERROR), "")
+
+    def reason(self, failure: str = "") -> str:
+        """Last sentence about a refusal: why a run ended; else `failure`, if it has one."""
+        severe = [text for level, text in self._lines if level >= DISCARD]
+        return severe[-1] if severe else failure or "the FMU ended the run without a message"
+
+    def callbacks(self) -> Any:
+        """Functions for fmi2Instantiate, which write here."""
+        from fmpy import fmi2
+
+        callbacks = fmi2.fmi2CallbackFunctions()
+        callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._hear)
+        callbacks.allocateMemory = fmi2.fmi2CallbackAllocateMemoryTYPE(fmi2.calloc)
+        callbacks.freeMemory = fmi2.fmi2CallbackFreeMemoryTYPE(fmi2.free)
+        return callbacks
+
+    def _hear(self, _environment: Any, _name: Any, level: int, _kind: Any, message: bytes) -> None:
+        if level >= WARNING:
+            # A format of printf. None of our FMUs asks for arguments, and ctypes could give none.
+            text = message.decode("utf-8", "replace").replace("%%", "%")
+            self._lines.append((level, text))
+
+
+def unpacked(path: str | PathLike[str]) -> tempfile.TemporaryDirectory[str]:
+    """Temporary folder with the files of an FMU.
+
+    Raises
+    ------
+    EnvironmentLackError
+        If the FMU has no library for this platform, or the folder for temporary files has a name
+        that the library cannot read.
+    """
+    import fmpy
+
+    check_platform(fspath(path))
+    check_unpack_folder(Path(tempfile.gettempdir()))
+    folder = tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True)
+    fmpy.extract(fspath(path), folder.name)
+    return folder
+
+
+def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Slave:
+    """Instance of an unpacked FMU, which logs to `log`.
+
+    Raises
+    ------
+    UsageError
+        If it cannot be made.
+    """
+    from fmpy.fmi2 import FMU2Slave
+
+    unit = description.coSimulation
+    assert unit is not None
+    try:
+        fmu = FMU2Slave(
+            guid=description.guid,
+            unzipDirectory=folder,
+            modelIdentifier=unit.modelIdentifier,
+            instanceName=unit.modelIdentifier,
+        )
+        fmu.instantiate(callbacks=log.callbacks(), loggingOn=True)
+    except Exception as error:  # fmpy raises a bare Exception
+        text = (
+            f"{unit.modelIdentifier} cannot be instantiated: is the archive damaged? Build it "
+            f"again ({log.reason(str(error))})"
+        )
+        raise UsageError(text) from None
+    return fmu
+
+
+def description_of(path: str | PathLike[str]) -> ModelDescription:
+    """Model description of an FMU that can be run here: FMI 2.0, co-simulation."""
+    import fmpy
+
+    description = fmpy.read_model_description(fspath(path), validate=False)
+    if description.fmiVersion != "2.0" or description.coSimulation is None:
+        text = f"{fspath(path)}: not an FMI 2.0 co-simulation unit"
+        raise UsageError(text)
+    return description
+
+
+def check_platform(path: str) -> None:
+    """Refuse an FMU that has no library for this machine."""
+    from fmpy import platform, supported_platforms
+
+    if platform not in supported_platforms(path):
+        text = f"{path} has no library for this platform, {platform}"
+        raise EnvironmentLackError(text)
+
+
+def check_unpack_folder(folder: Path) -> None:
+    """Refuse a folder below which an FMU would end the process: its library decodes %20 alone."""
+    wrong = "%" in folder.absolute().as_uri().replace("%20", "")
+    if wrong:
+        text = (
+            f"the folder for temporary files, {folder}, has a character in its path that "
+            "pythonfmu's library cannot read; set TMPDIR to a folder of plain letters"
+        )
+        raise EnvironmentLackError(text)
