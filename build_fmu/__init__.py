@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from build_fmu.study.variants import Variant
+    from build_fmu.study.manifest import Variant
     from solver.scene import Scene
 
 __all__ = ["build", "sweep", "variants"]
@@ -34,7 +34,7 @@ def build(
     scene
         A scene file (.toml or .json) or a loaded scene.
     path
-        Where to write; None: `<name of the scene>.fmu` in the current folder.
+        An .fmu file, or a folder, for `<name of the scene>.fmu` in it; None: the current one.
     parameters
         Numbers and options that replace those of the scene file, by dotted name: a declared
         parameter ("length") or any field ("points.A.mass"); or a file of them, .toml, .json, .csv
@@ -67,6 +67,7 @@ def variants(
     table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
     parameters: Mapping[str, object] | str | PathLike[str] | None = None,
     manifest: str = "manifest.csv",
+    fresh: bool = False,
     engine: str = "auto",
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
@@ -88,6 +89,8 @@ def variants(
         Values of all variants, by name or in a file.
     manifest
         Name of the manifest, .csv or .json.
+    fresh
+        Remove the FMUs of an earlier study that are in the folder.
     engine, workers
         "auto", "serial", "processes" or "dask://host:port", and the number of processes.
     progress
@@ -112,6 +115,7 @@ def variants(
         table=table,
         parameters=parameters,
         manifest=manifest,
+        fresh=fresh,
         engine=engine,
         workers=workers,
         progress=progress,

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from build_fmu.errors import LACK, USAGE, CommandError
-from build_fmu.study.values import not_finite, read_value
+from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
 
 INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
@@ -57,14 +57,10 @@ def setting(text: str) -> tuple[str, object]:
         message = f"{text!r} is not of the form name=value"
         raise argparse.ArgumentTypeError(message)
     try:
-        read = read_value(value)
+        return name.strip(), read_value(value)
     except ValueError as error:
         message = f"{value.strip()}: {error}"
         raise argparse.ArgumentTypeError(message) from None
-    if (wrong := not_finite(read)) is not None:
-        message = f"{name.strip()}: must be a finite number, got {wrong}"
-        raise argparse.ArgumentTypeError(message)
-    return name.strip(), read
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -78,7 +74,8 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     build = commands.add_parser("build", help="write the FMU of a scene")
     build.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
-    build.add_argument("-o", "--output", metavar="FILE", help="default: <name of the scene>.fmu")
+    text = "an .fmu file or a folder (default: <name of the scene>.fmu)"
+    build.add_argument("-o", "--output", metavar="FILE", help=text)
     _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
     _add_variants(commands)
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
@@ -105,10 +102,12 @@ def _parser() -> argparse.ArgumentParser:
 def _add_variants(commands: argparse._SubParsersAction) -> None:
     command = commands.add_parser("variants", help="write one FMU for each row of a grid or table")
     command.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
-    text = "folder for the FMUs and the manifest (default: <name of the file>_variants)"
+    text = "folder for the FMUs and the manifest (default: <name of the scene>_variants)"
     command.add_argument("-o", "--output", metavar="FOLDER", help=text)
     text = "name of the file that says which FMU is which, .csv or .json (default: %(default)s)"
     command.add_argument("--manifest", default="manifest.csv", metavar="FILE", help=text)
+    text = "remove the FMUs of an earlier study that are in that folder"
+    command.add_argument("--fresh", action="store_true", help=text)
     _add_study(command, "processes")
     _add_settings(command, "replace a parameter or any number of the scene, in all of them")
     command.add_argument("--json", action="store_true", help="print JSON instead of the file")

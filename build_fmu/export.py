@@ -8,12 +8,13 @@ import re
 import time
 import uuid
 from collections.abc import Mapping
-from os import PathLike
+from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
+from build_fmu.errors import UsageError
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
 from build_fmu.picture import picture
@@ -23,6 +24,7 @@ from build_fmu.trial import trial
 from build_fmu.version import VERSION
 
 if TYPE_CHECKING:
+    from build_fmu.study.values import Entry
     from solver.runtime import Model
     from solver.scene import Scene
 
@@ -51,10 +53,26 @@ def write_fmu(
 
     The scene that it was compiled from travels along, as text and as a picture.
     """
+    target = fmu_path(path, model.name)
+    write_archive(target, archive_entries(model, scene))
+    return target
+
+
+def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
+    """Path of the FMU of a mechanism of this name; a folder or None means the name itself, there.
+
+    Raises
+    ------
+    UsageError
+        If the name ends otherwise: parameter set and scene of the same name stand beside it.
+    """
     target = Path(path or ".")
     if target.is_dir():
-        target /= f"{identifier(model.name)}.fmu"
-    write_archive(target, archive_entries(model, scene))
+        return target / f"{identifier(name)}.fmu"
+    if target.suffix.lower() != ".fmu":
+        remedy = f"write {target}.fmu, or make {target} a folder"
+        text = f"{target}: the name of an FMU ends in .fmu; {remedy}"
+        raise UsageError(text)
     return target
 
 
@@ -63,6 +81,20 @@ def write_parameter_set(model: Model, fmu: Path) -> Path:
     target = fmu.with_suffix(".ssv")
     target.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
     return target
+
+
+def scene_name(scene: str | PathLike[str], entries: Mapping[str, Entry]) -> str:
+    """Name of the mechanism of a scene file, after which its FMUs are called.
+
+    The scene may need what is varied to be without mistakes, so it is not read any further.
+    """
+    from solver.scene.tables import tables_of, text_of
+
+    text, notation = text_of(fspath(scene))
+    tables, _ = tables_of(text, fspath(scene), notation)
+    given = [entries["name"].value] if "name" in entries else []
+    names = [name for name in (*given, tables.get("name")) if isinstance(name, str) and name]
+    return names[0] if names else Path(scene).stem
 
 
 def load_scene(

@@ -16,7 +16,13 @@ SECONDS_BETWEEN_LINES = 10.0
 
 def print_json(values: object) -> None:
     """One JSON document on stdout."""
-    sys.stdout.write(json.dumps(values, indent=2) + "\n")
+    sys.stdout.write(json_text(values) + "\n")
+
+
+def json_text(values: object, indent: int = 2) -> str:
+    """Text of a JSON document; numbers that are not finite, which JSON has not, become null."""
+    finite = json.loads(json.dumps(values), parse_constant=lambda _: None)
+    return json.dumps(finite, indent=indent)
 
 
 def print_table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:

@@ -279,9 +279,3 @@ def test_a_value_off_the_limits_of_its_parameter_is_one_mistake(capsys, tmp_path
     code, _, err = run(capsys, "build", PENDULUM, "-o", tmp_path, "--set", "mass=-1")
     wrong = "--set mass=-1: error: parameters.mass.value: must be >= 1e-06 kg (min), got -1\n"
     assert (code, err) == (2, wrong)
-
-
-def test_what_is_set_must_be_finite(capsys, tmp_path):
-    with pytest.raises(SystemExit):
-        run(capsys, "build", PENDULUM, "-o", tmp_path, "--set", "mass=nan")
-    assert "mass: must be a finite number, got nan" in capsys.readouterr().err

@@ -77,7 +77,7 @@ def test_a_name_that_the_scene_does_not_have_is_one_of_the_header(capsys, tmp_pa
     code, _, err = run(capsys, "variants", PENDULUM, "--table", table, "-o", tmp_path / "v")
     assert code == 2
     assert err == f"{table}:1: error: mas: unknown name\n     = help: did you mean 'mass'?\n"
-    assert not list((tmp_path / "v").iterdir())
+    assert [path.name for path in (tmp_path / "v").iterdir()] == ["manifest.csv"]
 
 
 @pytest.mark.parametrize(

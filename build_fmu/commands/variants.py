@@ -15,6 +15,7 @@ from build_fmu.target import is_fmu
 
 def run(arguments: argparse.Namespace) -> int:
     """Export; exit code 0."""
+    from build_fmu.export import identifier, scene_name
     from build_fmu.study.variants import export_variants
     from solver.scene import SceneError
 
@@ -25,17 +26,20 @@ def run(arguments: argparse.Namespace) -> int:
     if not arguments.grid and not arguments.table:
         text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
         raise UsageError(text)
-    folder = Path(arguments.output or f"{Path(scene).stem}_variants")
+    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     begin = time.perf_counter()
     try:
-        with count_bar(f"variants of {Path(scene).stem}", "FMUs") as progress:
+        name = identifier(scene_name(scene, entries))
+        folder = Path(arguments.output or f"{name}_variants")
+        with count_bar(f"variants of {name}", "FMUs") as progress:
             made = export_variants(
                 scene,
                 folder,
                 grid=arguments.grid,
                 table=arguments.table,
-                parameters=given_on_the_command_line(arguments.parameters, arguments.settings),
+                parameters=entries,
                 manifest=arguments.manifest,
+                fresh=arguments.fresh,
                 engine=arguments.engine,
                 workers=arguments.jobs,
                 progress=progress,

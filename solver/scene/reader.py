@@ -3,36 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path as FilePath
 
 from solver.scene.build import build
 from solver.scene.collector import collector_paused
 from solver.scene.draft import Draft
 from solver.scene.overrides import apply_overrides
-from solver.scene.report import Problem, SceneError, Source
-from solver.scene.tables import give_up, tables_of
+from solver.scene.report import SceneError, Source
+from solver.scene.tables import tables_of, text_of
 from solver.scene.vocabulary import Scene
 
 
 def read_file(path: str, overrides: Mapping[str, object]) -> Scene:
     """Read a scene file; see ``solver.scene.load``."""
-    notation = FilePath(path).suffix.lower().removeprefix(".")
-    if notation not in ("toml", "json"):
-        message = f"unknown kind of file '{FilePath(path).suffix}'"
-        give_up(Source(path), Problem("", message, "known: .toml, .json"))
-    try:
-        data = FilePath(path).read_bytes()
-    except FileNotFoundError:
-        give_up(Source(path), Problem("", "file not found"))
-    except OSError as error:
-        give_up(Source(path), Problem("", f"cannot be read: {error.strerror}"))
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        message = f"not a UTF-8 text: byte 0x{data[error.start]:02x}"
-        source = Source(path, data.decode("utf-8", errors="replace"))
-        give_up(source, Problem("", message, "save the file as UTF-8", line))
+    text, notation = text_of(path)
     return read_text(text, path, notation, overrides)
 
 

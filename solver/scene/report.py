@@ -150,7 +150,11 @@ class SceneError(Exception):
         super().__init__(self.problems, source)
 
     def __str__(self) -> str:
-        return "\n".join(_described(problem, self.source) for problem in self.problems)
+        return "\n".join(self.sentences())
+
+    def sentences(self) -> list[str]:
+        """Each mistake as it is reported, with its line and help."""
+        return [_described(problem, self.source) for problem in self.problems]
 
 
 def _described(problem: Problem, source: Source) -> str:

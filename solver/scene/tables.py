@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
+from pathlib import Path as FilePath
 from typing import Any, NoReturn
 
 from solver.scene.positions import lines_of_json
@@ -23,6 +24,33 @@ _TOML_HELP = {
 }
 
 
+def text_of(path: str) -> tuple[str, str]:
+    """Text and notation of a scene file.
+
+    Raises
+    ------
+    SceneError
+        If there is no such file, or none of text.
+    """
+    notation = FilePath(path).suffix.lower().removeprefix(".")
+    if notation not in ("toml", "json"):
+        message = f"unknown kind of file '{FilePath(path).suffix}'"
+        _give_up(Source(path), Problem("", message, "known: .toml, .json"))
+    try:
+        data = FilePath(path).read_bytes()
+    except FileNotFoundError:
+        _give_up(Source(path), Problem("", "file not found"))
+    except OSError as error:
+        _give_up(Source(path), Problem("", f"cannot be read: {error.strerror}"))
+    try:
+        return data.decode("utf-8-sig"), notation
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        message = f"not a UTF-8 text: byte 0x{data[error.start]:02x}"
+        source = Source(path, data.decode("utf-8", errors="replace"))
+        _give_up(source, Problem("", message, "save the file as UTF-8", line))
+
+
 def tables_of(text: str, name: str, notation: str) -> tuple[dict[str, Any], list[Problem]]:
     """Tables of a text, and the keys that are given twice in it.
 
@@ -37,7 +65,7 @@ def tables_of(text: str, name: str, notation: str) -> tuple[dict[str, Any], list
     return data, problems
 
 
-def give_up(source: Source, problem: Problem) -> NoReturn:
+def _give_up(source: Source, problem: Problem) -> NoReturn:
     """Raise a mistake that lets nothing else be found."""
     raise SceneError([problem], source)
 
@@ -46,7 +74,7 @@ def _toml(text: str, name: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except RecursionError:
-        give_up(Source(name, text), Problem("", "TOML: nested too deeply"))
+        _give_up(Source(name, text), Problem("", "TOML: nested too deeply"))
     except tomllib.TOMLDecodeError as error:
         words = str(error)
         place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
@@ -54,7 +82,7 @@ def _toml(text: str, name: str) -> dict[str, Any]:
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
         help = _TOML_HELP.get(message)
-        give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
+        _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
 
 
 def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
@@ -69,14 +97,14 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
     try:
         data = json.loads(text, object_pairs_hook=table)
     except RecursionError:
-        give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
+        _give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
     except json.JSONDecodeError as error:
         problem = Problem("", f"JSON: {error.msg}", None, error.lineno, error.colno)
-        give_up(Source(name, text), problem)
+        _give_up(Source(name, text), problem)
     if not isinstance(data, dict):
         from solver.scene.fields import shown  # pydantic takes a third of a second to import
 
-        give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
+        _give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
     if twice:
         lines, repeated = lines_of_json(text)
         for path, line in repeated:
@@ -93,4 +121,4 @@ def _shallow(data: Any, source: Source) -> None:
         level = [item for items in inside for item in items if isinstance(item, (dict, list))]
         if not level:
             return
-    give_up(source, Problem("", "nested too deeply"))
+    _give_up(source, Problem("", "nested too deeply"))

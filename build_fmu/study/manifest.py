@@ -1,0 +1,111 @@
+"""The manifest of a family of FMUs: which of them has which values, as CSV or JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from build_fmu.errors import UsageError
+from build_fmu.report import json_text
+
+OWN_COLUMNS = ("variant", "fmu", "error")
+LARGEST_WHOLE = 2**53
+"""Beyond it not every whole number is one of double precision."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One row of a manifest."""
+
+    number: int
+    """From 1, in the order of the grid or table."""
+    fmu: str
+    """Name of the file beside the manifest; empty where there is none."""
+    parameters: dict[str, object]
+    mistakes: tuple[str, ...] = field(default=(), repr=False)
+
+    @property
+    def error(self) -> str:
+        """Why there is no FMU."""
+        return "\n".join(self.mistakes)
+
+
+def manifest_path(folder: Path, name: str) -> Path:
+    """Path of a manifest that may be written, before anything else is.
+
+    Raises
+    ------
+    UsageError
+        If the name is none of a manifest, or of a file that is something else.
+    """
+    path = folder / name
+    if path.suffix not in (".csv", ".json"):
+        text = f"{path}: a manifest is a .csv or .json file"
+        raise UsageError(text)
+    if path.name != name:
+        text = f"{name}: a manifest stands beside the FMUs; write {path.name}"
+        raise UsageError(text)
+    if path.exists() and not _is_manifest(path):
+        text = f"{path} is there and is no manifest of variants; name another with --manifest"
+        raise UsageError(text)
+    return path
+
+
+def _is_manifest(path: Path) -> bool:
+    try:
+        text = path.read_text(encoding="utf-8")
+        if path.suffix == ".json":
+            document = json.loads(text)
+            return isinstance(document, dict) and "variants" in document
+    except (OSError, ValueError, RecursionError):
+        return False
+    return text.startswith(",".join(OWN_COLUMNS[:2]))
+
+
+def manifest_text(variants: Sequence[Variant], kind: str, scene: str) -> str:
+    """Text of a manifest, of the kind ".csv" or ".json"."""
+    if kind == ".json":
+        rows = [
+            {"variant": v.number, "fmu": v.fmu, "parameters": v.parameters, "error": v.error}
+            for v in variants
+        ]
+        return json_text({"scene": scene, "variants": rows}, indent=1) + "\n"
+    file = io.StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    names = list(dict.fromkeys(name for v in variants for name in v.parameters))
+    # A parameter may have the name of a column.
+    varied = [f"{name} (parameter)" if name in OWN_COLUMNS else name for name in names]
+    writer.writerow([*OWN_COLUMNS[:2], *varied, OWN_COLUMNS[2]])
+    for v in variants:
+        cells = [_cell(v.parameters.get(name, "")) for name in names]
+        writer.writerow([v.number, v.fmu, *cells, v.error.partition("\n")[0]])
+    return file.getvalue()
+
+
+def _cell(value: object) -> str:
+    """Value as a cell of a table, which reads back as the same value."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def in_one_form(variants: Sequence[Variant]) -> list[Variant]:
+    """Variants with the numbers of a parameter all with a point, or all whole: not 1 and 1.5."""
+    broken = {
+        name
+        for variant in variants
+        for name, value in variant.parameters.items()
+        if isinstance(value, float)
+    }
+
+    def form(name: str, value: object) -> object:
+        if not isinstance(value, int) or isinstance(value, bool) or name not in broken:
+            return value
+        return float(value) if abs(value) <= LARGEST_WHOLE else value
+
+    return [
+        replace(v, parameters={name: form(name, value) for name, value in v.parameters.items()})
+        for v in variants
+    ]
