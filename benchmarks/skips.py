@@ -9,7 +9,6 @@ alike.
 from __future__ import annotations
 
 import ctypes
-import subprocess
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
@@ -29,7 +28,14 @@ from benchmarks.mechanisms import (
 from benchmarks.report import Section, Table, Value
 from benchmarks.stepping import Repeated
 from benchmarks.timing import Entry, Times, interleave
-from build_kernel.compiler import SOURCES, CompilerError, flags, system_compiler, zig_compiler
+from build_kernel.compiler import (
+    DIMENSIONS,
+    SOURCES,
+    CompilerError,
+    compile_library,
+    system_compiler,
+    zig_compiler,
+)
 from scenes.generate import rigid_chain
 from solver.runtime import Integrator, Model
 from solver.runtime.kernel import Kernel, load_library
@@ -66,8 +72,8 @@ METHOD = (
 
 
 @cache
-def variant(without: int, optimisation: str = "-O3") -> ctypes.CDLL:
-    """Kernel compiled without the skips of these bits, loaded; once a process.
+def variant(without: int, dimension: int, optimisation: str = "-O3") -> ctypes.CDLL:
+    """Kernel of a dimension compiled without the skips of these bits, loaded; once a process.
 
     Raises
     ------
@@ -78,25 +84,20 @@ def variant(without: int, optimisation: str = "-O3") -> ctypes.CDLL:
     if compiler is None:
         text = "there is no C compiler here for kernels without skips; install one, or ziglang"
         raise CompilerError(text)
-    folder = ROOT / SOURCES
-    options = [*flags(), optimisation, f"-DHOLONOM_WITHOUT={without}"]
-    sources = sorted(path.name for path in folder.glob("*.c"))
+    options = (optimisation, f"-DHOLONOM_WITHOUT={without}")
     # A library that is loaded cannot be deleted on every system.
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as target:
-        library = Path(target, f"without{without}.library")
-        command = [*compiler, *options, "-o", str(library), *sources, "-lm"]
-        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-        if run.returncode:
-            raise CompilerError(run.stderr)
-        return load_library(str(library))
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        target = Path(folder, f"without{without}.library")
+        compile_library(compiler, ROOT / SOURCES, dimension, target, *options)
+        return load_library(dimension, str(target))
 
 
-def variants(bits: Iterable[int], optimisation: str = "-O3") -> dict[int, ctypes.CDLL]:
-    """Kernels without the skips of each of these bits, two compiled at a time."""
-    bits = list(bits)
+def variants(bits: Iterable[int], optimisation: str = "-O3") -> dict[tuple[int, int], ctypes.CDLL]:
+    """Kernels by bits and dimension without the skips of these bits, two compiled at a time."""
+    wanted = [(without, dimension) for without in bits for dimension in DIMENSIONS]
     with ThreadPoolExecutor(2) as pool:
-        libraries = pool.map(lambda without: variant(without, optimisation), bits)
-        return dict(zip(bits, libraries, strict=True))
+        libraries = pool.map(lambda each: variant(*each, optimisation), wanted)
+        return dict(zip(wanted, libraries, strict=True))
 
 
 def bound(model: Model, library: ctypes.CDLL) -> Integrator:
@@ -171,7 +172,7 @@ def _ablation(effort: Effort) -> list[Table]:
     iterations: list[Mapping[str, Value]] = []
     for name, (model, parts) in mechanisms(effort.largest).items():
         cases = {
-            key: _repeated(bound(model, libraries[without]), parts, effort)
+            key: _repeated(bound(model, libraries[without, model.sizes["dim"]]), parts, effort)
             for key, without in columns.items()
         }
         able = {key: case.entry for key, case in cases.items() if not case.failure}
@@ -207,7 +208,7 @@ def _pairs(effort: Effort) -> list[Table]:
 
 
 def _start(model: Model) -> Integrator:
-    return bound(model, load_library())
+    return bound(model, load_library(model.sizes["dim"]))
 
 
 def _pair(

@@ -19,6 +19,10 @@ Colour = tuple[float, float, float]
 Pixel = tuple[float, float]
 
 WHITE: Colour = (1.0, 1.0, 1.0)
+SHADES = 8
+"""Of an edge, from outside to inside: enough for the eye, and few colours in all."""
+MOST_COLOURS = 256
+"""Of a PNG file with one byte a pixel, which is a third as large as one with three."""
 
 
 class Canvas:
@@ -78,20 +82,27 @@ class Canvas:
 
     def _blend(self, rows: slice, columns: slice, gap: Array, colour: Colour) -> None:
         """Lay a colour over the pixels; `gap` is their distance from the shape's edge."""
-        cover = np.clip(0.5 - gap, 0.0, 1.0)[:, :, None]
+        cover = np.rint(SHADES * np.clip(0.5 - gap, 0.0, 1.0))[:, :, None] / SHADES
         part = self._pixels[rows, columns]
         part += cover * (np.array(colour) - part)
 
     def png(self) -> bytes:
-        """PNG file of 8 bits a colour."""
-        levels = np.rint(self._pixels * 255.0).astype(np.uint8)
+        """PNG file of a palette; a picture of too many colours is rounded to fewer."""
+        for level in (1, 5, 17, 51, 85):  # of 255; the last leaves 4 of each of three colours
+            levels = np.rint(self._pixels * (255 / level)).astype(np.uint8) * level
+            palette, index = np.unique(levels.reshape(-1, 3), axis=0, return_inverse=True)
+            if len(palette) <= MOST_COLOURS:
+                break
         # Each row begins with its filter; 0 is none.
-        rows = np.hstack(
-            [np.zeros((self.height, 1), np.uint8), levels.reshape(self.height, 3 * self.width)]
-        )
-        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 2, 0, 0, 0)
-        content = zlib.compress(rows.tobytes(), 9)
-        blocks = [(b"IHDR", header), (b"IDAT", content), (b"IEND", b"")]
+        rows = np.zeros((self.height, 1 + self.width), np.uint8)
+        rows[:, 1:] = index.reshape(self.height, self.width)
+        header = struct.pack(">IIBBBBB", self.width, self.height, 8, 3, 0, 0, 0)
+        blocks = [
+            (b"IHDR", header),
+            (b"PLTE", palette.astype(np.uint8).tobytes()),
+            (b"IDAT", zlib.compress(rows.tobytes(), 9)),
+            (b"IEND", b""),
+        ]
         return b"\x89PNG\r\n\x1a\n" + b"".join(_block(kind, data) for kind, data in blocks)
 
 

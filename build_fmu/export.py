@@ -122,7 +122,7 @@ def compile_scene(
 
 def archive_entries(model: Model, scene: Scene | None = None) -> dict[str, bytes]:
     """Content of the archive by path."""
-    code, seen = payload(), trial(model)
+    code, seen = payload(model.sizes["dim"]), trial(model)
     name = identifier(model.name)
     entries = {f"resources/{file}": data for file, data in code.files.items()}
     entries["resources/model.bin"] = model.to_bytes()

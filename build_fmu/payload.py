@@ -3,27 +3,36 @@
     holonom_<12 hex digits>_slave.py    names the class for pythonfmu's library
     holonom_<12 hex digits>/            slave.py, status.py, ... of fmu_src
         runtime/                        solver.runtime
-        runtime/_kernel/                the kernel, one library per platform
+        runtime/reference.zip           its NumPy reference, which few platforms ever open
+        runtime/_kernel/                the kernel for the mechanism's dimension
         pythonfmu/                      what a running Fmi2Slave needs of pythonfmu
 
 All FMUs of a process share Python's table of modules, and pythonfmu imports an FMU's code by plain
 name. The digits are a hash of the code, so two FMUs of different versions never run each other's
 code, and many FMUs of one version share it. Imports among the parts become relative for that.
+
+Comments and docstrings stay at home, a third of the archive otherwise; blank lines stand in for
+them, so that the line numbers of a traceback are those of the sources.
 """
 
 from __future__ import annotations
 
+import ast
 import functools
 import hashlib
 import importlib.util
+import io
 import re
+import tokenize
+import zipfile
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from build_fmu.errors import EnvironmentLackError
+from solver.runtime.kernel import library_path
 
 PYTHONFMU_MODULES = ("enums.py", "logmsg.py")
-KERNEL_SUFFIXES = (".so", ".dll", ".dylib")
+SUFFIXES = (".so", ".dll", ".dylib")
 _IMPORT = re.compile(
     r"^(?P<indent>[ \t]*)from (?P<package>solver\.runtime|pythonfmu)(?P<rest>[.\w]*) import ",
     re.MULTILINE,
@@ -40,6 +49,13 @@ from {package}.slave import Slave as Slave
 # dictionary that it does not own; without this one the second instance reads freed memory.
 ctypes.pythonapi.Py_IncRef(ctypes.py_object(globals()))
 """
+_REFERENCE = "runtime/reference"
+_REFERENCE_MODULE = """import os
+
+__path__ = [os.path.join(os.path.dirname(__file__), "reference.zip")]
+
+from .reference.engine import Reference as Reference
+"""
 _DESTINATION = {"solver.runtime": "runtime", "pythonfmu": "pythonfmu"}
 
 
@@ -52,9 +68,9 @@ class Payload:
 
 
 @functools.cache
-def payload() -> Payload:
-    """Code of this installation, ready to travel."""
-    sources = _fmu_src() | _runtime() | _pythonfmu()
+def payload(dimension: int) -> Payload:
+    """Code of this installation, ready to travel with mechanisms of this dimension, 2 or 3."""
+    sources = _fmu_src() | _runtime() | _kernels(dimension) | _pythonfmu()
     digest = hashlib.sha256()
     for path, data in sorted(sources.items()):
         digest.update(f"{path} {len(data)}\n".encode() + data)
@@ -71,7 +87,7 @@ def wrapper_libraries() -> dict[str, bytes]:
     Keys are such as "linux64/.so".
     """
     folder = package_folder("pythonfmu") / "resources" / "binaries"
-    found = sorted(path for path in folder.rglob("*") if path.suffix in KERNEL_SUFFIXES)
+    found = sorted(path for path in folder.rglob("*") if path.suffix in SUFFIXES)
     if not found:
         text = f"pythonfmu has no libraries in {folder}; install it anew: pip install pythonfmu"
         raise EnvironmentLackError(text)
@@ -98,16 +114,30 @@ def _fmu_src() -> dict[str, bytes]:
 
 
 def _runtime() -> dict[str, bytes]:
-    folder = package_folder("solver") / "runtime"
-    kernels = [path for path in folder.glob("_kernel/*") if path.suffix in KERNEL_SUFFIXES]
-    if not kernels:
+    files = _modules(package_folder("solver") / "runtime", "runtime/")
+    inner = {path: data for path, data in files.items() if path.startswith(f"{_REFERENCE}/")}
+    files = {path: data for path, data in files.items() if path not in inner}
+    # Small files compress badly; these are stored side by side, and deflated as one.
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as archive:
+        for path, data in inner.items():
+            archive.writestr(zipfile.ZipInfo(path.removeprefix(f"{_REFERENCE}/")), data)
+    files[f"{_REFERENCE}.zip"] = packed.getvalue()
+    files[f"{_REFERENCE}.py"] = _REFERENCE_MODULE.encode()
+    return files
+
+
+def _kernels(dimension: int) -> dict[str, bytes]:
+    """Libraries of the kernel for one dimension; an installation has that of its own platform."""
+    folder = package_folder("solver") / "runtime" / "_kernel"
+    name = PurePosixPath(library_path(dimension)).stem
+    libraries = [path for path in sorted(folder.glob(f"{name}.*")) if path.suffix in SUFFIXES]
+    if not libraries:
         text = (
-            f"the compiled kernel is missing in {folder / '_kernel'}; compile it: "
-            "python -m build_kernel"
+            f"the compiled kernel {name} is missing in {folder}; compile it: python -m build_kernel"
         )
         raise EnvironmentLackError(text)
-    libraries = {f"runtime/_kernel/{path.name}": path.read_bytes() for path in kernels}
-    return _modules(folder, "runtime/") | libraries
+    return {f"runtime/_kernel/{path.name}": path.read_bytes() for path in libraries}
 
 
 def _pythonfmu() -> dict[str, bytes]:
@@ -117,7 +147,7 @@ def _pythonfmu() -> dict[str, bytes]:
     files["pythonfmu/__init__.py"] = b'"""Part of PythonFMU, MIT licence: what a slave needs."""\n'
     path = "pythonfmu/fmi2slave.py"
     text = Path(__file__).with_name("fmi2slave.py").read_text(encoding="utf-8")
-    files[path] = relative_imports(text, PurePosixPath(path)).encode()
+    files[path] = _travelling(text, path)
     return files
 
 
@@ -126,9 +156,40 @@ def _modules(folder: Path, prefix: str) -> dict[str, bytes]:
     files = {}
     for path in sorted(folder.rglob("*.py")):
         name = prefix + path.relative_to(folder).as_posix()
-        text = path.read_text(encoding="utf-8")
-        files[name] = relative_imports(text, PurePosixPath(name)).encode()
+        files[name] = _travelling(path.read_text(encoding="utf-8"), name)
     return files
+
+
+def _travelling(source: str, path: str) -> bytes:
+    return relative_imports(bare(source), PurePosixPath(path)).encode()
+
+
+def _is_text(statement: ast.stmt) -> bool:
+    value = statement.value if isinstance(statement, ast.Expr) else None
+    return isinstance(value, ast.Constant) and isinstance(value.value, str)
+
+
+def bare(source: str) -> str:
+    """Source text without comments and docstrings, all else at its line and column.
+
+    >>> bare("x = 1  # why")
+    'x = 1'
+    """
+    lines = source.split("\n")
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            continue
+        for text in filter(_is_text, node.body):
+            first, last = text.lineno - 1, text.end_lineno or text.lineno
+            lines[first:last] = [""] * (last - first)
+            if len(node.body) == 1:
+                lines[first] = " " * text.col_offset + "..."
+    remaining = "\n".join(lines)
+    for token in tokenize.generate_tokens(io.StringIO(remaining).readline):
+        if token.type == tokenize.COMMENT:
+            row, column = token.start
+            lines[row - 1] = lines[row - 1][:column].rstrip()
+    return "\n".join(lines)
 
 
 def relative_imports(source: str, path: PurePosixPath) -> str:

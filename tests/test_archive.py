@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-import ast
 import hashlib
 import subprocess
 import sys
 import zipfile
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
 import pytest
 from pythonfmu import fmi2slave
 
 import build_fmu.fmi2slave
 from build_fmu import build
+from build_fmu.archive import archive as archive_bytes
 from build_fmu.archive import write_archive
 from build_fmu.errors import UsageError
 from build_fmu.export import identifier
-from build_fmu.payload import payload, relative_imports
+from build_fmu.payload import payload
 from build_fmu.run import run_fmu
 from fmu_src.status import LOG_CATEGORIES
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
@@ -34,7 +34,7 @@ def repack(source: Path, target: Path, change) -> Path:
 
 
 def private_package() -> str:
-    return payload().slave_module.removesuffix("_slave")
+    return payload(2).slave_module.removesuffix("_slave")
 
 
 def renamed(path: str, data: bytes, name: str) -> tuple[str, bytes]:
@@ -116,39 +116,23 @@ def test_the_identifier_is_one_of_c(name, expected):
 # ------------------------------------------------------------------------------ private code
 
 
-@pytest.mark.parametrize(
-    ("path", "line", "expected"),
-    [
-        ("slave.py", "from solver.runtime import Model", "from .runtime import Model"),
-        ("slave.py", "from pythonfmu.enums import E", "from .pythonfmu.enums import E"),
-        ("runtime/a.py", "    from solver.runtime.b import c", "    from ..runtime.b import c"),
-        ("slave.py", "from solver import runtime", "from solver import runtime"),
-        ("slave.py", "import json", "import json"),
-    ],
-)
-def test_imports_become_relative(path, line, expected):
-    assert relative_imports(line, PurePosixPath(path)) == expected
+def test_an_archive_of_a_small_mechanism_takes_150_kilobytes_beside_pythonfmus_libraries():
+    for name in ("double_pendulum", "four_bar"):
+        with zipfile.ZipFile(scene_fmu(name)) as archive:
+            entries = {entry.filename: archive.read(entry) for entry in archive.infolist()}
+        own = {path: data for path, data in entries.items() if not path.startswith("binaries/")}
+        assert len(archive_bytes(own)) <= 150e3
 
 
-def imported(source: bytes) -> set[str]:
-    """Top-level names of absolute imports anywhere in a module."""
-    names = set()
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Import):
-            names |= {alias.name.split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.level == 0:
-            names.add((node.module or "").split(".")[0])
-    return names
-
-
-def test_what_travels_imports_the_standard_library_and_itself_alone():
-    allowed = set(sys.stdlib_module_names)
-    strangers = {
-        path: imported(data) - allowed - {private_package()}
-        for path, data in payload().files.items()
-        if path.endswith(".py") and "/runtime/reference" not in path
-    }
-    assert not {path: names for path, names in strangers.items() if names}
+def test_a_mechanism_in_the_plane_and_one_in_space_move_in_one_process():
+    for name in ("double_pendulum", "heavy_top", "four_bar"):
+        with instance(scene_fmu(name)) as fmu:
+            fmu.initialise()
+            assert fmu.step(0.0, 0.01)
+            with zipfile.ZipFile(scene_fmu(name)) as archive:
+                kernels = [path for path in archive.namelist() if "_kernel/" in path]
+            assert len(kernels) == 1
+            assert ("spatial" in kernels[0]) == (name == "heavy_top")
 
 
 def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
@@ -255,11 +239,11 @@ def bare_python(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
 
 def test_importing_the_slave_takes_a_part_of_the_standard_library(tmp_path):
     folder = resources(pendulum(), tmp_path)
-    code = f"import sys; sys.path.insert(0, {str(folder)!r}); import {payload().slave_module}"
+    code = f"import sys; sys.path.insert(0, {str(folder)!r}); import {payload(2).slave_module}"
     report = bare_python("-X", "importtime", "-c", code).stderr
     modules = {line.split("|")[-1].strip() for line in report.splitlines()}
     ours = {name for name in modules if name.startswith("holonom_")}
-    assert payload().slave_module in ours
+    assert payload(2).slave_module in ours
     tops = {name.split(".")[0] for name in modules - ours if name != "imported package"}
     assert tops <= {*sys.stdlib_module_names, "org"}  # copy looks for Jython's org.python.core
     heavy = {"argparse", "asyncio", "datetime", "email", "logging", "uuid", "xml", "zipfile"}

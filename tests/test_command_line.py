@@ -91,7 +91,7 @@ def test_an_argument_that_cannot_be_read_ends_with_2(argument):
 
 
 def test_a_missing_kernel_ends_with_4_and_the_remedy(capsys, tmp_path, monkeypatch):
-    monkeypatch.setattr(payload, "KERNEL_SUFFIXES", ())
+    monkeypatch.setattr(payload, "SUFFIXES", ())
     payload.payload.cache_clear()
     code, out, err = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
     payload.payload.cache_clear()

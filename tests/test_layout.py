@@ -65,4 +65,9 @@ def test_the_version_of_the_interface_is_that_of_the_header():
 def test_a_kernel_of_another_version_is_not_taken(monkeypatch):
     monkeypatch.setattr(kernel, "ABI", ABI + 1)
     with pytest.raises(kernel.KernelMissingError, match="another version"):
-        kernel.load_library()
+        kernel.load_library(2)
+
+
+def test_a_kernel_for_the_plane_is_not_taken_for_space():
+    with pytest.raises(kernel.KernelMissingError, match="another version"):
+        kernel.load_library(3, kernel.library_path(2))

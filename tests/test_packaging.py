@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 
 from build_kernel import compiler
+from solver.runtime.kernel import library_path
 
 ROOT = Path(__file__).resolve().parent.parent
 TRAVELS = ("build_fmu", "build_kernel", "fmu_src", "scenes", "solver")
@@ -110,7 +111,7 @@ def test_a_failed_compile_shows_the_compilers_message_and_the_remedy(
 ):
     monkeypatch.setenv("CC", "cc")
     write_compiler(path_folder, "cc", "echo 'holonom.c:1: error: unused variable'; exit 1")
-    library = tree / compiler.LIBRARIES / compiler.library_name("Linux")
+    library = tree / compiler.LIBRARIES / compiler.library_name("Linux", 2)
     library.parent.mkdir()
     library.write_text("the kernel of before")
     with pytest.raises(compiler.CompilerError) as failure:
@@ -152,7 +153,7 @@ echo library > "$2"
 """
     write_compiler(path_folder, "cc", warns)
     monkeypatch.setenv("CC", "cc")
-    assert compiler.compile_kernel(tree).read_text() == "library\n"
+    assert [path.read_text() for path in compiler.compile_kernel(tree)] == 2 * ["library\n"]
     monkeypatch.setenv("CFLAGS", "-Werror")
     with pytest.raises(compiler.CompilerError, match="error: unused"):
         compiler.compile_kernel(tree)
@@ -164,18 +165,25 @@ def test_the_checks_of_the_project_compile_without_a_warning():
 
 
 @pytest.mark.parametrize(
-    ("machine", "target", "library"),
+    ("machine", "target", "suffix"),
     [
-        (("Linux", "x86_64", "glibc"), "x86_64-linux-gnu.2.17", "libholonom.so"),
-        (("Linux", "aarch64", "glibc"), "aarch64-linux-gnu.2.17", "libholonom.so"),
-        (("Linux", "x86_64", ""), "x86_64-linux-musl", "libholonom.so"),
-        (("Windows", "AMD64", ""), "x86_64-windows-gnu", "libholonom.dll"),
-        (("Darwin", "arm64", ""), "aarch64-macos", "libholonom.dylib"),
+        (("Linux", "x86_64", "glibc"), "x86_64-linux-gnu.2.17", ".so"),
+        (("Linux", "aarch64", "glibc"), "aarch64-linux-gnu.2.17", ".so"),
+        (("Linux", "x86_64", ""), "x86_64-linux-musl", ".so"),
+        (("Windows", "AMD64", ""), "x86_64-windows-gnu", ".dll"),
+        (("Darwin", "arm64", ""), "aarch64-macos", ".dylib"),
     ],
 )
-def test_each_platform_has_its_target_and_its_library(machine, target, library):
+def test_each_platform_has_its_target_and_its_libraries(machine, target, suffix):
     assert compiler.zig_target(*machine) == target
-    assert compiler.library_name(machine[0]) == library
+    names = [compiler.library_name(machine[0], dimension) for dimension in compiler.DIMENSIONS]
+    assert names == [f"libholonom_planar{suffix}", f"libholonom_spatial{suffix}"]
+
+
+def test_the_libraries_have_the_names_by_which_they_are_loaded():
+    for dimension in compiler.DIMENSIONS:
+        name = compiler.library_name(platform.system(), dimension)
+        assert Path(library_path(dimension)).name == name
 
 
 @pytest.mark.slow
@@ -204,7 +212,9 @@ def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder):
         "fmu_src",
         "solver",
     }
-    assert (compiler.LIBRARIES / compiler.library_name(platform.system())).as_posix() in names
+    for dimension in compiler.DIMENSIONS:
+        name = compiler.library_name(platform.system(), dimension)
+        assert (compiler.LIBRARIES / name).as_posix() in names
     # IEEE arithmetic without contraction: another compiler gives the same bits.
     assert four_bar(tmp_path / "site") == four_bar(ROOT)
 

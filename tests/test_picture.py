@@ -20,7 +20,7 @@ ALL_SCENES = sorted(path.stem for path in SCENES.glob("*.toml"))
 
 
 def pixels(png: bytes) -> np.ndarray:
-    """Colours of a PNG file of 8 bits without filters, shape (height, width, 3)."""
+    """Colours of a PNG file with a palette and no filters, shape (height, width, 3)."""
     assert png.startswith(b"\x89PNG\r\n\x1a\n")
     blocks, place = {}, 8
     while place < len(png):
@@ -29,12 +29,13 @@ def pixels(png: bytes) -> np.ndarray:
         (checksum,) = struct.unpack(">I", png[place + 8 + length : place + 12 + length])
         assert checksum == zlib.crc32(kind + data)
         blocks[kind], place = data, place + 12 + length
-    assert [*blocks] == [b"IHDR", b"IDAT", b"IEND"]
+    assert [*blocks] == [b"IHDR", b"PLTE", b"IDAT", b"IEND"]
     width, height, *rest = struct.unpack(">IIBBBBB", blocks[b"IHDR"])
-    assert rest == [8, 2, 0, 0, 0]
+    assert rest == [8, 3, 0, 0, 0]
     rows = np.frombuffer(zlib.decompress(blocks[b"IDAT"]), np.uint8).reshape(height, -1)
     assert not rows[:, 0].any()
-    return rows[:, 1:].reshape(height, width, 3)
+    assert rows.shape == (height, 1 + width)
+    return np.frombuffer(blocks[b"PLTE"], np.uint8).reshape(-1, 3)[rows[:, 1:]]
 
 
 def test_a_disc_covers_its_area_and_a_line_its_length_times_its_width():
@@ -46,6 +47,21 @@ def test_a_disc_covers_its_area_and_a_line_its_length_times_its_width():
     canvas.line((20.0, 20.0), (70.0, 55.0), 4.0, (0.0, 0.0, 0.0))
     ink = (255 - pixels(canvas.png())[:, :, 0].astype(float)).sum() / 255
     assert ink == pytest.approx(4.0 * np.hypot(50.0, 35.0) + np.pi * 2.0**2, rel=0.01)
+
+
+def test_a_picture_of_very_many_colours_is_rounded_to_a_palette():
+    canvas = Canvas(100, 90)
+    drawn = np.random.default_rng(0).random((90, 3))
+    for row, colour in enumerate(drawn):
+        for column in range(0, 100, 10):
+            shade = (colour * (1.0 - column / 100)).tolist()
+            canvas.line((column + 2.0, row + 0.5), (column + 8.0, row + 0.5), 1.0, tuple(shade))
+    seen = pixels(canvas.png())[:, ::10]
+    assert len(np.unique(seen.reshape(-1, 3), axis=0)) <= 256
+    seen = pixels(canvas.png())[:, 5::10] / 255
+    wanted = drawn[:, None] * (1.0 - np.arange(0.0, 1.0, 0.1))[:, None]
+    # 51 of 255 to 85 of 255 lie between neighbouring shades; half of it is the error.
+    assert np.abs(seen - wanted).max() <= 0.5 * 85 / 255 + 1e-9
 
 
 def test_what_lies_beside_the_canvas_is_left_out():

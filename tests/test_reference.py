@@ -225,7 +225,7 @@ def test_sums_keep_what_rounding_leaves_over():
 
 def test_the_reference_stands_in_for_a_kernel_that_is_not_there(monkeypatch, tmp_path):
     model = model_of(PENDULUM)
-    monkeypatch.setattr(kernel, "library_path", lambda: tmp_path / "libholonom.so")
+    monkeypatch.setattr(kernel, "library_path", lambda _: tmp_path / "libholonom.so")
     said: list[str] = []
     run = Integrator(model, log=said.append)
     assert isinstance(run.engine, Reference)

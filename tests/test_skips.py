@@ -36,10 +36,15 @@ def moved(model, library, steps=STEPS):
     return h, q, v, solved[0] / solved[1]
 
 
+def delivered(model):
+    """The same by the kernel that is delivered."""
+    return moved(model, load_library(model.sizes["dim"]))
+
+
 @cache
 def reference(name):
     """The same of a mechanism of MODELS, by the kernel that is delivered."""
-    return moved(MODELS[name][0], load_library())
+    return delivered(MODELS[name][0])
 
 
 @needs_compiler
@@ -48,8 +53,9 @@ def test_without_a_skip_a_mechanism_moves_alike_to_round_off(name):
     # Each step is solved to round-off of positions either way, 2e-16 of the mechanism; a hundred
     # steps of smooth motion let it grow little. A velocity is an increment over h, and so are its
     # errors.
-    without = skips.variant(skips.SKIPS.get(name, skips.ALL), "-O0")
+    bits = skips.SKIPS.get(name, skips.ALL)
     for mechanism, (model, _) in MODELS.items():
+        without = skips.variant(bits, model.sizes["dim"], "-O0")
         h, q, v, _ = reference(mechanism)
         _, q_without, v_without, _ = moved(model, without)
         size = np.abs(q).max()
@@ -70,7 +76,7 @@ def test_skips_that_save_iterations_save_them(skip, mechanism, saved):
     # A third to a half of what is measured; counts are the same on every machine.
     model, _ = MODELS[mechanism]
     *_, least = reference(mechanism)
-    *_, more = moved(model, skips.variant(skips.SKIPS[skip], "-O0"))
+    *_, more = moved(model, skips.variant(skips.SKIPS[skip], model.sizes["dim"], "-O0"))
     assert more > least + saved
 
 
@@ -87,8 +93,8 @@ def test_the_benchmark_knows_every_skip_of_the_kernel_and_the_page_lists_it():
 
 def test_scenes_that_are_compared_move_alike():
     for cheap, dear, _ in skips.pairs(10).values():
-        _, q, *_ = moved(cheap, load_library())
-        _, q_dear, *_ = moved(dear, load_library())
+        _, q, *_ = delivered(cheap)
+        _, q_dear, *_ = delivered(dear)
         in_plane = q_dear.reshape(-1, dear.sizes["dim"])[:, :2].ravel()
         # Rows of a formula are solved to the tolerance of a row's round-off: 1e-12 of 2 m.
         assert in_plane == pytest.approx(q, abs=ROUND_OFF * np.abs(q).max())

@@ -1,4 +1,4 @@
-/* A communication step. Included once per dimension, after control.inc.h. */
+/* A communication step. Included after control.inc.h. */
 
 /* No line through means and changes from before and after a jump. */
 static void start_anew(context *c)
@@ -16,8 +16,8 @@ static int has_jumped(const context *c, const double *before, const double *inpu
     return 0;
 }
 
-void NAME(hm_set_inputs)(const holonom_model *m, double *number, double *state, double *work,
-                         const double *inputs, const double *parameters)
+void holonom_set_inputs(const holonom_model *m, double *number, double *state, double *work, const double *inputs,
+                        const double *parameters)
 {
     context c;
     open_context(&c, m, number, state, work);
@@ -65,7 +65,7 @@ static int32_t start_ramps(context *c, double step)
     return HOLONOM_OK;
 }
 
-int32_t NAME(hm_advance)(const holonom_model *m, double *number, double *state, double *work, double step)
+int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step)
 {
     context c;
     open_context(&c, m, number, state, work);

@@ -1,4 +1,4 @@
-/* Inputs, sensors, laws and signals at their times. Included once per dimension, after energy.inc.h.           */
+/* Inputs, sensors, laws and signals at their times. Included after energy.inc.h.           */
 
 /* Inputs as they are at time t: held, or on their line through the value at the beginning of the communication step. */
 static void load_inputs(const context *c, double t)

@@ -1,4 +1,4 @@
-/* Damped islands that come to rest. Included once per dimension, after ledger.inc.h.                            */
+/* Damped islands that come to rest. Included after ledger.inc.h.                            */
 
 /* Of an island's weights times the size: speed at which it stands still, and what its velocities may hold besides. */
 #define STILL 1e-14

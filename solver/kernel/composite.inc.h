@@ -1,5 +1,5 @@
 /* Composites: what is built from quantities - elements (springs, dampers, drives), function rows, velocity rows
-   and potentials. Included once per dimension, after forms.inc.h.
+   and potentials. Included after forms.inc.h.
 
    A composite's discrete gradient is sum_f g_f grad s_f(q_m), g_f = sum_l N_l p_lf: N_l is the slope of the law or
    function with respect to leaf l, p_lf that of the leaf with respect to form f. Every slope is exact over the

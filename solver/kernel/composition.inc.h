@@ -1,4 +1,4 @@
-/* Parts of a step of order 2, 4, 6 and 8. Included once per dimension, after start.inc.h. */
+/* Parts of a step of order 2, 4, 6 and 8. Included after start.inc.h. */
 
 enum { N_COMPOSED = 3 }; /* orders 4, 6 and 8 */
 

@@ -1,5 +1,5 @@
 /* What the functions of a call share: the model, its numbers, state and scratch, and the islands that are at hand, for DIM
-   coordinates a node. Included once per dimension, first.                                                      */
+   coordinates a node. Included first.                                                      */
 #include "internal.h"
 
 #include <limits.h>

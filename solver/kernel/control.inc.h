@@ -1,4 +1,4 @@
-/* Internal steps as long, and of the order, that a tolerance asks for. Included once per dimension, after estimate.inc.h.
+/* Internal steps as long, and of the order, that a tolerance asks for. Included after estimate.inc.h.
 
    A step may add tolerance h/horizon, so that a run over the horizon ends with an error of the tolerance.           */
 

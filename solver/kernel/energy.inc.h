@@ -1,4 +1,4 @@
-/* Energies, momenta, and residuals of the rows. Included once per dimension, after ledger.inc.h.              */
+/* Energies, momenta, and residuals of the rows. Included after ledger.inc.h.              */
 
 /* Energy of springs and potentials. */
 static double stored_energy(const context *c)

@@ -1,4 +1,4 @@
-/* Forms s = u . w and their discrete gradients, for DIM coordinates a node. Included once per dimension, after
+/* Forms s = u . w and their discrete gradients, for DIM coordinates a node. Included after
    context.inc.h.
 
    With d = q_1 - q_n and links u_m = u_0 + du/2, w_m = w_0 + dw/2 a quadratic row changes by exactly

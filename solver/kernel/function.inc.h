@@ -1,5 +1,5 @@
 /* Function rows, velocity rows and potentials: functions of quantities, rates and signals on the tape of
-   operations. Included once per dimension, after beta.inc.h.                                             */
+   operations. Included after beta.inc.h.                                             */
 
 /* Derivatives of the leaves' slopes with respect to the leaves at the end, by central differences, n x n into
    `matrix`: only the rate of Newton's iteration depends on them.                                              */

@@ -1,4 +1,4 @@
-/* Entry points: layout of the caller's memory, and the choice between plane and space. */
+/* What the caller asks before a step: version, dimension, layout of the memory that it lends. */
 #include "holonom.h"
 #include "internal.h"
 
@@ -98,6 +98,8 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
 
 int32_t holonom_abi(void) { return HOLONOM_ABI; }
 
+int32_t holonom_dimension(void) { return DIM; }
+
 int64_t holonom_model_bytes(void) { return (int64_t)sizeof(holonom_model); }
 
 int64_t holonom_state_size(const holonom_model *m)
@@ -122,38 +124,3 @@ int64_t holonom_measured_size(const holonom_model *m)
 }
 
 void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }
-
-int32_t holonom_initialise(const holonom_model *m, double *numbers, double *state, double *work)
-{
-    return m->dim == 2 ? hm_initialise_planar(m, numbers, state, work)
-                       : hm_initialise_spatial(m, numbers, state, work);
-}
-
-/* The states below are not modified, but for what the signature says: the mapped view has no const twin. */
-void holonom_residuals(const holonom_model *m, double *numbers, const double *state, double *work,
-                       double *phi, double *phi_dot)
-{
-    (m->dim == 2 ? hm_residuals_planar : hm_residuals_spatial)(m, numbers, (double *)state, work, phi, phi_dot);
-}
-
-int32_t holonom_advance(const holonom_model *m, double *numbers, double *state, double *work, double step)
-{
-    return (m->dim == 2 ? hm_advance_planar : hm_advance_spatial)(m, numbers, state, work, step);
-}
-
-void holonom_set_inputs(const holonom_model *m, double *numbers, double *state, double *work, const double *inputs,
-                        const double *parameters)
-{
-    (m->dim == 2 ? hm_set_inputs_planar : hm_set_inputs_spatial)(m, numbers, state, work, inputs, parameters);
-}
-
-void holonom_measure(const holonom_model *m, double *numbers, const double *state, double *work)
-{
-    (m->dim == 2 ? hm_measure_planar : hm_measure_spatial)(m, numbers, (double *)state, work);
-}
-
-int32_t holonom_probe(const holonom_model *m, double *numbers, const double *state, double *work, double h,
-                      const double *w, const double *mu, const double *x, double *r, double *tx)
-{
-    return (m->dim == 2 ? hm_probe_planar : hm_probe_spatial)(m, numbers, (double *)state, work, h, w, mu, x, r, tx);
-}

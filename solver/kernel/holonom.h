@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 11
+#define HOLONOM_ABI 12
 
 enum holonom_status {
     HOLONOM_OK = 0,
@@ -211,6 +211,9 @@ enum holonom_state_place {
 enum holonom_island_place { I_PENALTY_LEVEL, I_SLOW_STEPS, I_DEPENDENT, I_FULL_STEPS, I_FULL_WAIT, I_FRESH_STEPS, I_FRESH_WAIT, I_RESTING, I_SIZE };
 
 HOLONOM_API int32_t holonom_abi(void);
+
+/* Coordinates of a node in every model of this library: 2 or 3. */
+HOLONOM_API int32_t holonom_dimension(void);
 
 /* Sizes in doubles. */
 HOLONOM_API int64_t holonom_model_bytes(void);

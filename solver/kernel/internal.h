@@ -6,6 +6,17 @@
 
 #include <math.h>
 
+#if DIM != 2 && DIM != 3
+#error "-DDIM= must say whether the library is for the plane, 2, or for space, 3"
+#endif
+
+/* Entry points that no step calls, and with them what only they call, are compiled small. */
+#if defined(__GNUC__)
+#define HM_SELDOM __attribute__((cold))
+#else
+#define HM_SELDOM
+#endif
+
 /* Short loops stay loops. GCC makes calls of memset and memcpy of those that clear or copy, which costs small mechanisms a
    tenth of a step, and saves large ones nothing that could be measured.                                         */
 #if defined(__GNUC__) && !defined(__clang__)
@@ -149,18 +160,5 @@ typedef struct hm_work {
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);
 int64_t hm_map_work(const holonom_model *model, double *block, hm_work *work);
-
-/* One set of functions a dimension. */
-#define HM_DECLARE(suffix)                                                                                     \
-    int32_t hm_initialise_##suffix(const holonom_model *, double *, double *, double *);                       \
-    int32_t hm_advance_##suffix(const holonom_model *, double *, double *, double *, double);                  \
-    void hm_residuals_##suffix(const holonom_model *, double *, double *, double *, double *, double *); \
-    void hm_set_inputs_##suffix(const holonom_model *, double *, double *, double *, const double *,           \
-                                const double *);                                                               \
-    void hm_measure_##suffix(const holonom_model *, double *, double *, double *);                             \
-    int32_t hm_probe_##suffix(const holonom_model *, double *, double *, double *, double, const double *,     \
-                              const double *, const double *, double *, double *);
-HM_DECLARE(planar)
-HM_DECLARE(spatial)
 
 #endif

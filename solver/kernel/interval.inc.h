@@ -1,4 +1,4 @@
-/* Internal steps: pairs of half steps, halving on failure. Included once per dimension, after composition.inc.h. */
+/* Internal steps: pairs of half steps, halving on failure. Included after composition.inc.h. */
 
 enum { MAX_HALVINGS = 6 };
 

@@ -1,5 +1,5 @@
 /* Forces besides those along quantities: moments on links and on bodies, forces on links, weights; each with the
-   discrete form whose work is exact. Included once per dimension, after function.inc.h.                       */
+   discrete form whose work is exact. Included after function.inc.h.                       */
 
 /* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between u_0 and u_1.
    In the plane its work is exactly m beta. f (DIM) and, if wanted, its tangent in du (DIM x DIM), overwritten. */

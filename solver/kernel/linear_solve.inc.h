@@ -1,5 +1,5 @@
-/* The linear system of Newton's iteration: right-hand side, factors and solution in elimination order. Included once per
-   dimension, after tangent.inc.h.                                                                              */
+/* The linear system of Newton's iteration: right-hand side, factors and solution in elimination order. Included
+   after tangent.inc.h.                                                                              */
 
 /* Residual of a row. */
 static inline double row_residual(const context *c, int32_t i)

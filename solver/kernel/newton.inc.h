@@ -1,4 +1,4 @@
-/* Newton's iteration of one step. Included once per dimension, after predict.inc.h.                                */
+/* Newton's iteration of one step. Included after predict.inc.h.                                */
 
 /* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha (Phi_n + Phi_1)/2
    to lambda; with lambda + alpha/2 Phi_n held here, this leaves an extra alpha/2 Phi_n and the fixed point

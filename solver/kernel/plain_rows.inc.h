@@ -1,5 +1,5 @@
 /* Rows |u|^2 - c = 0 of a conserving step - distances, lengths of directions: most rows there are - in fewer operations
-   than forms u . w take. Included once per dimension, after exact.inc.h.                                          */
+   than forms u . w take. Included after exact.inc.h.                                          */
 
 /* A square form within a step, s = |u|^2: the link where gradients are taken, the increment; returns the change of s. */
 static inline double square_motion(const context *c, int32_t f, double *du, double *um)

@@ -1,4 +1,4 @@
-/* Registers of a function: its leaves over the step, and its run. Included once per dimension, after composite.inc.h. */
+/* Registers of a function: its leaves over the step, and its run. Included after composite.inc.h. */
 
 enum register_mode { OVER_STEP, AT_END };
 

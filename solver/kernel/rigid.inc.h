@@ -1,4 +1,4 @@
-/* Motions of a mechanism as one rigid body, and its momenta. Included once per dimension, after interval.inc.h. */
+/* Motions of a mechanism as one rigid body, and its momenta. Included after interval.inc.h. */
 
 enum { RIGID = DIM + TURNING };
 

@@ -2,7 +2,7 @@
    rest whose forces and constraints act at their end, (2/h) M d + h (G_1' mu + dU_1 - Q_1) = 0, Phi(q + d) = 0:
    without forces the smallest displacement in the mass metric, with forces a descent, since the energy at the end
    is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium.
-   Included once per dimension, after advance.inc.h.                                                              */
+   Included after advance.inc.h.                                                              */
 
 /* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */
 static int32_t seek_increment(context *c, double *increment, double *size)
@@ -158,7 +158,7 @@ static void open_ledger(context *c)
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
 }
 
-int32_t NAME(hm_initialise)(const holonom_model *m, double *number, double *state, double *work)
+HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work)
 {
     context c;
     open_context(&c, m, number, state, work);

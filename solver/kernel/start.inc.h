@@ -1,5 +1,5 @@
 /* Start of a run: scales of the rows, first accelerations and multipliers, closing a mechanism, its equilibrium.
-   Included once per dimension, after clock.inc.h.                                                             */
+   Included after clock.inc.h.                                                             */
 
 static int all_finite(const double *x, int64_t n)
 {

@@ -1,4 +1,4 @@
-/* One conserving step: Uzawa's iteration around Newton's. Included once per dimension, after rest.inc.h.         */
+/* One conserving step: Uzawa's iteration around Newton's. Included after rest.inc.h.         */
 
 /* Length of usual steps: what a tolerance wants may be far from the option step_size. */
 static inline double usual_length(const context *c)

@@ -5,7 +5,7 @@
 
    It is not symmetric: Gm is taken at the midpoint, G_1 is the gradient of C at the end. Unknown is w, not
    q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and keeps its digits.
-   Included once per dimension, after laws.inc.h.                                                            */
+   Included after laws.inc.h.                                                            */
 
 /* Second derivative of form f with respect to entries p and q: same I + quarter J. */
 static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)

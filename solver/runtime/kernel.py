@@ -27,25 +27,26 @@ class _ModelStruct(ctypes.Structure):
     ]
 
 
-def library_path() -> str:
-    """Return where the kernel of this platform lies when it was built."""
+def library_path(dimension: int) -> str:
+    """Return where the kernel of this platform for models of this dimension lies when built."""
     suffix = {"win32": "dll", "cygwin": "dll", "darwin": "dylib"}.get(sys.platform, "so")
-    return os.path.join(os.path.dirname(__file__), "_kernel", f"libholonom.{suffix}")
+    kind = "planar" if dimension == 2 else "spatial"
+    return os.path.join(os.path.dirname(__file__), "_kernel", f"libholonom_{kind}.{suffix}")
 
 
 def _other(path: str) -> str:
     return f"{path} belongs to another version of this Python code; build it again"
 
 
-def load_library(path: str | None = None) -> ctypes.CDLL:
-    """Load the kernel and declare its functions.
+def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
+    """Load the kernel for models of this dimension, 2 or 3, and declare its functions.
 
     Raises
     ------
     KernelMissingError
         When the library is absent, is for another machine, or was built from other sources.
     """
-    path = path or library_path()
+    path = path or library_path(dimension)
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
@@ -54,6 +55,7 @@ def load_library(path: str | None = None) -> ctypes.CDLL:
     pointer, integer, real = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double
     for name, result, arguments in (
         ("abi", integer, []),
+        ("dimension", integer, []),
         ("model_bytes", ctypes.c_int64, []),
         ("state_size", ctypes.c_int64, [pointer]),
         ("work_size", ctypes.c_int64, [pointer]),
@@ -70,15 +72,16 @@ def load_library(path: str | None = None) -> ctypes.CDLL:
         if function is None:
             raise KernelMissingError(_other(path))
         function.restype, function.argtypes = result, arguments
-    if (library.holonom_abi(), library.holonom_model_bytes()) != (ABI, ctypes.sizeof(_ModelStruct)):
+    found = (library.holonom_abi(), library.holonom_model_bytes(), library.holonom_dimension())
+    if found != (ABI, ctypes.sizeof(_ModelStruct), dimension):
         raise KernelMissingError(_other(path))
     return library
 
 
 @functools.cache
-def _shared_library(path: str) -> ctypes.CDLL:
+def _shared_library(dimension: int, path: str) -> ctypes.CDLL:
     """Load a kernel once: ctypes keeps some 1.4 kB for every time that a library is loaded."""
-    return load_library(path)
+    return load_library(dimension, path)
 
 
 def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
@@ -96,7 +99,8 @@ class Kernel:
 
     def __init__(self, model: Model, library: ctypes.CDLL | None = None) -> None:
         self.model = model
-        self._library = library or _shared_library(library_path())
+        dimension = model.sizes["dim"]
+        self._library = library or _shared_library(dimension, library_path(dimension))
         self.numbers = _doubles(model.numbers)
         self.state = (ctypes.c_double * state_size(model.sizes))()
         self._struct = _ModelStruct(

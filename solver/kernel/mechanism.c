@@ -1,7 +1,4 @@
-/* The kernel for mechanisms in space: three coordinates a node. */
-#define DIM 3
-#define NAME(function) function##_spatial
-
+/* The mechanics and the step, as one unit, so that small functions vanish in their callers. */
 #include "context.inc.h"
 #include "forms.inc.h"
 #include "exact.inc.h"
