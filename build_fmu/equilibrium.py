@@ -60,6 +60,7 @@ def find_equilibrium(model: Model) -> Equilibrium:
         If none is found.
     """
     from solver.runtime import AssemblyError, Integrator
+    from solver.runtime.errors import in_one_line
 
     integrator = Integrator(model)
     integrator["solver.start"] = "equilibrium"
@@ -70,7 +71,7 @@ def find_equilibrium(model: Model) -> Equilibrium:
         text = (
             f"{model.name}: no static equilibrium was found next to the drawn configuration; "
             f"perhaps there is none, as where a torque turns a free shaft or nothing holds a body "
-            f"against gravity ({'; '.join(str(error).splitlines())})"
+            f"against gravity ({in_one_line(error)})"
         )
         raise UnfinishedError(text) from None
     outputs = [(i, v) for i, v in enumerate(model.variables) if v.causality == "output"]

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
+from solver.runtime.errors import in_one_line
 
 if TYPE_CHECKING:
     from solver.runtime import Model
@@ -107,7 +108,7 @@ def _run(integrator: Integrator, duration: float, steps: int, sizes: dict[int, f
             )
             _keep_largest(integrator, sizes)
     except (AssemblyError, OptionError, StepError) as error:
-        return "; ".join(str(error).splitlines())
+        return in_one_line(error)
     return ""
 
 

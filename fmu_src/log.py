@@ -11,6 +11,7 @@ from pythonfmu.enums import Fmi2Status
 from pythonfmu.fmi2slave import Fmi2Slave
 
 from solver.runtime import AssemblyError, OptionError, StepError
+from solver.runtime.errors import in_one_line
 
 from .snapshot import SnapshotError
 from .status import LOG_CATEGORIES, LOGGER
@@ -71,5 +72,5 @@ def _encodable(text: str) -> str:
 def sentence(error: BaseException) -> str:
     """One line for an expected error; for an unexpected one also its type, for the report."""
     if isinstance(error, AssemblyError | OptionError | StepError | SnapshotError):
-        return "; ".join(str(error).splitlines())
+        return in_one_line(error)
     return f"fault of this program, please report it: {type(error).__name__}: {error}"

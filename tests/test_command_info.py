@@ -156,3 +156,26 @@ def test_where_nothing_comes_to_rest_the_end_is_3_and_a_sentence(capsys):
     assert (code, out) == (3, "")
     assert err.startswith("build-fmu: screw_jack: no static equilibrium was found")
     assert err.count("\n") == 1
+
+
+HUNG = """
+name = "hung"
+dimension = 2
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1 }
+B = { position = [2, 0], mass = 1 }
+[joints]
+upper = { type = "distance", points = ["O", "A"] }
+[forces]
+hang = { type = "spring", points = ["ground", "B"], at = [[2, 1], [2, 0]], stiffness = 10.0 }
+hold = { type = "damper", points = ["ground", "B"], at = [[3, 1], [2, 0]], damping = 10.0 }
+"""
+
+
+def test_what_is_fixed_names_the_places_that_no_table_of_points_has(capsys, tmp_path):
+    """An FMU does not know which of its fixed places were points of the scene."""
+    scene = tmp_path / "hung.toml"
+    scene.write_text(HUNG)
+    _, out, _ = run(capsys, "info", scene)
+    assert "points 2 moving, 3 fixed, places on the ground among them" in " ".join(out.split())

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import solver
+from build_fmu import build
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 
@@ -109,3 +110,33 @@ def test_check_ends_with_3_if_the_run_does(capsys):
     code, out, _ = run(capsys, "check", scene_fmu("four_bar"), "--set", "solver.order=3", "--json")
     assert code == 3
     assert not json.loads(out)["holds"]
+
+
+LIMITED = """
+name = "limited"
+dimension = 2
+[parameters]
+length = { value = 1.0, min = 0.1, max = 3, unit = "m" }
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = ["length", 0], mass = 1 }
+B = { position = [2, 0], fixed = true }
+[joints]
+upper = { type = "distance", points = ["O", "A"], length = 1.0 }
+lower = { type = "distance", points = ["A", "B"], length = 1.0 }
+"""
+
+
+@pytest.mark.parametrize("command", ["simulate", "check"])
+def test_a_mechanism_that_cannot_begin_says_so_once(capsys, tmp_path, command):
+    """At the limit of a parameter it cannot be assembled: there is no table of what never was."""
+    scene = tmp_path / "limited.toml"
+    scene.write_text(LIMITED)
+    fmu = build(scene, tmp_path)
+    code, out, err = run(capsys, command, fmu, "--set", "length=0.1")
+    assert (code, out) == (3, "")
+    for joint, distance in (("upper", 0.1), ("lower", 1.9)):
+        words = f"joint '{joint}': length is 1 m, but its points are drawn {distance} m apart"
+        assert err.count(words) == 1
+    assert err.count("move a point, correct the length, or leave it out") == 1
+    assert err.startswith("build-fmu: the run ended at t = 0.0 s, before 1.0 s: ")

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import ast
 import re
+import sys
 from pathlib import Path
 
 import pytest
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 ROOT = Path(__file__).resolve().parent.parent
 CODE = ("solver", "fmu_src", "build_fmu", "build_kernel", "benchmarks", "examples")
@@ -117,3 +123,17 @@ def test_nothing_is_left_to_do_in_the_code():
         path for path in files(CODE, ".py", ".c", ".h") if marker.search(path.read_text("utf-8"))
     ]
     assert not texts
+
+
+def test_what_pages_and_messages_tell_to_install_is_an_extra():
+    """Of `holonom[hdf5]` pip would only warn that there is no such extra, and install nothing."""
+    pages = [ROOT / "README.md", *ROOT.glob("docs/*.md"), *ROOT.glob("build_fmu/**/*.py")]
+    told = {
+        name
+        for page in pages
+        for names in re.findall(r"holonom\[([\w,]+)\]", page.read_text(encoding="utf-8"))
+        for name in names.split(",")
+    }
+    text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    assert told <= set(tomllib.loads(text)["project"]["optional-dependencies"])
+    assert told >= {"hdf5", "dask", "pandas", "xarray", "pytest"}

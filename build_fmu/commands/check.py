@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from build_fmu.commands.simulate import report_end, simulate
+from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.report import print_json, print_table
 
@@ -26,7 +26,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.json:
         reason = {"reason": result.reason, "end_time": result.end_time}
         print_json({"holds": holds, "checks": checks, **reason})
-    else:
+    elif begun(result):
         rows = [
             (str(c["name"]), f"{c['largest']:.2e}", f"{c['limit']:.2e}", _verdict(c["holds"]))
             for c in checks

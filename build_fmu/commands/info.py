@@ -78,7 +78,7 @@ def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
         ("joints", _names(_parts(model, "joints"))),
         ("constraints", _names(_parts(model, "constraints"))),
         ("drivers", _names(driver_names(model))),
-        ("points", f"{counts.moving_points} moving, {counts.supports} fixed"),
+        ("points", _points(counts)),
         ("springs and dampers", str(counts.springs_and_dampers)),
         ("loads and torques", str(counts.loads_and_torques)),
         ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per point or axis)"),
@@ -89,6 +89,12 @@ def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
     ]
+
+
+def _points(counts: Survey) -> str:
+    # A model does not say which of its fixed places were points, and which ends of springs.
+    note = ", places on the ground among them" if counts.supports else ""
+    return f"{counts.moving_points} moving, {counts.supports} fixed{note}"
 
 
 def _redundancy(counts: Survey) -> str:

@@ -31,15 +31,20 @@ def run(arguments: argparse.Namespace) -> int:
             write_csv(result.values, file)
     if arguments.json:
         print_json(summary(result))
-    elif not arguments.csv:
+    elif not arguments.csv and begun(result):
         _print_end(arguments.target, result)
     return report_end(result)
+
+
+def begun(result: Run) -> bool:
+    """Whether there is anything to show: before the first step outputs may be no more than 0."""
+    return result.steps > 0 or not result.reason
 
 
 def report_end(result: Run) -> int:
     """Log and what went wrong on stderr; the exit code."""
     for message in dict.fromkeys(result.messages):
-        if message != result.reason:
+        if message not in result.reason:
             sys.stderr.write(f"{message}\n")
     if result.failure:
         sys.stderr.write(f"build-fmu: {result.failure}\n")

@@ -5,12 +5,17 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
 from build_fmu.report import count_bar, print_json
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import is_fmu
+
+if TYPE_CHECKING:
+    from build_fmu.study.manifest import Variant
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -46,11 +51,14 @@ def run(arguments: argparse.Namespace) -> int:
             )
     except SceneError as error:
         raise UsageError(str(error)) from None
-    if arguments.json:
-        rows = [{"fmu": str(folder / v.fmu), "parameters": v.parameters} for v in made]
-        print_json({"manifest": str(folder / arguments.manifest), "variants": rows})
-    else:
-        sys.stdout.write(f"{folder / arguments.manifest}\n")
-        spent = time.perf_counter() - begin
-        sys.stderr.write(f"{len(made)} FMUs in {spent:.1f} s\n")
+    _print(made, folder / arguments.manifest, time.perf_counter() - begin, as_json=arguments.json)
     return 0
+
+
+def _print(made: Sequence[Variant], manifest: Path, spent: float, *, as_json: bool) -> None:
+    if as_json:
+        rows = [{"fmu": str(manifest.parent / v.fmu), "parameters": v.parameters} for v in made]
+        print_json({"manifest": str(manifest), "variants": rows})
+    else:
+        sys.stdout.write(f"{manifest}\n")
+        sys.stderr.write(f"{len(made)} FMUs in {spent:.1f} s\n")

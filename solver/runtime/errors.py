@@ -10,6 +10,16 @@ class AssemblyError(Exception):
     """The mechanism cannot be assembled with its parameters: one sentence per broken rule."""
 
 
+def in_one_line(error: BaseException) -> str:
+    """Sentences of an error in one line; what to do, behind `;`, is said once for those alike."""
+    lines = str(error).splitlines()
+    remedies = [line.partition("; ")[2] for line in lines]
+    return "; ".join(
+        line.removesuffix(f"; {remedy}") if remedy in remedies[i:] else line
+        for i, (line, remedy) in enumerate(zip(lines, remedies, strict=True), start=1)
+    )
+
+
 class StepError(Exception):
     """A step could not be solved; the state is as before it.
 
