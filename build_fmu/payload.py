@@ -113,6 +113,7 @@ def _fmu_src() -> dict[str, bytes]:
     return _modules(package_folder("fmu_src"), "")
 
 
+@functools.cache
 def _runtime() -> dict[str, bytes]:
     files = _modules(package_folder("solver") / "runtime", "runtime/")
     inner = {path: data for path, data in files.items() if path.startswith(f"{_REFERENCE}/")}

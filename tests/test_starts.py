@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import solver
+from tests.fmu_instance import SCENES
 
 MOVED = """
 name = "moved"
@@ -140,3 +141,16 @@ start = "equilibrium"
 """
     with pytest.raises(solver.SceneError, match="torsion_spring or potential"):
         solver.assemble(solver.loads(text))
+
+
+@pytest.mark.parametrize("kernel", ["c", "numpy"])
+def test_a_velocity_that_is_given_stays_and_all_others_follow(kernel):
+    wishbone = (SCENES / "double_wishbone.toml").read_text(encoding="utf-8")
+    car = "[bodies.car]\nposition = [0, 0, 0.5]\n"
+    assert car in wishbone
+    given = wishbone.replace(car, f"{car}velocity = [0, 0, -0.1]\n")
+    run = solver.Integrator(solver.assemble(solver.loads(given)), kernel=kernel)
+    run.initialise()
+    # Given velocities weigh 1e8 times, thrice: 1e-24 of what the others would have them give way.
+    assert run["car.vz"] == pytest.approx(-0.1, abs=1e-12)
+    assert run["constraint.velocity"] < 1e-12

@@ -130,7 +130,8 @@ def assemble_velocities(
         weighted = mechanism.section["mass"] * np.sqrt(weights[a] * weights[b])
         M = mechanism.mass_matrix(weighted)[free, free]
         rate = row_rates(mechanism, motion, signal_rates)
-        v += constrained(mechanism, M, G, nothing, -rate)[0]
+        heavy = np.repeat(weights, mechanism.dim)[free]
+        v += constrained(mechanism, M, G, nothing, -rate, heavy)[0]
 
 
 def find_equilibrium(mechanism: Mechanism, motion: Motion) -> None:

@@ -26,14 +26,15 @@ TAU = 1e-3
 
 
 def constrained(
-    mechanism: Mechanism, M: Array, G: Array, f: Array, g: Array
+    mechanism: Mechanism, M: Array, G: Array, f: Array, g: Array, weight: Array | float = 1.0
 ) -> tuple[Array, Array]:
     """Solution x, lam of M x + G' lam = f, G x = g for the free coordinates.
 
     Of dependent rows, the multipliers of least size, scaled with their compliance, are taken. A
-    director can be next to massless, so that M is not inverted.
+    director can be next to massless, so that M is not inverted. `weight` (n_free,) is that of the
+    coordinates in M: unscaled, heavy ones would let the rows of the others pass for dependent.
     """
-    scale = np.concatenate([mechanism.m_node[: len(f)], mechanism.sigma]) ** -0.5
+    scale = np.concatenate([weight * mechanism.m_node[: len(f)], mechanism.sigma]) ** -0.5
     K = np.block([[M, G.T], [G, np.zeros((len(g), len(g)))]])
     K, b = scale[:, None] * K * scale, scale * np.concatenate([f, g])
     inverse = np.linalg.pinv(K, rcond=RANK)
