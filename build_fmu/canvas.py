@@ -90,16 +90,19 @@ class Canvas:
         """PNG file of a palette; a picture of too many colours is rounded to fewer."""
         for level in (1, 5, 17, 51, 85):  # of 255; the last leaves 4 of each of three colours
             levels = np.rint(self._pixels * (255 / level)).astype(np.uint8) * level
-            palette, index = np.unique(levels.reshape(-1, 3), axis=0, return_inverse=True)
+            # One number for each colour, and the few that are not the background sorted.
+            colours = levels.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
+            ground = colours[0, 0]
+            palette = np.unique(np.append(colours[colours != ground], ground))
             if len(palette) <= MOST_COLOURS:
                 break
         # Each row begins with its filter; 0 is none.
         rows = np.zeros((self.height, 1 + self.width), np.uint8)
-        rows[:, 1:] = index.reshape(self.height, self.width)
+        rows[:, 1:] = np.searchsorted(palette, colours)
         header = struct.pack(">IIBBBBB", self.width, self.height, 8, 3, 0, 0, 0)
         blocks = [
             (b"IHDR", header),
-            (b"PLTE", palette.astype(np.uint8).tobytes()),
+            (b"PLTE", palette.astype(">u4").view(np.uint8).reshape(-1, 4)[:, 1:].tobytes()),
             (b"IDAT", zlib.compress(rows.tobytes(), 9)),
             (b"IEND", b""),
         ]
