@@ -1,8 +1,8 @@
 """An `Fmi2Slave` whose log takes any text, and the sentence for an error.
 
 pythonfmu hands nothing on to an importer that has not switched the log on, and many end a run at a
-discarded step without a word. So what is refused or discarded also goes to Python's own logging,
-which writes to stderr where the host has not said otherwise.
+discarded step without a word. So warnings, and what is refused or discarded, also go to Python's
+own logging, which writes to stderr where the host has not said otherwise.
 """
 
 from __future__ import annotations
@@ -34,8 +34,9 @@ class LoggedSlave(Fmi2Slave):
         self._log(text, Fmi2Status.ok)
 
     def warn(self, text: str) -> None:
-        """Log what works, but not as one might expect."""
+        """Log what works, but not as one might expect, aloud."""
         self._log(text, Fmi2Status.warning)
+        self._tell(text, text, "warning")
 
     def discard(self, text: str, what: str) -> None:
         """Log why a step was discarded; aloud the first time of each kind, as importers retry."""
@@ -51,7 +52,7 @@ class LoggedSlave(Fmi2Slave):
         # pythonfmu hands the text to a C function as its printf format, encoded strictly.
         self.log(_encodable(text).replace("%", "%%"), level)
 
-    def _tell(self, what: str, text: str) -> None:
+    def _tell(self, what: str, text: str, level: str = "error") -> None:
         """Say a sentence to Python's logging, once for each `what`."""
         if what in self._told or len(self._told) >= MOST_TOLD:
             return
@@ -59,7 +60,8 @@ class LoggedSlave(Fmi2Slave):
         try:
             import logging  # takes as long as to import all this, and few runs need it
 
-            logging.getLogger(LOGGER).error("FMU %s: %s", self.instance_name, _encodable(text))
+            say = getattr(logging.getLogger(LOGGER), level)
+            say("FMU %s: %s", self.instance_name, _encodable(text))
         except Exception:  # of a handler of the host: no exception leaves the slave
             return
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 
-from .errors import OptionError
+from .errors import OptionError, tell
 from .kernel import Kernel, KernelMissingError
 from .model import Model
 
@@ -36,10 +35,7 @@ def engine_for(model: Model, kernel: str, log: Callable[[str], None] | None) -> 
             if kernel == "c":
                 raise
             slower = f"{missing}; the NumPy reference steps in, some hundred times slower"
-            if log:
-                log(slower)
-            else:  # somebody must hear of it
-                warnings.warn(slower, RuntimeWarning, stacklevel=3)
+            tell(log, slower)
     from .reference import Reference  # NumPy is imported here and nowhere else
 
     return Reference(model)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import warnings
+from collections.abc import Callable, Iterable
 from enum import IntEnum
 
 
@@ -107,13 +108,6 @@ SENTENCE = {
 }
 """What each status means, and the remedy."""
 
-LIMITED = (
-    "solver.order is {:g}, but steps are of order 2: where dampers take energy out a higher order "
-    "needs solver.formulation conserving-al, a mechanism of one part (build-fmu info counts the "
-    "separate ones: export each by itself), and steps in which the motion changes little"
-)
-"""What is said once where dampers limit the order."""
-
 NO_EQUILIBRIUM = (
     "no static equilibrium was found from the drawn configuration; look for a part that nothing "
     "holds, or draw it closer to where it comes to rest"
@@ -131,6 +125,14 @@ AT_THE_START = {
     ),
 }
 """What is said instead of `SENTENCE` where it happens before the first step."""
+
+
+def tell(log: Callable[[str], None] | None, sentence: str) -> None:
+    """Say a sentence in the log, or in a warning if there is none: somebody must hear of it."""
+    if log:
+        log(sentence)
+    else:
+        warnings.warn(sentence, RuntimeWarning, stacklevel=4)
 
 
 def at_the_start(status: Status, equilibrium: bool) -> str:

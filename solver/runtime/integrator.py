@@ -15,9 +15,10 @@ from .assembly_checks import (
     rules_of_laws,
 )
 from .engine_choice import engine_for
-from .errors import LIMITED, SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
+from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start, tell
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
+from .order_limits import order_limit
 from .state import ASSEMBLED, CONFIGURED, MOVING, State
 from .value_checks import check_settable
 
@@ -37,7 +38,8 @@ class Integrator:
     kernel : {"auto", "c", "numpy"}
         The compiled kernel, its NumPy reference, or the first if there is one.
     log : callable, optional
-        Receives one sentence whenever something happens that a user should know.
+        Receives one sentence whenever something happens that a user should know; without it such a
+        sentence is a RuntimeWarning.
     """
 
     def __init__(
@@ -251,9 +253,9 @@ class Integrator:
         head["time"] = t + step
         self.phase = MOVING
         self.message = SENTENCE[Status.OK]
-        if head["order"] > head["order_in_use"] and not self._limited:
-            self._limited = True  # said once
-            (self._log or str)(LIMITED.format(head["order"]))
+        if not self._limited and (sentence := order_limit(self.model, head, self.engine.numbers)):
+            self._limited = True
+            tell(self._log, sentence)
 
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)

@@ -1,0 +1,127 @@
+"""Where dampers keep steps at order 2 though a higher one is wanted, somebody hears of it."""
+
+from __future__ import annotations
+
+import logging
+import warnings
+
+import pytest
+
+import solver
+from build_fmu.run import run_fmu
+from fmu_src.status import LOGGER
+from tests.fmu_instance import instance, text_fmu
+from tests.twins import KERNELS
+
+PART = """
+[points.{name}]
+position = [{x}, 0]
+mass = 1.0
+velocity = [0, 1]
+[points.{name}0]
+position = [{x}, -1]
+fixed = true
+[forces.spring_{name}]
+type = "spring"
+points = ["{name}0", "{name}"]
+stiffness = 20.0
+free_length = 1.1
+[forces.damper_{name}]
+type = "damper"
+points = ["{name}0", "{name}"]
+damping = {damping}
+"""
+HEAD = """
+name = "parts"
+dimension = 2
+[experiment]
+stop_time = 0.2
+step_size = 0.1
+[solver]
+{setting}
+"""
+
+
+def text(setting: str, parts: int = 2, damping: float = 0.3) -> str:
+    shown = [PART.format(name="AB"[i], x=3.0 * i, damping=damping) for i in range(parts)]
+    return "".join([HEAD.format(setting=setting), *shown])
+
+
+def said(setting: str, kernel: str = "auto", **options) -> list[str]:
+    """Sentences of three steps."""
+    model = solver.assemble(solver.loads(text(setting, **options)))
+    sentences: list[str] = []
+    run = solver.Integrator(model, kernel=kernel, log=sentences.append)
+    for _ in range(3):
+        run.advance(run.time, 0.1)
+    return sentences
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("tolerance", ["", "tolerance = 1e-7"])
+def test_two_parts_with_dampers_are_of_order_2_and_that_is_said_once(kernel, tolerance):
+    (sentence,) = said(f"order = 4\n{tolerance}", kernel)
+    assert sentence.startswith("solver.order is 4, but steps are of order 2")
+    assert ("takes many steps" in sentence) == bool(tolerance)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_tolerance_that_has_no_choice_of_the_order_says_so(kernel):
+    (sentence,) = said("tolerance = 1e-7", kernel)
+    assert sentence.startswith("solver.tolerance is to choose the order, but steps are of order 2")
+    assert "takes many steps" in sentence
+
+
+@pytest.mark.parametrize(
+    ("setting", "options"),
+    [
+        ("", {}),
+        ("order = 2", {}),
+        ("order = 2\ntolerance = 1e-5", {}),
+        ("order = 4", {"damping": 0.0}),
+        ("order = 4", {"parts": 1}),
+        ("tolerance = 1e-5", {"damping": 0.0}),
+        ("tolerance = 1e-5", {"parts": 1}),
+        ("tolerance = 0.1", {"parts": 1}),
+    ],
+    ids=str,
+)
+def test_where_nothing_is_limited_nothing_is_said(setting, options):
+    assert not said(setting, **options)
+
+
+def test_without_a_log_it_is_a_warning():
+    scene = solver.loads(text("order = 4"))
+    with pytest.warns(RuntimeWarning, match="solver.order is 4, but steps are of order 2"):
+        solver.simulate(scene)
+    run = solver.Integrator(solver.assemble(scene))
+    with pytest.warns(RuntimeWarning, match="steps are of order 2"):
+        run.advance(0.0, 0.1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        run.advance(run.time, 0.1)
+
+
+def test_an_fmu_says_it_with_its_log_on_as_a_warning():
+    with instance(text_fmu(text("order = 4"))) as fmu:
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+        ((level, category, sentence),) = fmu.log
+    assert (level, category) == (1, "logStatusWarning")
+    assert "steps are of order 2" in sentence
+
+
+def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
+    with instance(text_fmu(text("order = 4")), logging=False) as fmu:
+        fmu.initialise()
+        assert fmu.step(0.0, 0.1)
+    (record,) = [each for each in caplog.records if each.name == LOGGER]
+    assert record.levelno == logging.WARNING
+    assert record.getMessage().startswith("FMU parts: solver.order is 4, but")
+
+
+def test_a_run_that_says_it_is_clean():
+    run = run_fmu(text_fmu(text("order = 4")))
+    (sentence,) = run.messages
+    assert "steps are of order 2" in sentence
+    assert not run.failure
