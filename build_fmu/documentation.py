@@ -112,6 +112,7 @@ def accuracy(seen: Trial) -> str:
         f"{seen.energy:.1e} of the reference energy at most, and the constraints by "
         f"{seen.constraint:.1e} of their size."
     )
+    text = " ".join([text, *(f"It said: {remark}." for remark in seen.remarks)])
     if seen.reason:
         return f"{text} The run ended early: {seen.reason}"
     if seen.convergence is None:

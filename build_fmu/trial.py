@@ -44,6 +44,8 @@ class Trial:
         Largest difference of a coordinate [m] at the end from a run that is twice as exact.
     largest : mapping of str to float
         Largest size of what moves, by unit.
+    remarks : tuple of str
+        What it said of itself: that dampers limit the order, for one.
     """
 
     duration: float
@@ -52,6 +54,7 @@ class Trial:
     constraint: float = 0.0
     convergence: float | None = None
     largest: Mapping[str, float] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
     @property
     def nominal(self) -> dict[str, float]:
@@ -65,7 +68,8 @@ def trial(model: Model) -> Trial:
     duration, steps = _extent(model)
     outputs = [i for i, v in enumerate(model.variables) if v.causality == "output"]
     sizes = dict.fromkeys(outputs, 0.0)
-    integrator = Integrator(model, log=_unheard)
+    said: list[str] = []
+    integrator = Integrator(model, log=said.append)
     reason = _run(integrator, duration, steps, sizes)
     by_name = {model.variables[i].name: size for i, size in sizes.items()}
     return Trial(
@@ -75,11 +79,8 @@ def trial(model: Model) -> Trial:
         constraint=by_name.get("constraint.position", 0.0),
         convergence=None if reason else _convergence(model, integrator, duration, steps),
         largest=_by_unit(model, sizes),
+        remarks=tuple(said),
     )
-
-
-def _unheard(_: str) -> None:
-    """Take a sentence of the integrator: the run of the user will say it."""
 
 
 def _extent(model: Model) -> tuple[float, int]:
@@ -122,7 +123,7 @@ def _convergence(model: Model, coarse: Integrator, duration: float, steps: int) 
     """Largest difference of a coordinate at the end [m], in a run that is twice as exact."""
     if FEWEST * _unknowns(model) > MOST_WORK:
         return None
-    fine = Integrator(model, log=_unheard)
+    fine = Integrator(model, log=lambda _: None)  # the coarse one has said it
     settings = model.settings
     if settings["tolerance"]:
         fine["solver.tolerance"] = max(0.5 * float(settings["tolerance"]), 1e-14)

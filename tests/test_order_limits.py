@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import warnings
+import zipfile
 
 import pytest
 
@@ -125,3 +126,9 @@ def test_a_run_that_says_it_is_clean():
     (sentence,) = run.messages
     assert "steps are of order 2" in sentence
     assert not run.failure
+
+
+def test_the_page_of_an_fmu_says_it():
+    with zipfile.ZipFile(text_fmu(text("order = 4"))) as archive:
+        page = archive.read("documentation/index.html").decode()
+    assert "It said: solver.order is 4, but steps are of order 2" in page
