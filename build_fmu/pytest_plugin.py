@@ -41,15 +41,16 @@ def fmu_path() -> Path:
 
 @pytest.fixture(scope="session")
 def built_fmu(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
-    """Function from a scene file and values by name (or `parameters=`) to the FMU."""
+    """Function from a scene file, values by name and `parameters=` (or a file) to the FMU."""
     from build_fmu import build
+    from build_fmu.study.settings import entries_of
 
     made: dict[str, Path] = {}
 
     def built(scene: str | Path, parameters: Any = None, **values: Any) -> Path:
         key = repr((str(scene), parameters, values))
         if key not in made:
-            given = parameters if parameters is not None else values
+            given = entries_of(parameters) | entries_of(values)  # the latter have precedence
             made[key] = build(scene, tmp_path_factory.mktemp("fmu"), parameters=given)
         return made[key]
 

@@ -12,23 +12,20 @@ AssertionError that says where, when and by how much.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from build_fmu.reference import Reference, columns_of, limits, name_of, names_to_compare
 from build_fmu.study.settings import Source, entries_of
-from build_fmu.study.values import Mistake, nearest, refuse
 
 if TYPE_CHECKING:
     from numpy import ndarray
 
     from build_fmu.run import Run
+    from build_fmu.study.kept import Record
 
 __all__ = ["assert_conserves", "assert_follows"]
-
-Reference = str | PathLike[str] | Mapping[str, Any]
 
 
 def assert_conserves(
@@ -66,18 +63,22 @@ def assert_conserves(
     with runnable(fspath(target), entries_of(parameters)) as (path, left):
         run = run_fmu(path, stop_time=stop_time, step_size=step_size, settings=left)
     problems = [run.failure] if run.failure else []
-    names = run.values.dtype.names or ()
     for name, limit in (("energy.error", energy), ("constraint.position", constraint)):
-        if name not in names:
-            problems.append(f"there is no output {name!r}; is it an FMU of build-fmu?")
-            continue
-        sizes = abs(run.values[name])
-        worst = int(sizes.argmax())
-        if not sizes[worst] <= limit:
-            at = float(run.values["time"][worst])
-            problems.append(f"{name} is {sizes[worst]:.3g} at t = {at:g} s, more than {limit:g}")
+        problems += _excess(run, name, limit)
     _require(f"{target} does not conserve", problems)
     return run
+
+
+def _excess(run: Run, name: str, limit: float) -> list[str]:
+    """A sentence about an output that is larger than it may be."""
+    if name not in (run.values.dtype.names or ()):
+        return [f"there is no output {name!r}; is it an FMU of build-fmu?"]
+    sizes = abs(run.values[name])
+    worst = int(sizes.argmax())
+    if sizes[worst] <= limit:
+        return []
+    at = float(run.values["time"][worst])
+    return [f"{name} is {sizes[worst]:.3g} at t = {at:g} s, more than {limit:g}"]
 
 
 def assert_follows(
@@ -99,11 +100,15 @@ def assert_follows(
         A CSV file whose first line has the names, among them "time", as `build-fmu simulate --csv`
         and fmpy write it; or arrays by name.
     relative
-        Error that passes, relative to the largest value of the reference in that column.
+        Error that passes, relative to the largest value of the reference in that column. Round-off
+        passes as well, 1e-10 of the largest value of that unit in all columns (or `relative`, where
+        that is less): where the reference is noise about zero, its own largest value says nothing.
     absolute
         Error that passes besides, in the unit of the column; one for all, or by name.
     columns
-        What to compare; None: all columns that are variables of the FMU, and at least one.
+        What to compare; None: all columns that are variables of the FMU, but not `energy.error`,
+        `energy.balance`, `constraint.*` and `solver.*`. These say how exact a run is, and are noise
+        in a good one; `assert_conserves` sets limits to them.
     parameters
         Values of parameters and inputs by name, or a file of them.
 
@@ -113,35 +118,46 @@ def assert_follows(
         What the FMU gave, by column, and "time".
     """
     __tracebackhide__ = True
-    import numpy as np
-
     from build_fmu.run import failure
-    from build_fmu.study.kept import KeptFmu
-    from build_fmu.study.settings import fmu_settings
-    from build_fmu.target import runnable
 
-    expected = _reference(reference)
-    with runnable(fspath(target), entries_of(parameters)) as (path, left):
-        fmu = KeptFmu(path)
-        try:
-            settings = fmu_settings(path, fmu.description, [left])[0]
-            known = [v.name for v in fmu.description.modelVariables if v.type != "String"]
-            names = _columns(expected, columns, known, _name(reference))
-            times = expected["time"].tolist()
-            record = fmu.run(settings, times, names)
-        finally:
-            fmu.close()
+    expected, where = columns_of(reference), name_of(reference)
+    names, units, record = _run_along(target, parameters, expected, columns, where)
+    passes = limits(expected, names, units, relative, absolute)
+    times = expected["time"].tolist()
     finished = len(record.values) == len(times)
     told = failure(record.end_time, times[-1], finished, record.reason)
     problems = [told] if told else []
     found = {"time": expected["time"][: len(record.values)]}
     for name, column in zip(names, record.values.T, strict=True):
         found[name] = column
-        limit = relative * float(np.abs(expected[name]).max())
-        limit += absolute.get(name, 0.0) if isinstance(absolute, Mapping) else absolute
-        problems += _differences(name, times, column, expected[name], limit)
-    _require(f"{target} does not follow {_name(reference)}", problems)
+        problems += _differences(name, times, column, expected[name], passes[name])
+    _require(f"{target} does not follow {where}", problems)
     return found
+
+
+def _run_along(
+    target: str | PathLike[str],
+    parameters: Source | None,
+    expected: Mapping[str, ndarray],
+    columns: Sequence[str] | None,
+    where: str,
+) -> tuple[list[str], dict[str, str], Record]:
+    """Names to compare, the units of variables, and the run through the times of a reference."""
+    from build_fmu.study.kept import KeptFmu
+    from build_fmu.study.settings import fmu_settings
+    from build_fmu.target import runnable
+
+    with runnable(fspath(target), entries_of(parameters)) as (path, left):
+        fmu = KeptFmu(path)
+        try:
+            settings = fmu_settings(path, fmu.description, [left])[0]
+            units = {
+                v.name: v.unit or "" for v in fmu.description.modelVariables if v.type != "String"
+            }
+            names = names_to_compare(expected, columns, list(units), where)
+            return names, units, fmu.run(settings, expected["time"].tolist(), names)
+        finally:
+            fmu.close()
 
 
 def _differences(
@@ -166,76 +182,3 @@ def _require(what: str, problems: Sequence[str]) -> None:
     __tracebackhide__ = True
     if problems:
         raise AssertionError("\n  ".join([f"{what}:", *problems]))
-
-
-# ------------------------------------------------------------------------------- the reference
-
-
-def _name(reference: Reference) -> str:
-    return "the reference" if isinstance(reference, Mapping) else fspath(reference)
-
-
-def _reference(reference: Reference) -> dict[str, ndarray]:
-    """Arrays by name, checked: times that ascend, and a value for each of them."""
-    import numpy as np
-
-    mistakes: list[Mistake] = []
-    if isinstance(reference, Mapping):
-        columns = {name: np.asarray(values, float) for name, values in reference.items()}
-        where = "the reference"
-    else:
-        where = fspath(reference)
-        columns = {name: np.array(x) for name, x in _read(Path(reference), mistakes).items()}
-    refuse(mistakes)
-    times = columns.get("time")
-    if times is None:
-        known = ", ".join(columns)
-        mistakes.append(Mistake(where, "has no column 'time'", f"there are {known}"))
-    elif len(times) < 2 or not (np.diff(times) > 0.0).all():
-        row = int(np.argmin(np.diff(times))) + 1 if len(times) > 1 else 0
-        message = f"time must ascend, from at least two rows; row {row + 1} does not"
-        mistakes.append(Mistake(where, message))
-    else:
-        wrong = [name for name, values in columns.items() if values.shape != times.shape]
-        mistakes += [Mistake(where, f"{name}: not one value for each time") for name in wrong]
-    refuse(mistakes)
-    return columns
-
-
-def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:
-    """Columns of a CSV file of numbers."""
-    rows = csv.reader(path.read_text(encoding="utf-8-sig").splitlines(), skipinitialspace=True)
-    head = [cell.strip() for cell in next(rows, [])]
-    columns: dict[str, list[float]] = {name: [] for name in head}
-    for row in rows:
-        if not row:
-            continue
-        if len(row) != len(head):
-            message = f"has {len(row)} cells, and the header has {len(head)}"
-            mistakes.append(Mistake(f"{path}:{rows.line_num}", message))
-            continue
-        for name, cell in zip(head, row, strict=True):
-            try:
-                columns[name].append(float(cell))
-            except ValueError:
-                message = f"{name}: must be a number, got {cell!r}"
-                mistakes.append(Mistake(f"{path}:{rows.line_num}", message))
-    return columns
-
-
-def _columns(
-    expected: Mapping[str, Any], columns: Sequence[str] | None, known: Sequence[str], where: str
-) -> list[str]:
-    """Names to compare, each one of the reference and of the FMU."""
-    if columns is None:
-        names = [name for name in expected if name in known and name != "time"]
-        if not names:
-            refuse([Mistake(where, "no column is a variable of the FMU")])
-        return names
-    refuse(
-        Mistake(where, f"{name}: not {words}", nearest(name, among))
-        for name in columns
-        for words, among in (("in the reference", expected), ("a variable of the FMU", known))
-        if name not in among
-    )
-    return list(columns)

@@ -25,9 +25,12 @@ def trajectory(path: Path) -> dict[str, list[float]]:
 def test_the_csv_file_has_the_numbers_of_the_run(capsys, tmp_path):
     fmu = scene_fmu("double_pendulum")
     arguments = ("simulate", fmu, "--stop", 1, "--step", 0.05, "--csv", tmp_path / "a.csv")
-    assert run(capsys, *arguments) == (0, "", "")
+    code, out, err = run(capsys, *arguments)
+    assert (code, err) == (0, "")
     expected = solver.simulate(PENDULUM, stop_time=1.0, step_size=0.05)
     columns = trajectory(tmp_path / "a.csv")
+    assert out == f"{tmp_path / 'a.csv'}: 21 rows, {len(columns)} columns\n"
+    assert run(capsys, *arguments, "--json")[2] == out
     assert columns["B.x"] == list(expected["B.x"])
     assert columns["time"] == pytest.approx(expected.t)
 

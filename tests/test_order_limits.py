@@ -103,6 +103,18 @@ def test_without_a_log_it_is_a_warning():
         run.advance(run.time, 0.1)
 
 
+def test_a_step_too_long_for_its_order_is_no_warning_but_said_in_a_log():
+    # Half a period of the spring in a step: weights tell nothing of it, and it is of order 2.
+    model = solver.assemble(solver.loads(text("order = 4", parts=1)))
+    sentences: list[str] = []
+    for log in (None, sentences.append):
+        run = solver.Integrator(model, log=log)
+        run["solver.step_size"] = 1.0
+        run.advance(0.0, 2.0)
+        assert run["solver.order_in_use"] == 2.0
+    assert len(sentences) == 1
+
+
 def test_an_fmu_says_it_with_its_log_on_as_a_warning():
     with instance(text_fmu(text("order = 4"))) as fmu:
         fmu.initialise()

@@ -29,6 +29,10 @@ def run(arguments: argparse.Namespace) -> int:
     elif arguments.csv:
         with Path(arguments.csv).open("w", newline="", encoding="utf-8") as file:
             write_csv(result.values, file)
+        rows, columns = len(result.values), len(result.values.dtype.names or ())
+        # One document on stdout is what --json promises.
+        stream = sys.stderr if arguments.json else sys.stdout
+        stream.write(f"{arguments.csv}: {rows} rows, {columns} columns\n")
     if arguments.json:
         print_json(summary(result))
     elif not arguments.csv and begun(result):

@@ -127,12 +127,15 @@ AT_THE_START = {
 """What is said instead of `SENTENCE` where it happens before the first step."""
 
 
-def tell(log: Callable[[str], None] | None, sentence: str) -> None:
-    """Say a sentence in the log, or in a warning if there is none: somebody must hear of it."""
+def tell(log: Callable[[str], None] | None, sentence: str, depth: int) -> None:
+    """Say a sentence in the log, or in a warning if there is none: somebody must hear of it.
+
+    `depth` is the number of calls from here to the user's line.
+    """
     if log:
         log(sentence)
     else:
-        warnings.warn(sentence, RuntimeWarning, stacklevel=4)
+        warnings.warn(sentence, RuntimeWarning, stacklevel=depth + 1)
 
 
 def at_the_start(status: Status, equilibrium: bool) -> str:

@@ -253,9 +253,11 @@ class Integrator:
         head["time"] = t + step
         self.phase = MOVING
         self.message = SENTENCE[Status.OK]
-        if not self._limited and (sentence := order_limit(self.model, head, self.engine.numbers)):
-            self._limited = True
-            tell(self._log, sentence)
+        if not self._limited:
+            sentence, lasting = order_limit(self.model, head, self.engine.numbers)
+            self._limited = bool(sentence)
+            if lasting or (sentence and self._log):
+                tell(self._log, sentence, 2)
 
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)

@@ -20,23 +20,25 @@ LIMITED = (
 COSTLY = "; a tight solver.tolerance takes many steps of order 2"
 
 
-def order_limit(model: Model, head: Mapping[str, float], numbers: Doubles) -> str:
+def order_limit(model: Model, head: Mapping[str, float], numbers: Doubles) -> tuple[str, bool]:
     """Return what is said after a step that dampers kept at order 2; nothing where none is due.
 
-    `head` has the scalars of the state, `numbers` those of the model at present.
+    And whether it is so for all steps, by what the mechanism is and its settings, and not for one
+    that was too long, or at rest. `head` has the scalars of the state, `numbers` those of the model
+    at present.
     """
-    if head["order"] > 0.0 or not head["tolerance"] > 0.0:
-        if not head["order"] > head["order_in_use"]:
-            return ""
+    asked, chosen = head["order"], head["tolerance"] > 0.0 and head["order"] == 0.0
+    if not chosen and not asked > head["order_in_use"]:
+        return "", False
+    lasting = model.sizes["n_islands"] > 1 or decode("formulation", head) not in CONSERVING
+    if not chosen:
         needs = "steps in which the motion changes little"
-        asked = f"solver.order is {head['order']:g}"
-        return LIMITED.format(asked, needs) + COSTLY * (head["tolerance"] > 0.0)
-    # The tolerance chooses: order 2 is its choice, unless there is none.
-    whole = model.sizes["n_islands"] == 1 and not model.sizes["sensing"]
+        costs = COSTLY if head["tolerance"] > 0.0 else ""
+        return LIMITED.format(f"solver.order is {asked:g}", needs) + costs, lasting
+    # Order 2 may be the choice of the tolerance, unless it has none.
     begin = model.offsets["damping"]
-    if (whole and decode("formulation", head) in CONSERVING) or not any(
-        numbers[begin : begin + model.sizes["n_elements"]]
-    ):
-        return ""
+    damped = any(numbers[begin : begin + model.sizes["n_elements"]])
+    if not damped or not (lasting or model.sizes["sensing"]):
+        return "", False
     needs = "no load that reads the mechanism"
-    return LIMITED.format("solver.tolerance is to choose the order", needs) + COSTLY
+    return LIMITED.format("solver.tolerance is to choose the order", needs) + COSTLY, True

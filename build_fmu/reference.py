@@ -1,0 +1,184 @@
+"""What an FMU is held against: columns by name, from a CSV file or arrays, and what error passes.
+
+A column may be off by `relative` times its largest value, and by round-off of the largest value of
+its unit: what is zero by symmetry, the height of a planar point, say, is noise in both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from build_fmu.study.csv_file import csv_rows
+from build_fmu.study.values import Mistake, nearest, refuse
+from build_fmu.trial import OF_THE_SOLUTION
+
+if TYPE_CHECKING:
+    from numpy import ndarray
+
+Reference = str | PathLike[str] | Mapping[str, Any]
+
+ROUND_OFF = 1e-10
+"""Part of the largest value of a unit. Noise of the scenes, with factors rounded otherwise, is
+1e-14 of it; steps are solved to 1e-12; the rest is for longer runs."""
+
+
+def name_of(reference: Reference) -> str:
+    """Name for messages."""
+    return "the reference" if isinstance(reference, Mapping) else fspath(reference)
+
+
+def columns_of(reference: Reference) -> dict[str, ndarray]:
+    """Arrays by name, checked: times that ascend, and a finite value for each of them.
+
+    Raises
+    ------
+    UsageError
+        With every mistake.
+    """
+    import numpy as np
+
+    mistakes: list[Mistake] = []
+    if isinstance(reference, Mapping):
+        columns = _arrays(reference, mistakes)
+    else:
+        read = _read(Path(reference), mistakes)
+        columns = {name: np.array(values) for name, values in read.items()}
+    refuse(mistakes)
+    refuse(_wrong_times(columns, name_of(reference)))
+    return columns
+
+
+def _wrong_times(columns: Mapping[str, ndarray], where: str) -> list[Mistake]:
+    times = columns.get("time")
+    if times is None:
+        help = f"there are {', '.join(columns)}; name them in the first line, separated by commas"
+        return [Mistake(where, "has no column 'time'", help)]
+    falls = [i + 2 for i in range(len(times) - 1) if not times[i] < times[i + 1]]
+    if times.ndim != 1 or len(times) < 2 or falls:
+        row = f"; row {falls[0]} does not" if falls else f", and there are {len(times)}"
+        message = f"time must ascend, from at least two rows{row}"
+        return [Mistake(where, message, "sort the rows, and leave out what is there twice")]
+    return [
+        Mistake(where, f"{name}: not one value for each time", f"there are {len(times)} times")
+        for name, values in columns.items()
+        if values.shape != times.shape
+    ]
+
+
+def _arrays(reference: Mapping[str, Any], mistakes: list[Mistake]) -> dict[str, ndarray]:
+    import numpy as np
+
+    columns: dict[str, ndarray] = {}
+    for name, values in reference.items():
+        try:
+            columns[name] = np.asarray(values, float)
+        except (TypeError, ValueError) as error:
+            help = "give one number for each time"
+            mistakes.append(Mistake("the reference", f"{name}: not numbers: {error}", help))
+            continue
+        if not np.isfinite(columns[name]).all():
+            help = "leave out the times at which there is none"
+            mistakes.append(Mistake("the reference", f"{name}: must be finite numbers", help))
+    return columns
+
+
+def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:
+    """Columns of a CSV file of numbers."""
+    rows = csv_rows(path, mistakes)
+    where, head = next(rows, (str(path), []))
+    if not head and not mistakes:
+        help = "write names into the first line, 'time' among them, and a row for each time"
+        mistakes.append(Mistake(where, "is empty", help))
+    for number, name in enumerate(head, start=1):
+        if not name or name in head[: number - 1]:
+            wrong = f"{name!r} is there twice" if name else "has no name"
+            help = "give each column a name of its own, separated by commas"
+            mistakes.append(Mistake(where, f"column {number}: {wrong}", help))
+    columns: dict[str, list[float]] = {name: [] for name in head}
+    if mistakes or "time" not in head:
+        return columns
+    for where, cells in rows:
+        for name, cell in zip(head, cells, strict=True):
+            value = _number(cell)
+            if abs(value) < float("inf"):
+                columns[name].append(value)
+            else:
+                help = "leave out the row, or the column"
+                message = f"{name}: must be a finite number, got {cell!r}"
+                mistakes.append(Mistake(where, message, help))
+    return columns
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return float("nan")
+
+
+def names_to_compare(
+    expected: Mapping[str, Any], columns: Sequence[str] | None, known: Sequence[str], where: str
+) -> list[str]:
+    """Names of columns, each one of the reference and of the FMU; at least one.
+
+    None for `columns` means all but those that say how exact a run is, not how it moves.
+
+    Raises
+    ------
+    UsageError
+        With every mistake.
+    """
+    if columns is None:
+        names = [name for name in expected if name in known and name != "time"]
+        moving = [name for name in names if not name.startswith(OF_THE_SOLUTION)]
+        if not names:
+            help = nearest(next((x for x in expected if x != "time"), ""), known)
+            refuse([Mistake(where, "no column is a variable of the FMU", help)])
+        if not moving:
+            message = "all columns are of those that say how exact a run is, not how it moves"
+            refuse([Mistake(where, message, "name those to compare in columns=[...]")])
+        return moving
+    if isinstance(columns, str) or not columns:
+        help = "name at least one, or leave columns out to compare all"
+        refuse([Mistake("columns", f"must be a list of names, got {columns!r}", help)])
+    refuse(
+        Mistake(where, f"{name}: not {words}", nearest(name, among))
+        for name in columns
+        for words, among in (("in the reference", expected), ("a variable of the FMU", known))
+        if name not in among
+    )
+    return list(columns)
+
+
+def limits(
+    expected: Mapping[str, ndarray],
+    names: Sequence[str],
+    units: Mapping[str, str],
+    relative: float,
+    absolute: float | Mapping[str, float],
+) -> dict[str, float]:
+    """Error that passes in each column.
+
+    Raises
+    ------
+    UsageError
+        If `absolute` has a name that is not compared.
+    """
+    if isinstance(absolute, Mapping):
+        refuse(
+            Mistake("absolute", f"{name}: not compared", nearest(name, names))
+            for name in absolute
+            if name not in names
+        )
+    own = {name: float(abs(expected[name]).max()) for name in names}
+    found = {}
+    for name in names:
+        # What has no unit is of any kind: its own value is all there is to measure it by.
+        alike = [own[x] for x in names if x == name or (units[x] and units[x] == units[name])]
+        noise = min(relative, ROUND_OFF) * max(alike)
+        besides = absolute.get(name, 0.0) if isinstance(absolute, Mapping) else absolute
+        found[name] = max(relative * own[name], noise) + besides
+    return found
