@@ -121,7 +121,7 @@ def test_set_has_precedence_and_of_two_files_the_later(capsys, tmp_path):
             "a.toml",
             "mass = 2\nmass = 4\n",
             "a.toml:2:9: error: TOML: Cannot overwrite a value\n"
-            "  = help: the same key is given twice",
+            "  = help: the same key is given twice, first in line 1",
         ),
         ("a.json", '{"mass": NaN}', "a.json:1: error: mass: must be a finite number, got nan"),
         ("a.toml", "a = 1\nmass = inf\n", "a.toml:2: error: mass: must be a finite number"),

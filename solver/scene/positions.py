@@ -51,6 +51,13 @@ def lines_of_json(text: str) -> tuple[Mapping[Path, int], list[tuple[Path, int]]
     return scanner.lines, scanner.repeated
 
 
+def first_of_repeated(text: str) -> int | None:
+    """Line of the key that the last entry of a TOML text, which ends with it, gives once more."""
+    scanner = _Scanner(text)
+    lines = scanner.document()
+    return lines[scanner.repeated[-1][0]] if scanner.repeated else None
+
+
 class _Scanner:
     def __init__(self, text: str) -> None:
         self.text = text

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path as FilePath
 from typing import Any, NoReturn
 
-from solver.scene.positions import lines_of_json
+from solver.scene.positions import first_of_repeated, lines_of_json
 from solver.scene.report import Problem, SceneError, Source, location_of
 
 if sys.version_info >= (3, 11):
@@ -18,9 +18,10 @@ else:
 
 DEEPEST = 50
 """Tables and lists within each other; no scene has so many."""
+_TWICE = "Cannot overwrite a value"
 _TOML_HELP = {
     "Illegal character '\\n'": "a text ends on the line it begins on: close its quotes",
-    "Cannot overwrite a value": "the same key is given twice",
+    _TWICE: "the same key is given twice",
 }
 
 
@@ -82,6 +83,10 @@ def _toml(text: str, name: str) -> dict[str, Any]:
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
         help = _TOML_HELP.get(message)
+        if message == _TWICE:
+            before = sum(len(each) + 1 for each in text.split("\n")[: line - 1])
+            first = first_of_repeated(text[: before + column - 1] if column else text)
+            help = f"{help}, first in line {first}" if first else help
         _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
 
 
