@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from build_fmu.study.manifest import Variant
+    from build_fmu.study.sweep import sweep
     from solver.scene import Scene
 
 __all__ = ["build", "sweep", "variants"]
@@ -122,75 +123,11 @@ def variants(
     )
 
 
-def sweep(
-    fmu: str | PathLike[str],
-    *,
-    grid: Mapping[str, object] | Sequence[str] = (),
-    table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
-    parameters: Mapping[str, object] | str | PathLike[str] | None = None,
-    outputs: Sequence[str] | None = None,
-    stop_time: float | None = None,
-    step_size: float | None = None,
-    path: str | PathLike[str] | None = None,
-    fresh: bool = False,
-    trajectories: bool = False,
-    form: str = "numpy",
-    engine: str = "auto",
-    workers: int | None = None,
-    progress: Callable[[int, int], object] | None = None,
-) -> Any:
-    """Run one FMU for each row of a grid or table of its parameters and inputs.
+def __getattr__(name: str) -> Any:
+    if name != "sweep":
+        text = f"module {__name__!r} has no attribute {name!r}"
+        raise AttributeError(text)
+    from build_fmu.study.sweep import sweep  # with its imports, for which a build need not wait
 
-    Parameters
-    ----------
-    fmu
-        An FMU, or a scene, whose FMU is then built for it.
-    grid, table, parameters, engine, workers, progress
-        As for `variants`; names are those of parameters and inputs of the FMU.
-    outputs
-        Names of what is kept; None: all outputs.
-    stop_time, step_size
-        Stop time and communication step in s; None: of the FMU's default experiment.
-    path
-        A .csv file for the summary, or .h5 for trajectories as well. One that is there, of the same
-        sweep, is continued.
-    fresh
-        Replace what is in that file.
-    trajectories
-        Whether to return the outputs at all communication points too.
-    form
-        "numpy", "pandas" or "xarray".
-
-    Returns
-    -------
-    numpy.ndarray, pandas.DataFrame or xarray.Dataset
-        One row for each run, in the order of the grid: its values, whether it `finished`, its
-        `end_time` and the `reason` of an early end, and of each output `NAME.final`, `NAME.min` and
-        `NAME.max`. With trajectories, NumPy and xarray have `time` and each `NAME` besides, shape
-        (runs, points), NaN after an early end; pandas has these alone, by run and time.
-
-    Raises
-    ------
-    build_fmu.errors.UsageError
-        With every mistake of grid, table and parameters.
-    """
-    from build_fmu.study.forms import in_form, require_form
-    from build_fmu.study.sweep import sweep_fmu
-
-    require_form(form)
-    found = sweep_fmu(
-        fmu,
-        grid=grid,
-        table=table,
-        parameters=parameters,
-        outputs=outputs,
-        stop_time=stop_time,
-        step_size=step_size,
-        path=path,
-        fresh=fresh,
-        trajectories=trajectories,
-        engine=engine,
-        workers=workers,
-        progress=progress,
-    )
-    return in_form(found, form, trajectories)
+    globals()["sweep"] = sweep
+    return sweep

@@ -82,8 +82,10 @@ class Log:
             self._lines.append((level, text))
 
 
-def unpacked(path: str | PathLike[str]) -> tempfile.TemporaryDirectory[str]:
-    """Temporary folder with the files of an FMU.
+def unpacked(
+    path: str | PathLike[str], parent: str | None = None
+) -> tempfile.TemporaryDirectory[str]:
+    """Temporary folder with the files of an FMU, below `parent` or that for temporary files.
 
     Raises
     ------
@@ -94,8 +96,8 @@ def unpacked(path: str | PathLike[str]) -> tempfile.TemporaryDirectory[str]:
     import fmpy
 
     check_platform(fspath(path))
-    check_unpack_folder(Path(tempfile.gettempdir()))
-    folder = tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True)
+    check_unpack_folder(Path(parent or tempfile.gettempdir()))
+    folder = tempfile.TemporaryDirectory(prefix="fmu-", dir=parent, ignore_cleanup_errors=True)
     fmpy.extract(fspath(path), folder.name)
     return folder
 

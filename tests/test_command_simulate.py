@@ -65,11 +65,12 @@ def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
         ("drive=abc", "drive: must be a number in N.m, got 'abc'"),
         ("drive=[1,2]", "drive: must be a number in N.m, got [1, 2]"),
         ("drive=true", "drive: must be a number in N.m, got True"),
-        (f"drive=1{'0' * 400}", "drive: must be a number in N.m, got 1000"),
+        (f"drive=1{'0' * 400}", "drive: must be a finite number in N.m, got 1000"),
+        ("drive=nan", "drive: must be a finite number in N.m, got nan"),
         ("solver.paired=1", "solver.paired: must be true or false, got 1"),
         ("solver.formulation=7", "solver.formulation: must be a text, got 7"),
     ],
-    ids=range(6),
+    ids=range(7),
 )
 def test_a_value_of_another_type_ends_with_2(capsys, wrong, words):
     code, out, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", wrong)

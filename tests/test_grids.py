@@ -37,6 +37,67 @@ def test_a_grid_is_a_list_of_values_and_ranges(text, expected):
         assert found == expected
 
 
+@pytest.mark.parametrize(
+    ("text", "middle"),
+    [
+        ("a=1e-300:1e300:3:log", 1.0),
+        ("a=-1e-300:-1e300:3:log", -1.0),
+        ("a=1e-200:1e-180:3:log", 1e-190),  # the product of the ends is no double
+        ("a=-1e308:1e308:3", 0.0),
+        ("a=1.7e308:1.6e308:3", 1.65e308),
+        ("a=0.1:0.3:3", 0.2),
+    ],
+)
+def test_a_range_between_two_doubles_has_only_doubles_between_them(text, middle):
+    found = [row["a"] for row in values(rows_of([text]))]
+    # Two powers of at most 1e300, whose exponents are rounded: 2 * 690 * 1.1e-16.
+    assert found[1] == pytest.approx(middle, rel=2e-13 if "log" in text else 1e-15, abs=0.0)
+    assert min(found) in (found[0], found[2])
+    assert max(found) in (found[0], found[2])
+
+
+def test_a_range_of_whole_numbers_is_exact_however_large_they_are():
+    large = 3**200
+    found = [row["a"] for row in values(rows_of([f"a={large}:{large + 4}:3"]))]
+    assert found == [large, large + 2, large + 4]
+
+
+@pytest.mark.parametrize(
+    ("grid", "words"),
+    [
+        (5, "--grid 5: error: not of the form name=values"),
+        ([5], "--grid 5: error: not of the form name=values"),
+        ({"a": []}, "--grid a=[]: error: no values"),
+        ({"a": [2, 1, 2]}, "--grid a=[2, 1, 2]: error: the value 2 is there twice"),
+    ],
+    ids=str,
+)
+def test_mistakes_of_grids_of_python_are_told_like_those_of_texts(grid, words):
+    with pytest.raises(UsageError) as caught:
+        rows_of(grid)
+    assert str(caught.value).startswith(words)
+
+
+def test_a_single_text_is_a_grid():
+    assert values(rows_of("a=1,2")) == [{"a": 1}, {"a": 2}]
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ([], "table: error: has no rows"),
+        ([{"a": 1}, {"b": 1}], "table[1]: error: must have the names of table[0]: differs in a, b"),
+        ([{"a": 1}, {"a": 1, "b": 1}], "table[1]: error: must have the names of table[0]: differs"),
+        (["a", "b"], "table[0]: error: must have values by name, got 'a'"),
+    ],
+    ids=str,
+)
+def test_a_table_of_python_has_the_same_names_in_all_rows(table, words):
+    with pytest.raises(UsageError) as caught:
+        rows_of([], table)
+    assert str(caught.value).startswith(words)
+
+
 def test_grids_multiply_and_the_last_turns_fastest():
     assert values(rows_of(["a=1,2", "b=3,4"])) == [
         {"a": 1, "b": 3},
@@ -70,13 +131,18 @@ def test_a_table_has_a_row_for_each_line(tmp_path):
         (["a=1,,2"], ["--grid a=1,,2: error: column 5: a value is missing"]),
         (["a=1:2"], ["--grid a=1:2: error: column 3: '1:2' is not a range from:to:count"]),
         (["a=7,1:x:3"], ["--grid a=7,1:x:3: error: column 7: 'x' is not a number"]),
-        (["a=1:nan:3"], ["--grid a=1:nan:3: error: column 5: 'nan' is not a number"]),
+        (["a=1:nan:3"], ["--grid a=1:nan:3: error: column 5: 'nan' is not a finite number"]),
         (["a=1:5:1"], ["the count must be a whole number from 2 to 1e+06, got 1"]),
         (["a=1:5:2.5"], ["the count must be a whole number from 2 to 1e+06, got 2.5"]),
         (["a=-1:5:3:log"], ["from and to of a range with log must have one sign, got -1 and 5"]),
         (["a=[1"], ["--grid a=[1: error: column 3: '[1': "]),
         (["a=1,2", "a=3"], ["--grid a=3: error: a: varied by --grid a=1,2 too"]),
         (["a=1:2:2000", "b=1:2:2000"], ["4e+06 combinations, more than the 1e+06"]),
+        (["a=1:1:3"], ["from and to of a range must differ, got 1 and 1"]),
+        (["a=2,1:3:3"], ["a=2,1:3:3: error: the value 2 is there twice"]),
+        (["a=1,1.0"], ["the value 1.0 is there twice"]),
+        (["a=1:1e400:3"], ["column 5: '1e400' is not a finite number"]),
+        ([f"a=1:1{'0' * 400}:3"], ["0' is not a finite number"]),
         (["a", "b=1:2"], ["--grid a: error", "--grid b=1:2: error"]),
     ],
     ids=str,

@@ -6,8 +6,8 @@ import json
 
 import pytest
 
+from build_fmu import sweep
 from build_fmu.run import run_fmu
-from build_fmu.study.sweep import sweep_fmu
 from build_fmu.testing import assert_conserves, assert_follows
 from fmu_src import status
 from tests.commands import run
@@ -73,11 +73,10 @@ def test_simulate_ends_with_3_and_the_sentence(capsys):
 
 
 def test_a_sweep_records_the_run_as_failed():
-    found = sweep_fmu(text_fmu(TEXT), grid={"mass": [1.0, 2.0]}, stop_time=0.3, engine="serial")
+    arguments = {"stop_time": 0.3, "engine": "serial", "form": "sweep"}
+    found = sweep(text_fmu(TEXT), grid={"mass": [1.0, 2.0]}, **arguments)
     assert [result.reason for result in found.failed] == [SENTENCE] * 2
-    clean = sweep_fmu(
-        text_fmu(TEXT), grid={"mass": [1.0]}, outputs=["A.x"], stop_time=0.3, engine="serial"
-    )
+    clean = sweep(text_fmu(TEXT), grid={"mass": [1.0]}, outputs=["A.x"], **arguments)
     assert not clean.failed
 
 

@@ -12,7 +12,7 @@ import pytest
 import build_fmu
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.run import run_fmu
-from build_fmu.study import sweep as sweep_module
+from build_fmu.study.plan import Plan
 from tests.commands import run
 from tests.fmu_instance import SCENES, pendulum, scene_fmu
 
@@ -69,7 +69,7 @@ def test_a_scene_is_swept_as_its_fmu():
     assert by_scene.tolist() == by_fmu.tolist()
 
 
-# ----------------------------------------------------------------------------------- the files
+# -------------------------------------------------------------------------------- the command
 
 
 def test_the_command_writes_a_summary_and_prints_the_extremes(capsys, tmp_path):
@@ -98,78 +98,7 @@ def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
     assert [row["finished"] for row in lines(tmp_path / "a.csv")] == ["true", "false", "true"]
 
 
-def files_of(tmp_path) -> list:
-    kinds = [".csv", *([".h5"] if importlib.util.find_spec("h5py") else [])]
-    return [tmp_path / f"a{kind}" for kind in kinds]
-
-
-def test_an_interrupted_sweep_goes_on_where_it_stopped(tmp_path, monkeypatch):
-    whole = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS, engine="serial")
-    arguments = {"grid": GRID, "outputs": OUTPUTS, "engine": "serial"}
-    one = sweep_module._one
-    for file in files_of(tmp_path):
-        begun = []
-
-        def interrupted(fmu, shared, number, values, begun=begun):
-            begun.append(number)
-            if len(begun) == 4:
-                raise KeyboardInterrupt
-            return one(fmu, shared, number, values)
-
-        monkeypatch.setattr(sweep_module, "_one", interrupted)
-        with pytest.raises(KeyboardInterrupt):
-            build_fmu.sweep(pendulum(), path=file, **arguments)
-        again = build_fmu.sweep(pendulum(), path=file, **arguments)
-        assert begun == [1, 2, 3, 4, 4, 5, 6]
-        assert again.tolist() == whole.tolist()
-
-
-def test_a_line_that_was_cut_off_is_run_again(tmp_path):
-    file = tmp_path / "a.csv"
-    arguments = {"grid": GRID, "outputs": OUTPUTS, "path": file, "engine": "serial"}
-    whole = build_fmu.sweep(pendulum(), **arguments)
-    text = file.read_text()
-    file.write_text(text[:-40])
-    assert build_fmu.sweep(pendulum(), **arguments).tolist() == whole.tolist()
-    assert file.read_text() == text
-
-
-def test_a_damaged_plan_is_one_of_another_sweep(tmp_path):
-    file = tmp_path / "a.csv"
-    build_fmu.sweep(pendulum(), grid=GRID, path=file, engine="serial")
-    (tmp_path / "a.csv.plan.json").write_text("{")
-    with pytest.raises(UsageError, match="holds another sweep"):
-        build_fmu.sweep(pendulum(), grid=GRID, path=file)
-
-
-def test_another_sweep_is_not_mixed_into_a_file(tmp_path):
-    for file in files_of(tmp_path):
-        build_fmu.sweep(pendulum(), grid=GRID, path=file, engine="serial")
-        with pytest.raises(UsageError, match="holds another sweep, with another times"):
-            build_fmu.sweep(pendulum(), grid=GRID, path=file, stop_time=0.5)
-        with pytest.raises(UsageError, match="holds another sweep, with another FMU"):
-            build_fmu.sweep(pendulum(mass=2), grid=GRID, path=file)
-        build_fmu.sweep(pendulum(), grid=GRID, path=file, stop_time=0.5, fresh=True)
-    (tmp_path / "b.csv").write_text("mine\n")
-    with pytest.raises(UsageError, match="is not one of a sweep"):
-        build_fmu.sweep(pendulum(), grid=GRID, path=tmp_path / "b.csv")
-    assert (tmp_path / "b.csv").read_text() == "mine\n"
-
-
 # ----------------------------------------------------------------------------------- the forms
-
-
-def test_hdf5_has_summary_and_trajectories(tmp_path):
-    h5py = pytest.importorskip("h5py")
-    arguments = {"outputs": OUTPUTS, "trajectories": True, "engine": "serial"}
-    build_fmu.sweep(pendulum(), grid=BROKEN, path=tmp_path / "a.h5", **arguments)
-    found = build_fmu.sweep(pendulum(), grid=BROKEN, **arguments)
-    with h5py.File(tmp_path / "a.h5") as file:
-        assert list(file["runs"]["finished"]) == [True, False, True]
-        assert list(file["runs"]["mass"]) == BROKEN["mass"]
-        assert file["trajectories/A.x"].attrs["unit"] == "m"
-        np.testing.assert_array_equal(file["trajectories/A.x"][:], found["A.x"])
-        np.testing.assert_array_equal(file["time"][:], found["time"][0])
 
 
 def test_pandas_and_xarray_have_the_same_numbers():
@@ -218,23 +147,63 @@ def test_mistakes_end_with_2_before_anything_runs(capsys, tmp_path, monkeypatch,
 def test_a_form_that_is_not_there_is_refused():
     with pytest.raises(UsageError, match="no form 'list'; write one of numpy, pandas, xarray"):
         build_fmu.sweep(pendulum(), grid=GRID, form="list")
-    if importlib.util.find_spec("xarray") is None:
-        with pytest.raises(EnvironmentLackError, match="pip install xarray"):
-            build_fmu.sweep(pendulum(), grid=GRID, form="xarray")
 
 
-def test_a_file_that_holds_no_sweep_is_never_removed(tmp_path):
-    notes = tmp_path / "notes.txt"
-    notes.write_text("kept")
-    with pytest.raises(UsageError, match=r"\.csv"):
-        build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS, path=notes, fresh=True)
-    assert notes.read_text() == "kept"
+@pytest.mark.parametrize("form", ["pandas", "xarray"])
+def test_a_form_whose_package_is_missing_says_how_to_get_it(monkeypatch, form):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda _name: None)
+    with pytest.raises(EnvironmentLackError, match=rf"pip install holonom\[{form}\]"):
+        build_fmu.sweep(pendulum(), grid=GRID, form=form)
 
 
-def test_other_communication_steps_are_another_sweep(tmp_path):
-    # Both have five points up to the stop time.
-    path = tmp_path / "runs.csv"
-    grid = {"mass": [1.0]}
-    build_fmu.sweep(pendulum(), grid=grid, path=path, stop_time=1.0, step_size=0.3)
-    with pytest.raises(UsageError, match="times"):
-        build_fmu.sweep(pendulum(), grid=grid, path=path, stop_time=1.0, step_size=0.25)
+def test_the_form_of_a_sweep_has_the_plan_and_every_result():
+    found = build_fmu.sweep(pendulum(), grid=BROKEN, outputs=["A.x"], form="sweep")
+    assert [run.run for run in found.failed] == [2]
+    assert found.plan.rows[2] == {"mass": 2.0}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ({"grid": {"mass": [1, 2]}, "outputs": ["mass"], "trajectories": True}, "columns 'mass'"),
+        ({"table": []}, "table: error: has no rows"),
+        ({"table": [{1: 1}]}, "no parameter or input 1"),
+        ({"grid": GRID, "outputs": [3]}, "has no variable 3"),
+        ({"grid": {"mass": [object()]}}, "mass: must be a number, got <object"),
+        ({"grid": {"mass": [None]}}, "mass: must be a number, got None"),
+        ({"grid": {"mass": [float("inf")]}}, "mass: must be a finite number, got inf"),
+        ({"grid": {"mass": [10**400]}}, "mass: must be a finite number, got 1000"),
+        ({"grid": GRID, "parameters": {"push": float("nan")}}, "finite number in N, got nan"),
+    ],
+    ids=range(9),
+)
+def test_mistakes_in_python_are_sentences_too(arguments, words):
+    with pytest.raises(UsageError) as caught:
+        build_fmu.sweep(pendulum(), **arguments)
+    assert words in str(caught.value)
+    assert str(caught.value).count("error: ") <= 1
+
+
+def plan(outputs: list[str], **varied: float) -> Plan:
+    return Plan("a.fmu", "", [varied], {}, outputs, [0.0, 1.0], {})
+
+
+@pytest.mark.parametrize(
+    ("outputs", "varied"),
+    [(["time"], {}), (["finished"], {}), (["mass"], {"mass": 1.0})],
+    ids=["time", "finished", "mass"],
+)
+def test_trajectories_of_another_column_s_name_are_refused(outputs, varied):
+    plan(outputs, **varied).check_columns(trajectories=False)  # its columns are NAME.final, ...
+    with pytest.raises(UsageError, match=f"two columns '{outputs[0]}'"):
+        plan(outputs, **varied).check_columns(trajectories=True)
+
+
+def test_a_parameter_of_the_name_of_a_summary_is_refused():
+    with pytest.raises(UsageError, match=r"two columns 'A\.x\.min'"):
+        plan(["A.x"], **{"A.x.min": 1.0}).check_columns(trajectories=False)
+
+
+def test_a_single_name_is_one_output():
+    found = build_fmu.sweep(pendulum(), grid={"mass": [1]}, outputs="A.x")
+    assert found.dtype.names[-1] == "A.x.max"

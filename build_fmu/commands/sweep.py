@@ -13,7 +13,7 @@ from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.report import count_bar, number, print_json, print_table
 from build_fmu.study.plan import Result
 from build_fmu.study.settings import given_on_the_command_line
-from build_fmu.study.sweep import Sweep, sweep_fmu
+from build_fmu.study.sweep import Sweep, sweep
 
 MOST_REASONS = 10
 
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
     path = Path(arguments.results or f"{Path(arguments.target).stem}_sweep.csv")
     begin = time.perf_counter()
     with count_bar(f"sweep of {Path(arguments.target).stem}", "runs") as progress:
-        found = sweep_fmu(
+        found: Sweep = sweep(
             arguments.target,
             grid=arguments.grid,
             table=arguments.table,
@@ -37,6 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
             step_size=arguments.step,
             path=path,
             fresh=arguments.fresh,
+            form="sweep",
             engine=arguments.engine,
             workers=arguments.jobs,
             progress=progress,

@@ -11,11 +11,14 @@ if TYPE_CHECKING:
 
     from build_fmu.study.sweep import Sweep
 
-FORMS = ("numpy", "pandas", "xarray")
+PACKAGES = ("numpy", "pandas", "xarray")
+FORMS = (*PACKAGES, "sweep")
 
 
 def in_form(found: Sweep, form: str, trajectories: bool) -> Any:
     """Results of a sweep in one of `FORMS`."""
+    if form == "sweep":
+        return found
     return {"numpy": _numpy, "pandas": _pandas, "xarray": _xarray}[form](found, trajectories)
 
 
@@ -26,8 +29,8 @@ def require_form(form: str) -> None:
     if form not in FORMS:
         text = f"there is no form {form!r}; write one of {', '.join(FORMS)}"
         raise UsageError(text)
-    if importlib.util.find_spec(form) is None:
-        text = f"the package {form} is missing; install it: pip install {form}"
+    if form in PACKAGES and importlib.util.find_spec(form) is None:
+        text = f"the package {form} is missing; install it: pip install holonom[{form}]"
         raise EnvironmentLackError(text)
 
 

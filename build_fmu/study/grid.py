@@ -4,7 +4,8 @@
     1e-3:10:5:log the same, each a fixed multiple of the one before
     2,3,5:6:11    single values, and ranges among them
 
-Grids multiply, the last one turning fastest; a table has one row for each line.
+Grids multiply, the last one turning fastest; a table has one row for each line. A grid has no value
+twice; rows of a table may be alike.
 """
 
 from __future__ import annotations
@@ -14,11 +15,22 @@ import itertools
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
 from build_fmu.study.parameter_files import value_of_cell
-from build_fmu.study.values import Entry, Mistake, plain, read_value, refuse
+from build_fmu.study.values import (
+    Entry,
+    Mistake,
+    is_finite,
+    is_number,
+    plain,
+    read_value,
+    refuse,
+    shown,
+    wanted_instead,
+)
 
 MOST_ROWS = 1_000_000
 """Most runs or variants of one study; a grid of more is rather a mistake."""
@@ -71,10 +83,14 @@ def _grids(
     grids: Iterable[str] | Mapping[str, object], mistakes: list[Mistake]
 ) -> list[tuple[str, list[Entry]]]:
     if isinstance(grids, Mapping):
-        pairs = [(name, values, f"--grid {name}={values}") for name, values in grids.items()]
+        pairs = [
+            (name, values, f"--grid {name}={values if isinstance(values, str) else shown(values)}")
+            for name, values in grids.items()
+        ]
     else:
         pairs = []
-        for text in grids:
+        many = isinstance(grids, Iterable) and not isinstance(grids, str)
+        for text in map(str, grids if many else [grids]):
             name, equals, values = text.partition("=")
             where = f"--grid {text}"
             if equals and name.strip():
@@ -92,6 +108,15 @@ def _entries(values: object, where: str, mistakes: list[Mistake]) -> list[Entry]
         found = [plain(value) for value in found] if isinstance(found, Iterable) else [found]
         if not found:
             mistakes.append(Mistake(where, "no values", FORM))
+    seen: set[object] = set()
+    for value in found:
+        same = (
+            value if is_number(value) else repr(value)
+        )  # 1 and 1.0 are one value, 1 and true are two
+        if same in seen:
+            message = f"the value {shown(value)} is there twice; each may be there once"
+            mistakes.append(Mistake(where, message))
+        seen.add(same)
     return [Entry(value, where) for value in found]
 
 
@@ -117,6 +142,7 @@ def _item(item: str, column: int, where: str, mistakes: list[Mistake]) -> list[o
         try:
             if not item:
                 mistakes.append(Mistake(where, f"column {column}: a value is missing", FORM))
+                return []
             return [read_value(item)]
         except ValueError as error:
             mistakes.append(Mistake(where, f"column {column}: {item!r}: {error}", FORM))
@@ -129,12 +155,8 @@ def _item(item: str, column: int, where: str, mistakes: list[Mistake]) -> list[o
     numbers: list[float] = []
     for part in parts[:3]:
         value = read_value(part) if not part.strip().startswith(("[", "{")) else part
-        if (
-            isinstance(value, bool)
-            or not isinstance(value, int | float)
-            or not math.isfinite(value)
-        ):
-            message = f"column {column}: {part!r} is not a number"
+        if not is_finite(value):
+            message = f"column {column}: {shown(part)} is not {wanted_instead(value)}"
             mistakes.append(Mistake(where, message, FORM))
             return []
         numbers.append(value)
@@ -149,19 +171,32 @@ def _range(
     wrong = ""
     if not (isinstance(count, int) and 2 <= count <= MOST_ROWS):
         wrong = f"the count must be a whole number from 2 to {MOST_ROWS:g}, got {count!r}"
-    elif log and not first * last > 0.0:
+    elif first == last:
+        wrong = f"from and to of a range must differ, got {first!r} and {last!r}"
+    elif log and not (first > 0.0 < last or first < 0.0 > last):
         wrong = f"from and to of a range with log must have one sign, got {first!r} and {last!r}"
     if wrong:
         mistakes.append(Mistake(where, wrong, FORM))
         return []
-    parts = [i / (count - 1) for i in range(1, int(count) - 1)]
-    if log:
-        return [first, *(first * (last / first) ** part for part in parts), last]
-    inner = [first + (last - first) * i / (count - 1) for i in range(1, int(count) - 1)]
-    whole = isinstance(first, int) and isinstance(last, int)
-    if whole and all(value.is_integer() for value in inner):
-        return [first, *map(int, inner), last]
-    return [float(first), *inner, float(last)]
+    return _log_spaced(first, last, int(count)) if log else _evenly_spaced(first, last, int(count))
+
+
+def _log_spaced(first: float, last: float, count: int) -> list[object]:
+    """Each a fixed multiple of the one before; the quotient of the ends need not be a double."""
+    n, a, b = count - 1, abs(float(first)), abs(float(last))
+    inner = (a ** ((n - i) / n) * b ** (i / n) for i in range(1, n))
+    return [first, *(math.copysign(value, first) for value in inner), last]
+
+
+def _evenly_spaced(first: float, last: float, count: int) -> list[object]:
+    """Exact between the decimals as they are written, and rounded once: 0.1:0.3:3 has 0.2."""
+    a, b, n = Fraction(str(first)), Fraction(str(last)), count - 1
+    scale = math.lcm(a.denominator, b.denominator)
+    left, right = int(a * scale), int(b * scale)
+    inner = [left * (n - i) + right * i for i in range(1, n)]
+    if isinstance(first, int) and isinstance(last, int) and not any(x % n for x in inner):
+        return [first, *(x // n for x in inner), last]
+    return [float(first), *(x / (scale * n) for x in inner), float(last)]
 
 
 # ---------------------------------------------------------------------------------------- tables
@@ -171,10 +206,7 @@ def _table(
     table: str | PathLike[str] | Sequence[Mapping[str, object]], mistakes: list[Mistake]
 ) -> list[Row]:
     if not isinstance(table, str | PathLike):
-        return [
-            {k: Entry(plain(v), f"table[{i}]", named="table") for k, v in row.items()}
-            for i, row in enumerate(table)
-        ]
+        return _rows(table, mistakes)
     path = Path(table)
     try:
         lines = path.read_bytes().decode("utf-8-sig").splitlines()
@@ -196,6 +228,25 @@ def _table(
     ]
     if not rows:
         mistakes.append(Mistake(str(path), "has no rows below its header"))
+    return rows
+
+
+def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> list[Row]:
+    """Rows of a table that is given in Python."""
+    rows: list[Row] = []
+    for i, row in enumerate(table):
+        where = f"table[{i}]"
+        if not isinstance(row, Mapping):
+            message = f"must have values by name, got {shown(row)}"
+            help = 'of a data frame, give table=frame.to_dict("records")'
+            mistakes.append(Mistake(where, message, help))
+            return []
+        if rows and row.keys() != rows[0].keys():
+            other = ", ".join(sorted(map(str, row.keys() ^ rows[0].keys())))
+            mistakes.append(Mistake(where, f"must have the names of table[0]: differs in {other}"))
+        rows.append({k: Entry(plain(v), where, named="table") for k, v in row.items()})
+    if not rows:
+        mistakes.append(Mistake("table", "has no rows"))
     return rows
 
 

@@ -6,7 +6,10 @@ initialization are 1 ms; a new instance in a new folder for each would take 60 m
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import contextlib
+import signal
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -34,9 +37,10 @@ class Record:
 class KeptFmu:
     """An FMU in fmpy, ready to run."""
 
-    def __init__(self, path: str | PathLike[str]) -> None:
+    def __init__(self, path: str | PathLike[str], folder: str | None = None) -> None:
+        """Unpack into a folder of its own below `folder`; None: that for temporary files."""
         self.description = description_of(path)
-        self._folder = unpacked(path)
+        self._folder = unpacked(path, folder)
         self._variables = {v.name: v for v in self.description.modelVariables}
         self._fmu: FMU2Slave | None = None
         self._log = Log()
@@ -52,7 +56,7 @@ class KeptFmu:
         self._log.clear()
         reached = 0
         try:
-            with not_said_twice():
+            with not_said_twice(), _interrupts_held() as pass_interrupts:
                 fmu = self._ready()
                 fmu.setupExperiment(startTime=times[0], stopTime=times[-1])
                 self._set(fmu, settings)
@@ -65,6 +69,7 @@ class KeptFmu:
                     fmu.doStep(times[i - 1], times[i] - times[i - 1])
                     values[i] = read()
                     reached = i + 1
+                    pass_interrupts()
         except FMICallException as error:
             if error.status == FATAL:
                 self._fmu = None  # its memory is gone
@@ -111,3 +116,27 @@ class KeptFmu:
             return (lambda: fmu.getReal(references)) if outputs else list
         pairs = list(zip(kinds, references, strict=True))
         return lambda: [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]
+
+
+@contextlib.contextmanager
+def _interrupts_held() -> Iterator[Callable[[], None]]:
+    """Hold Ctrl-C back until the function that this yields is called, or the end.
+
+    An FMU that is written in Python would take the exception for a failure of its own.
+    """
+    held: list[int] = []
+
+    def pass_interrupts() -> None:
+        if held:
+            raise KeyboardInterrupt
+
+    ours = threading.current_thread() is threading.main_thread()
+    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield pass_interrupts  # another thread has it, or nobody
+        return
+    signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
+    try:
+        yield pass_interrupts
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        pass_interrupts()

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
+
+from build_fmu.errors import UsageError
 
 if TYPE_CHECKING:
     from numpy import dtype, ndarray
@@ -81,6 +84,14 @@ class Plan:
         of_outputs = [f"{name}.{what}" for name in self.outputs for what in OF_OUTPUTS]
         return ["run", *varied, *OWN_COLUMNS[1:], *of_outputs]
 
+    def check_columns(self, trajectories: bool) -> None:
+        """Refuse names that results would have twice; trajectories are columns as well."""
+        names = [*self.columns, *(["time", *self.outputs] if trajectories else [])]
+        twice = [name for name, count in Counter(names).items() if count > 1]
+        if twice:
+            text = f"the results would have two columns {', '.join(map(repr, twice))}: leave the "
+            raise UsageError(text + "output of this name out, or do not vary what has its name")
+
     def record(self, result: Result, longest: int | None = None) -> tuple[Any, ...]:
         """Row of the summary; texts as bytes of at most this length, for HDF5."""
         numbers = [number for each in result.summary for number in each]
@@ -97,12 +108,15 @@ class Plan:
         return [x if isinstance(x, str) else json.dumps(x) for x in self.record(result)]
 
     def result_of(self, row: Sequence[str]) -> Result:
-        """Result of a line, without its trajectory."""
+        """Result of a line, without its trajectory; ValueError where it is none."""
         own = 1 + len(self.names)
         numbers = [float(text) for text in row[own + 3 :]]
         summary = [numbers[i : i + 3] for i in range(0, len(numbers), 3)]
-        end = float(row[own + 1])
-        return Result(int(row[0]), end, row[own + 2], summary)
+        run, end = int(row[0]), float(row[own + 1])
+        if not 1 <= run <= self.count:
+            text = f"there is no run {run}"
+            raise ValueError(text)
+        return Result(run, end, row[own + 2], summary)
 
     def dtype(self, longest: int | None = None) -> dtype:
         """Type of a row of the summary; of texts, bytes for HDF5, else objects."""

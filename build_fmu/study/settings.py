@@ -8,7 +8,16 @@ from os import PathLike
 from typing import TYPE_CHECKING
 
 from build_fmu.study.parameter_files import read_parameters
-from build_fmu.study.values import Entry, Mistake, nearest, plain, refuse
+from build_fmu.study.values import (
+    Entry,
+    Mistake,
+    is_finite,
+    nearest,
+    plain,
+    refuse,
+    shown,
+    wanted_instead,
+)
 from build_fmu.units import base_unit
 
 if TYPE_CHECKING:
@@ -83,7 +92,7 @@ def converted(entry: Entry, name: str, unit: str, mistakes: list[Mistake]) -> ob
     """Value in `unit`; where the entry has another of another kind, a mistake."""
     value = entry.value
     same, stated = entry.unit == unit, entry.base
-    if not entry.unit or (same and not stated) or not _is_number(value, int, float):
+    if not entry.unit or (same and not stated) or not is_finite(value):
         return value
     given, wanted = stated or base_unit(entry.unit), base_unit(unit or "1")
     if same and not wanted:
@@ -99,14 +108,14 @@ def converted(entry: Entry, name: str, unit: str, mistakes: list[Mistake]) -> ob
     ratio = given.factor / wanted.factor
     if same and math.isclose(ratio, 1.0):
         return value  # 0.0174533 and all digits of it are one degree
-    return float(value) * given.factor / wanted.factor  # type: ignore[arg-type]
+    return float(value) * given.factor / wanted.factor
 
 
 # ---------------------------------------------------------------------------------------- FMUs
 
 _KINDS = {
-    "Real": (lambda value: _is_number(value, int, float), "a number"),
-    "Integer": (lambda value: _is_number(value, int), "a whole number"),
+    "Real": (is_finite, "a number"),
+    "Integer": (lambda value: isinstance(value, int) and is_finite(value), "a whole number"),
     "Boolean": (lambda value: isinstance(value, bool), "true or false"),
     "String": (lambda value: isinstance(value, str), "a text"),
 }
@@ -153,9 +162,10 @@ def _checked(entry: Entry, variable: ScalarVariable, mistakes: list[Mistake]) ->
     fits, words = _KINDS.get(variable.type, _KINDS["Integer"])  # an Enumeration is one
     in_unit = f" in {unit}" if unit else ""
     if not fits(value):
-        message = f"{variable.name}: must be {words}{in_unit}, got {value!r}"
+        words = wanted_instead(value) if variable.type == "Real" else words
+        message = f"{variable.name}: must be {words}{in_unit}, got {shown(value)}"
         mistakes.append(Mistake(entry.where, message))
-    elif isinstance(value, int | float) and not math.isnan(value):
+    elif isinstance(value, int | float):
         for bound, relation in ((variable.min, ">="), (variable.max, "<=")):
             if bound is None or (
                 value >= float(bound) if relation == ">=" else value <= float(bound)
@@ -164,13 +174,7 @@ def _checked(entry: Entry, variable: ScalarVariable, mistakes: list[Mistake]) ->
             limit = f"{variable.name}: must be {relation} {float(bound):g}"
             unit_of_limit = f" {unit}" if unit else ""
             mistakes.append(Mistake(entry.where, f"{limit}{unit_of_limit}, got {value!r}"))
-    return value
-
-
-def _is_number(value: object, *kinds: type) -> bool:
-    if isinstance(value, int):  # which True is, and which can be larger than any double
-        return not isinstance(value, bool) and abs(value) < 1 << 1023
-    return isinstance(value, kinds)
+    return float(value) if variable.type == "Real" and is_finite(value) else value
 
 
 def given_on_the_command_line(

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import io
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
 from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.study.lock import LOCKS, lock
 from build_fmu.study.plan import Plan, Result
 
 if TYPE_CHECKING:
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 
 LONGEST_REASON = 300
 """Bytes of a reason in HDF5."""
+REMEDY = "name another file, or begin anew with --fresh"
 
 
 def check_name(path: Path | None) -> None:
@@ -31,12 +34,24 @@ def check_name(path: Path | None) -> None:
         raise UsageError(text)
 
 
-def store_for(path: Path | None, plan: Plan) -> Store:
-    """Store for a file name: none, .csv, .h5 or .hdf5."""
+def holds_trajectories(path: Path | None) -> bool:
+    """Whether a file of this name has more than the summary."""
+    return path is not None and path.suffix != ".csv"
+
+
+def store_for(path: Path | None, plan: Plan, fresh: bool = False) -> Store:
+    """Store for a file name: none, .csv, .h5 or .hdf5; a fresh one forgets what the file has.
+
+    Raises
+    ------
+    UsageError
+        If the file is another sweep's, of none at all, damaged, or in use.
+    """
     check_name(path)
     if path is None:
         return Store(plan)
-    return CsvStore(plan, path) if path.suffix == ".csv" else Hdf5Store(plan, path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return (Hdf5Store if holds_trajectories(path) else CsvStore)(plan, path, fresh)
 
 
 class Store:
@@ -54,23 +69,24 @@ class Store:
         """Finish the file."""
 
 
-def _plan_of(path: Path) -> dict[str, Any]:
-    """Plan that was written; nothing where the file is damaged."""
+def _require_the_same(path: Path, theirs: Any, ours: Mapping[str, Any]) -> None:
+    """Refuse results of another sweep; `theirs` is its plan as JSON."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-    except ValueError:
-        return {}
-    return found if isinstance(found, dict) else {}
-
-
-def _require_the_same(path: Path, theirs: Mapping[str, Any], ours: Mapping[str, Any]) -> None:
-    different = [name for name in ours if ours[name] != theirs.get(name)]
+        plan = json.loads(theirs)
+    except (ValueError, TypeError):
+        plan = None
+    if not isinstance(plan, dict):
+        raise _damaged(path, "what it says of its sweep cannot be read")
+    different = [name for name in ours if ours[name] != plan.get(name)]
     if different:
-        text = (
-            f"{path} holds another sweep, with another {', '.join(different)}; name another file, "
-            "or begin anew with --fresh"
-        )
+        *others, last = different
+        listed = f"{', '.join(others)} and {last}" if others else last
+        text = f"{path} holds another sweep, which differs in {listed}; {REMEDY}"
         raise UsageError(text)
+
+
+def _damaged(path: Path, why: object) -> UsageError:
+    return UsageError(f"{path} is damaged, or not the file of a sweep ({why}); {REMEDY}")
 
 
 # ----------------------------------------------------------------------------------------- CSV
@@ -79,30 +95,38 @@ def _require_the_same(path: Path, theirs: Mapping[str, Any], ours: Mapping[str, 
 class CsvStore(Store):
     """One line for each run; what the sweep was stands beside it, in NAME.csv.plan.json."""
 
-    def __init__(self, plan: Plan, path: Path) -> None:
+    def __init__(self, plan: Plan, path: Path, fresh: bool) -> None:
         super().__init__(plan)
-        self._path, self._plan_path = path, path.with_name(f"{path.name}.plan.json")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if path.is_file() and self._plan_path.is_file():
-            _require_the_same(path, _plan_of(self._plan_path), plan.document)
-            self._read()
-        elif path.is_file():
+        self._path, plan_path = path, path.with_name(f"{path.name}.plan.json")
+        there = path.is_file() and not fresh
+        if there and not plan_path.is_file():
             text = f"{path} is there and is not one of a sweep; name another file, or --fresh"
             raise UsageError(text)
-        self._plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
-        self._file = self._begin(path)
+        # The plan stays the file that it is, which the results do not: it is what is locked.
+        self._lock = lock(plan_path, path)
+        try:
+            if there:
+                _require_the_same(path, plan_path.read_bytes(), plan.document)
+                self._read()
+            plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
+            self._file = self._begin(path)
+        except BaseException:
+            self._lock.close()
+            raise
 
     def _read(self) -> None:
         """Results of the lines that are whole."""
-        whole = self._path.read_text(encoding="utf-8").rpartition("\n")[0]
-        rows = csv.reader(whole.splitlines())
-        next(rows, None)
-        for row in rows:
-            if len(row) != len(self.plan.columns):
-                continue
-            with contextlib.suppress(ValueError):  # what cannot be read is run again
-                result = self.plan.result_of(row)
-                self.results[result.run] = result
+        whole = self._path.read_bytes().rpartition(b"\n")[0]
+        try:
+            rows = list(csv.reader(io.StringIO(whole.decode(), newline="")))
+        except (UnicodeDecodeError, csv.Error) as error:
+            raise _damaged(self._path, error) from None
+        width = len(self.plan.columns)
+        for row in rows[1:]:
+            if len(row) == width:
+                with contextlib.suppress(ValueError):  # what cannot be read is run again
+                    result = self.plan.result_of(row)
+                    self.results[result.run] = result
 
     def _begin(self, path: Path) -> TextIO:
         """File with what is known, in the order of the runs."""
@@ -124,6 +148,7 @@ class CsvStore(Store):
         """Put the lines into the order of the runs."""
         self._file.close()
         self._begin(self._path).close()
+        self._lock.close()
 
 
 # ---------------------------------------------------------------------------------------- HDF5
@@ -136,31 +161,33 @@ class Hdf5Store(Store):
     and an interrupted sweep leaves one that can be read.
     """
 
-    def __init__(self, plan: Plan, path: Path) -> None:
+    def __init__(self, plan: Plan, path: Path, fresh: bool) -> None:
         try:
             import h5py  # pyright: ignore[reportMissingImports]
         except ImportError:
             text = "the package h5py is missing; install it: pip install holonom[hdf5]"
             raise EnvironmentLackError(text) from None
         super().__init__(plan)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        there = path.is_file()
+        self._lock = lock(path, path)
+        there = path.stat().st_size > 0 and not fresh
         try:
             # What h5py says that a name may stand for is more than a data set; here it is one.
-            self._file: Any = h5py.File(path, "r+" if there else "w")
+            # Its own lock would find ours in its way.
+            locking = False if LOCKS else None
+            self._file: Any = h5py.File(path, "r+" if there else "w", locking=locking)
         except OSError as error:
+            self._lock.close()
             text = f"{path}: cannot be opened ({error}); name another file, or --fresh"
             raise UsageError(text) from None
-        if there:
-            theirs = json.loads(self._file.attrs.get("plan", "{}"))
-            try:
-                _require_the_same(path, theirs, plan.document)
-            except UsageError:
-                self._file.close()
-                raise
-            self._read()
-        else:
-            self._create(h5py)
+        try:
+            if there:
+                _require_the_same(path, self._file.attrs.get("plan"), plan.document)
+                self._read(path)
+            else:
+                self._create(h5py)
+        except BaseException:
+            self.close()
+            raise
 
     def _create(self, h5py: Any) -> None:
         import numpy as np
@@ -183,15 +210,20 @@ class Hdf5Store(Store):
     def _at(self, name: str, run: int) -> ndarray:
         return self._file["trajectories"][name][run - 1]
 
-    def _read(self) -> None:
+    def _read(self, path: Path) -> None:
         import numpy as np
 
-        for row in self._file["runs"][:]:
-            if row["run"]:
-                cells = [x.decode() if isinstance(x, bytes) else str(x.item()) for x in row]
-                result = self.plan.result_of(cells)
-                values = np.stack([self._at(name, result.run) for name in self.plan.outputs], 1)
-                self.results[result.run] = replace(result, values=values)
+        try:
+            for row in self._file["runs"][:]:
+                if row["run"]:
+                    cells = [x.decode() if isinstance(x, bytes) else str(x.item()) for x in row]
+                    result = self.plan.result_of(cells)
+                    values = np.empty((len(self.plan.times), len(self.plan.outputs)))
+                    for i, name in enumerate(self.plan.outputs):
+                        values[:, i] = self._at(name, result.run)
+                    self.results[result.run] = replace(result, values=values)
+        except (KeyError, IndexError, ValueError, TypeError, AttributeError, OSError) as error:
+            raise _damaged(path, error) from None
 
     def keep(self, result: Result) -> None:
         """Write trajectory and line of a result."""
@@ -206,16 +238,7 @@ class Hdf5Store(Store):
     def close(self) -> None:
         """Close the file."""
         self._file.close()
-
-
-def remove(path: Path | None) -> None:
-    """Remove a sweep's files, to begin anew."""
-    for each in _files(path):
-        each.unlink(missing_ok=True)
-
-
-def _files(path: Path | None) -> Iterable[Path]:
-    return () if path is None else (path, path.with_name(f"{path.name}.plan.json"))
+        self._lock.close()
 
 
 def by_run(results: Mapping[int, Result]) -> Sequence[Result]:

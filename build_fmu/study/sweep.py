@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import math
 import tempfile
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,13 +17,14 @@ from typing import TYPE_CHECKING, Any
 from build_fmu.errors import UsageError
 from build_fmu.instance import check_platform
 from build_fmu.run import experiment_times
-from build_fmu.study.engines import Task, run_jobs
+from build_fmu.study.engines import Task, folder_of_worker, run_jobs
+from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.kept import KeptFmu, description_of
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.settings import Source, entries_of, fmu_settings
-from build_fmu.study.stores import Store, by_run, check_name, remove, store_for
-from build_fmu.study.values import Mistake, nearest, refuse
+from build_fmu.study.stores import by_run, check_name, holds_trajectories, store_for
+from build_fmu.study.values import Entry, Mistake, nearest, refuse
 from build_fmu.target import runnable
 
 if TYPE_CHECKING:
@@ -51,6 +54,8 @@ class _Shared:
     """What every process needs: a path, or the archive itself for other machines."""
 
     path: str
+    folder: str | None
+    """Where it is unpacked, removed at the end; None: in the one of a worker elsewhere."""
     data: bytes | None
     digest: str
     fixed: Mapping[str, Any]
@@ -59,10 +64,10 @@ class _Shared:
     trajectories: bool
 
 
-def sweep_fmu(
-    target: str | PathLike[str],
+def sweep(
+    fmu: str | PathLike[str],
     *,
-    grid: Sequence[str] | Mapping[str, object] = (),
+    grid: Mapping[str, object] | Sequence[str] = (),
     table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
     parameters: Source | None = None,
     outputs: Sequence[str] | None = None,
@@ -71,70 +76,122 @@ def sweep_fmu(
     path: str | PathLike[str] | None = None,
     fresh: bool = False,
     trajectories: bool = False,
+    form: str = "numpy",
     engine: str = "auto",
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-) -> Sweep:
-    """Run an FMU, or that of a scene, for each row of a grid or table; see `build_fmu.sweep`."""
+) -> Any:
+    """Run one FMU for each row of a grid or table of its parameters and inputs.
+
+    Parameters
+    ----------
+    fmu
+        An FMU, or a scene, whose FMU is then built for it.
+    grid, table, parameters, engine, workers, progress
+        As for `build_fmu.variants`; names are those of parameters and inputs of the FMU.
+    outputs
+        Names of what is kept; None: all outputs.
+    stop_time, step_size
+        Stop time and communication step in s; None: of the FMU's default experiment.
+    path
+        A .csv file for the summary, or .h5 for trajectories as well. One that is there, of the same
+        sweep, is continued.
+    fresh
+        Replace what is in that file.
+    trajectories
+        Whether to return the outputs at all communication points too.
+    form
+        "numpy", "pandas", "xarray", or "sweep" for a `Sweep`: plan and results as they are.
+
+    Returns
+    -------
+    numpy.ndarray, pandas.DataFrame, xarray.Dataset or Sweep
+        One row for each run, in the order of the grid: its values, whether it `finished`, its
+        `end_time` and the `reason` of an early end, and of each output `NAME.final`, `NAME.min` and
+        `NAME.max`. With trajectories, NumPy and xarray have `time` and each `NAME` besides, shape
+        (runs, points), NaN after an early end; pandas has these alone, by run and time.
+
+    Raises
+    ------
+    build_fmu.errors.UsageError
+        With every mistake of grid, table and parameters.
+    """
+    require_form(form)
     rows = rows_of(grid, table)
-    with runnable(fspath(target), entries_of(parameters)) as (fmu, fixed):
-        description = description_of(fmu)
-        check_platform(fmu)
-        settings = fmu_settings(fmu, description, [fixed, *rows])
-        plan = Plan(
-            fmu=Path(fmu).name,
-            digest=hashlib.sha256(Path(fmu).read_bytes()).hexdigest(),
-            rows=settings[1:],
-            fixed=settings[0],
-            outputs=_outputs(fmu, description, outputs),
-            times=_times(*experiment_times(description, stop_time, step_size), description),
-            units={v.name: v.unit or "" for v in description.modelVariables},
-        )
-        results = None if path is None else Path(path)
-        check_name(results)
-        wanted = trajectories or Path(path or "").suffix in (".h5", ".hdf5")
-        if wanted and plan.count * len(plan.times) * len(plan.outputs) > MOST_VALUES:
-            text = "the trajectories would fill more than 4 GB; name fewer outputs, longer steps"
-            raise UsageError(text)
-        if fresh:
-            remove(results)
-        store = store_for(results, plan)
-        resumed = len(store.results)
-        try:
-            _run(plan, store, fmu, wanted, engine, workers, progress)
-        finally:
-            store.close()
-            _release()
-    return Sweep(plan, by_run(store.results), resumed)
+    file = None if path is None else Path(path)
+    check_name(file)
+    with runnable(fspath(fmu), entries_of(parameters)) as (unit, fixed):
+        plan = _plan(unit, [fixed, *rows], outputs, stop_time, step_size)
+        plan.check_columns(trajectories)
+        wanted = trajectories or holds_trajectories(file)
+        _check_size(plan, wanted)
+        with (
+            contextlib.closing(store_for(file, plan, fresh)) as store,
+            tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True) as folder,
+        ):
+            known = {
+                n for n, x in store.results.items() if x.values is not None or not trajectories
+            }
+            jobs = [(n, row) for n, row in enumerate(plan.rows, start=1) if n not in known]
+            task = Task(
+                _run_some, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan)
+            )
+            try:
+                with contextlib.closing(run_jobs(task, jobs, engine, workers)) as results:
+                    for done, result in enumerate(results, start=len(known) + 1):
+                        store.keep(result)
+                        if progress:
+                            progress(done, plan.count)
+            finally:
+                _release()
+    return in_form(Sweep(plan, by_run(store.results), len(known)), form, trajectories)
 
 
-def _run(
-    plan: Plan,
-    store: Store,
-    fmu: str,
-    trajectories: bool,
-    engine: str,
-    workers: int | None,
-    progress: Callable[[int, int], object] | None,
-) -> None:
-    """Do what is not done yet."""
-    shared = _Shared(
-        path=fmu,
-        data=Path(fmu).read_bytes() if engine.startswith("dask") else None,
+def _plan(
+    unit: str,
+    rows: Sequence[Mapping[str, Entry]],
+    outputs: Sequence[str] | None,
+    stop_time: float | None,
+    step_size: float | None,
+) -> Plan:
+    """What is done with an FMU, checked; the first row is that of all runs."""
+    description = description_of(unit)
+    check_platform(unit)
+    fixed, *settings = fmu_settings(unit, description, rows)
+    return Plan(
+        fmu=Path(unit).name,
+        digest=hashlib.sha256(Path(unit).read_bytes()).hexdigest(),
+        rows=settings,
+        fixed=fixed,
+        outputs=_outputs(unit, description, outputs),
+        times=_times(*experiment_times(description, stop_time, step_size), description),
+        units={v.name: v.unit or "" for v in description.modelVariables},
+    )
+
+
+def _check_size(plan: Plan, trajectories: bool) -> None:
+    if trajectories and plan.count * len(plan.times) * len(plan.outputs) > MOST_VALUES:
+        text = "the trajectories would fill more than 4 GB; name fewer outputs, longer steps"
+        raise UsageError(text)
+
+
+def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str) -> _Shared:
+    elsewhere = engine.startswith("dask")
+    return _Shared(
+        path=unit,
+        folder=None if elsewhere else folder,
+        data=Path(unit).read_bytes() if elsewhere else None,
         digest=plan.digest,
         fixed=plan.fixed,
         outputs=plan.outputs,
         times=plan.times,
         trajectories=trajectories,
     )
-    jobs = [(i, row) for i, row in enumerate(plan.rows, start=1) if i not in store.results]
-    for result in run_jobs(Task(_run_some, shared, _lost), jobs, engine, workers):
-        if math.isnan(result.end_time):  # its process died: nobody knows how many outputs it had
-            nothing = [(math.nan,) * 3] * len(plan.outputs)
-            result = Result(result.run, plan.times[0], result.reason, nothing)
-        store.keep(result)
-        if progress:
-            progress(len(store.results), plan.count)
+
+
+def _lost(plan: Plan, job: tuple[int, Mapping[str, Any]], reason: str) -> Result:
+    """Result of a run whose process died: nobody knows what its outputs were."""
+    return Result(job[0], plan.times[0], reason, [(math.nan,) * 3] * len(plan.outputs))
 
 
 def _times(stop: float, step: float, description: ModelDescription) -> list[float]:
@@ -148,6 +205,7 @@ def _times(stop: float, step: float, description: ModelDescription) -> list[floa
 def _outputs(path: str, description: ModelDescription, names: Sequence[str] | None) -> list[str]:
     """Outputs that are asked for, or all."""
     known = [v.name for v in description.modelVariables if v.type != "String"]
+    names = [names] if isinstance(names, str) else names
     if names is None:
         return [v.name for v in description.modelVariables if v.causality == "output"]
     refuse(
@@ -181,20 +239,16 @@ def _one(fmu: KeptFmu, shared: _Shared, run: int, values: Mapping[str, Any]) -> 
     return Result(run, record.end_time, record.reason, summary, kept)
 
 
-def _lost(job: tuple[int, Mapping[str, Any]], reason: str) -> Result:
-    return Result(job[0], math.nan, reason, [])
-
-
 def _kept(shared: _Shared) -> KeptFmu:
     if getattr(_HERE, "digest", None) != shared.digest:
         _release()
         if shared.data is None:
-            _HERE.fmu = KeptFmu(shared.path)
+            _HERE.fmu = KeptFmu(shared.path, shared.folder)
         else:
             with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
                 copy = Path(folder, "unit.fmu")
                 copy.write_bytes(shared.data)
-                _HERE.fmu = KeptFmu(copy)
+                _HERE.fmu = KeptFmu(copy, folder_of_worker())
         _HERE.digest = shared.digest
     return _HERE.fmu
 

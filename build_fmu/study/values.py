@@ -6,8 +6,11 @@ import difflib
 import json
 import math
 import re
+import reprlib
+import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeGuard
 
 from build_fmu.errors import UsageError
 from build_fmu.units import BaseUnit
@@ -15,6 +18,9 @@ from build_fmu.units import BaseUnit
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
 _LONG_NAME = re.compile(r"parameters\.(\w+)(?:\.value)?|inputs\.(\w+)(?:\.start)?")
+
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = 80
 
 
 @dataclass(frozen=True)
@@ -51,10 +57,9 @@ def refuse(mistakes: Iterable[Mistake | str]) -> None:
     texts = list(dict.fromkeys(str(mistake) for mistake in mistakes))
     if not texts:
         return
-    shown, left = texts[:MOST_MISTAKES], len(texts) - MOST_MISTAKES
-    if left > 0:
-        shown.append(f"... and {left} more mistakes")
-    raise UsageError("\n".join(shown))
+    left = len(texts) - MOST_MISTAKES
+    more = [f"... and {left} more mistakes"] if left > 0 else []
+    raise UsageError("\n".join([*texts[:MOST_MISTAKES], *more]))
 
 
 def read_value(text: str) -> object:
@@ -109,11 +114,31 @@ def plain(value: object) -> object:
     return getattr(value, "tolist", lambda: value)()
 
 
-def nearest(wrong: str, known: Iterable[str]) -> str:
+def shown(value: object) -> str:
+    """Value in one line of a message, cut where it is long."""
+    return _SHORT.repr(plain(value))
+
+
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether it is a number, which true and false are not."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def is_finite(value: object) -> TypeGuard[float]:
+    """Whether it is a number that a double can hold."""
+    return is_number(value) and abs(value) <= sys.float_info.max
+
+
+def wanted_instead(value: object) -> str:
+    """What a value that is not a finite number should be."""
+    return "a finite number" if is_number(value) else "a number"
+
+
+def nearest(wrong: object, known: Iterable[str]) -> str:
     """Suggest the name that was perhaps meant, or say which there are."""
     names = list(known)
-    near = difflib.get_close_matches(wrong, names, 1)
+    near = difflib.get_close_matches(str(wrong), names, 1)
     if near:
         return f"did you mean {near[0]!r}?"
-    shown = ", ".join(names[:20]) + (", ..." if len(names) > 20 else "")
-    return f"there are {shown}" if names else ""
+    first = ", ".join(names[:20]) + (", ..." if len(names) > 20 else "")
+    return f"there are {first}" if names else ""

@@ -1,0 +1,62 @@
+"""Sweeps on the workers of dask.distributed: the same results, and one run for a dead worker."""
+
+from __future__ import annotations
+
+import multiprocessing
+import tempfile
+
+import pytest
+
+import build_fmu
+from build_fmu.errors import EnvironmentLackError
+from build_fmu.study import engines
+from build_fmu.study.engines import DIED, Task, run_jobs
+from tests.ending_jobs import FATAL, lost, square
+from tests.fmu_instance import pendulum
+
+distributed = pytest.importorskip("distributed")
+pytestmark = pytest.mark.filterwarnings("ignore")  # those of dask and its packages
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Folder for temporary files of workers."""
+    with pytest.MonkeyPatch.context() as patch:
+        path = tmp_path_factory.mktemp("temporary")
+        patch.setenv("TMPDIR", str(path))
+        patch.setattr(tempfile, "tempdir", None)
+        yield path
+
+
+@pytest.fixture(scope="module")
+def engine(folder):
+    """Two workers with a process each, and the engine that finds them; none is left afterwards."""
+    settings = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": None}
+    with (
+        distributed.dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        distributed.LocalCluster(**settings, local_directory=str(folder)) as cluster,
+    ):
+        yield f"dask://{cluster.scheduler_address.removeprefix('tcp://')}"
+    assert multiprocessing.active_children() == []
+    assert list(folder.rglob("fmu-*")) == []
+
+
+def test_a_sweep_has_the_results_of_this_process(engine):
+    arguments = {"grid": {"mass": [1.0, -1.0, 2.0, 3.0]}, "outputs": ["A.x", "energy.error"]}
+    here = build_fmu.sweep(pendulum(), engine="serial", **arguments)
+    there = build_fmu.sweep(pendulum(), engine=engine, **arguments)
+    assert there.tolist() == here.tolist()
+    assert list(there["finished"]) == [True, False, True, True]
+
+
+def test_a_job_that_ends_its_worker_is_lost_and_no_other(engine):
+    found = dict(run_jobs(Task(square, -1, lost), range(10), engine))
+    assert found == {i: i * i for i in range(10)} | {FATAL: DIED}
+
+
+def test_without_a_scheduler_the_environment_lacks_something(monkeypatch):
+    monkeypatch.setattr(engines, "CONNECTION", 0.5)
+    with pytest.raises(
+        EnvironmentLackError, match=r"no scheduler of dask answers at 127\.0\.0\.1:9"
+    ):
+        list(run_jobs(Task(square, 0, lost), [1], "dask://127.0.0.1:9"))

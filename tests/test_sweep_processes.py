@@ -1,0 +1,110 @@
+"""Sweeps and their processes: nothing is left behind, whoever dies or is interrupted."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import build_fmu
+from build_fmu.errors import UsageError
+from build_fmu.study import sweep as sweep_module
+from build_fmu.study.engines import DIED
+from tests.crashing_runs import FATAL, crashing
+from tests.fmu_instance import pendulum
+
+PATIENCE = 60.0
+"""Seconds after which something is taken to hang."""
+
+
+@pytest.fixture
+def temporary(monkeypatch, tmp_path) -> Path:
+    """Folder for temporary files of this process and those that it starts."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setenv("TMPDIR", str(folder))
+    monkeypatch.setattr(tempfile, "tempdir", None)
+    return folder
+
+
+@pytest.mark.parametrize("engine", ["serial", "processes:2"])
+def test_no_folder_is_left(temporary, engine):
+    found = build_fmu.sweep(pendulum(), grid=["mass=1:2:8"], outputs=["A.x"], engine=engine)
+    assert found["finished"].all()
+    assert list(temporary.iterdir()) == []
+
+
+def test_a_run_that_ends_its_process_is_the_only_one_lost(temporary, monkeypatch):
+    arguments = {"grid": ["mass=1:2:20"], "outputs": ["A.x"], "engine": "processes:2"}
+    whole = build_fmu.sweep(pendulum(), **arguments)
+    monkeypatch.setattr(sweep_module, "_run_some", crashing)
+    found = build_fmu.sweep(pendulum(), **arguments)
+    lost = found[FATAL - 1]
+    assert (lost["finished"], lost["reason"], lost["end_time"]) == (False, DIED, 0.0)
+    assert np.isnan(lost["A.x.final"])
+    assert np.delete(found, FATAL - 1).tolist() == np.delete(whole, FATAL - 1).tolist()
+    assert list(temporary.iterdir()) == []
+
+
+# ------------------------------------------------------------------------------ the first process
+
+
+def begin(file: Path, engine: str) -> subprocess.Popen:
+    """Begin a long sweep, and return when some of its runs are in the file."""
+    arguments = ["sweep", pendulum(), "--grid", "mass=1:2:100000", "--output", "A.x"]
+    command = [sys.executable, "-m", "build_fmu", *arguments, "--engine", engine, "-o", file]
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
+    until = time.monotonic() + PATIENCE
+    while not file.is_file() or len(file.read_text().splitlines()) < 20:
+        assert process.poll() is None, process.communicate()
+        assert time.monotonic() < until
+        time.sleep(0.05)
+    return process
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Ctrl-C goes to all processes of a console")
+@pytest.mark.parametrize("engine", ["serial", "processes:2"])
+@pytest.mark.parametrize("whom", [os.kill, os.killpg], ids=["the first process", "all"])
+def test_an_interruption_leaves_the_runs_that_are_done_and_nothing_else(
+    temporary, tmp_path, engine, whom
+):
+    file = tmp_path / "a.csv"
+    process = begin(file, engine)
+    whom(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, out, err) == (130, "", "build-fmu: interrupted\n")
+    assert ",false," not in file.read_text()  # an interruption is no failure of a run
+    assert list(temporary.iterdir()) == []
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
+@pytest.mark.usefixtures("temporary")
+def test_processes_of_a_sweep_that_was_killed_end_and_its_file_is_free(tmp_path):
+    file = tmp_path / "a.csv"
+    process = begin(file, "processes:2")
+    process.kill()
+    process.communicate(timeout=PATIENCE)
+    until = time.monotonic() + PATIENCE
+    while is_there(process.pid):  # the group, as long as one process of it is
+        assert time.monotonic() < until
+        time.sleep(0.05)
+    with pytest.raises(UsageError, match="differs in values"):  # not: in use
+        build_fmu.sweep(pendulum(), grid=["mass=1,2"], outputs=["A.x"], path=file)
+
+
+def is_there(group: int) -> bool:
+    """Whether a group has processes."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True
