@@ -7,14 +7,15 @@ PosixPath('four_bar.fmu')
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import importlib
+from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from build_fmu.study.manifest import Variant
     from build_fmu.study.sweep import sweep
+    from build_fmu.study.variants import variants
     from solver.scene import Scene
 
 __all__ = ["build", "sweep", "variants"]
@@ -60,74 +61,14 @@ def build(
     return build_archive(scene, path, parameters)
 
 
-def variants(
-    scene: str | PathLike[str],
-    folder: str | PathLike[str],
-    *,
-    grid: Mapping[str, object] | Sequence[str] = (),
-    table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
-    parameters: Mapping[str, object] | str | PathLike[str] | None = None,
-    manifest: str = "manifest.csv",
-    fresh: bool = False,
-    engine: str = "auto",
-    workers: int | None = None,
-    progress: Callable[[int, int], object] | None = None,
-) -> list[Variant]:
-    """Write one FMU for each row of a grid or table, and a manifest of them, into a folder.
-
-    Parameters
-    ----------
-    scene
-        A scene file.
-    folder
-        Where the FMUs, a parameter set beside each, and the manifest are written.
-    grid
-        Values by the name of a parameter or any field of the scene: a list, or a text such as
-        "1:5:9", which is 9 values from 1 to 5. All combinations are built.
-    table
-        A CSV file with names in its first line, or rows of values by name.
-    parameters
-        Values of all variants, by name or in a file.
-    manifest
-        Name of the manifest, .csv or .json.
-    fresh
-        Remove the FMUs of an earlier study that are in the folder.
-    engine, workers
-        "auto", "serial", "processes" or "dask://host:port", and the number of processes.
-    progress
-        Called with the number of variants that are done, and of all.
-
-    Returns
-    -------
-    list of Variant
-        The rows of the manifest.
-
-    Raises
-    ------
-    solver.scene.SceneError, build_fmu.errors.UsageError
-        With every mistake; variants without one are written all the same.
-    """
-    from build_fmu.study.variants import export_variants
-
-    return export_variants(
-        scene,
-        folder,
-        grid=grid,
-        table=table,
-        parameters=parameters,
-        manifest=manifest,
-        fresh=fresh,
-        engine=engine,
-        workers=workers,
-        progress=progress,
-    )
+_STUDIES = {"sweep": "build_fmu.study.sweep", "variants": "build_fmu.study.variants"}
+"""Where functions are whose imports a build need not wait for."""
 
 
 def __getattr__(name: str) -> Any:
-    if name != "sweep":
+    if name not in _STUDIES:
         text = f"module {__name__!r} has no attribute {name!r}"
         raise AttributeError(text)
-    from build_fmu.study.sweep import sweep  # with its imports, for which a build need not wait
-
-    globals()["sweep"] = sweep
-    return sweep
+    found = getattr(importlib.import_module(_STUDIES[name]), name)
+    globals()[name] = found
+    return found

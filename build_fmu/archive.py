@@ -28,12 +28,13 @@ _REGULAR_FILE, _EXECUTABLE_FILE = 0o100644, 0o100755
 
 def write_archive(path: Path, entries: Mapping[str, bytes]) -> None:
     """Write the archive; a file that is there is replaced in one step, or left as it was."""
+    content = archive(entries)  # first: a process that is ended meanwhile leaves no file
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(archive(entries))
+            file.write(content)
         temporary.chmod(0o644)
         temporary.replace(path)
     except BaseException:

@@ -133,8 +133,10 @@ def test_pandas_and_xarray_have_the_same_numbers():
         (("--grid", "mass=1", "--output", "A.z"), ["--output A.z: error", "did you mean 'A."]),
         (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
         (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be after"]),
+        (("--grid", "mass=1", "--engine", "threads"), ["there is no engine 'threads'"]),
+        (("--grid", "mass=1", "--jobs", "0"), ["number of processes must be at least 1, got 0"]),
     ],
-    ids=range(7),
+    ids=range(9),
 )
 def test_mistakes_end_with_2_before_anything_runs(capsys, tmp_path, monkeypatch, arguments, words):
     monkeypatch.chdir(tmp_path)
@@ -207,3 +209,9 @@ def test_a_parameter_of_the_name_of_a_summary_is_refused():
 def test_a_single_name_is_one_output():
     found = build_fmu.sweep(pendulum(), grid={"mass": [1]}, outputs="A.x")
     assert found.dtype.names[-1] == "A.x.max"
+
+
+def test_the_package_has_its_functions_and_no_others():
+    assert [getattr(build_fmu, name).__name__ for name in build_fmu.__all__] == build_fmu.__all__
+    with pytest.raises(AttributeError, match="no attribute 'swep'"):
+        _ = build_fmu.swep

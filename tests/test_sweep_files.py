@@ -11,6 +11,8 @@ import pytest
 import build_fmu
 from build_fmu.errors import UsageError
 from build_fmu.study import sweep as sweep_module
+from build_fmu.study.plan import Plan
+from build_fmu.study.stores import store_for
 from tests.fmu_instance import pendulum
 from tests.test_sweep import BROKEN, GRID, OUTPUTS
 
@@ -203,6 +205,15 @@ def test_a_damaged_hdf5_file_is_refused_with_a_sentence(tmp_path, damage):
     with pytest.raises(UsageError, match=r"a\.h5 is damaged, or not the file of a sweep.*--fresh"):
         build_fmu.sweep(pendulum(), **arguments)
     assert build_fmu.sweep(pendulum(), fresh=True, **arguments)["finished"].all()
+
+
+def test_an_output_that_hdf5_takes_for_a_group_is_refused(tmp_path):
+    pytest.importorskip("h5py")
+    plan = Plan("a.fmu", "", [{}], {}, ["rod/x"], [0.0, 1.0], {})
+    with pytest.raises(UsageError, match=r"'rod/x'.*write a \.csv, or leave it out"):
+        store_for(tmp_path / "a.h5", plan)
+    assert list(tmp_path.iterdir()) == []
+    store_for(tmp_path / "a.csv", plan).close()
 
 
 # ----------------------------------------------------------------------------------- two at a time

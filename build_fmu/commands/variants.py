@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def run(arguments: argparse.Namespace) -> int:
     """Export; exit code 0."""
     from build_fmu.export import identifier, scene_name
-    from build_fmu.study.variants import export_variants
+    from build_fmu.study.variants import variants
     from solver.scene import SceneError
 
     scene = arguments.scene
@@ -37,7 +37,7 @@ def run(arguments: argparse.Namespace) -> int:
         name = identifier(scene_name(scene, entries))
         folder = Path(arguments.output or f"{name}_variants")
         with count_bar(f"variants of {name}", "FMUs") as progress:
-            made = export_variants(
+            made = variants(
                 scene,
                 folder,
                 grid=arguments.grid,

@@ -19,6 +19,7 @@ from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing.connection import Connection
 from typing import Any
 
@@ -52,33 +53,35 @@ class Task:
 def run_jobs(
     task: Task, jobs: Sequence[Any], engine: str = "auto", workers: int | None = None
 ) -> Results:
-    """Results of all jobs, not in their order.
+    """Results of all jobs, not in their order, from the engine of this name."""
+    return engine_of(engine, workers)(task, jobs)
+
+
+def engine_of(name: str, workers: int | None = None) -> Callable[[Task, Sequence[Any]], Results]:
+    """Function of a task and jobs that has their results, not in the order of the jobs.
 
     Parameters
     ----------
-    task, jobs
-        What to do with which.
-    engine
+    name
         "auto": in this process, and in several where that pays; "serial"; "processes", perhaps
         with their number, "processes:4"; or the scheduler of dask.distributed, "dask://host:8786".
     workers
         Number of processes; None: one for each processor.
     """
-    kind, _, rest = engine.partition(":")
+    kind, _, rest = name.partition(":")
     if workers is not None and workers < 1:
         text = f"the number of processes must be at least 1, got {workers}"
         raise UsageError(text)
     workers = workers or processors()
     if kind == "auto" and not rest:
-        return _auto(task, jobs, workers)
+        return partial(_auto, workers=workers)
     if kind == "serial" and not rest:
-        return _serial(task, jobs)
+        return _serial
     if kind == "processes" and (not rest or (rest.isdecimal() and int(rest) > 0)):
-        workers = int(rest or workers)
-        return _processes(task, jobs, workers, math.ceil(len(jobs) / (8 * workers)))
+        return partial(_processes, workers=int(rest or workers))
     if kind == "dask" and rest.startswith("//") and len(rest) > 2:
-        return _dask(task, jobs, rest[2:])
-    text = f"there is no engine {engine!r}; write {FORMS}"
+        return partial(_dask, address=rest[2:])
+    text = f"there is no engine {name!r}; write {FORMS}"
     raise UsageError(text)
 
 
@@ -113,8 +116,8 @@ def _auto(task: Task, jobs: Sequence[Any], workers: int) -> Results:
 # ------------------------------------------------------------------------------------ processes
 
 
-def _processes(task: Task, jobs: Sequence[Any], workers: int, size: int) -> Results:
-    return _Processes(task, jobs, workers, size).results()
+def _processes(task: Task, jobs: Sequence[Any], workers: int, size: int | None = None) -> Results:
+    return _Processes(task, jobs, workers, size or math.ceil(len(jobs) / (8 * workers))).results()
 
 
 class _Processes:

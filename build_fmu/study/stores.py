@@ -168,6 +168,11 @@ class Hdf5Store(Store):
             text = "the package h5py is missing; install it: pip install holonom[hdf5]"
             raise EnvironmentLackError(text) from None
         super().__init__(plan)
+        if grouped := [name for name in plan.outputs if "/" in name]:
+            text = (
+                f"{path}: HDF5 takes the '/' of {grouped[0]!r} for a group; write a .csv, or leave "
+            )
+            raise UsageError(text + "it out")
         self._lock = lock(path, path)
         there = path.stat().st_size > 0 and not fresh
         try:

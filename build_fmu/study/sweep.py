@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from build_fmu.errors import UsageError
 from build_fmu.instance import check_platform
 from build_fmu.run import experiment_times
-from build_fmu.study.engines import Task, folder_of_worker, run_jobs
+from build_fmu.study.engines import Task, engine_of, folder_of_worker
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.kept import KeptFmu, description_of
@@ -118,6 +118,7 @@ def sweep(
     """
     require_form(form)
     rows = rows_of(grid, table)
+    run_jobs = engine_of(engine, workers)
     file = None if path is None else Path(path)
     check_name(file)
     with runnable(fspath(fmu), entries_of(parameters)) as (unit, fixed):
@@ -137,7 +138,7 @@ def sweep(
                 _run_some, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan)
             )
             try:
-                with contextlib.closing(run_jobs(task, jobs, engine, workers)) as results:
+                with contextlib.closing(run_jobs(task, jobs)) as results:
                     for done, result in enumerate(results, start=len(known) + 1):
                         store.keep(result)
                         if progress:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
@@ -28,7 +29,7 @@ class _Shared:
         return f"{self.stem}_{number:0{self.digits}d}.fmu"
 
 
-def export_variants(
+def variants(
     scene: str | PathLike[str],
     folder: str | PathLike[str],
     *,
@@ -41,7 +42,40 @@ def export_variants(
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> list[Variant]:
-    """Write the FMUs and the manifest; see `build_fmu.variants`."""
+    """Write one FMU for each row of a grid or table, and a manifest of them, into a folder.
+
+    Parameters
+    ----------
+    scene
+        A scene file.
+    folder
+        Where the FMUs, a parameter set beside each, and the manifest are written.
+    grid
+        Values by the name of a parameter or any field of the scene: a list, or a text such as
+        "1:5:9", which is 9 values from 1 to 5. All combinations are built.
+    table
+        A CSV file with names in its first line, or rows of values by name.
+    parameters
+        Values of all variants, by name or in a file.
+    manifest
+        Name of the manifest, .csv or .json.
+    fresh
+        Remove the FMUs of an earlier study that are in the folder.
+    engine, workers
+        "auto", "serial", "processes" or "dask://host:port", and the number of processes.
+    progress
+        Called with the number of variants that are done, and of all.
+
+    Returns
+    -------
+    list of Variant
+        The rows of the manifest.
+
+    Raises
+    ------
+    solver.scene.SceneError, build_fmu.errors.UsageError
+        With every mistake; variants without one are written all the same.
+    """
     rows = rows_of(grid, table)
     target = manifest_path(Path(folder), manifest)
     shared = _shared(scene, folder, entries_of(parameters), len(rows))
@@ -51,10 +85,12 @@ def export_variants(
     target.parent.mkdir(parents=True, exist_ok=True)
     made: list[Variant] = []
     try:
-        for variant in run_jobs(Task(_export, shared, _lost), jobs, engine, workers):
-            made.append(variant)
-            if progress:
-                progress(len(made), len(jobs))
+        task = Task(_export, shared, _lost)
+        with contextlib.closing(run_jobs(task, jobs, engine, workers)) as results:
+            for variant in results:
+                made.append(variant)
+                if progress:
+                    progress(len(made), len(jobs))
         remove_remains(there, {variant.fmu for variant in made})
     finally:
         made = in_one_form(sorted(made, key=lambda variant: variant.number))
