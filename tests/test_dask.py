@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import tempfile
+import warnings
 
 import pytest
 
@@ -14,7 +15,9 @@ from build_fmu.study.engines import DIED, Task, run_jobs
 from tests.ending_jobs import FATAL, lost, square
 from tests.fmu_instance import pendulum
 
-distributed = pytest.importorskip("distributed")
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    distributed = pytest.importorskip("distributed")
 pytestmark = pytest.mark.filterwarnings("ignore")  # those of dask and its packages
 
 

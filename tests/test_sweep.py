@@ -101,6 +101,7 @@ def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
 # ----------------------------------------------------------------------------------- the forms
 
 
+@pytest.mark.filterwarnings("ignore")  # those of their imports
 def test_pandas_and_xarray_have_the_same_numbers():
     pytest.importorskip("pandas")
     pytest.importorskip("xarray")
