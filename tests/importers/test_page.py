@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 
 import pytest
 
@@ -44,3 +45,10 @@ def test_an_importer_that_is_missing_skips_a_test_or_fails_it_where_it_is_requir
     monkeypatch.setattr(tools, "REQUIRED", ["libcosimpy"])
     with pytest.raises(pytest.fail.Exception, match="libcosimpy: not installed"):
         tools.need("libcosimpy")
+
+
+def test_an_importer_that_hangs_is_ended_and_named(monkeypatch):
+    monkeypatch.setattr(tools, "LONGEST", 0.5)
+    hanging = [sys.executable, "-c", "import time; time.sleep(60)"]
+    with pytest.raises(pytest.fail.Exception, match=r"fmpy: ended, as it still ran after 0\.5 s"):
+        tools.run_of(tools.BY_NAME["fmpy"], hanging)

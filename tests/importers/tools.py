@@ -15,6 +15,8 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 DRIVERS = Path(__file__).with_name("drivers")
+LONGEST = 300.0
+"""Seconds that a program of a tool may run: many times what the slowest takes."""
 REQUIRED = os.environ.get("IMPORTERS", "").split()
 """Tools that have to be there; `make importers` names them."""
 
@@ -100,9 +102,7 @@ def missing(tool: Tool) -> str:
     if tool.python == sys.executable and importlib.util.find_spec(tool.module) is None:
         target = "make cofmupy" if tool.name == "cofmupy" else "make importers"
         return f"not installed ({target})"
-    run = subprocess.run(
-        [tool.python, "-c", f"import {tool.module}"], capture_output=True, text=True, check=False
-    )
+    run = run_of(tool, [tool.python, "-c", f"import {tool.module}"])
     if "libtbb" in run.stderr:
         return "needs libtbb.so.12 of the system (Debian: apt-get install libtbb12)"
     return run.stderr.strip().rpartition("\n")[2] if run.returncode else ""
@@ -111,14 +111,24 @@ def missing(tool: Tool) -> str:
 def version(tool: Tool) -> str:
     """Version that is installed."""
     code = f"import importlib.metadata as m; print(m.version({tool.name!r}))"
-    command = [tool.python, "-c", code]
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+    run = run_of(tool, [tool.python, "-c", code])
+    run.check_returncode()
+    return run.stdout.strip()
+
+
+def run_of(tool: Tool, program: list[str], given: str = "") -> subprocess.CompletedProcess[str]:
+    """Run a program of a tool; one that hangs fails the test, and is ended."""
+    try:
+        return subprocess.run(
+            program, input=given, capture_output=True, text=True, check=False, timeout=LONGEST
+        )
+    except subprocess.TimeoutExpired:
+        pytest.fail(f"{tool.name}: ended, as it still ran after {LONGEST:g} s: {program}")
 
 
 def command(tool: Tool, name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Run a program that a tool has brought, from the folder of its Python."""
-    program = Path(tool.python).with_name(name)
-    return subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+    return run_of(tool, [str(Path(tool.python).with_name(name)), *arguments])
 
 
 def drive(tool: Tool, job: dict) -> list[list[float]]:
@@ -129,8 +139,6 @@ def drive(tool: Tool, job: dict) -> list[list[float]]:
     and `scheme`.
     """
     driver = DRIVERS / f"{tool.module}_driver.py"
-    run = subprocess.run(
-        [tool.python, driver], input=json.dumps(job), capture_output=True, text=True, check=False
-    )
+    run = run_of(tool, [tool.python, str(driver)], json.dumps(job))
     assert run.returncode == 0, run.stderr[-3000:]
     return json.loads(run.stdout.rpartition("ROWS")[2])
