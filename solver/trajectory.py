@@ -80,6 +80,11 @@ def simulate(
     ------
     SceneError, AssemblyError, OptionError, StepError
         What is wrong with the scene, the parameters, a value or name, or a step.
+
+    Warns
+    -----
+    RuntimeWarning
+        Where dampers keep all steps at order 2, or there is no compiled kernel.
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model, kernel=kernel)
