@@ -1,35 +1,67 @@
 """The one place where an interrupt from the keyboard ends: no KeyboardInterrupt leaves a call.
 
-pythonfmu's library would make it fmi2Fatal and free the instance, while the host goes on.
+pythonfmu's library would make it fmi2Fatal and free the instance, while the host goes on. Python
+gives an interrupt to the next line that it runs. Three places can be that line: one within a call,
+where `try` catches it; the first of a call, outside of any `try`; and, where the library still
+prepares the call, this first one again, by far most often. So the library gets each method through
+a door: a generator that waits within `try`, and so takes in what is pending when the library asks
+for the method. What is left is the tenth of a microsecond between the door and the call.
 """
 
 from __future__ import annotations
 
 import functools
+import operator
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from typing import Any
 
+DOOR, BEHIND = "_door_of_", "_behind_door_of_"
 
-def shielded(instead: Callable[..., Any] = lambda *_: None) -> Callable[[Callable], Callable]:
+
+def shielded(instead: Callable[..., Any] = lambda *_: None) -> Callable[[Callable], Any]:
     """Shield a method: after an interrupt it answers `instead(self, *arguments)`.
 
-    The slave hears of it first, by its method `interrupted`. What is left is an interrupt in the
-    microsecond in which the library prepares a call: it strikes before `try`, and nothing written
-    in Python could help that. In hosts that are no Python programs none ever arrives.
+    The slave hears of it first, by its method `interrupted`.
     """
+    return functools.partial(_Shielded, instead)
 
-    def shield(call: Callable) -> Callable:
+
+class _Shielded(property):
+    """A method behind a door. On the way to it no line of Python runs but those of the door."""
+
+    def __init__(self, instead: Callable[..., Any], call: Callable) -> None:
         @functools.wraps(call)
-        def shielded_call(self: Any, *arguments: Any) -> Any:
+        def shielded_call(slave: Any, *arguments: Any) -> Any:
             try:
-                return call(self, *arguments)
+                return call(slave, *arguments)
             except KeyboardInterrupt:
-                self.interrupted()
-                return instead(self, *arguments)
+                slave.interrupted()
+                return instead(slave, *arguments)
 
-        return shielded_call
+        self._call = shielded_call
 
-    return shield
+    def __set_name__(self, owner: type, name: str) -> None:
+        super().__init__(operator.methodcaller(DOOR + name))
+        setattr(owner, BEHIND + name, self._call)
+
+
+def hang_doors(slave: Any) -> None:
+    """Give a slave the doors of its shielded methods."""
+    for kind in type(slave).__mro__:
+        for name, call in vars(kind).items():
+            if isinstance(call, _Shielded):
+                door = _door(slave, BEHIND + name)
+                next(door)  # from here on it waits within `try`
+                setattr(slave, DOOR + name, door.__next__)
+
+
+def _door(slave: Any, name: str) -> Iterator[Callable]:
+    while True:
+        try:
+            while True:  # within, as Python looks for interrupts where a loop turns
+                yield getattr(slave, name)
+        except KeyboardInterrupt:
+            slave.interrupted()

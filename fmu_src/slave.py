@@ -17,7 +17,7 @@ from solver.runtime import AssemblyError, StepError
 from . import snapshot, status
 from .log import sentence
 from .objection import Failures, impossible_step, wrong_experiment
-from .shield import shielded
+from .shield import hang_doors, shielded
 from .values import INITIALIZING, INSTANTIATED, PHASES, STEPPING, TERMINATED, SlaveWithValues
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
@@ -39,6 +39,7 @@ class Slave(SlaveWithValues):
         self._latest = NO_STOP_TIME  # no communication step ends after this
         self._own_horizon = self._integrator.state.head["horizon"]
         self._failures = Failures()
+        hang_doors(self)
         if self.resources in sys.path:  # pythonfmu puts it there for every instance and leaves it
             sys.path.remove(self.resources)
 

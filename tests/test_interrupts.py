@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import ctypes
+import functools
 import inspect
+import signal
 import sys
 from collections.abc import Callable
+from operator import methodcaller
 from pathlib import Path
 
 import pytest
@@ -146,3 +150,61 @@ def test_bytes_of_states_are_passed_on_without_code_that_an_interrupt_could_stri
     assert Slave._fmu_state_to_bytes(b"a") == Slave._fmu_state_from_bytes(b"a") == b"a"
     assert not inspect.isfunction(Slave._fmu_state_to_bytes)
     assert not inspect.isfunction(Slave._fmu_state_from_bytes)
+
+
+# ------------------------------------------------------------- an interrupt that waits at the door
+
+
+@pytest.fixture
+def interruptible():
+    """Interrupts raise KeyboardInterrupt, as in a Python host."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+class InC:
+    """A slave whose methods are called from C, an interrupt just before each.
+
+    No line of Python runs between them that it could strike.
+    """
+
+    def __init__(self, slave: Slave) -> None:
+        self._slave = slave
+
+    def __getattr__(self, name: str) -> object:
+        if name in ("_of_type", "_model"):
+            return getattr(self._slave, name)
+
+        def call(*arguments: object) -> object:
+            interrupt = functools.partial(ctypes.pythonapi.PyErr_SetInterrupt)
+            method = functools.partial(methodcaller(name, *arguments), self._slave)
+            return list(map(functools.partial.__call__, [interrupt, method]))[1]
+
+        return call
+
+
+@pytest.mark.usefixtures("interruptible")
+@pytest.mark.parametrize("name", SEQUENCE)
+def test_an_interrupt_that_waits_for_a_call_lets_it_answer_and_refuses_steps(fresh, name):
+    slave, straight = fresh(), fresh()
+    for each, call in SEQUENCE.items():
+        if each == name:
+            try:
+                answer, expected = call(InC(slave)), call(straight)
+            except KeyboardInterrupt:
+                pytest.fail("an interrupt left the call")
+            break
+        if each not in ("do_step", "terminate"):
+            call(slave)
+            call(straight)
+    if name.startswith("get_real"):
+        code = reals(slave).index(slave._status_index)
+        assert answer.pop(code) == status.INTERRUPTED
+        assert expected.pop(code) == 0.0
+    if name.startswith("get_"):
+        assert answer == expected
+    texts = [message.msg for message in slave._get_log_queue()]
+    assert sum(text.startswith("interrupted from the keyboard") for text in texts) == 1
+    assert slave.do_step(0.0, 0.1) is False
+    assert slave.get_real([slave._status_index]) == [status.INTERRUPTED]
