@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import signal
 import tempfile
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from contextvars import ContextVar
 from os import PathLike, fspath
 from pathlib import Path
@@ -25,6 +27,9 @@ if TYPE_CHECKING:
 
 WARNING, DISCARD, ERROR, FATAL = 1, 2, 3, 4  # fmi2Status
 
+LOADING = threading.Lock()
+"""Held while fmpy loads a library: it takes the whole process to the folder of it and back."""
+
 _is_read = ContextVar("_is_read", default=False)
 """Whether this thread reads the log of the FMU that it calls."""
 logging.getLogger(LOGGER).addFilter(lambda _: not _is_read.get())
@@ -38,6 +43,30 @@ def not_said_twice() -> Iterator[None]:
         yield
     finally:
         _is_read.reset(token)
+
+
+@contextlib.contextmanager
+def interrupts_held() -> Iterator[Callable[[], None]]:
+    """Hold Ctrl-C back until the function that this yields is called, or the end.
+
+    An FMU that is written in Python would take the exception for a failure of its own.
+    """
+    held: list[int] = []
+
+    def pass_interrupts() -> None:
+        if held:
+            raise KeyboardInterrupt
+
+    ours = threading.current_thread() is threading.main_thread()
+    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        yield pass_interrupts  # another thread has it, or nobody
+        return
+    signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
+    try:
+        yield pass_interrupts
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        pass_interrupts()
 
 
 class Log:
@@ -115,12 +144,13 @@ def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Sl
     unit = description.coSimulation
     assert unit is not None
     try:
-        fmu = FMU2Slave(
-            guid=description.guid,
-            unzipDirectory=folder,
-            modelIdentifier=unit.modelIdentifier,
-            instanceName=unit.modelIdentifier,
-        )
+        with LOADING:
+            fmu = FMU2Slave(
+                guid=description.guid,
+                unzipDirectory=folder,
+                modelIdentifier=unit.modelIdentifier,
+                instanceName=unit.modelIdentifier,
+            )
         fmu.instantiate(callbacks=log.callbacks(), loggingOn=True)
     except Exception as error:  # fmpy raises a bare Exception
         text = (

@@ -14,7 +14,15 @@ from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.instance import FATAL, Log, description_of, instantiated, not_said_twice, unpacked
+from build_fmu.instance import (
+    FATAL,
+    Log,
+    description_of,
+    instantiated,
+    interrupts_held,
+    not_said_twice,
+    unpacked,
+)
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 
 if TYPE_CHECKING:
@@ -98,7 +106,7 @@ def run_fmu(
     stop_time, step_size = experiment_times(description, stop_time, step_size)
     log = Log()
     begin = time.perf_counter()
-    with unpacked(path) as folder, not_said_twice():
+    with unpacked(path) as folder, not_said_twice(), interrupts_held() as pass_interrupts:
         values, failed = _simulate(
             folder,
             instantiated(description, folder, log),
@@ -106,7 +114,7 @@ def run_fmu(
             stop_time=stop_time,
             output_interval=step_size,
             start_values=start_values,
-            step_finished=_reporter(progress, stop_time),
+            step_finished=_reporter(progress, stop_time, pass_interrupts),
         )
     wall_time = time.perf_counter() - begin
     if values is None:
@@ -125,13 +133,16 @@ def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> s
     return f"the run ended at t = {end_time!r} s, before {stop_time!r} s: {reason}"
 
 
-def _reporter(progress: Callable[[float], object] | None, stop_time: float) -> Callable | None:
-    if progress is None:
-        return None
-
+def _reporter(
+    progress: Callable[[float], object] | None,
+    stop_time: float,
+    pass_interrupts: Callable[[], None],
+) -> Callable[[float, Recorder], bool]:
     def step_finished(now: float, recorder: Recorder) -> bool:
-        start = recorder.rows[0][0]
-        progress((now - start) / (stop_time - start))
+        pass_interrupts()
+        if progress is not None:
+            start = recorder.rows[0][0]
+            progress((now - start) / (stop_time - start))
         return True
 
     return step_finished

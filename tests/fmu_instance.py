@@ -24,6 +24,7 @@ from fmpy.fmi2 import (
 
 import solver
 from build_fmu import build
+from build_fmu.instance import LOADING
 from fmu_src.slave import Slave
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
@@ -84,11 +85,12 @@ class Instance:
         self.types = {v.name: v.type for v in self.description.modelVariables}
         self.log: list[tuple[int, str, str]] = []
         fmpy.extract(str(path), folder)
-        self.fmu = FMU2Slave(
-            guid=self.description.guid,
-            unzipDirectory=folder,
-            modelIdentifier=self.description.coSimulation.modelIdentifier,
-        )
+        with LOADING:
+            self.fmu = FMU2Slave(
+                guid=self.description.guid,
+                unzipDirectory=folder,
+                modelIdentifier=self.description.coSimulation.modelIdentifier,
+            )
         self.callbacks = self._callbacks()
         self.fmu.instantiate(callbacks=self.callbacks, loggingOn=logging)
 

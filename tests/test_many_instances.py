@@ -7,12 +7,15 @@ import gc
 import os
 import subprocess
 import sys
+import time
 import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from fmpy import fmi1
 
+from build_fmu.run import run_fmu
 from tests.fmu_instance import Instance, instance, pendulum, scene_fmu, slave_of
 
 BARE_HOST = Path(__file__).with_name("bare_host.py")
@@ -117,6 +120,26 @@ def test_instances_in_threads_move_as_they_do_alone():
     with ThreadPoolExecutor(6) as pool:
         for name, rows in zip(jobs, pool.map(alone, jobs), strict=True):
             assert rows == expected[name]
+
+
+def test_runs_in_threads_load_one_library_at_a_time(monkeypatch):
+    # fmpy goes to the folder of a library to load it, and the whole process with it.
+    fmus = [scene_fmu(name) for name in NAMES]
+    before, load, inside = os.getcwd(), fmi1.cdll.LoadLibrary, list[int]()
+    monkeypatch.chdir(before)  # where the tests that follow begin, whatever becomes of this one
+
+    def slowly(path: str):
+        inside.append(1)
+        time.sleep(0.05)
+        assert len(inside) == 1
+        inside.clear()
+        return load(path)
+
+    monkeypatch.setattr(fmi1.cdll, "LoadLibrary", slowly)
+    with ThreadPoolExecutor(4) as pool:
+        runs = list(pool.map(lambda fmu: run_fmu(fmu, stop_time=0.1), fmus))
+    assert all(run.finished for run in runs)
+    assert os.getcwd() == before
 
 
 def test_one_instance_may_be_moved_from_one_thread_to_another():

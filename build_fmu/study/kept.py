@@ -6,15 +6,20 @@ initialization are 1 ms; a new instance in a new folder for each would take 60 m
 
 from __future__ import annotations
 
-import contextlib
-import signal
-import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from build_fmu.instance import FATAL, Log, description_of, instantiated, not_said_twice, unpacked
+from build_fmu.instance import (
+    FATAL,
+    Log,
+    description_of,
+    instantiated,
+    interrupts_held,
+    not_said_twice,
+    unpacked,
+)
 
 if TYPE_CHECKING:
     from fmpy.fmi2 import FMU2Slave
@@ -56,7 +61,7 @@ class KeptFmu:
         self._log.clear()
         reached = 0
         try:
-            with not_said_twice(), _interrupts_held() as pass_interrupts:
+            with not_said_twice(), interrupts_held() as pass_interrupts:
                 fmu = self._ready()
                 fmu.setupExperiment(startTime=times[0], stopTime=times[-1])
                 self._set(fmu, settings)
@@ -116,27 +121,3 @@ class KeptFmu:
             return (lambda: fmu.getReal(references)) if outputs else list
         pairs = list(zip(kinds, references, strict=True))
         return lambda: [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]
-
-
-@contextlib.contextmanager
-def _interrupts_held() -> Iterator[Callable[[], None]]:
-    """Hold Ctrl-C back until the function that this yields is called, or the end.
-
-    An FMU that is written in Python would take the exception for a failure of its own.
-    """
-    held: list[int] = []
-
-    def pass_interrupts() -> None:
-        if held:
-            raise KeyboardInterrupt
-
-    ours = threading.current_thread() is threading.main_thread()
-    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
-        yield pass_interrupts  # another thread has it, or nobody
-        return
-    signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
-    try:
-        yield pass_interrupts
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        pass_interrupts()

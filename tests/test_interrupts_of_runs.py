@@ -1,0 +1,36 @@
+"""Ctrl-C in a run ends the run, not the FMU."""
+
+from __future__ import annotations
+
+import signal
+
+import pytest
+
+from build_fmu.instance import Log
+from build_fmu.run import run_fmu
+from tests.fmu_instance import pendulum
+
+
+@pytest.fixture(autouse=True)
+def _in_a_program_of_python():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    signal.signal(signal.SIGINT, before)
+
+
+def test_an_interrupt_while_the_fmu_works_ends_the_run(monkeypatch):
+    def strike(*_):  # called by the FMU, where it refuses a value
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(Log, "_hear", strike)
+    seen: list[float] = []
+    with pytest.raises(KeyboardInterrupt):
+        run_fmu(pendulum(), stop_time=0.3, settings={"solver.order": 3.0}, progress=seen.append)
+    assert not seen
+
+
+def test_an_interrupt_between_steps_ends_the_run():
+    with pytest.raises(KeyboardInterrupt):
+        run_fmu(pendulum(), stop_time=0.3, progress=lambda _: signal.raise_signal(signal.SIGINT))
+    assert run_fmu(pendulum(), stop_time=0.3).finished
