@@ -7,7 +7,7 @@ import os
 import re
 import time
 import uuid
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,7 +20,7 @@ from build_fmu.payload import payload, wrapper_libraries
 from build_fmu.picture import picture
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
-from build_fmu.trial import trial
+from build_fmu.trial import Trial, trial
 from build_fmu.version import VERSION
 
 if TYPE_CHECKING:
@@ -47,14 +47,21 @@ def build_archive(
 
 
 def write_fmu(
-    model: Model, path: str | PathLike[str] | None = None, scene: Scene | None = None
+    model: Model,
+    path: str | PathLike[str] | None = None,
+    scene: Scene | None = None,
+    tell: Callable[[str], object] | None = None,
 ) -> Path:
     """Write the FMU of a model; a folder or None as path means the model's own name, there.
 
-    The scene that it was compiled from travels along, as text and as a picture.
+    The scene that it was compiled from travels along, as text and as a picture. `tell` is called
+    with what the trial run has to say, which stands on the page of the FMU as well.
     """
-    target = fmu_path(path, model.name)
-    write_archive(target, archive_entries(model, scene))
+    target, seen = fmu_path(path, model.name), trial(model)
+    write_archive(target, archive_entries(model, seen, scene))
+    for sentence in filter(None, (*seen.remarks, seen.reason)):
+        if tell:
+            tell(sentence)
     return target
 
 
@@ -120,9 +127,9 @@ def compile_scene(
     return assemble(load_scene(scene, overrides))
 
 
-def archive_entries(model: Model, scene: Scene | None = None) -> dict[str, bytes]:
+def archive_entries(model: Model, seen: Trial, scene: Scene | None = None) -> dict[str, bytes]:
     """Content of the archive by path."""
-    code, seen = payload(model.sizes["dim"]), trial(model)
+    code = payload(model.sizes["dim"])
     name = identifier(model.name)
     entries = {f"resources/{file}": data for file, data in code.files.items()}
     entries["resources/model.bin"] = model.to_bytes()

@@ -204,6 +204,6 @@ def test_loads_that_read_a_damped_mechanism_leave_the_choice_at_order_two():
     follows = PUSHED.replace('["push", 0]', '["push - 0.3*A.vx", 0]')
     run = Integrator(solver.assemble(solver.loads(follows)))
     run["solver.tolerance"], run["solver.order"], run["push"] = 1e-4, 0.0, 1.0
-    with pytest.warns(RuntimeWarning, match="needs .* no load that reads the mechanism"):
+    with pytest.warns(RuntimeWarning, match="a load reads the mechanism"):
         run.advance(0.0, 0.5)
     assert run["solver.order_in_use"] == 2.0

@@ -9,6 +9,7 @@ import zipfile
 import pytest
 
 import solver
+from build_fmu.command_line import main
 from build_fmu.run import run_fmu
 from fmu_src.status import LOGGER
 from tests.fmu_instance import instance, text_fmu
@@ -63,6 +64,7 @@ def said(setting: str, kernel: str = "auto", **options) -> list[str]:
 def test_two_parts_with_dampers_are_of_order_2_and_that_is_said_once(kernel, tolerance):
     (sentence,) = said(f"order = 4\n{tolerance}", kernel)
     assert sentence.startswith("solver.order is 4, but steps are of order 2")
+    assert "2 separate parts" in sentence
     assert ("takes many steps" in sentence) == bool(tolerance)
 
 
@@ -71,6 +73,11 @@ def test_a_tolerance_that_has_no_choice_of_the_order_says_so(kernel):
     (sentence,) = said("tolerance = 1e-7", kernel)
     assert sentence.startswith("solver.tolerance is to choose the order, but steps are of order 2")
     assert "takes many steps" in sentence
+
+
+def test_a_formulation_that_knows_no_higher_order_is_named():
+    (sentence,) = said('order = 4\nformulation = "midpoint-al"', parts=1)
+    assert "solver.formulation midpoint-al" in sentence
 
 
 @pytest.mark.parametrize(
@@ -144,3 +151,10 @@ def test_the_page_of_an_fmu_says_it():
     with zipfile.ZipFile(text_fmu(text("order = 4"))) as archive:
         page = archive.read("documentation/index.html").decode()
     assert "It said: solver.order is 4, but steps are of order 2" in page
+
+
+def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
+    scene = tmp_path / "parts.toml"
+    scene.write_text(text("order = 4"))
+    assert main(["build", str(scene), "-o", str(tmp_path / "parts.fmu")]) == 0
+    assert "parts: solver.order is 4, but steps are of order 2" in capsys.readouterr().err

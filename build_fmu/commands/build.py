@@ -20,7 +20,11 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(text)
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     scene, model = scene_and_model(arguments.scene, entries)
-    path = write_fmu(model, arguments.output, scene)
+
+    def tell(sentence: str) -> None:
+        sys.stderr.write(f"{model.name}: {sentence}\n")
+
+    path = write_fmu(model, arguments.output, scene, tell)
     write_parameter_set(model, path)
     size = path.stat().st_size
     if arguments.json:

@@ -12,11 +12,6 @@ if TYPE_CHECKING:
     from .engine import Doubles
 
 CONSERVING = ("conserving-al", "conserving-al-beta")
-LIMITED = (
-    "{}, but steps are of order 2: where dampers take energy out a higher order "
-    "needs solver.formulation conserving-al, a mechanism of one part (build-fmu info counts the "
-    "separate ones: export each by itself), and {}"
-)
 COSTLY = "; a tight solver.tolerance takes many steps of order 2"
 
 
@@ -27,18 +22,36 @@ def order_limit(model: Model, head: Mapping[str, float], numbers: Doubles) -> tu
     that was too long, or at rest. `head` has the scalars of the state, `numbers` those of the model
     at present.
     """
-    asked, chosen = head["order"], head["tolerance"] > 0.0 and head["order"] == 0.0
+    asked, tight = head["order"], head["tolerance"] > 0.0
+    chosen = tight and asked == 0.0
     if not chosen and not asked > head["order_in_use"]:
         return "", False
-    lasting = model.sizes["n_islands"] > 1 or decode("formulation", head) not in CONSERVING
-    if not chosen:
-        needs = "steps in which the motion changes little"
-        costs = COSTLY if head["tolerance"] > 0.0 else ""
-        return LIMITED.format(f"solver.order is {asked:g}", needs) + costs, lasting
-    # Order 2 may be the choice of the tolerance, unless it has none.
+    lasting = _lasting_reason(model, head)
+    if chosen:
+        # Order 2 may be the choice of the tolerance, unless it has none.
+        reason = lasting or (model.sizes["sensing"] and "a load reads the mechanism")
+        if not reason or not _is_damped(model, numbers):
+            return "", False
+        wanted, lasting = "solver.tolerance is to choose the order", reason
+    else:
+        wanted = f"solver.order is {asked:g}"
+        reason = lasting or "the motion changes too much in a step of this length, or not at all"
+    sentence = f"{wanted}, but steps are of order 2: dampers take energy out, and {reason}"
+    return sentence + (COSTLY if tight else ""), bool(lasting)
+
+
+def _lasting_reason(model: Model, head: Mapping[str, float]) -> str:
+    parts, formulation = model.sizes["n_islands"], decode("formulation", head)
+    if parts > 1:
+        return (
+            f"the mechanism has {parts} separate parts, which would exchange some of it: "
+            "export each by itself"
+        )
+    if formulation not in CONSERVING:
+        return f"solver.formulation {formulation} knows no higher order; {CONSERVING[0]} does"
+    return ""
+
+
+def _is_damped(model: Model, numbers: Doubles) -> bool:
     begin = model.offsets["damping"]
-    damped = any(numbers[begin : begin + model.sizes["n_elements"]])
-    if not damped or not (lasting or model.sizes["sensing"]):
-        return "", False
-    needs = "no load that reads the mechanism"
-    return LIMITED.format("solver.tolerance is to choose the order", needs) + COSTLY, True
+    return any(numbers[begin : begin + model.sizes["n_elements"]])
