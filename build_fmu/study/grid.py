@@ -10,7 +10,6 @@ twice; rows of a table may be alike.
 
 from __future__ import annotations
 
-import csv
 import itertools
 import math
 import re
@@ -19,6 +18,7 @@ from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
+from build_fmu.study.csv_file import csv_rows
 from build_fmu.study.parameter_files import value_of_cell
 from build_fmu.study.values import (
     Entry,
@@ -207,28 +207,13 @@ def _table(
 ) -> list[Row]:
     if not isinstance(table, str | PathLike):
         return _rows(table, mistakes)
-    path = Path(table)
-    try:
-        lines = path.read_bytes().decode("utf-8-sig").splitlines()
-    except UnicodeDecodeError as error:
-        message = f"not a UTF-8 text: byte 0x{error.object[error.start]:02x}"
-        mistakes.append(Mistake(str(path), message, "save the file as UTF-8"))
+    path, before = Path(table), len(mistakes)
+    (header, head), *lines = [*csv_rows(path, mistakes)] or [(f"{path}:1", [])]
+    if len(mistakes) > before or not _header_fits(header, head, mistakes):
         return []
-    except OSError as error:
-        mistakes.append(Mistake(str(path), f"cannot be read: {error.strerror}"))
-        return []
-    reader = csv.reader(lines, skipinitialspace=True)
-    head = [cell.strip() for cell in next(reader, [])]
-    if not _header_fits(path, head, mistakes):
-        return []
-    rows = [
-        _row(f"{path}:{reader.line_num}", head, cells, mistakes)
-        for cells in reader
-        if any(cell.strip() for cell in cells)
-    ]
-    if not rows:
+    if not lines:
         mistakes.append(Mistake(str(path), "has no rows below its header"))
-    return rows
+    return [_row(where, header, head, cells, mistakes) for where, cells in lines]
 
 
 def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> list[Row]:
@@ -250,11 +235,11 @@ def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> lis
     return rows
 
 
-def _header_fits(path: Path, head: Sequence[str], mistakes: list[Mistake]) -> bool:
+def _header_fits(where: str, head: Sequence[str], mistakes: list[Mistake]) -> bool:
     before = len(mistakes)
     help = "write the names of parameters, separated by commas, into the first line"
     if not head:
-        mistakes.append(Mistake(f"{path}:1", "no header", help))
+        mistakes.append(Mistake(where, "no header", help))
     for number, name in enumerate(head, start=1):
         message = ""
         if not name:
@@ -264,18 +249,16 @@ def _header_fits(path: Path, head: Sequence[str], mistakes: list[Mistake]) -> bo
         elif re.search("[;\t]", name) or isinstance(read_value(name.strip("[{")), int | float):
             message = f"column {number}: {name!r} is not a name"
         if message:
-            mistakes.append(Mistake(f"{path}:1", message, help))
+            mistakes.append(Mistake(where, message, help))
     return len(mistakes) == before
 
 
-def _row(where: str, head: Sequence[str], cells: Sequence[str], mistakes: list[Mistake]) -> Row:
-    if len(cells) != len(head):
-        message = f"has {len(cells)} cells, and the header has {len(head)}"
-        mistakes.append(Mistake(where, message, "put a text with a comma into quotes"))
+def _row(
+    where: str, header: str, head: Sequence[str], cells: Sequence[str], mistakes: list[Mistake]
+) -> Row:
     row = {}
-    header = f"{where.rpartition(':')[0]}:1"
-    for name, cell in zip(head, cells, strict=False):
-        if not cell.strip():
+    for name, cell in zip(head, cells, strict=True):
+        if not cell:
             mistakes.append(Mistake(where, f"{name}: an empty cell"))
         row[name] = Entry(value_of_cell(cell, where, mistakes), where, named=header)
     return row

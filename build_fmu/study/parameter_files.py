@@ -10,12 +10,12 @@ Each value knows the line it stands in, and all mistakes of all files are report
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike
 from pathlib import Path
 
+from build_fmu.study.csv_file import csv_rows
 from build_fmu.study.ssv import read_parameter_set
 from build_fmu.study.values import Entry, Mistake, keep, not_finite, read_value, refuse
 
@@ -108,27 +108,20 @@ def _flattened(
 
 
 def _csv(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
-    reader = csv.reader(_text(path).splitlines(), skipinitialspace=True)
-    head = [cell.strip() for cell in next(reader, [])]
-    if head not in HEADS:
+    before, rows = len(mistakes), csv_rows(path, mistakes)
+    header, head = next(rows, (f"{path}:1", []))
+    if len(mistakes) == before and head not in HEADS:
         help = f"it must be {' or '.join(','.join(names) for names in HEADS)}"
         message = f"the header is {','.join(head)!r}"
         if len(head) == 1 and head[0].split(",") in HEADS:
             message, help = f"{message} in quotes, as one cell", "write it without quotes"
         elif len(head) == 1 and re.search("[;\t]", head[0]):
             help += ", separated by commas"
-        mistakes.append(Mistake(f"{path}:1", message, help))
+        mistakes.append(Mistake(header, message, help))
         return {}
     found: dict[str, Entry] = {}
-    for row in reader:
-        if not any(cell.strip() for cell in row):
-            continue
-        where = f"{path}:{reader.line_num}"
-        if len(row) != len(head):
-            message = f"has {len(row)} cells, and the header has {len(head)}"
-            mistakes.append(Mistake(where, message, "put a text with a comma into quotes"))
-            continue
-        name, text, unit = [*(cell.strip() for cell in row), ""][:3]
+    for where, row in rows:
+        name, text, unit = [*row, ""][:3]
         if not name or not text:
             mistakes.append(Mistake(where, f"{name or 'a value'}: an empty cell"))
         else:
