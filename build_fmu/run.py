@@ -10,7 +10,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from os import PathLike, fspath
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
@@ -102,7 +102,7 @@ def run_fmu(
         that the library cannot read.
     """
     description = description_of(path)
-    start_values = fmu_settings(fspath(path), description, [entries_of(settings)])[0]
+    start_values = fmu_settings(description, [entries_of(settings)])[0]
     stop_time, step_size = experiment_times(description, stop_time, step_size)
     log = Log()
     begin = time.perf_counter()

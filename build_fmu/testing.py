@@ -150,7 +150,7 @@ def _run_along(
     with runnable(fspath(target), entries_of(parameters)) as (path, left):
         fmu = KeptFmu(path)
         try:
-            settings = fmu_settings(path, fmu.description, [left])[0]
+            settings = fmu_settings(fmu.description, [left])[0]
             units = {
                 v.name: v.unit or "" for v in fmu.description.modelVariables if v.type != "String"
             }

@@ -125,7 +125,7 @@ def test_pandas_and_xarray_have_the_same_numbers():
     ("arguments", "words"),
     [
         ((), ["nothing is varied"]),
-        (("--grid", "mas=1,2"), ["has no parameter or input 'mas'", "did you mean 'mass'?"]),
+        (("--grid", "mas=1,2"), ["pendulum has no parameter or input 'mas'", "mean 'mass'?"]),
         (("--grid", "mass=a,2"), ["--grid mass=a,2: error: mass: must be a number, got 'a'"]),
         (
             ("--grid", "solver.max_newton=0,2000", "--grid", "lenght=1"),

@@ -123,7 +123,7 @@ _KINDS = {
 
 
 def fmu_settings(
-    path: str, description: ModelDescription, rows: Iterable[Mapping[str, Entry]]
+    description: ModelDescription, rows: Iterable[Mapping[str, Entry]]
 ) -> list[dict[str, object]]:
     """Values of parameters and inputs of an FMU, for each of several runs.
 
@@ -142,7 +142,7 @@ def fmu_settings(
         values = {}
         for name, entry in row.items():
             if name not in variables:
-                message = f"{path} has no parameter or input {name!r}"
+                message = f"{description.modelName} has no parameter or input {name!r}"
                 where = entry.named or entry.where
                 mistakes.append(Mistake(where, message, nearest(name, variables)))
                 continue

@@ -158,13 +158,13 @@ def _plan(
     """What is done with an FMU, checked; the first row is that of all runs."""
     description = description_of(unit)
     check_platform(unit)
-    fixed, *settings = fmu_settings(unit, description, rows)
+    fixed, *settings = fmu_settings(description, rows)
     return Plan(
         fmu=Path(unit).name,
         digest=hashlib.sha256(Path(unit).read_bytes()).hexdigest(),
         rows=settings,
         fixed=fixed,
-        outputs=_outputs(unit, description, outputs),
+        outputs=_outputs(description, outputs),
         times=_times(*experiment_times(description, stop_time, step_size), description),
         units={v.name: v.unit or "" for v in description.modelVariables},
     )
@@ -203,14 +203,15 @@ def _times(stop: float, step: float, description: ModelDescription) -> list[floa
     return [*(start + i * step for i in range(max(whole, 1))), stop]
 
 
-def _outputs(path: str, description: ModelDescription, names: Sequence[str] | None) -> list[str]:
+def _outputs(description: ModelDescription, names: Sequence[str] | None) -> list[str]:
     """Outputs that are asked for, or all."""
+    model = description.modelName
     known = [v.name for v in description.modelVariables if v.type != "String"]
     names = [names] if isinstance(names, str) else names
     if names is None:
         return [v.name for v in description.modelVariables if v.causality == "output"]
     refuse(
-        Mistake(f"--output {name}", f"{path} has no variable {name!r}", nearest(name, known))
+        Mistake(f"--output {name}", f"{model} has no variable {name!r}", nearest(name, known))
         for name in names
         if name not in known
     )
