@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from build_fmu.dependencies import dependencies
-from build_fmu.units import BaseUnit, base_unit, declared_types
+from build_fmu.units import base_unit_attributes, declared_types
 from build_fmu.xml_text import legible
 from fmu_src.status import LOG_CATEGORIES
+from solver.scene.units import base_unit
 
 if TYPE_CHECKING:
     from solver.runtime import Model, Variable
@@ -99,14 +100,7 @@ def _units(root: Element, variables: Iterable[Variable]) -> None:
         unit = SubElement(definitions, "Unit", {"name": name})
         base = base_unit(name)
         if base is not None:
-            SubElement(unit, "BaseUnit", _base_unit(base))
-
-
-def _base_unit(base: BaseUnit) -> dict[str, str]:
-    attributes = {name: str(power) for name, power in base.powers.items()}
-    if base.factor != 1.0:
-        attributes["factor"] = repr(base.factor)
-    return attributes
+            SubElement(unit, "BaseUnit", base_unit_attributes(base))
 
 
 def _types(root: Element, types: Mapping[str, str], nominal: Mapping[str, float]) -> None:

@@ -13,13 +13,16 @@ AssertionError that says where, when and by how much.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from os import PathLike, fspath
 from typing import TYPE_CHECKING
 
 from build_fmu.reference import Reference, columns_of, limits, name_of, names_to_compare
 from build_fmu.study.settings import Source, entries_of
+from build_fmu.study.values import Mistake, refuse
 
 if TYPE_CHECKING:
+    from fmpy.model_description import ModelDescription
     from numpy import ndarray
 
     from build_fmu.run import Run
@@ -92,6 +95,8 @@ def assert_follows(
 ) -> dict[str, ndarray]:
     """Run through the times of a reference, and require its values at each of them.
 
+    The run begins at the start time of the FMU, also where the reference begins later.
+
     Parameters
     ----------
     target
@@ -155,9 +160,21 @@ def _run_along(
                 v.name: v.unit or "" for v in fmu.description.modelVariables if v.type != "String"
             }
             names = names_to_compare(expected, columns, list(units), where)
-            return names, units, fmu.run(settings, expected["time"].tolist(), names)
+            times = expected["time"].tolist()
+            before = _way_to(times[0], fmu.description, where)
+            record = fmu.run(settings, [*before, *times], names)
+            return names, units, replace(record, values=record.values[len(before) :])
         finally:
             fmu.close()
+
+
+def _way_to(time: float, description: ModelDescription, where: str) -> list[float]:
+    """Start time of the run, if the reference begins later."""
+    start = float(getattr(description.defaultExperiment, "startTime", None) or 0.0)
+    if time < start:
+        message = f"begins at t = {time:g} s, before the FMU, which starts at {start:g} s"
+        refuse([Mistake(where, message, "shift its times, or leave out what comes before")])
+    return [start] if time > start else []
 
 
 def _differences(

@@ -53,6 +53,7 @@ def compile_kernel(root: Path) -> list[Path]:
         raise CompilerError(text)
     folder = root / LIBRARIES
     folder.mkdir(parents=True, exist_ok=True)
+    print("compiling the kernel:", shlex.join([*compiler, *flags()]))
     # The new files take the old ones' places at once: a running process may have those mapped.
     with tempfile.TemporaryDirectory(dir=folder, prefix="compile-") as scratch:
 
@@ -79,7 +80,6 @@ def compile_library(
     sources = sorted(path.name for path in folder.glob("*.c"))
     options = (*flags(), f"-DDIM={dimension}", *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]
-    print("compiling the kernel:", shlex.join(command))
     run = _run(command, folder, str(target.parent))
     if run.returncode != 0:
         raise CompilerError(_failure(command, run.stdout))

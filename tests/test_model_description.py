@@ -15,8 +15,8 @@ import solver
 from build_fmu import build
 from build_fmu.export import generation_date
 from build_fmu.model_description import model_description
-from build_fmu.units import BaseUnit, base_unit
 from solver.runtime import Model
+from solver.scene.units import BaseUnit, base_unit
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
 
 ERROR = 3
@@ -41,7 +41,7 @@ def awkward_model() -> Model:
     dimension = 2
     [parameters]
     {parameters}
-    limited = {{ value = 0.3, min = 0.1, max = 0.7, unit = "furlong" }}
+    limited = {{ value = 0.3, min = 0.1, max = 0.7, unit = "kg/s" }}
     [points]
     O = {{ position = [0, 0], fixed = true }}
     A = {{ position = [1, 0], mass = 1 }}
@@ -62,9 +62,10 @@ def test_limits_units_and_texts_are_written():
     root = described(awkward_model())
     real = root.find("ModelVariables/ScalarVariable[@name='limited']/Real")
     assert real.attrib == {
-        "declaredType": "In.furlong", "unit": "furlong", "min": "0.1", "max": "0.7", "start": "0.3",
+        "declaredType": "In.kg/s", "unit": "kg/s", "min": "0.1", "max": "0.7", "start": "0.3",
     }  # fmt: skip
-    assert root.find("UnitDefinitions/Unit[@name='furlong']/BaseUnit") is None
+    base = root.find("UnitDefinitions/Unit[@name='kg/s']/BaseUnit")
+    assert base.attrib == {"kg": "1", "s": "-1"}
     assert root.get("description") == 'a "quoted" <text> & more'
 
 

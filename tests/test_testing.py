@@ -101,6 +101,15 @@ def test_a_file_is_a_reference(tmp_path):
     assert len(lines) == 2  # of B0.x a metre passes
 
 
+def test_a_reference_that_begins_late_is_followed_from_the_start_of_the_run():
+    late = {name: values[7:] for name, values in exact().items()}
+    found = assert_follows(scene_fmu("four_bar"), late, absolute=4e-4, relative=0.0)
+    assert list(found["time"]) == list(late["time"])
+    early = {"time": [-1.0, 0.0], "B0.x": [0.0, 0.0]}
+    with pytest.raises(UsageError, match="begins at t = -1 s, before the FMU, which starts at 0 s"):
+        assert_follows(scene_fmu("four_bar"), early)
+
+
 def test_communication_points_are_those_of_the_reference():
     times = [0.0, 0.03, 0.5, 0.51]
     found = assert_follows(

@@ -18,7 +18,7 @@ from build_fmu.study.values import (
     shown,
     wanted_instead,
 )
-from build_fmu.units import base_unit
+from solver.scene.units import base_unit
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription, ScalarVariable

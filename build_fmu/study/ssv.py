@@ -15,8 +15,9 @@ from xml.etree.ElementTree import Element, SubElement
 from xml.parsers import expat
 
 from build_fmu.study.values import Entry, Mistake, keep
-from build_fmu.units import BaseUnit, base_unit
+from build_fmu.units import base_unit_attributes
 from build_fmu.xml_text import legible
+from solver.scene.units import BaseUnit, base_unit
 
 if TYPE_CHECKING:
     from solver.runtime import Model, Variable
@@ -70,7 +71,7 @@ def _units(root: Element, parameters: Iterable[Variable]) -> None:
     units = SubElement(root, f"{{{VALUES}}}Units") if known else root
     for name, base in known:
         unit = SubElement(units, f"{{{COMMON}}}Unit", {"name": name})
-        SubElement(unit, f"{{{COMMON}}}BaseUnit", base.attributes())
+        SubElement(unit, f"{{{COMMON}}}BaseUnit", base_unit_attributes(base))
 
 
 def read_parameter_set(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:

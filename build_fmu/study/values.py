@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TypeGuard
 
 from build_fmu.errors import UsageError
-from build_fmu.units import BaseUnit
+from solver.scene.units import BaseUnit
 
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""

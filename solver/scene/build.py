@@ -25,7 +25,7 @@ from solver.scene.references import References
 from solver.scene.report import did_you_mean
 from solver.scene.schema import File, Heading
 from solver.scene.settings import read_settings
-from solver.scene.values import read_inputs, read_parameters
+from solver.scene.values import check_unit, read_inputs, read_parameters
 from solver.scene.vocabulary import Output, Scene
 
 _LATER = {"contacts": "contacts are not available in this version"}
@@ -79,11 +79,14 @@ def _heading(draft: Draft) -> Any:
 
 
 def _outputs(numbers: Numbers) -> dict[str, Output]:
+    parts = numbers.draft.parts("outputs")
+    for name, part in parts.items():
+        check_unit(numbers.draft, ("outputs", name), part)
     return {
         name: Output(
             value=numbers.number(("outputs", name, "value"), part.value, OUTPUT),
             unit=part.unit,
             description=part.description,
         )
-        for name, part in numbers.draft.parts("outputs").items()
+        for name, part in parts.items()
     }

@@ -10,6 +10,7 @@ from solver.scene.draft import Draft
 from solver.scene.fields import BROKEN
 from solver.scene.numbers import PARAMETER, Numbers
 from solver.scene.report import Path
+from solver.scene.units import not_of_si
 from solver.scene.vocabulary import Input, Parameter
 
 
@@ -27,6 +28,7 @@ def read_parameters(numbers: Numbers) -> dict[str, Parameter]:
             known.values.pop(name, None)  # what is calculated from it is not wrong once more
     read = {}
     for name, part in parts.items():
+        check_unit(draft, ("parameters", name), part)
         low, high = ranges[name]
         read[name] = Parameter(
             value=0.0 if part.value is BROKEN else part.value.number,
@@ -43,6 +45,7 @@ def read_inputs(numbers: Numbers) -> dict[str, Input]:
     """Read the table [inputs]."""
     read = {}
     for name, part in numbers.draft.parts("inputs").items():
+        check_unit(numbers.draft, ("inputs", name), part)
         start = numbers.constant(("inputs", name, "start"), part.start, 0.0)
         low, high = _range(numbers, ("inputs", name), part, start)
         read[name] = Input(
@@ -54,6 +57,13 @@ def read_inputs(numbers: Numbers) -> dict[str, Input]:
             interpolation=part.interpolation,
         )
     return read
+
+
+def check_unit(draft: Draft, path: Path, part: Any) -> None:
+    """Report a unit that is not of SI: nothing would convert the number."""
+    message, help = not_of_si(part.unit) if isinstance(part.unit, str) else ("", "")
+    if message:
+        draft.error((*path, "unit"), message, help)
 
 
 def _calculate(numbers: Numbers, name: str, part: Any) -> None:

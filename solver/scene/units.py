@@ -1,0 +1,126 @@
+"""A unit string as powers of the SI base units.
+
+    "N.m" = kg m2 s-2        "rad/s2" = rad s-2        "mm" = 0.001 m
+
+Products are written with `.` or `*`, quotients with `/`, powers as `m2`, `m^2` or `m**2`. As in
+FMI, the radian is a base unit, but it does not survive in derived units: N.m/rad is N.m.
+
+Scenes are in SI units throughout: there is no arithmetic of units, and a number that is said to be
+in mm would act as one in m. Files of parameter values may be in any of these, and are converted.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+_NEWTON = {"kg": 1, "m": 1, "s": -2}
+_JOULE = {"kg": 1, "m": 2, "s": -2}
+_WATT = {"kg": 1, "m": 2, "s": -3}
+_PASCAL = {"kg": 1, "m": -1, "s": -2}
+
+_SYMBOLS: dict[str, tuple[dict[str, int], float]] = {
+    "1": ({}, 1.0),
+    "%": ({}, 0.01),
+    "m": ({"m": 1}, 1.0),
+    "mm": ({"m": 1}, 1e-3),
+    "cm": ({"m": 1}, 1e-2),
+    "km": ({"m": 1}, 1e3),
+    "s": ({"s": 1}, 1.0),
+    "ms": ({"s": 1}, 1e-3),
+    "min": ({"s": 1}, 60.0),
+    "h": ({"s": 1}, 3600.0),
+    "kg": ({"kg": 1}, 1.0),
+    "g": ({"kg": 1}, 1e-3),
+    "t": ({"kg": 1}, 1e3),
+    "rad": ({"rad": 1}, 1.0),
+    "deg": ({"rad": 1}, 0.017453292519943295),
+    "rev": ({"rad": 1}, 6.283185307179586),
+    "rpm": ({"rad": 1, "s": -1}, 0.10471975511965977),
+    "Hz": ({"s": -1}, 1.0),
+    "N": (_NEWTON, 1.0),
+    "kN": (_NEWTON, 1e3),
+    "MN": (_NEWTON, 1e6),
+    "J": (_JOULE, 1.0),
+    "kJ": (_JOULE, 1e3),
+    "W": (_WATT, 1.0),
+    "kW": (_WATT, 1e3),
+    "MW": (_WATT, 1e6),
+    "Pa": (_PASCAL, 1.0),
+    "MPa": (_PASCAL, 1e6),
+    "GPa": (_PASCAL, 1e9),
+    "A": ({"A": 1}, 1.0),
+    "K": ({"K": 1}, 1.0),
+    "mol": ({"mol": 1}, 1.0),
+    "cd": ({"cd": 1}, 1.0),
+    "V": ({"kg": 1, "m": 2, "s": -3, "A": -1}, 1.0),
+    "C": ({"A": 1, "s": 1}, 1.0),
+    "F": ({"A": 2, "s": 4, "kg": -1, "m": -2}, 1.0),
+    "H": ({"kg": 1, "m": 2, "s": -2, "A": -2}, 1.0),
+    "T": ({"kg": 1, "s": -2, "A": -1}, 1.0),
+    "Wb": ({"kg": 1, "m": 2, "s": -2, "A": -1}, 1.0),
+    "Ohm": ({"kg": 1, "m": 2, "s": -3, "A": -2}, 1.0),
+}
+_FACTOR = re.compile(r"(?P<symbol>[A-Za-z%]+|1)(?:(?:\^|\*\*)?(?P<power>-?\d+))?")
+_OPERATORS = re.compile(r"(?<!\*)\*(?!\*)|[./]")
+
+
+@dataclass(frozen=True)
+class BaseUnit:
+    """Value in SI = factor * value; `powers` of kg, m, s, A, K, mol, cd, rad without zeros."""
+
+    powers: dict[str, int] = field(default_factory=dict)
+    factor: float = 1.0
+
+    def fits(self, other: BaseUnit, *, radians: bool = True) -> bool:
+        """Whether it measures the same quantity; without radians, rad/s and 1/s are one."""
+        bases = {*self.powers, *other.powers} - ({"rad"} if not radians else set())
+        return all(self.powers.get(base) == other.powers.get(base) for base in bases)
+
+
+def base_unit(unit: str) -> BaseUnit | None:
+    """Powers and factor of a unit string; None where a symbol of it is not known."""
+    text = re.sub(r"\s+", ".", unit.strip()).replace("²", "2").replace("³", "3")
+    operators = [".", *_OPERATORS.findall(text)]
+    powers: dict[str, int] = {}
+    factor = 1.0
+    for operator, part in zip(operators, _OPERATORS.split(text), strict=True):
+        match = _FACTOR.fullmatch(part)
+        known = match and _SYMBOLS.get(match["symbol"])
+        if not match or not known:
+            return None
+        power = int(match["power"] or 1) * (-1 if operator == "/" else 1)
+        factor *= known[1] ** power
+        for base, exponent in known[0].items():
+            powers[base] = powers.get(base, 0) + exponent * power
+    return BaseUnit({base: p for base, p in powers.items() if p and _keeps(base, powers)}, factor)
+
+
+def _keeps(base: str, powers: dict[str, int]) -> bool:
+    """Whether a base unit stays: the radian of N.m/rad or J/rad is dropped, that of rad/s not."""
+    return base != "rad" or not powers.get("kg")
+
+
+def not_of_si(unit: str) -> tuple[str, str]:
+    """What is wrong with a unit of a scene, and the remedy; empty for one of SI or none."""
+    base = base_unit(unit or "1")
+    if base is None:
+        known = ", ".join(symbol for symbol, (_, factor) in _SYMBOLS.items() if factor == 1.0)
+        help = f"write products, quotients and powers of {known}, or leave it out"
+        return f"there is no unit {unit!r}", help
+    if base.factor == 1.0:
+        return "", ""
+    name = _si_name(base)
+    return (
+        f"must be a unit of SI, in which all numbers of a scene are, got {unit!r}",
+        f"give the value in {name}: 1 {unit} is {base.factor:g} {name}",
+    )
+
+
+def _si_name(base: BaseUnit) -> str:
+    for symbol, (powers, factor) in _SYMBOLS.items():
+        if powers == base.powers and factor == 1.0:
+            return symbol
+    above = [f"{name}{p if p > 1 else ''}" for name, p in base.powers.items() if p > 0]
+    below = [f"/{name}{-p if p < -1 else ''}" for name, p in base.powers.items() if p < 0]
+    return (".".join(above) or "1") + "".join(below)
