@@ -120,11 +120,15 @@ def _number(cell: str) -> float:
 
 
 def names_to_compare(
-    expected: Mapping[str, Any], columns: Sequence[str] | None, known: Sequence[str], where: str
+    expected: Mapping[str, Any],
+    columns: Sequence[str] | None,
+    variables: Mapping[str, str],
+    where: str,
 ) -> list[str]:
     """Names of columns, each one of the reference and of the FMU; at least one.
 
-    None for `columns` means all but those that say how exact a run is, not how it moves.
+    `variables` has the causality of each. None for `columns` means all outputs but those that say
+    how exact a run is, not how it moves.
 
     Raises
     ------
@@ -132,11 +136,12 @@ def names_to_compare(
         With every mistake.
     """
     if columns is None:
-        names = [name for name in expected if name in known and name != "time"]
+        outputs = [name for name, causality in variables.items() if causality == "output"]
+        names = [name for name in expected if name in outputs]
         moving = [name for name in names if not name.startswith(OF_THE_SOLUTION)]
         if not names:
-            help = nearest(next((x for x in expected if x != "time"), ""), known)
-            refuse([Mistake(where, "no column is a variable of the FMU", help)])
+            help = nearest(next((x for x in expected if x != "time"), ""), outputs)
+            refuse([Mistake(where, "no column is an output of the FMU", help)])
         if not moving:
             message = "all columns are of those that say how exact a run is, not how it moves"
             refuse([Mistake(where, message, "name those to compare in columns=[...]")])
@@ -147,7 +152,7 @@ def names_to_compare(
     refuse(
         Mistake(where, f"{name}: not {words}", nearest(name, among))
         for name in columns
-        for words, among in (("in the reference", expected), ("a variable of the FMU", known))
+        for words, among in (("in the reference", expected), ("a variable of the FMU", [*variables]))
         if name not in among
     )
     return list(columns)

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 __all__ = ["assert_conserves", "assert_follows"]
 
+MOST_TOLD = 10
+"""Columns of which it is said how far they are off."""
+
 
 def assert_conserves(
     target: str | PathLike[str],
@@ -111,9 +114,9 @@ def assert_follows(
     absolute
         Error that passes besides, in the unit of the column; one for all, or by name.
     columns
-        What to compare; None: all columns that are variables of the FMU, but not `energy.error`,
+        What to compare; None: all columns that are outputs of the FMU, but not `energy.error`,
         `energy.balance`, `constraint.*` and `solver.*`. These say how exact a run is, and are noise
-        in a good one; `assert_conserves` sets limits to them.
+        in a good one; `assert_conserves` sets limits to them. Columns of inputs drive nothing.
     parameters
         Values of parameters and inputs by name, or a file of them.
 
@@ -132,12 +135,10 @@ def assert_follows(
     finished = len(record.values) == len(times)
     told = failure(record.end_time, times[-1], finished, record.reason)
     problems = [told] if told else []
-    found = {"time": expected["time"][: len(record.values)]}
-    for name, column in zip(names, record.values.T, strict=True):
-        found[name] = column
-        problems += _differences(name, times, column, expected[name], passes[name])
+    found = dict(zip(names, record.values.T, strict=True))
+    problems += _differences(times, found, expected, passes)
     _require(f"{target} does not follow {where}", problems)
-    return found
+    return {"time": expected["time"][: len(record.values)], **found}
 
 
 def _run_along(
@@ -156,10 +157,10 @@ def _run_along(
         fmu = KeptFmu(path)
         try:
             settings = fmu_settings(fmu.description, [left])[0]
-            units = {
-                v.name: v.unit or "" for v in fmu.description.modelVariables if v.type != "String"
-            }
-            names = names_to_compare(expected, columns, list(units), where)
+            numbers = [v for v in fmu.description.modelVariables if v.type != "String"]
+            units = {v.name: v.unit or "" for v in numbers}
+            causality = {v.name: v.causality for v in numbers}
+            names = names_to_compare(expected, columns, causality, where)
             times = expected["time"].tolist()
             before = _way_to(times[0], fmu.description, where)
             record = fmu.run(settings, [*before, *times], names)
@@ -178,21 +179,28 @@ def _way_to(time: float, description: ModelDescription, where: str) -> list[floa
 
 
 def _differences(
-    name: str, times: Sequence[float], found: ndarray, expected: ndarray, limit: float
+    times: Sequence[float],
+    found: Mapping[str, ndarray],
+    expected: Mapping[str, ndarray],
+    passes: Mapping[str, float],
 ) -> list[str]:
-    """A sentence about a column that is off; only points that were reached are compared."""
-    if not len(found):
-        return []
-    error = abs(found - expected[: len(found)])
-    beyond = int((~(error <= limit)).sum())
-    if not beyond:
-        return []
-    worst = int(error.argmax())
-    return [
-        f"{name} is off by {error[worst]:.3g} at t = {times[worst]:g} s "
-        f"({found[worst]:.9g}, expected {expected[worst]:.9g}), more than {limit:.3g}; "
-        f"{beyond} of {len(found)} points are"
-    ]
+    """Sentences about the columns that are off, first the one that is earliest, then most."""
+    off: list[tuple[float, float, str]] = []
+    for name, column in found.items():
+        error = abs(column - expected[name][: len(column)])  # of points that were reached
+        beyond = (~(error <= passes[name])).nonzero()[0]
+        if len(beyond):
+            worst = int(error.argmax())
+            sentence = (
+                f"{name} is off by {error[worst]:.3g} at t = {times[worst]:g} s "
+                f"({column[worst]:.9g}, expected {expected[name][worst]:.9g}), more than "
+                f"{passes[name]:.3g}; {len(beyond)} of {len(column)} points are, from "
+                f"t = {times[int(beyond[0])]:g} s on"
+            )
+            off.append((int(beyond[0]), -error[worst] / max(passes[name], 1e-300), sentence))
+    sentences = [sentence for *_, sentence in sorted(off)]
+    more = len(sentences) - MOST_TOLD
+    return sentences[:MOST_TOLD] + ([f"and {more} more columns are off"] if more > 0 else [])
 
 
 def _require(what: str, problems: Sequence[str]) -> None:

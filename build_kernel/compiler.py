@@ -123,10 +123,12 @@ def library_name(system: str, dimension: int) -> str:
 
 def flags() -> list[str]:
     """Flags of every compiler; those of `$CFLAGS` come last and so win."""
-    strip = (
-        [] if platform.system() == "Darwin" else ["-s"]
-    )  # zig's library is else four times as big
-    return [*FLAGS, *strip, *shlex.split(os.environ.get("CFLAGS", ""))]
+    system = platform.system()
+    strip = [] if system == "Darwin" else ["-s"]  # zig's library is else four times as big
+    # Elsewhere the tables are part of the platform's interface; here only exceptions, of which C
+    # has none, and debuggers read them.
+    lean = ["-fno-asynchronous-unwind-tables"] if system == "Linux" else []
+    return [*FLAGS, *strip, *lean, *shlex.split(os.environ.get("CFLAGS", ""))]
 
 
 def _works(compiler: str) -> bool:

@@ -13,6 +13,7 @@ import pytest
 from build_fmu import demo
 from build_fmu.errors import UsageError
 from build_fmu.reference import limits
+from build_fmu.run import run_fmu
 from build_fmu.testing import assert_conserves, assert_follows
 from tests.commands import run
 from tests.fmu_instance import SCENES, pendulum, scene_fmu
@@ -110,6 +111,26 @@ def test_a_reference_that_begins_late_is_followed_from_the_start_of_the_run():
         assert_follows(scene_fmu("four_bar"), early)
 
 
+def test_columns_of_inputs_are_not_compared_unless_they_are_named():
+    driven = {"time": [0.0, 0.1], "push": [2.0, 2.0], "A.x": [1.0, 1.0]}
+    assert "push" not in assert_follows(pendulum(), driven, absolute=9.0)
+    with pytest.raises(AssertionError, match="push is off by 2"):
+        assert_follows(pendulum(), driven, absolute=1.0, columns=["A.x", "push"])
+
+
+def test_of_many_columns_that_are_off_the_first_are_told():
+    wrong = {"time": [0.0, 0.1, 0.2], "A.y": [0.0, 9.0, 9.0], "A.x": [1.0, 1.0, 9.0]}
+    with pytest.raises(AssertionError) as failure:
+        assert_follows(pendulum(), wrong, relative=0.0, absolute=1.0)
+    lines = str(failure.value).splitlines()
+    assert [line.split()[0] for line in lines[1:]] == ["A.y", "A.x"]
+    assert lines[1].endswith("2 of 3 points are, from t = 0.1 s on")
+    values = run_fmu(pendulum(), stop_time=0.2).values
+    every = {name: values[name] + (name != "time") for name in values.dtype.names}
+    with pytest.raises(AssertionError, match="and [0-9]+ more columns are off"):
+        assert_follows(pendulum(), every)
+
+
 def test_communication_points_are_those_of_the_reference():
     times = [0.0, 0.03, 0.5, 0.51]
     found = assert_follows(
@@ -127,7 +148,7 @@ def test_communication_points_are_those_of_the_reference():
         ("time,A.x\n0,1\n", "time must ascend, from at least two rows, and there are 1"),
         ("time,A.x\n0,1\n1,one\n2\n", ":3: error: A.x: must be a finite number, got 'one'"),
         ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cells, and the header has 2"),
-        ("time,B.x\n0,1\n1,1\n", "no column is a variable of the FMU"),
+        ("time,B.x\n0,1\n1,1\n", "no column is an output of the FMU"),
         ("", "is empty\n  = help: write names into the first line"),
         ("time,A.x,A.x\n0,1,2\n", ":1: error: column 3: 'A.x' is there twice"),
         ("time,,A.x\n0,1,2\n", ":1: error: column 2: has no name"),
