@@ -37,13 +37,13 @@ benchmark: $(VENV)/installed-benchmarks
 
 importers: export IMPORTERS = fmpy libcosimpy ecospy pathsim-fmi fmu-manipulation-toolbox
 importers: $(VENV)/installed-importers
-	$(BIN)/python -m pytest -n $(JOBS) tests/importers
+	$(BIN)/python -m pytest -n $(JOBS) -rs tests/importers
 	@$(BIN)/python -m tests.importers.page
 
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
 cofmupy: $(VENV)/installed-importers $(COFMUPY)/installed
-	$(BIN)/python -m pytest tests/importers/test_coupled.py -k cofmupy
+	$(BIN)/python -m pytest -rs tests/importers/test_coupled.py -k cofmupy
 	@$(BIN)/python -m tests.importers.page
 
 kernel:

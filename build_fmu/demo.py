@@ -48,8 +48,8 @@ def main() -> int:
         begin = time.perf_counter()
         fmu = build(SCENE, Path(folder, "four_bar.fmu"))
         sys.stdout.write(
-            f"scenes/four_bar.toml -> four_bar.fmu, {fmu.stat().st_size / 1e3:.0f} kB, "
-            f"built in {time.perf_counter() - begin:.2f} s\n\n"
+            "scenes/four_bar.toml -> four_bar.fmu in a temporary folder, "
+            f"{fmu.stat().st_size / 1e3:.0f} kB, built in {time.perf_counter() - begin:.2f} s\n\n"
         )
         runs = [run(fmu, formulation) for formulation in FORMULATIONS]
     title = f"two-loop four-bar, {STOP_TIME:g} s in fmpy, by solver.formulation"

@@ -152,7 +152,10 @@ def names_to_compare(
     refuse(
         Mistake(where, f"{name}: not {words}", nearest(name, among))
         for name in columns
-        for words, among in (("in the reference", expected), ("a variable of the FMU", [*variables]))
+        for words, among in (
+            ("in the reference", expected),
+            ("a variable of the FMU", [*variables]),
+        )
         if name not in among
     )
     return list(columns)

@@ -18,6 +18,8 @@ else:
 
 DEEPEST = 50
 """Tables and lists within each other; no scene has so many."""
+_TUPLE, _QUOTED = re.compile(r"\(('[^']*',? ?)+\)"), re.compile(r"'([^']*)'")
+"""Keys as the reader of TOML names them: ('points', 'A')."""
 _TWICE = "Cannot overwrite a value"
 _TOML_HELP = {
     "Illegal character '\\n'": "a text ends on the line it begins on: close its quotes",
@@ -80,6 +82,7 @@ def _toml(text: str, name: str) -> dict[str, Any]:
         words = str(error)
         place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
         message = words[: place.start()] if place else words
+        message = _TUPLE.sub(lambda found: ".".join(_QUOTED.findall(found[0])), message)
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
         help = _TOML_HELP.get(message)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import datetime
 import re
+import sys
 
 from tests.importers.tools import REQUIRED, ROOT, TOOLS, Tool, version
 
@@ -42,4 +43,7 @@ if __name__ == "__main__":
     rest = after.partition("\n\n")[2]
     known = rows(text)
     table = "\n".join(renewed(tool, known.get(tool.name)) for tool in TOOLS)
-    PAGE.write_text(f"{before}{HEAD}{table}\n\n{rest}", encoding="utf-8")
+    written = f"{before}{HEAD}{table}\n\n{rest}"
+    PAGE.write_text(written, encoding="utf-8")
+    what = "as it was" if written == text else "new versions are in its table"
+    sys.stdout.write(f"docs/importers.md: {what}\n")
