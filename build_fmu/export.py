@@ -18,6 +18,7 @@ from build_fmu.errors import UsageError
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
 from build_fmu.picture import picture
+from build_fmu.study.remains import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
 from build_fmu.trial import Trial, trial
@@ -41,6 +42,7 @@ def build_archive(
     """Write the FMU of a scene and its parameter set; see `build_fmu.build`."""
     loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
     model = compile_scene(loaded)
+    require_own_set(fmu_path(path, model.name))
     written = write_fmu(model, path, loaded)
     write_parameter_set(model, written)
     return written

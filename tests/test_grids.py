@@ -132,15 +132,20 @@ def test_a_table_has_a_row_for_each_line(tmp_path):
         (["a=1:2"], ["--grid a=1:2: error: column 3: '1:2' is not a range from:to:count"]),
         (["a=7,1:x:3"], ["--grid a=7,1:x:3: error: column 7: 'x' is not a number"]),
         (["a=1:nan:3"], ["--grid a=1:nan:3: error: column 5: 'nan' is not a finite number"]),
-        (["a=1:5:1"], ["the count must be a whole number from 2 to 1e+06, got 1"]),
-        (["a=1:5:2.5"], ["the count must be a whole number from 2 to 1e+06, got 2.5"]),
+        (["a=1:5:1"], ["the count must be a whole number from 2 to 1000000, got 1"]),
+        (["a=1:5:2.5"], ["the count must be a whole number from 2 to 1000000, got 2.5"]),
         (["a=-1:5:3:log"], ["from and to of a range with log must have one sign, got -1 and 5"]),
         (["a=[1"], ["--grid a=[1: error: column 3: '[1': "]),
         (["a=1,2", "a=3"], ["--grid a=3: error: a: varied by --grid a=1,2 too"]),
-        (["a=1:2:2000", "b=1:2:2000"], ["4e+06 combinations, more than the 1e+06"]),
+        (
+            ["a=1:2:2000", "b=1:2:2000"],
+            ["error: 4000000 combinations, more than the 1000000 of one study"],
+        ),
         (["a=1:1:3"], ["from and to of a range must differ, got 1 and 1"]),
         (["a=2,1:3:3"], ["a=2,1:3:3: error: the value 2 is there twice"]),
         (["a=1,1.0"], ["the value 1.0 is there twice"]),
+        (["a=1_0"], ["--grid a=1_0: error: column 3: '1_0': a number has no '_'"]),
+        (["a=1:1_0:3"], ["--grid a=1:1_0:3: error: column 5: '1_0': a number has no '_'"]),
         (["a=1:1e400:3"], ["column 5: '1e400' is not a finite number"]),
         ([f"a=1:1{'0' * 400}:3"], ["0' is not a finite number"]),
         (["a", "b=1:2"], ["--grid a: error", "--grid b=1:2: error"]),
@@ -162,11 +167,13 @@ def test_mistakes_of_grids_name_the_place_and_come_all_at_once(grids, reports):
         ("a,a\n1,2\n", "a.csv:1: error: column 2: 'a' is there twice"),
         ("a;b\n1;2\n", "a.csv:1: error: column 1: 'a;b' is not a name"),
         ("1,2\n3,4\n", "a.csv:1: error: column 1: '1' is not a name"),
-        ("a,b\n1,2\n3\n", "a.csv:3: error: has 1 cells, and the header has 2"),
+        ("1_0\n3\n", "a.csv:1: error: column 1: '1_0' is not a name"),
+        ("a\n1_0\n", "a.csv:2: error: 1_0: a number has no '_'"),
+        ("a,b\n1,2\n3\n", "a.csv:3: error: has 1 cell, and the header has 2"),
         ("a,b\n1,2\n3,\n", "a.csv:3: error: b: an empty cell"),
         ("a\n[1\n", "a.csv:2: error: [1: "),
     ],
-    ids=range(9),
+    ids=range(11),
 )
 def test_mistakes_of_tables_name_line_and_column(tmp_path, monkeypatch, text, report):
     monkeypatch.chdir(tmp_path)
@@ -174,6 +181,36 @@ def test_mistakes_of_tables_name_line_and_column(tmp_path, monkeypatch, text, re
     with pytest.raises(UsageError) as caught:
         rows_of([], "a.csv")
     assert str(caught.value).startswith(report)
+
+
+def test_mistakes_of_a_table_come_all_at_once(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text("a,2\n1\n,3\n[1,4\n1,2,3\n")
+    with pytest.raises(UsageError) as caught:
+        rows_of(["c"], "a.csv")
+    lines = str(caught.value).splitlines()
+    places = [line.partition(": error")[0] for line in lines if "= help" not in line]
+    assert sorted(places) == ["--grid c", *(f"a.csv:{line}" for line in range(1, 6))]
+
+
+@pytest.mark.parametrize(
+    ("text", "report", "help"),
+    [
+        ('a\n"1\n', "not CSV: unexpected end of data", "close each quote"),
+        ('a\n"1"2\n', "not CSV: ',' expected after '\"'", "close each quote"),
+        ("a\n" + "1" * 200_000, "a cell has more than 131072 characters", "no value is so long"),
+    ],
+    ids=["open", "within", "long"],
+)
+def test_only_mistakes_of_quotes_have_a_help_about_quotes(
+    tmp_path, monkeypatch, text, report, help
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.csv").write_text(text)
+    with pytest.raises(UsageError) as caught:
+        rows_of([], "a.csv")
+    assert f"error: {report}\n  = help: {help}" in str(caught.value)
+    assert str(caught.value).count("error") == 1
 
 
 def test_a_name_of_both_a_grid_and_a_table_is_refused(tmp_path):

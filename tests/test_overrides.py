@@ -61,6 +61,12 @@ def test_numbers_of_bodies_and_joints_can_be_replaced(name, value, read, expecte
         ),
         (
             "points.A.mass",
+            "2kg",
+            "--set points.A.mass=2kg: error: points.A.mass: a number with letters behind it; "
+            "a unit is not written here, column 1 of '2kg'",
+        ),
+        (
+            "points.A.mass",
             "-2",
             "--set points.A.mass=-2: error: points.A.mass: must be >= 0 kg, got -2",
         ),

@@ -143,6 +143,15 @@ def test_set_has_precedence_and_of_two_files_the_later(capsys, tmp_path):
         ),
         (
             "a.csv",
+            "parameter,value\nmass,1\nlength\nx,[1\n",
+            "a.csv:1: error: the header is 'parameter,value'\n"
+            "  = help: it must be name,value or name,value,unit\n"
+            "a.csv:3: error: has 1 cell, and the header has 2\n"
+            "  = help: put a text with a comma into quotes\n"
+            "a.csv:4: error: x: Expecting ',' delimiter",
+        ),
+        (
+            "a.csv",
             "parameter,value\nmass,1\n",
             "a.csv:1: error: the header is 'parameter,value'\n"
             "  = help: it must be name,value or name,value,unit",

@@ -26,11 +26,24 @@ def csv_rows(path: Path, mistakes: list[Mistake]) -> Iterator[tuple[str, list[st
             if len(cells) == head:
                 yield where, cells
             else:
-                message = f"has {len(cells)} cells, and the header has {head}"
+                message = f"has {_cells(len(cells))}, and the header has {head}"
                 mistakes.append(Mistake(where, message, "put a text with a comma into quotes"))
     except csv.Error as error:
-        help = "close each quote, before a comma or the end of the line; double one within a text"
-        mistakes.append(Mistake(f"{path}:{reader.line_num}", f"not CSV: {error}", help))
+        mistakes.append(Mistake(f"{path}:{reader.line_num}", *_words(str(error))))
+
+
+def _cells(count: int) -> str:
+    return "1 cell" if count == 1 else f"{count} cells"
+
+
+def _words(error: str) -> tuple[str, str]:
+    """What keeps a file from being read to its end, and what helps."""
+    if error.startswith("field larger"):
+        help = "no value is so long; look for a quote in front of it that is not closed"
+        return f"a cell has more than {csv.field_size_limit()} characters", help
+    help = "close each quote, before a comma or the end of the line; double one within a text"
+    of_quotes = "expected after" in error or "unexpected end" in error
+    return f"not CSV: {error}", help if of_quotes else ""
 
 
 def _lines(path: Path, mistakes: list[Mistake]) -> Iterator[str]:

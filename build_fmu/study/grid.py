@@ -70,7 +70,7 @@ def rows_of(
             seen[name] = where
     count = math.prod(map(len, lists))
     if count > MOST_ROWS:
-        message = f"{count:.3g} combinations, more than the {MOST_ROWS:g} of one study"
+        message = f"{count} combinations, more than the {MOST_ROWS} of one study"
         mistakes.append(Mistake(next(iter(seen.values())), message))
     refuse(mistakes)
     return [{k: v for row in rows for k, v in row.items()} for rows in itertools.product(*lists)]
@@ -154,7 +154,11 @@ def _item(item: str, column: int, where: str, mistakes: list[Mistake]) -> list[o
         return []
     numbers: list[float] = []
     for part in parts[:3]:
-        value = read_value(part) if not part.strip().startswith(("[", "{")) else part
+        try:
+            value = read_value(part) if not part.strip().startswith(("[", "{")) else part
+        except ValueError as error:
+            mistakes.append(Mistake(where, f"column {column}: {part!r}: {error}", FORM))
+            return []
         if not is_finite(value):
             message = f"column {column}: {shown(part)} is not {wanted_instead(value)}"
             mistakes.append(Mistake(where, message, FORM))
@@ -170,7 +174,7 @@ def _range(
     first, last, count = numbers
     wrong = ""
     if not (isinstance(count, int) and 2 <= count <= MOST_ROWS):
-        wrong = f"the count must be a whole number from 2 to {MOST_ROWS:g}, got {count!r}"
+        wrong = f"the count must be a whole number from 2 to {MOST_ROWS}, got {count!r}"
     elif first == last:
         wrong = f"from and to of a range must differ, got {first!r} and {last!r}"
     elif log and not (first > 0.0 < last or first < 0.0 > last):
@@ -208,10 +212,13 @@ def _table(
     if not isinstance(table, str | PathLike):
         return _rows(table, mistakes)
     path, before = Path(table), len(mistakes)
-    (header, head), *lines = [*csv_rows(path, mistakes)] or [(f"{path}:1", [])]
-    if len(mistakes) > before or not _header_fits(header, head, mistakes):
+    rows = [*csv_rows(path, mistakes)]
+    is_read = len(mistakes) == before
+    if not rows and not is_read:
         return []
-    if not lines:
+    (header, head), *lines = rows or [(f"{path}:1", [])]
+    _check_header(header, head, mistakes)
+    if head and not lines and is_read:
         mistakes.append(Mistake(str(path), "has no rows below its header"))
     return [_row(where, header, head, cells, mistakes) for where, cells in lines]
 
@@ -235,8 +242,7 @@ def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> lis
     return rows
 
 
-def _header_fits(where: str, head: Sequence[str], mistakes: list[Mistake]) -> bool:
-    before = len(mistakes)
+def _check_header(where: str, head: Sequence[str], mistakes: list[Mistake]) -> None:
     help = "write the names of parameters, separated by commas, into the first line"
     if not head:
         mistakes.append(Mistake(where, "no header", help))
@@ -246,11 +252,17 @@ def _header_fits(where: str, head: Sequence[str], mistakes: list[Mistake]) -> bo
             message = f"column {number} has no name"
         elif name in head[: number - 1]:
             message = f"column {number}: {name!r} is there twice"
-        elif re.search("[;\t]", name) or isinstance(read_value(name.strip("[{")), int | float):
+        elif re.search("[;\t]", name) or _is_number(name):
             message = f"column {number}: {name!r} is not a name"
         if message:
             mistakes.append(Mistake(where, message, help))
-    return len(mistakes) == before
+
+
+def _is_number(name: str) -> bool:
+    try:
+        return isinstance(read_value(name), int | float)
+    except ValueError:  # a list, or a number with a mistake
+        return True
 
 
 def _row(

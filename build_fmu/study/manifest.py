@@ -27,6 +27,8 @@ class Variant:
     """Name of the file beside the manifest; empty where there is none."""
     parameters: dict[str, object]
     mistakes: tuple[str, ...] = field(default=(), repr=False)
+    lost: bool = field(default=False, repr=False)
+    """Whether the process that wrote it died."""
 
     @property
     def error(self) -> str:

@@ -118,9 +118,10 @@ def _csv(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
         elif len(head) == 1 and re.search("[;\t]", head[0]):
             help += ", separated by commas"
         mistakes.append(Mistake(header, message, help))
-        return {}
     found: dict[str, Entry] = {}
     for where, row in rows:
+        if len(head) not in map(len, HEADS):
+            continue  # nobody knows what is what
         name, text, unit = [*row, ""][:3]
         if not name or not text:
             mistakes.append(Mistake(where, f"{name or 'a value'}: an empty cell"))

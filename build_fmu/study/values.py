@@ -54,12 +54,16 @@ class Mistake:
 
 def refuse(mistakes: Iterable[Mistake | str]) -> None:
     """Raise UsageError with all mistakes, each once, if there are any."""
+    if text := in_one_text(mistakes):
+        raise UsageError(text)
+
+
+def in_one_text(mistakes: Iterable[Mistake | str]) -> str:
+    """All mistakes, each once, or the first of them and the number of the rest."""
     texts = list(dict.fromkeys(str(mistake) for mistake in mistakes))
-    if not texts:
-        return
     left = len(texts) - MOST_MISTAKES
     more = [f"... and {left} more mistakes"] if left > 0 else []
-    raise UsageError("\n".join([*texts[:MOST_MISTAKES], *more]))
+    return "\n".join([*texts[:MOST_MISTAKES], *more])
 
 
 def read_value(text: str) -> object:
@@ -68,16 +72,20 @@ def read_value(text: str) -> object:
     Raises
     ------
     ValueError
-        If a list is not one of JSON.
+        If a list is not one of JSON, or a number is written as only Python and TOML know it.
     """
     text = text.strip()
     if text in ("true", "false"):
         return text == "true"
     for read in (int, float):
         try:
-            return read(text)
+            number = read(text)
         except ValueError:
             continue
+        if "_" in text:
+            message = "a number has no '_'"
+            raise ValueError(message)
+        return number
     if not text.startswith(("[", "{")):
         return text
     try:

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 
-from build_fmu.study.engines import Task, run_jobs
+from build_fmu.errors import UnfinishedError
+from build_fmu.study.engines import Task, engine_of
 from build_fmu.study.grid import Row, rows_of
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
-from build_fmu.study.remains import remove_remains, require_room
+from build_fmu.study.remains import require_room
 from build_fmu.study.settings import Source, entries_of, scene_overrides
-from build_fmu.study.values import Entry, refuse
+from build_fmu.study.values import Entry, in_one_text, refuse
 
 
 @dataclass(frozen=True)
@@ -74,30 +75,40 @@ def variants(
     Raises
     ------
     solver.scene.SceneError, build_fmu.errors.UsageError
-        With every mistake; variants without one are written all the same.
+        With every mistake. If only values of some rows are wrong, the others are written.
+    build_fmu.errors.UnfinishedError
+        If a process died that wrote one of them; the others are written.
     """
     rows = rows_of(grid, table)
+    run_jobs = engine_of(engine, workers)
     target = manifest_path(Path(folder), manifest)
     shared = _shared(scene, folder, entries_of(parameters), len(rows))
     jobs = [(number, row) for number, row in enumerate(rows, start=1)]
     names = {shared.name(number) for number, _ in jobs}
-    there = require_room(target.parent, shared.stem, names, fresh)
+    room = require_room(target.parent, shared.stem, names, fresh)
     target.parent.mkdir(parents=True, exist_ok=True)
     made: list[Variant] = []
     try:
-        task = Task(_export, shared, _lost)
-        with contextlib.closing(run_jobs(task, jobs, engine, workers)) as results:
+        with contextlib.closing(run_jobs(Task(_export, shared, _lost), jobs)) as results:
             for variant in results:
                 made.append(variant)
                 if progress:
                     progress(len(made), len(jobs))
-        remove_remains(there, {variant.fmu for variant in made})
     finally:
         made = in_one_form(sorted(made, key=lambda variant: variant.number))
-        if made:  # an interrupted study says what it has written
+        if made or room.is_touched():  # an interrupted study says what it has written
+            room.clear({variant.fmu for variant in made})
             target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
-    refuse(mistake for variant in made for mistake in variant.mistakes)
+    _require_all(made)
     return made
+
+
+def _require_all(made: Sequence[Variant]) -> None:
+    """Raise what says why there is not an FMU of each; first what is the user's to mend."""
+    refuse(mistake for variant in made if not variant.lost for mistake in variant.mistakes)
+    lost = [mistake for variant in made for mistake in variant.mistakes]
+    if lost:
+        raise UnfinishedError(in_one_text(lost))
 
 
 def _shared(
@@ -141,4 +152,4 @@ def _exported(shared: _Shared, number: int, row: Row) -> Variant:
 def _lost(job: tuple[int, Row], reason: str) -> Variant:
     number, row = job
     values = {name: entry.value for name, entry in row.items()}
-    return Variant(number, "", values, (f"variant {number}: error: {reason}",))
+    return Variant(number, "", values, (f"variant {number}: error: {reason}",), lost=True)
