@@ -147,7 +147,7 @@ def test_communication_points_are_those_of_the_reference():
         ("time,A.x\n0,1\n0,1\n", "time must ascend, from at least two rows; row 2 does not"),
         ("time,A.x\n0,1\n", "time must ascend, from at least two rows, and there are 1"),
         ("time,A.x\n0,1\n1,one\n2\n", ":3: error: A.x: must be a finite number, got 'one'"),
-        ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cells, and the header has 2"),
+        ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cell, and the header has 2"),
         ("time,B.x\n0,1\n1,1\n", "no column is an output of the FMU"),
         ("", "is empty\n  = help: write names into the first line"),
         ("time,A.x,A.x\n0,1,2\n", ":1: error: column 3: 'A.x' is there twice"),

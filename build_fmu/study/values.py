@@ -10,10 +10,12 @@ import reprlib
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 from build_fmu.errors import UsageError
-from solver.scene.units import BaseUnit
+
+if TYPE_CHECKING:
+    from solver.scene.units import BaseUnit
 
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
