@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from build_fmu.errors import UsageError
 from build_fmu.instance import (
     FATAL,
     Log,
@@ -48,12 +49,19 @@ class KeptFmu:
         self._folder = unpacked(path, folder)
         self._variables = {v.name: v for v in self.description.modelVariables}
         self._fmu: FMU2Slave | None = None
+        self._was_made = False
         self._log = Log()
 
     def run(
         self, settings: Mapping[str, object], times: Sequence[float], outputs: Sequence[str]
     ) -> Record:
-        """Run from the first to the last of the times, and read outputs at each of them."""
+        """Run from the first to the last of the times, and read outputs at each of them.
+
+        Raises
+        ------
+        UsageError
+            If the FMU cannot be instantiated; if it could before, that is a run that failed.
+        """
         import numpy as np
         from fmpy.fmi1 import FMICallException
 
@@ -80,26 +88,33 @@ class KeptFmu:
                 self._fmu = None  # its memory is gone
             end = times[max(reached - 1, 0)]
             return Record(values[:reached], end, self._log.reason(str(error)))
+        except UsageError as error:
+            if not self._was_made:
+                raise
+            return Record(values[:0], times[0], str(error))
         return Record(values, times[-1], self._log.error)
 
     def close(self) -> None:
         """Free the instance and remove the folder."""
-        if self._fmu is not None:
-            self._fmu.freeInstance()
-            self._fmu = None
+        fmu, self._fmu = self._fmu, None
+        if fmu is not None:
+            fmu.freeInstance()
         self._folder.cleanup()
 
     def _ready(self) -> FMU2Slave:
         """Instance as after instantiation: reset, or a new one where that is not possible."""
         from fmpy.fmi1 import FMICallException
 
-        if self._fmu is not None:
+        fmu, self._fmu = self._fmu, None
+        if fmu is not None:
             try:
-                self._fmu.reset()
-                return self._fmu
-            except FMICallException:
-                self._fmu.freeInstance()
-        self._fmu = instantiated(self.description, self._folder.name, self._log)
+                fmu.reset()
+            except FMICallException as error:
+                if error.status != FATAL:  # after which it is freed already
+                    fmu.freeInstance()
+                fmu = None
+        self._fmu = fmu or instantiated(self.description, self._folder.name, self._log)
+        self._was_made = True
         return self._fmu
 
     def _set(self, fmu: FMU2Slave, settings: Mapping[str, object]) -> None:

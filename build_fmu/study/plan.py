@@ -59,6 +59,11 @@ class Plan:
         """What is varied."""
         return list(self.rows[0])
 
+    @property
+    def leading(self) -> int:
+        """Number of columns that the plan knows: those of the run and of what is varied."""
+        return 1 + len(self.names)
+
     @cached_property
     def document(self) -> dict[str, Any]:
         """What two sweeps must have in common for one to go on where the other stopped."""
@@ -109,7 +114,7 @@ class Plan:
 
     def result_of(self, row: Sequence[str]) -> Result:
         """Result of a line, without its trajectory; ValueError where it is none."""
-        own = 1 + len(self.names)
+        own = self.leading
         numbers = [float(text) for text in row[own + 3 :]]
         summary = [numbers[i : i + 3] for i in range(0, len(numbers), 3)]
         run, end = int(row[0]), float(row[own + 1])

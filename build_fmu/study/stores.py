@@ -39,8 +39,12 @@ def holds_trajectories(path: Path | None) -> bool:
     return path is not None and path.suffix != ".csv"
 
 
-def store_for(path: Path | None, plan: Plan, fresh: bool = False) -> Store:
+def store_for(
+    path: Path | None, plan: Plan, fresh: bool = False, trajectories: bool = False
+) -> Store:
     """Store for a file name: none, .csv, .h5 or .hdf5; a fresh one forgets what the file has.
+
+    With `trajectories` its results have them, where the file does.
 
     Raises
     ------
@@ -49,21 +53,24 @@ def store_for(path: Path | None, plan: Plan, fresh: bool = False) -> Store:
     """
     check_name(path)
     if path is None:
-        return Store(plan)
+        return Store(plan, trajectories)
     path.parent.mkdir(parents=True, exist_ok=True)
-    return (Hdf5Store if holds_trajectories(path) else CsvStore)(plan, path, fresh)
+    kind = Hdf5Store if holds_trajectories(path) else CsvStore
+    return kind(plan, trajectories, path, fresh)
 
 
 class Store:
     """Base: results in memory alone."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, trajectories: bool) -> None:
         self.plan = plan
         self.results: dict[int, Result] = {}
+        self._trajectories = trajectories
 
     def keep(self, result: Result) -> None:
         """Take a result."""
-        self.results[result.run] = result
+        # Trajectories may be gigabytes, and the file has them.
+        self.results[result.run] = result if self._trajectories else replace(result, values=None)
 
     def close(self) -> None:
         """Finish the file."""
@@ -95,38 +102,43 @@ def _damaged(path: Path, why: object) -> UsageError:
 class CsvStore(Store):
     """One line for each run; what the sweep was stands beside it, in NAME.csv.plan.json."""
 
-    def __init__(self, plan: Plan, path: Path, fresh: bool) -> None:
-        super().__init__(plan)
+    def __init__(self, plan: Plan, trajectories: bool, path: Path, fresh: bool) -> None:
+        super().__init__(plan, trajectories)
         self._path, plan_path = path, path.with_name(f"{path.name}.plan.json")
-        there = path.is_file() and not fresh
-        if there and not plan_path.is_file():
+        if path.is_file() and not fresh and not plan_path.is_file():
             text = f"{path} is there and is not one of a sweep; name another file, or --fresh"
             raise UsageError(text)
         # The plan stays the file that it is, which the results do not: it is what is locked.
         self._lock = lock(plan_path, path)
         try:
-            if there:
+            if fresh:
+                path.unlink(missing_ok=True)
+            if path.is_file():
                 _require_the_same(path, plan_path.read_bytes(), plan.document)
                 self._read()
-            plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
+            else:  # in this order: results are never there without a plan that is theirs and whole
+                plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
             self._file = self._begin(path)
         except BaseException:
             self._lock.close()
             raise
 
     def _read(self) -> None:
-        """Results of the lines that are whole."""
+        """Results of the lines that are whole and have the values of their run."""
         whole = self._path.read_bytes().rpartition(b"\n")[0]
         try:
             rows = list(csv.reader(io.StringIO(whole.decode(), newline="")))
         except (UnicodeDecodeError, csv.Error) as error:
             raise _damaged(self._path, error) from None
-        width = len(self.plan.columns)
+        columns, leading = self.plan.columns, self.plan.leading
+        if rows[:1] != [columns]:
+            raise _damaged(self._path, "its first line does not name the columns of this one")
         for row in rows[1:]:
-            if len(row) == width:
+            if len(row) == len(columns):
                 with contextlib.suppress(ValueError):  # what cannot be read is run again
                     result = self.plan.result_of(row)
-                    self.results[result.run] = result
+                    if row[:leading] == self.plan.row(result)[:leading]:
+                        self.results[result.run] = result
 
     def _begin(self, path: Path) -> TextIO:
         """File with what is known, in the order of the runs."""
@@ -161,13 +173,13 @@ class Hdf5Store(Store):
     and an interrupted sweep leaves one that can be read.
     """
 
-    def __init__(self, plan: Plan, path: Path, fresh: bool) -> None:
+    def __init__(self, plan: Plan, trajectories: bool, path: Path, fresh: bool) -> None:
         try:
             import h5py  # pyright: ignore[reportMissingImports]
         except ImportError:
             text = "the package h5py is missing; install it: pip install holonom[hdf5]"
             raise EnvironmentLackError(text) from None
-        super().__init__(plan)
+        super().__init__(plan, trajectories)
         if grouped := [name for name in plan.outputs if "/" in name]:
             text = (
                 f"{path}: HDF5 takes the '/' of {grouped[0]!r} for a group; write a .csv, or leave "
@@ -199,7 +211,6 @@ class Hdf5Store(Store):
 
         plan = self.plan
         runs = np.zeros(plan.count, plan.dtype(LONGEST_REASON))
-        self._file.attrs["plan"] = json.dumps(plan.document)
         self._file.create_dataset("runs", data=runs)
         self._file.create_dataset("time", data=np.array(plan.times)).attrs["unit"] = "s"
         early = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
@@ -210,25 +221,43 @@ class Hdf5Store(Store):
         for name in plan.outputs:
             h5py.h5d.create(group.id, name.encode(), h5py.h5t.IEEE_F64LE, space, early)
             group[name].attrs["unit"] = plan.units.get(name, "")
+        self._file.attrs["plan"] = json.dumps(plan.document)  # last: without it nothing is taken
         self._file.flush()
 
-    def _at(self, name: str, run: int) -> ndarray:
-        return self._file["trajectories"][name][run - 1]
-
     def _read(self, path: Path) -> None:
-        import numpy as np
-
         try:
+            self._require_structure()
             for row in self._file["runs"][:]:
                 if row["run"]:
                     cells = [x.decode() if isinstance(x, bytes) else str(x.item()) for x in row]
-                    result = self.plan.result_of(cells)
-                    values = np.empty((len(self.plan.times), len(self.plan.outputs)))
-                    for i, name in enumerate(self.plan.outputs):
-                        values[:, i] = self._at(name, result.run)
-                    self.results[result.run] = replace(result, values=values)
+                    self._take(self.plan.result_of(cells), row)
         except (KeyError, IndexError, ValueError, TypeError, AttributeError, OSError) as error:
             raise _damaged(path, error) from None
+
+    def _require_structure(self) -> None:
+        runs, shape = self._file["runs"], (self.plan.count, len(self.plan.times))
+        if runs.shape != shape[:1] or runs.dtype.names != tuple(self.plan.columns):
+            text = "'runs' does not have the runs and columns of this one"
+            raise ValueError(text)
+        for name in self.plan.outputs:
+            if self._file["trajectories"][name].shape != shape:
+                text = f"the trajectory {name!r} does not have its runs and times"
+                raise ValueError(text)
+
+    def _take(self, result: Result, row: Any) -> None:
+        """Take a result from the file, unless its row has other values: then it is run again."""
+        import numpy as np
+
+        ours = np.array(self.plan.record(result, LONGEST_REASON), self.plan.dtype(LONGEST_REASON))
+        leading = self.plan.leading
+        if row.tolist()[:leading] != ours.tolist()[:leading]:
+            return
+        if self._trajectories:
+            group, at = self._file["trajectories"], result.run - 1
+            columns = [group[name][at] for name in self.plan.outputs]
+            empty = np.empty((len(self.plan.times), 0))
+            result = replace(result, values=np.column_stack(columns) if columns else empty)
+        self.results[result.run] = result
 
     def keep(self, result: Result) -> None:
         """Write trajectory and line of a result."""

@@ -15,12 +15,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.instance import check_platform
+from build_fmu.instance import check_platform, description_of
 from build_fmu.run import experiment_times
 from build_fmu.study.engines import Task, engine_of, folder_of_worker
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
-from build_fmu.study.kept import KeptFmu, description_of
+from build_fmu.study.kept import KeptFmu
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 from build_fmu.study.stores import by_run, check_name, holds_trajectories, store_for
@@ -127,7 +127,7 @@ def sweep(
         wanted = trajectories or holds_trajectories(file)
         _check_size(plan, wanted)
         with (
-            contextlib.closing(store_for(file, plan, fresh)) as store,
+            contextlib.closing(store_for(file, plan, fresh, trajectories)) as store,
             tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True) as folder,
         ):
             known = {
