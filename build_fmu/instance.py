@@ -85,6 +85,11 @@ class Log:
         return tuple(text for _, text in self._lines)
 
     @property
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences that are no more than a warning."""
+        return tuple(text for level, text in self._lines if level == WARNING)
+
+    @property
     def error(self) -> str:
         """First sentence about an error; empty if there is none."""
         return next((text for level, text in self._lines if level >= ERROR), "")

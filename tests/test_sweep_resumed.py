@@ -43,18 +43,20 @@ def test_a_fresh_sweep_that_is_interrupted_at_once_leaves_none_of_the_old_result
 ):
     file = tmp_path / "a.csv"
     swept(file, stop_time=0.3)
-    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+    with monkeypatch.context() as patch:
         patch.setattr(Path, "replace", interrupt)
-        swept(file, stop_time=0.5, fresh=True)
+        with pytest.raises(KeyboardInterrupt):
+            swept(file, stop_time=0.5, fresh=True)
     assert swept(file, stop_time=0.5).tolist() == swept(None, stop_time=0.5).tolist()
 
 
 def test_an_hdf5_file_that_was_not_made_whole_is_refused(tmp_path, monkeypatch):
     h5py = pytest.importorskip("h5py")
     file = tmp_path / "a.h5"
-    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+    with monkeypatch.context() as patch:
         patch.setattr(h5py.Group, "create_group", interrupt)
-        swept(file)
+        with pytest.raises(KeyboardInterrupt):
+            swept(file)
     with pytest.raises(UsageError, match=r"a\.h5 is damaged.*--fresh"):
         swept(file)
     assert swept(file, fresh=True)["finished"].all()

@@ -24,6 +24,10 @@ def run(arguments: argparse.Namespace) -> int:
         text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
         raise UsageError(text)
     names = [name.strip() for text in arguments.output for name in text.split(",")]
+    if "" in names:
+        given = ",".join(arguments.output)
+        text = f"--output {given!r}: a name is empty; for all outputs leave the option out"
+        raise UsageError(text)
     path = Path(arguments.results or f"{Path(arguments.target).stem}_sweep.csv")
     begin = time.perf_counter()
     with count_bar(f"sweep of {Path(arguments.target).stem}", "runs") as progress:
@@ -32,7 +36,7 @@ def run(arguments: argparse.Namespace) -> int:
             grid=arguments.grid,
             table=arguments.table,
             parameters=given_on_the_command_line(arguments.parameters, arguments.settings),
-            outputs=[name for name in names if name] or None,
+            outputs=names or None,
             stop_time=arguments.stop,
             step_size=arguments.step,
             path=path,
@@ -47,20 +51,17 @@ def run(arguments: argparse.Namespace) -> int:
         print_json(_document(found, path, spent))
     else:
         _print(found, path, spent)
+    _warn(found.warnings)
     _report(found.failed)
     return UNFINISHED if found.failed else 0
 
 
 def _extremes(found: Sweep) -> list[tuple[str, float, int, float, int]]:
-    """Smallest and largest value of each output, each with its run."""
+    """Smallest and largest value of each output, each with its run; of clean runs alone."""
     rows = []
     for at, name in enumerate(found.plan.outputs):
-        low = [
-            (r.summary[at][1], r.run) for r in found.results if r.summary[at][1] == r.summary[at][1]
-        ]
-        high = [
-            (r.summary[at][2], r.run) for r in found.results if r.summary[at][2] == r.summary[at][2]
-        ]
+        clean = [(r.run, r.summary[at]) for r in found.results if not r.reason]
+        low, high = ([(each[i], run) for run, each in clean if each[i] == each[i]] for i in (1, 2))
         if low and high:
             rows.append((name, *min(low), *max(high)))
         else:
@@ -74,6 +75,7 @@ def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
         "runs": found.plan.count,
         "resumed": found.resumed,
         "failed": [{"run": r.run, "time": r.end_time, "reason": r.reason} for r in found.failed],
+        "warnings": list(found.warnings),
         "wall_time": spent,
         "outputs": {
             name: {"min": low, "run_of_min": low_run, "max": high, "run_of_max": high_run}
@@ -96,6 +98,13 @@ def _print(found: Sweep, path: Path, spent: float) -> None:
 def _values(found: Sweep, run: int) -> str:
     row = found.plan.rows[run - 1] if run else {}
     return ", ".join(f"{k}={x:g}" if isinstance(x, float) else f"{k}={x}" for k, x in row.items())
+
+
+def _warn(sentences: Sequence[str]) -> None:
+    for sentence in sentences[:MOST_REASONS]:
+        sys.stderr.write(f"build-fmu: {sentence}\n")
+    if len(sentences) > MOST_REASONS:
+        sys.stderr.write(f"build-fmu: ... and {len(sentences) - MOST_REASONS} more warnings\n")
 
 
 def _report(failed: Sequence[Result]) -> None:

@@ -38,6 +38,8 @@ class Record:
     end_time: float
     reason: str
     """Why it ended early, or the first error that the FMU logged; empty if it is a clean run."""
+    warnings: tuple[str, ...] = ()
+    """Sentences with status Warning that the FMU logged."""
 
 
 class KeptFmu:
@@ -86,13 +88,13 @@ class KeptFmu:
         except FMICallException as error:
             if error.status == FATAL:
                 self._fmu = None  # its memory is gone
-            end = times[max(reached - 1, 0)]
-            return Record(values[:reached], end, self._log.reason(str(error)))
+            end, reason = times[max(reached - 1, 0)], self._log.reason(str(error))
+            return Record(values[:reached], end, reason, self._log.warnings)
         except UsageError as error:
             if not self._was_made:
                 raise
             return Record(values[:0], times[0], str(error))
-        return Record(values, times[-1], self._log.error)
+        return Record(values, times[-1], self._log.error, self._log.warnings)
 
     def close(self) -> None:
         """Free the instance and remove the folder."""

@@ -32,6 +32,8 @@ class Result:
     """Last, smallest and largest value of each output; NaN where there is none."""
     values: ndarray | None = field(default=None, repr=False, compare=False)
     """Shape (points, outputs)."""
+    warnings: tuple[str, ...] = field(default=(), repr=False, compare=False)
+    """What the FMU said besides; files do not have it."""
 
 
 @dataclass(frozen=True)

@@ -13,14 +13,11 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import Any, TextIO
 
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.lock import LOCKS, lock
 from build_fmu.study.plan import Plan, Result
-
-if TYPE_CHECKING:
-    from numpy import ndarray
 
 LONGEST_REASON = 300
 """Bytes of a reason in HDF5."""
@@ -70,7 +67,8 @@ class Store:
     def keep(self, result: Result) -> None:
         """Take a result."""
         # Trajectories may be gigabytes, and the file has them.
-        self.results[result.run] = result if self._trajectories else replace(result, values=None)
+        values = result.values if self._trajectories else None
+        self.results[result.run] = replace(result, values=values, warnings=())
 
     def close(self) -> None:
         """Finish the file."""

@@ -42,6 +42,8 @@ class Sweep:
     results: Sequence[Result]
     resumed: int
     """How many of the results were there before."""
+    warnings: Sequence[str] = ()
+    """What the FMU warned of in the other ones, each sentence once."""
 
     @property
     def failed(self) -> list[Result]:
@@ -137,15 +139,18 @@ def sweep(
             task = Task(
                 _run_some, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan)
             )
+            said: set[str] = set()
             try:
                 with contextlib.closing(run_jobs(task, jobs)) as results:
                     for done, result in enumerate(results, start=len(known) + 1):
                         store.keep(result)
+                        said.update(result.warnings)
                         if progress:
                             progress(done, plan.count)
             finally:
                 _release()
-    return in_form(Sweep(plan, by_run(store.results), len(known)), form, trajectories)
+    found = Sweep(plan, by_run(store.results), len(known), sorted(said))
+    return in_form(found, form, trajectories)
 
 
 def _plan(
@@ -230,15 +235,17 @@ def _run_some(shared: _Shared, jobs: Sequence[tuple[int, Mapping[str, Any]]]) ->
     return [_one(fmu, shared, run, values) for run, values in jobs]
 
 
-def _one(fmu: KeptFmu, shared: _Shared, run: int, values: Mapping[str, Any]) -> Result:
-    record = fmu.run({**shared.fixed, **values}, shared.times, shared.outputs)
-    if len(record.values):
-        columns = (record.values[-1], record.values.min(axis=0), record.values.max(axis=0))
+def _one(fmu: KeptFmu, shared: _Shared, run: int, row: Mapping[str, Any]) -> Result:
+    record = fmu.run({**shared.fixed, **row}, shared.times, shared.outputs)
+    # Before the first step outputs may be no more than 0.
+    values = record.values if len(record.values) > 1 or not record.reason else record.values[:0]
+    if len(values):
+        columns = (values[-1], values.min(axis=0), values.max(axis=0))
         summary = list(zip(*(column.tolist() for column in columns), strict=True))
     else:
         summary = [(math.nan,) * 3] * len(shared.outputs)
-    kept = record.values if shared.trajectories else None
-    return Result(run, record.end_time, record.reason, summary, kept)
+    kept = values if shared.trajectories else None
+    return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
 
 
 def _kept(shared: _Shared) -> KeptFmu:
