@@ -2,7 +2,7 @@
 
 /* The states below are not modified, but for what the header says: the mapped view has no const twin. */
 HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, const double *state, double *work, double *phi,
-                       double *phi_dot)
+                                 double *phi_dot)
 {
     context c;
     open_context(&c, m, number, (double *)state, work);
@@ -168,7 +168,7 @@ void holonom_measure(const holonom_model *m, double *number, const double *state
 }
 
 HM_SELDOM int32_t holonom_probe(const holonom_model *m, double *number, const double *state, double *work, double h,
-                      const double *w, const double *mu, const double *x, double *r, double *tx)
+                                const double *w, const double *mu, const double *x, double *r, double *tx)
 {
     context c;
     const int32_t n = DIM * m->n_free, size = n + m->n_rows;
