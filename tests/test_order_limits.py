@@ -100,8 +100,9 @@ def test_where_nothing_is_limited_nothing_is_said(setting, options):
 
 def test_without_a_log_it_is_a_warning():
     scene = solver.loads(text("order = 4"))
-    with pytest.warns(RuntimeWarning, match="solver.order is 4, but steps are of order 2"):
+    with pytest.warns(RuntimeWarning, match="solver.order is 4, but steps are of order 2") as told:
         solver.simulate(scene)
+    assert told[0].filename == __file__  # at the line that asked for the run
     run = solver.Integrator(solver.assemble(scene))
     with pytest.warns(RuntimeWarning, match="steps are of order 2"):
         run.advance(0.0, 0.1)

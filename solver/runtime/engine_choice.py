@@ -35,7 +35,7 @@ def engine_for(model: Model, kernel: str, log: Callable[[str], None] | None) -> 
             if kernel == "c":
                 raise
             slower = f"{missing}; the NumPy reference steps in, some hundred times slower"
-            tell(log, slower, 3)
+            tell(log, slower)
     from .reference import Reference  # NumPy is imported here and nowhere else
 
     return Reference(model)

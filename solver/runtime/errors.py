@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 import warnings
 from collections.abc import Callable, Iterable
 from enum import IntEnum
@@ -127,15 +129,18 @@ AT_THE_START = {
 """What is said instead of `SENTENCE` where it happens before the first step."""
 
 
-def tell(log: Callable[[str], None] | None, sentence: str, depth: int) -> None:
+def tell(log: Callable[[str], None] | None, sentence: str) -> None:
     """Say a sentence in the log, or in a warning if there is none: somebody must hear of it.
 
-    `depth` is the number of calls from here to the user's line.
+    The warning names the line that called this package.
     """
     if log:
         log(sentence)
-    else:
-        warnings.warn(sentence, RuntimeWarning, stacklevel=depth + 1)
+        return
+    package, depth, frame = os.path.dirname(os.path.dirname(__file__)), 2, sys._getframe(1)
+    while frame.f_back and frame.f_code.co_filename.startswith(package):
+        depth, frame = depth + 1, frame.f_back
+    warnings.warn(sentence, RuntimeWarning, stacklevel=depth)
 
 
 def at_the_start(status: Status, equilibrium: bool) -> str:

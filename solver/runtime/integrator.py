@@ -257,7 +257,7 @@ class Integrator:
             sentence, lasting = order_limit(self.model, head, self.engine.numbers)
             self._limited = bool(sentence)
             if lasting or (sentence and self._log):
-                tell(self._log, sentence, 2)
+                tell(self._log, sentence)
 
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)
