@@ -102,7 +102,7 @@ def run_fmu(
         that the library cannot read.
     """
     description = description_of(path)
-    start_values = fmu_settings(description, [entries_of(settings)])[0]
+    start_values = fmu_settings(description, [entries_of(settings, "settings")])[0]
     stop_time, step_size = experiment_times(description, stop_time, step_size)
     log = Log()
     begin = time.perf_counter()

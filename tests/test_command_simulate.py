@@ -44,12 +44,12 @@ def test_a_scene_is_simulated_as_its_fmu(capsys):
 
 
 def test_a_run_that_ends_early_ends_with_3_and_the_reason(capsys):
-    arguments = ("simulate", scene_fmu("four_bar"), "--set", "solver.order=3", "--json")
+    arguments = ("simulate", scene_fmu("four_bar"), "--set", "solver.max_newton=1", "--json")
     code, out, err = run(capsys, *arguments)
     assert code == 3
     summary = json.loads(out)
     assert (summary["finished"], summary["end_time"], summary["steps"]) == (False, 0.0, 0)
-    assert "solver.order" in summary["reason"]
+    assert "did not converge" in summary["reason"]
     assert summary["reason"] in err
 
 
@@ -57,6 +57,33 @@ def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
     code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drve=1")
     assert code == 2
     assert "did you mean 'drive'?" in err
+
+
+FIXED = "fields of a scene are fixed in its FMU: declare a parameter for it in the scene, or build"
+
+
+@pytest.mark.parametrize(
+    ("name", "message", "help"),
+    [
+        ("bodies.crank0.mass", "four_bar has no parameter or input 'bodies.crank0.mass'", FIXED),
+        ("gravity[1]", "four_bar has no parameter or input 'gravity[1]'", FIXED),
+        (
+            "inputs.drive",
+            "four_bar has no parameter or input 'inputs.drive'",
+            "did you mean 'drive'",
+        ),
+        (
+            "solver.ordr",
+            "four_bar has no parameter or input 'solver.ordr'",
+            "did you mean 'solver.o",
+        ),
+        ("B0.x", "B0.x: is an output and cannot be set", "settable are drive, "),
+    ],
+)
+def test_what_an_fmu_has_not_to_be_set_is_told_with_the_reason(capsys, name, message, help):
+    code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", f"{name}=1")
+    assert code == 2
+    assert err.startswith(f"--set {name}=1: error: {message}\n  = help: {help}")
 
 
 @pytest.mark.parametrize(
@@ -69,8 +96,13 @@ def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
         ("drive=nan", "drive: must be a finite number in N.m, got nan"),
         ("solver.paired=1", "solver.paired: must be true or false, got 1"),
         ("solver.formulation=7", "solver.formulation: must be a text, got 7"),
+        ("solver.formulation=foo", "solver.formulation: must be one of conserving-al, midpoint-al"),
+        ("solver.order=3", "solver.order: must be 2, 4, 6 or 8, or 0 for the one that a tolerance"),
+        ("solver.max_newton=2.5", "solver.max_newton: must be a whole number > 0 and <= 1000"),
+        ("solver.max_newton=0", "solver.max_newton: must be >= 1, got 0"),
+        ("solver.tolerance=1e-20", "solver.tolerance: must be 0 or a number from 1e-14"),
     ],
-    ids=range(7),
+    ids=range(12),
 )
 def test_a_value_of_another_type_ends_with_2(capsys, wrong, words):
     code, out, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", wrong)
@@ -111,7 +143,9 @@ def test_check_fails_where_they_do_not(capsys):
 
 
 def test_check_ends_with_3_if_the_run_does(capsys):
-    code, out, _ = run(capsys, "check", scene_fmu("four_bar"), "--set", "solver.order=3", "--json")
+    code, out, _ = run(
+        capsys, "check", scene_fmu("four_bar"), "--set", "solver.max_newton=1", "--json"
+    )
     assert code == 3
     assert not json.loads(out)["holds"]
 

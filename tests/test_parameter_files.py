@@ -264,7 +264,9 @@ def test_a_value_in_a_unit_of_another_kind_is_refused(capsys, tmp_path, target):
     given = scene if target == "scene" else build(scene, tmp_path / "a.fmu")
     code, out, err = run(capsys, "simulate", given, "--parameters", file)
     assert (code, out) == (2, "")
-    assert err == f"{file}:4: error: length: given in 'kg', but has the unit 'm'\n"
+    assert err == f"{file}:4: error: length: given in 'kg', but has the unit 'm'\n" + (
+        "  = help: 'kg' measures something else; give the value in m\n"
+    )
 
 
 def test_an_fmu_is_simulated_with_values_of_a_file(capsys, tmp_path):

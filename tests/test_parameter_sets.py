@@ -134,13 +134,39 @@ def test_a_place_that_looks_like_a_set_is_none(tmp_path):
             "set.ssv:4: error: a: must be a finite number, got inf",
         ),
         (
+            SET.format(parameters="", units=f"{FOOT}\n{FOOT}"),
+            "set.ssv:7: error: unit 'ft': defined twice, first in line 6",
+        ),
+        *(
+            (
+                SET.format(
+                    parameters="",
+                    units=f'<ssc:Unit name="u"><ssc:BaseUnit factor="{factor}"/></ssc:Unit>',
+                ),
+                f"set.ssv:6: error: unit 'u': factor must be a finite number > 0, got '{factor}'",
+            )
+            for factor in ("0", "nan", "INF", "-1")
+        ),
+        (
             SET.format(
                 parameters="", units='<ssc:Unit name="u"><ssc:BaseUnit factor="x"/></ssc:Unit>'
             ),
             "set.ssv:6: error: unit 'u': factor must be a number, got 'x'",
         ),
     ],
-    ids=["encoding", "multibyte", "two values", "twice", "infinite", "unit"],
+    ids=[
+        "encoding",
+        "multibyte",
+        "two values",
+        "twice",
+        "infinite",
+        "unit twice",
+        "factor 0",
+        "factor nan",
+        "factor inf",
+        "factor -1",
+        "unit",
+    ],
 )
 def test_mistakes_of_a_set_name_their_line(tmp_path, monkeypatch, text, report):
     monkeypatch.chdir(tmp_path)
@@ -148,6 +174,49 @@ def test_mistakes_of_a_set_name_their_line(tmp_path, monkeypatch, text, report):
     with pytest.raises(UsageError) as caught:
         read_parameters(["set.ssv"])
     assert str(caught.value).startswith(report)
+
+
+HELP_OF_UNITS = {
+    "kg": "'kg' measures something else; give the value in m",
+    "furlong": "'furlong' is not known, and the file does not define it; give the value in m",
+}
+
+
+@pytest.mark.parametrize("unit", HELP_OF_UNITS)
+@pytest.mark.parametrize("target", ["scene", "fmu"])
+def test_a_wrong_unit_is_one_mistake_with_its_remedy(capsys, tmp_path, target, unit):
+    """Nobody knows then whether the value is within its limits."""
+    scene = measured(tmp_path)
+    scene.write_text(scene.read_text().replace('unit = "m"', 'unit = "m", max = 3'))
+    given = scene if target == "scene" else build(scene, tmp_path / "a.fmu")
+    file = set_of(tmp_path, real("length", 500, unit))
+    code, _, err = run(capsys, "simulate", given, "--parameters", file)
+    first = f"{file}:4: error: length: given in {unit!r}, but has the unit 'm'\n"
+    assert (code, err) == (2, f"{first}  = help: {HELP_OF_UNITS[unit]}\n")
+
+
+@pytest.mark.parametrize("target", ["scene", "fmu"])
+def test_a_count_of_the_solver_has_no_unit(capsys, tmp_path, target):
+    file = set_of(tmp_path, real("solver.max_newton", 20, "kg"))
+    given = PENDULUM if target == "scene" else build(PENDULUM, tmp_path / "a.fmu")
+    code, _, err = run(capsys, "simulate", given, "--parameters", file)
+    assert code == 2
+    first = f"{file}:4: error: solver.max_newton: given in 'kg', but has no unit\n"
+    assert err == f"{first}  = help: leave the unit out\n"
+
+
+@pytest.mark.parametrize("target", ["scene", "fmu"])
+def test_a_value_that_cannot_be_read_and_an_unknown_name_are_told_in_one_run(
+    capsys, tmp_path, target
+):
+    file = set_of(tmp_path, real("length", "long", "m"), real("lenth", 1, "m"))
+    scene = measured(tmp_path)
+    given = scene if target == "scene" else build(scene, tmp_path / "a.fmu")
+    code, _, err = run(capsys, "simulate", given, "--parameters", file)
+    assert code == 2
+    assert f"{file}:4: error: length: must be a number, got 'long'" in err
+    assert f"{file}:5: error: " in err
+    assert "did you mean 'length'?" in err
 
 
 def test_a_set_is_valid_whatever_a_description_has(tmp_path):

@@ -30,6 +30,13 @@ def read_parameters(paths: Iterable[str | PathLike[str]]) -> dict[str, Entry]:
     UsageError
         With every mistake of the files.
     """
+    found = entries_of_files(paths)
+    refuse(entry.wrong for entry in found.values() if entry.wrong)
+    return found
+
+
+def entries_of_files(paths: Iterable[str | PathLike[str]]) -> dict[str, Entry]:
+    """As `read_parameters`, with each mistake as an entry of its own, to be told with others."""
     mistakes: list[Mistake] = []
     found: dict[str, Entry] = {}
     for path in map(Path, paths):
@@ -47,8 +54,7 @@ def read_parameters(paths: Iterable[str | PathLike[str]]) -> dict[str, Entry]:
             mistakes.append(Mistake(str(path), message, "save the file as UTF-8"))
         except OSError as error:
             mistakes.append(Mistake(str(path), f"cannot be read: {error.strerror}"))
-    refuse(mistakes)
-    return found
+    return found | {f"mistake {i}": Entry(None, m.where, wrong=m) for i, m in enumerate(mistakes)}
 
 
 def _infinite(entries: Mapping[str, Entry]) -> Iterator[Mistake]:

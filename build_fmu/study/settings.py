@@ -7,17 +7,18 @@ from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING
 
-from build_fmu.study.parameter_files import read_parameters
+from build_fmu.study.names import OURS, SETTABLE, not_settable
+from build_fmu.study.parameter_files import entries_of_files
 from build_fmu.study.values import (
     Entry,
     Mistake,
     is_finite,
-    nearest,
     plain,
     refuse,
     shown,
     wanted_instead,
 )
+from build_fmu.version import VERSION
 from solver.scene.units import base_unit
 
 if TYPE_CHECKING:
@@ -25,21 +26,32 @@ if TYPE_CHECKING:
 
     from solver.runtime import Model
     from solver.scene import Scene
+    from solver.scene.units import BaseUnit
 
 Source = Mapping[str, object] | str | PathLike[str]
 """Values by name, or a file of them."""
 
 
-def entries_of(source: Source | None) -> dict[str, Entry]:
-    """Values by name, each with its place."""
+def entries_of(source: Source | None, argument: str = "parameters") -> dict[str, Entry]:
+    """Values by name, each with its place; `argument` is what a mapping was given as."""
     if source is None:
         return {}
     if isinstance(source, str | PathLike):
-        return read_parameters([source])
+        return entries_of_files([source])
     return {
-        name: value if isinstance(value, Entry) else Entry(plain(value), f"--set {name}={value}")
+        name: value
+        if isinstance(value, Entry)
+        else Entry(plain(value), f"{argument}[{name!r}]={shown(value)}")
         for name, value in source.items()
     }
+
+
+def given_on_the_command_line(
+    files: Sequence[str], settings: Iterable[tuple[str, object]]
+) -> dict[str, Entry]:
+    """Values of `--parameters` and `--set`, of which the latter count."""
+    given = {name: Entry(value, f"--set {name}={value}") for name, value in settings}
+    return entries_of_files(files) | given
 
 
 # -------------------------------------------------------------------------------------- scenes
@@ -52,23 +64,44 @@ def scene_overrides(
 
     What a .ssv file says of settings that are as the scene has them changes nothing: it has all of
     an FMU, also those that follow from others.
-    """
-    from solver.scene import Given
 
+    Raises
+    ------
+    UsageError
+        With every mistake of files, and of units. Where files have some, those that the scene then
+        has with the other values are told as well.
+    """
+    from solver.scene import Given, SceneError
+
+    mistakes: list[Mistake | str] = [entry.wrong for entry in entries.values() if entry.wrong]
+    of_files = len(mistakes)
+    entries = {name: entry for name, entry in entries.items() if not entry.wrong}
     if any(entry.unit or entry.repeats for entry in entries.values()):
         from build_fmu.export import compile_scene
 
-        entries = _fitted(compile_scene(scene), entries)
-    return {name: Given(entry.value, entry.where, entry.named) for name, entry in entries.items()}
+        entries = _fitted(compile_scene(scene), entries, mistakes)
+    found: dict[str, object] = {
+        name: Given(entry.value, entry.where, entry.named) for name, entry in entries.items()
+    }
+    if of_files:
+        from build_fmu.export import load_scene
+
+        try:
+            load_scene(scene, found)
+        except SceneError as error:
+            mistakes += error.sentences()
+    refuse(mistakes)
+    return found
 
 
-def _fitted(model: Model, entries: Mapping[str, Entry]) -> dict[str, Entry]:
+def _fitted(
+    model: Model, entries: Mapping[str, Entry], mistakes: list[Mistake | str]
+) -> dict[str, Entry]:
     """Values in the units of the scene, without those that it has already."""
     variables = {v.name: v for v in model.variables if v.causality in ("parameter", "input")}
-    mistakes: list[Mistake] = []
     fitted: dict[str, Entry] = {}
     step = entries.get("solver.step_size", Entry(None, ""))
-    step = converted(step, "solver.step_size", "s", mistakes)  # which refuse() says once
+    step = converted(step, "solver.step_size", "s", [])
     for name, entry in entries.items():
         variable = variables.get(name)
         if variable is None:
@@ -77,18 +110,18 @@ def _fitted(model: Model, entries: Mapping[str, Entry]) -> dict[str, Entry]:
                 mistakes.append(Mistake(entry.where, message, "leave the unit out"))
             fitted[name] = entry
             continue
+        before = len(mistakes)
         value = converted(entry, name, variable.unit, mistakes)
         follows = name == "solver.longest_step" and value == step
-        if value == variable.start or follows:
+        if value == variable.start or follows or len(mistakes) > before:
             continue
         if variable.kind == "option" and isinstance(value, float) and value.is_integer():
             value = int(value)  # an FMU's numbers are Real, a scene's counts are not
         fitted[name] = Entry(value, entry.where)
-    refuse(mistakes)
     return fitted
 
 
-def converted(entry: Entry, name: str, unit: str, mistakes: list[Mistake]) -> object:
+def converted(entry: Entry, name: str, unit: str, mistakes: list) -> object:
     """Value in `unit`; where the entry has another of another kind, a mistake."""
     value = entry.value
     same, stated = entry.unit == unit, entry.base
@@ -99,16 +132,25 @@ def converted(entry: Entry, name: str, unit: str, mistakes: list[Mistake]) -> ob
         return value
     # Of equal names one may count the radian, and the other not.
     fits = given and wanted and given.fits(wanted, radians=not same)
-    if not unit and given and given.factor == 1.0:
+    if not unit and given and given.factor == 1.0 and not name.startswith("solver."):
         return value  # nobody said what the parameter is measured in
     if given is None or wanted is None or not fits:
         words = f"the unit {unit!r}" if unit else "no unit"
-        mistakes.append(Mistake(entry.where, f"{name}: given in {entry.unit!r}, but has {words}"))
+        message = f"{name}: given in {entry.unit!r}, but has {words}"
+        mistakes.append(Mistake(entry.where, message, _unit_help(entry.unit, given, unit)))
         return value
     ratio = given.factor / wanted.factor
     if same and math.isclose(ratio, 1.0):
         return value  # 0.0174533 and all digits of it are one degree
     return float(value) * given.factor / wanted.factor
+
+
+def _unit_help(given: str, base: BaseUnit | None, wanted: str) -> str:
+    if not wanted:
+        return "leave the unit out"
+    unknown = f"{given!r} is not known, and the file does not define it"
+    reason = f"{given!r} measures something else" if base else unknown
+    return f"{reason}; give the value in {wanted}"
 
 
 # ---------------------------------------------------------------------------------------- FMUs
@@ -132,23 +174,25 @@ def fmu_settings(
     UsageError
         With every name that it does not have, and every value of a wrong type, unit or size.
     """
-    variables = {
-        v.name: v for v in description.modelVariables if v.causality in ("parameter", "input")
-    }
+    variables = {v.name: v for v in description.modelVariables if v.causality in SETTABLE}
     mistakes: list[Mistake] = []
     seen: dict[tuple[str, str, str], object] = {}  # of a grid every value comes many times
     settings = []
     for row in rows:
         values = {}
         for name, entry in row.items():
+            if entry.wrong:
+                mistakes.append(entry.wrong)
+                continue
             if name not in variables:
-                message = f"{description.modelName} has no parameter or input {name!r}"
-                where = entry.named or entry.where
-                mistakes.append(Mistake(where, message, nearest(name, variables)))
+                mistakes.append(not_settable(entry.named or entry.where, name, description))
                 continue
             known = (name, entry.where, repr(entry.value))
             if known not in seen:
-                seen[known] = _checked(entry, variables[name], mistakes)
+                found: list[Mistake] = []
+                value = _checked(entry, variables[name], found)
+                seen[known] = value
+                mistakes += found or _refused(entry, name, value, description)
             values[name] = seen[known]
         settings.append(values)
     refuse(mistakes)
@@ -159,6 +203,8 @@ def _checked(entry: Entry, variable: ScalarVariable, mistakes: list[Mistake]) ->
     """Value in the unit and of the type of its variable, within its limits."""
     unit = getattr(variable, "unit", None) or ""
     value = converted(entry, variable.name, unit, mistakes)
+    if mistakes:
+        return value  # nobody knows whether it is within the limits
     fits, words = _KINDS.get(variable.type, _KINDS["Integer"])  # an Enumeration is one
     in_unit = f" in {unit}" if unit else ""
     if not fits(value):
@@ -177,8 +223,18 @@ def _checked(entry: Entry, variable: ScalarVariable, mistakes: list[Mistake]) ->
     return float(value) if variable.type == "Real" and is_finite(value) else value
 
 
-def given_on_the_command_line(
-    files: Sequence[str], settings: Iterable[tuple[str, object]]
-) -> dict[str, Entry]:
-    """Values of `--parameters` and `--set`, of which the latter count."""
-    return read_parameters(files) | entries_of(dict(settings))
+def _refused(
+    entry: Entry, name: str, value: object, description: ModelDescription
+) -> list[Mistake]:
+    """What an FMU of this version would say of a setting of its solver in the run."""
+    setting = name.removeprefix("solver.")
+    if setting == name or description.generationTool != f"{OURS}{VERSION}":
+        return []
+    from solver.runtime import OptionError
+    from solver.runtime.options import encode
+
+    try:
+        encode(setting, value)
+    except OptionError as error:
+        return [Mistake(entry.where, str(error))]
+    return []

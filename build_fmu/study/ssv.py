@@ -6,6 +6,7 @@ in a copy of it can be given back to every command by `--parameters`.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -94,6 +95,7 @@ class _Reader:
         self._found: dict[str, Entry] = {}
         self._units: dict[str, tuple[BaseUnit, float]] = {}  # and their offsets
         self._unit = ""
+        self._unit_lines: dict[str, int] = {}
         self._path, self._mistakes = path, mistakes
         self._depth = 0
         self._name, self._line = "", 0  # of the Parameter that is open, and of its value
@@ -108,7 +110,7 @@ class _Reader:
             help = f"the root must be ParameterSet of the namespace {VALUES}"
             self._object(f"not a parameter set of SSP 1.0, but {kind!r}", help)
         if namespace == COMMON and kind == "Unit":
-            self._unit = attributes.get("name", "")
+            self._begin_unit(attributes.get("name", ""))
         elif namespace == COMMON and kind == "BaseUnit":
             self._define(attributes)
         elif namespace != VALUES:
@@ -136,6 +138,12 @@ class _Reader:
         entry = Entry(value, self._where(), attributes.get("unit", ""), repeats=True)
         keep(self._found, self._name, entry, self._mistakes)
 
+    def _begin_unit(self, name: str) -> None:
+        self._unit, line = name, self.parser.CurrentLineNumber
+        first = self._unit_lines.setdefault(name, line)
+        if first != line:
+            self._object(f"unit {name!r}: defined twice, first in line {first}")
+
     def _define(self, attributes: dict[str, str]) -> None:
         """Take what the file says of a unit: value in SI = factor * value + offset."""
         numbers = {"factor": 1.0, "offset": 0.0}
@@ -144,6 +152,9 @@ class _Reader:
             try:
                 if name in numbers:
                     numbers[name] = float(text)
+                    if name == "factor" and not 0.0 < numbers[name] <= sys.float_info.max:
+                        message = f"unit {self._unit!r}: factor must be a finite number > 0"
+                        self._object(f"{message}, got {text!r}")
                 elif int(text):
                     powers[name] = int(text)
             except ValueError:

@@ -38,6 +38,8 @@ class Entry:
     """What the file says of its unit."""
     repeats: bool = False
     """Whether it comes from a list of all parameters, most of which are as they were."""
+    wrong: Mistake | None = None
+    """Instead of a value: what is wrong in its file, to be told with the mistakes of the others."""
 
 
 @dataclass(frozen=True)
@@ -144,10 +146,10 @@ def wanted_instead(value: object) -> str:
     return "a finite number" if is_number(value) else "a number"
 
 
-def nearest(wrong: object, known: Iterable[str]) -> str:
-    """Suggest the name that was perhaps meant, or say which there are."""
+def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> str:
+    """Suggest the name that was perhaps meant, last among others, or say which are known."""
     names = list(known)
-    near = difflib.get_close_matches(str(wrong), names, 1)
+    near = [x for each in (names, others) for x in difflib.get_close_matches(str(wrong), each, 1)]
     if near:
         return f"did you mean {near[0]!r}?"
     first = ", ".join(names[:20]) + (", ..." if len(names) > 20 else "")
