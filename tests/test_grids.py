@@ -67,8 +67,9 @@ def test_a_range_of_whole_numbers_is_exact_however_large_they_are():
     [
         (5, "--grid 5: error: not of the form name=values"),
         ([5], "--grid 5: error: not of the form name=values"),
-        ({"a": []}, "--grid a=[]: error: no values"),
-        ({"a": [2, 1, 2]}, "--grid a=[2, 1, 2]: error: the value 2 is there twice"),
+        ({"a": []}, "grid['a']=[]: error: no values"),
+        ({"a": [2, 1, 2]}, "grid['a']=[2, 1, 2]: error: the value 2 is there twice"),
+        ({"a": "2,,1"}, "grid['a']=2,,1: error: column 3: a value is missing"),
     ],
     ids=str,
 )

@@ -131,13 +131,27 @@ def test_pandas_and_xarray_have_the_same_numbers():
             ("--grid", "solver.max_newton=0,2000", "--grid", "lenght=1"),
             ["must be >= 1, got 0", "must be <= 1000, got 2000", "did you mean 'length'?"],
         ),
-        (("--grid", "mass=1", "--output", "A.z"), ["--output A.z: error", "did you mean 'A."]),
+        (("--grid", "mass=1", "--output", "A.z"), ["output A.z: error", "did you mean 'A."]),
+        (("--grid", "mass=1", "--output", "speed"), ["no variable 'speed'", "there are clock, "]),
+        (
+            ("--grid", "mass=1", "--output", "solver.formulation"),
+            ["output solver.formulation: error: solver.formulation: is a text, not a number"],
+        ),
+        (
+            ("--grid", "mass=1:2", "--grid", "lenght=1,x", "--grid", "push=a", "--output", "A.z"),
+            [
+                "'1:2' is not a range",
+                "did you mean 'length'?",
+                "push: must be a number",
+                "no variable 'A.z'",
+            ],
+        ),
         (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
         (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be after"]),
         (("--grid", "mass=1", "--engine", "threads"), ["there is no engine 'threads'"]),
         (("--grid", "mass=1", "--jobs", "0"), ["number of processes must be at least 1, got 0"]),
     ],
-    ids=range(9),
+    ids=range(12),
 )
 def test_mistakes_end_with_2_before_anything_runs(capsys, tmp_path, monkeypatch, arguments, words):
     monkeypatch.chdir(tmp_path)
@@ -177,8 +191,10 @@ def test_the_form_of_a_sweep_has_the_plan_and_every_result():
         ({"grid": {"mass": [float("inf")]}}, "mass: must be a finite number, got inf"),
         ({"grid": {"mass": [10**400]}}, "mass: must be a finite number, got 1000"),
         ({"grid": GRID, "parameters": {"push": float("nan")}}, "finite number in N, got nan"),
+        ({"grid": GRID, "parameters": {"mas": 1}}, "parameters['mas']=1: error: "),
+        ({"grid": {"mas": [1, 2]}}, "grid['mas']=[1, 2]: error: "),
     ],
-    ids=range(9),
+    ids=range(11),
 )
 def test_mistakes_in_python_are_sentences_too(arguments, words):
     with pytest.raises(UsageError) as caught:

@@ -80,6 +80,21 @@ def test_a_name_that_the_scene_does_not_have_is_one_of_the_header(capsys, tmp_pa
     assert [path.name for path in (tmp_path / "v").iterdir()] == ["manifest.csv"]
 
 
+def test_mistakes_of_a_table_and_of_its_names_are_told_in_one_run(capsys, tmp_path):
+    table = tmp_path / "table.csv"
+    table.write_text("mas,length\n1,2\n2\n3,\n")
+    code, _, err = run(capsys, "variants", PENDULUM, "--table", table, "-o", tmp_path / "v")
+    assert code == 2
+    expected = [
+        f"{table}:3: error: has 1 cell, and the header has 2",
+        f"{table}:4: error: length: an empty cell",
+        f"{table}:1: error: mas: unknown name",
+    ]
+    assert not [each for each in expected if err.count(each) != 1]
+    assert err.count("error") == 3
+    assert not (tmp_path / "v").exists()
+
+
 @pytest.mark.parametrize(
     ("target", "arguments", "words"),
     [

@@ -43,6 +43,7 @@ _ITEM = re.compile(r"(?:\[[^\]]*\]|[^,])*")
 def rows_of(
     grids: Iterable[str] | Mapping[str, object],
     table: str | PathLike[str] | Sequence[Mapping[str, object]] | None = None,
+    mistakes: list[Mistake] | None = None,
 ) -> list[Row]:
     """Rows of values by name; at least one, which is empty where nothing is varied.
 
@@ -52,13 +53,16 @@ def rows_of(
         Texts such as "a=1:5:9", or values by name: a list of them, or a text such as "1:5:9".
     table
         A CSV file whose header has the names, or rows of values by name.
+    mistakes
+        Takes all mistakes, for the caller to tell with his own. Where there are some, the rows are
+        not combined, and have what can be read: for the search for more.
 
     Raises
     ------
     UsageError
-        With every mistake of all of them.
+        With every mistake of all of them, if the caller takes none.
     """
-    mistakes: list[Mistake] = []
+    told, mistakes = mistakes, [] if mistakes is None else mistakes
     lists = [_table(table, mistakes)] if table is not None else []
     lists += [[{name: x} for x in values] for name, values in _grids(grids, mistakes)]
     seen: dict[str, str] = {}
@@ -72,7 +76,9 @@ def rows_of(
     if count > MOST_ROWS:
         message = f"{count} combinations, more than the {MOST_ROWS} of one study"
         mistakes.append(Mistake(next(iter(seen.values())), message))
-    refuse(mistakes)
+    if mistakes:
+        refuse(mistakes if told is None else [])
+        return [row for rows in lists for row in rows]
     return [{k: v for row in rows for k, v in row.items()} for rows in itertools.product(*lists)]
 
 
@@ -84,7 +90,7 @@ def _grids(
 ) -> list[tuple[str, list[Entry]]]:
     if isinstance(grids, Mapping):
         pairs = [
-            (name, values, f"--grid {name}={values if isinstance(values, str) else shown(values)}")
+            (name, values, f"grid[{name!r}]={values if isinstance(values, str) else shown(values)}")
             for name, values in grids.items()
         ]
     else:
@@ -123,7 +129,8 @@ def _entries(values: object, where: str, mistakes: list[Mistake]) -> list[Entry]
 def _values(text: str, where: str, mistakes: list[Mistake]) -> list[object]:
     """Values of "1:5:9,7", each item with its column for mistakes."""
     values: list[object] = []
-    offset, at = len(where.removeprefix("--grid ")) - len(text), 0
+    argument = where.removeprefix("--grid ")
+    offset, at = len(argument) - len(text) if argument != where else 0, 0
     while True:
         match = _ITEM.match(text, at)
         item = match.group() if match else ""
@@ -217,10 +224,11 @@ def _table(
     if not rows and not is_read:
         return []
     (header, head), *lines = rows or [(f"{path}:1", [])]
-    _check_header(header, head, mistakes)
+    wrong = _wrong_names(header, head, mistakes)
     if head and not lines and is_read:
         mistakes.append(Mistake(str(path), "has no rows below its header"))
-    return [_row(where, header, head, cells, mistakes) for where, cells in lines]
+    read = [_row(where, header, head, cells, mistakes) for where, cells in lines]
+    return [{name: row[name] for name in row if name not in wrong} for row in read]
 
 
 def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> list[Row]:
@@ -242,7 +250,8 @@ def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> lis
     return rows
 
 
-def _check_header(where: str, head: Sequence[str], mistakes: list[Mistake]) -> None:
+def _wrong_names(where: str, head: Sequence[str], mistakes: list[Mistake]) -> set[str]:
+    wrong: set[str] = set()
     help = "write the names of parameters, separated by commas, into the first line"
     if not head:
         mistakes.append(Mistake(where, "no header", help))
@@ -256,6 +265,8 @@ def _check_header(where: str, head: Sequence[str], mistakes: list[Mistake]) -> N
             message = f"column {number}: {name!r} is not a name"
         if message:
             mistakes.append(Mistake(where, message, help))
+            wrong.add(name)
+    return wrong
 
 
 def _is_number(name: str) -> bool:
@@ -270,7 +281,10 @@ def _row(
 ) -> Row:
     row = {}
     for name, cell in zip(head, cells, strict=True):
+        before = len(mistakes)
         if not cell:
             mistakes.append(Mistake(where, f"{name}: an empty cell"))
-        row[name] = Entry(value_of_cell(cell, where, mistakes), where, named=header)
+        value = value_of_cell(cell, where, mistakes)
+        if len(mistakes) == before:
+            row[name] = Entry(value, where, named=header)
     return row

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from build_fmu.study.values import Mistake, nearest, refuse
+from build_fmu.study.values import Mistake, nearest
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
@@ -35,19 +35,14 @@ def not_settable(where: str, name: str, description: ModelDescription) -> Mistak
     return Mistake(where, message, nearest(name, settable))
 
 
-def outputs_of(description: ModelDescription, names: Sequence[str] | None) -> list[str]:
-    """Outputs that are asked for, each once, or all; any variable that is a number can be one.
-
-    Raises
-    ------
-    UsageError
-        With every name that is none of them.
-    """
+def outputs_of(
+    description: ModelDescription, names: Sequence[str] | None, mistakes: list[Mistake]
+) -> list[str]:
+    """Outputs that are asked for, each once, or all; any variable that is a number can be one."""
     kinds = {v.name: v.type for v in description.modelVariables}
     outputs = [v.name for v in description.modelVariables if v.causality == "output"]
     if names is None:
         return outputs
-    mistakes = []
     for name in [names] if isinstance(names, str) else names:
         where = f"output {name}"
         if name not in kinds:
@@ -56,5 +51,4 @@ def outputs_of(description: ModelDescription, names: Sequence[str] | None) -> li
         elif kinds[name] == "String":
             help = "what is kept of a run are numbers"
             mistakes.append(Mistake(where, f"{name}: is a text, not a number", help))
-    refuse(mistakes)
     return list(dict.fromkeys([names] if isinstance(names, str) else names))

@@ -58,7 +58,7 @@ def given_on_the_command_line(
 
 
 def scene_overrides(
-    scene: str | PathLike[str] | Scene, entries: Mapping[str, Entry]
+    scene: str | PathLike[str] | Scene, entries: Mapping[str, Entry], told: Iterable[Mistake] = ()
 ) -> dict[str, object]:
     """Overrides of a scene by name.
 
@@ -68,13 +68,13 @@ def scene_overrides(
     Raises
     ------
     UsageError
-        With every mistake of files, and of units. Where files have some, those that the scene then
-        has with the other values are told as well.
+        With every mistake of files, of units, and those `told` before. Where there are some, those
+        that the scene has with the other values are told as well.
     """
     from solver.scene import Given, SceneError
 
-    mistakes: list[Mistake | str] = [entry.wrong for entry in entries.values() if entry.wrong]
-    of_files = len(mistakes)
+    mistakes: list[Mistake | str] = [*told, *(e.wrong for e in entries.values() if e.wrong)]
+    told_before = len(mistakes)
     entries = {name: entry for name, entry in entries.items() if not entry.wrong}
     if any(entry.unit or entry.repeats for entry in entries.values()):
         from build_fmu.export import compile_scene
@@ -83,7 +83,7 @@ def scene_overrides(
     found: dict[str, object] = {
         name: Given(entry.value, entry.where, entry.named) for name, entry in entries.items()
     }
-    if of_files:
+    if told_before:
         from build_fmu.export import load_scene
 
         try:
@@ -165,17 +165,20 @@ _KINDS = {
 
 
 def fmu_settings(
-    description: ModelDescription, rows: Iterable[Mapping[str, Entry]]
+    description: ModelDescription,
+    rows: Iterable[Mapping[str, Entry]],
+    told: list[Mistake] | None = None,
 ) -> list[dict[str, object]]:
     """Values of parameters and inputs of an FMU, for each of several runs.
 
     Raises
     ------
     UsageError
-        With every name that it does not have, and every value of a wrong type, unit or size.
+        With every name that it does not have, and every value of a wrong type, unit or size. If
+        there is a list of those `told` already, it takes them instead.
     """
     variables = {v.name: v for v in description.modelVariables if v.causality in SETTABLE}
-    mistakes: list[Mistake] = []
+    mistakes = [] if told is None else told
     seen: dict[tuple[str, str, str], object] = {}  # of a grid every value comes many times
     settings = []
     for row in rows:
@@ -195,7 +198,7 @@ def fmu_settings(
                 mistakes += found or _refused(entry, name, value, description)
             values[name] = seen[known]
         settings.append(values)
-    refuse(mistakes)
+    refuse(mistakes if told is None else [])
     return settings
 
 

@@ -21,10 +21,11 @@ from build_fmu.study.engines import Task, engine_of, folder_of_worker
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.kept import KeptFmu
+from build_fmu.study.names import outputs_of
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 from build_fmu.study.stores import by_run, check_name, holds_trajectories, store_for
-from build_fmu.study.values import Entry, Mistake, nearest, refuse
+from build_fmu.study.values import Entry, Mistake, refuse
 from build_fmu.target import runnable
 
 if TYPE_CHECKING:
@@ -119,12 +120,13 @@ def sweep(
         With every mistake of grid, table and parameters.
     """
     require_form(form)
-    rows = rows_of(grid, table)
+    mistakes: list[Mistake] = []
+    rows = rows_of(grid, table, mistakes)
     run_jobs = engine_of(engine, workers)
     file = None if path is None else Path(path)
     check_name(file)
     with runnable(fspath(fmu), entries_of(parameters)) as (unit, fixed):
-        plan = _plan(unit, [fixed, *rows], outputs, stop_time, step_size)
+        plan = _plan(unit, [fixed, *rows], outputs, stop_time, step_size, mistakes)
         plan.check_columns(trajectories)
         wanted = trajectories or holds_trajectories(file)
         _check_size(plan, wanted)
@@ -159,17 +161,20 @@ def _plan(
     outputs: Sequence[str] | None,
     stop_time: float | None,
     step_size: float | None,
+    mistakes: list[Mistake],
 ) -> Plan:
     """What is done with an FMU, checked; the first row is that of all runs."""
     description = description_of(unit)
     check_platform(unit)
-    fixed, *settings = fmu_settings(description, rows)
+    fixed, *settings = fmu_settings(description, rows, mistakes)
+    names = outputs_of(description, outputs, mistakes)
+    refuse(mistakes)
     return Plan(
         fmu=Path(unit).name,
         digest=hashlib.sha256(Path(unit).read_bytes()).hexdigest(),
         rows=settings,
         fixed=fixed,
-        outputs=_outputs(description, outputs),
+        outputs=names,
         times=_times(*experiment_times(description, stop_time, step_size), description),
         units={v.name: v.unit or "" for v in description.modelVariables},
     )
@@ -206,21 +211,6 @@ def _times(stop: float, step: float, description: ModelDescription) -> list[floa
     count = (stop - start) / step
     whole = round(count) if abs(count - round(count)) < 1e-6 else math.ceil(count)
     return [*(start + i * step for i in range(max(whole, 1))), stop]
-
-
-def _outputs(description: ModelDescription, names: Sequence[str] | None) -> list[str]:
-    """Outputs that are asked for, or all."""
-    model = description.modelName
-    known = [v.name for v in description.modelVariables if v.type != "String"]
-    names = [names] if isinstance(names, str) else names
-    if names is None:
-        return [v.name for v in description.modelVariables if v.causality == "output"]
-    refuse(
-        Mistake(f"--output {name}", f"{model} has no variable {name!r}", nearest(name, known))
-        for name in names
-        if name not in known
-    )
-    return list(dict.fromkeys(names))
 
 
 # ----------------------------------------------------------------------------- in each process

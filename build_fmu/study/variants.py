@@ -14,7 +14,7 @@ from build_fmu.study.grid import Row, rows_of
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
 from build_fmu.study.remains import require_room
 from build_fmu.study.settings import Source, entries_of, scene_overrides
-from build_fmu.study.values import Entry, in_one_text, refuse
+from build_fmu.study.values import Entry, Mistake, in_one_text, refuse
 
 
 @dataclass(frozen=True)
@@ -79,10 +79,15 @@ def variants(
     build_fmu.errors.UnfinishedError
         If a process died that wrote one of them; the others are written.
     """
-    rows = rows_of(grid, table)
+    mistakes: list[Mistake] = []
+    rows = rows_of(grid, table, mistakes)
     run_jobs = engine_of(engine, workers)
     target = manifest_path(Path(folder), manifest)
-    shared = _shared(scene, folder, entries_of(parameters), len(rows))
+    entries = entries_of(parameters)
+    if mistakes:  # and those of names, which are the same in all rows
+        named = {name: entry for row in rows for name, entry in row.items()}
+        scene_overrides(scene, entries | named, mistakes)
+    shared = _shared(scene, folder, entries, len(rows))
     jobs = [(number, row) for number, row in enumerate(rows, start=1)]
     names = {shared.name(number) for number, _ in jobs}
     room = require_room(target.parent, shared.stem, names, fresh)
