@@ -73,11 +73,15 @@ def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
     Raises
     ------
     UsageError
-        If the name ends otherwise: parameter set and scene of the same name stand beside it.
+        If the name ends otherwise: parameter set and scene of the same name stand beside it; or if
+        it is that of a device.
     """
     target = Path(path or ".")
     if target.is_dir():
         return target / f"{identifier(name)}.fmu"
+    if target.exists() and not target.is_file():
+        text = f"{target}: an FMU is a file; name one, or a folder for it"
+        raise UsageError(text)
     if target.suffix.lower() != ".fmu":
         remedy = f"write {target}.fmu, or make {target} a folder"
         text = f"{target}: the name of an FMU ends in .fmu; {remedy}"

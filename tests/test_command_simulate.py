@@ -129,6 +129,21 @@ def test_a_run_that_would_not_end_ends_with_2(capsys, command, arguments, words)
     assert words in err
 
 
+def test_the_folder_of_a_csv_file_is_made(capsys, tmp_path):
+    file = tmp_path / "new" / "folder" / "a.csv"
+    assert run(capsys, "simulate", PENDULUM, "--stop", 0.1, "--csv", file)[0] == 0
+    assert trajectory(file)["time"][-1] == 0.1
+
+
+@pytest.mark.parametrize("command", ["simulate", "check"])
+def test_a_step_that_is_longer_than_the_run_is_told(capsys, command):
+    arguments = (scene_fmu("four_bar"), "--stop", 0.01)
+    code, _, err = run(capsys, command, *arguments, "--step", 5)
+    assert code == 0
+    assert err == "build-fmu: the run of 0.01 s is one step, as --step is 5 s\n"
+    assert run(capsys, command, *arguments, "--step", 0.01)[2] == ""
+
+
 def test_check_passes_where_energy_and_constraints_hold(capsys):
     code, out, err = run(capsys, "check", scene_fmu("four_bar"), "--json")
     assert (code, err) == (0, "")

@@ -197,6 +197,13 @@ def test_the_name_of_an_fmu_ends_in_fmu(capsys, tmp_path, name):
         build_fmu.build(PENDULUM, tmp_path / name)
 
 
+@pytest.mark.skipif(not Path("/dev/null").exists(), reason="no such device")
+def test_an_fmu_is_written_into_no_device(capsys):
+    code, out, err = run(capsys, "build", PENDULUM, "-o", "/dev/null")
+    assert (code, out) == (2, "")
+    assert err == "build-fmu: /dev/null: an FMU is a file; name one, or a folder for it\n"
+
+
 def test_each_parameter_set_has_the_whole_name_of_its_fmu(capsys, tmp_path):
     for name in ("a.v1.fmu", "a.v2.fmu"):
         assert run(capsys, "build", PENDULUM, "-o", tmp_path / name)[0] == 0

@@ -169,7 +169,7 @@ def test_a_form_that_is_not_there_is_refused():
 @pytest.mark.parametrize("form", ["pandas", "xarray"])
 def test_a_form_whose_package_is_missing_says_how_to_get_it(monkeypatch, form):
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: None)
-    with pytest.raises(EnvironmentLackError, match=rf"pip install holonom\[{form}\]"):
+    with pytest.raises(EnvironmentLackError, match=rf"pip install 'holonom\[{form}\]'"):
         build_fmu.sweep(pendulum(), grid=GRID, form=form)
 
 

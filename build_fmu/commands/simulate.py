@@ -27,7 +27,9 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.csv == "-":
         write_csv(result.values, sys.stdout)
     elif arguments.csv:
-        with Path(arguments.csv).open("w", newline="", encoding="utf-8") as file:
+        path = Path(arguments.csv)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("w", newline="", encoding="utf-8") as file:
             write_csv(result.values, file)
         rows, columns = len(result.values), len(result.values.dtype.names or ())
         # One document on stdout is what --json promises.
@@ -62,13 +64,18 @@ def simulate(arguments: argparse.Namespace) -> Run:
         runnable(arguments.target, entries) as (path, left),
         progress_bar(f"simulating {Path(path).stem}") as progress,
     ):
-        return run_fmu(
+        result = run_fmu(
             path,
             stop_time=arguments.stop,
             step_size=arguments.step,
             settings=left,
             progress=progress,
         )
+    length = result.stop_time - float(result.values["time"][0])
+    if arguments.step and arguments.step > length * (1.0 + 1e-9):
+        sentence = f"the run of {length:g} s is one step, as --step is {arguments.step:g} s"
+        sys.stderr.write(f"build-fmu: {sentence}\n")
+    return result
 
 
 def write_csv(values: ndarray, file: TextIO) -> None:

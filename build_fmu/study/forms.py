@@ -30,7 +30,7 @@ def require_form(form: str) -> None:
         text = f"there is no form {form!r}; write one of {', '.join(FORMS)}"
         raise UsageError(text)
     if form in PACKAGES and importlib.util.find_spec(form) is None:
-        text = f"the package {form} is missing; install it: pip install holonom[{form}]"
+        text = f"the package {form} is missing; install it: pip install 'holonom[{form}]'"
         raise EnvironmentLackError(text)
 
 
