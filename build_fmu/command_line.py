@@ -80,10 +80,12 @@ def _parser() -> argparse.ArgumentParser:
     _add_variants(commands)
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
     _add_run(simulate)
+    _add_inputs(simulate)
     simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
     _add_sweep(commands)
     check = commands.add_parser("check", help="run it and test that energy and constraints hold")
     _add_run(check)
+    _add_inputs(check)
     for name in ("energy", "constraint"):
         text = f"largest relative {name} error that passes (default: %(default)s)"
         check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
@@ -157,6 +159,11 @@ def _add_settings(command: argparse.ArgumentParser, text: str) -> None:
         metavar="FILE",
         help="values from a file: .toml, .json, .csv, or .ssv (SSP); --set has precedence",
     )
+
+
+def _add_inputs(command: argparse.ArgumentParser) -> None:
+    text = "CSV file of inputs over time: a column 'time' and one for each input"
+    command.add_argument("--inputs", metavar="FILE", help=text)
 
 
 def _add_run(command: argparse.ArgumentParser) -> None:

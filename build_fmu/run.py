@@ -23,6 +23,8 @@ from build_fmu.instance import (
     not_said_twice,
     unpacked,
 )
+from build_fmu.reference import Reference
+from build_fmu.signals import input_signals
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 
 if TYPE_CHECKING:
@@ -77,6 +79,7 @@ def run_fmu(
     stop_time: float | None = None,
     step_size: float | None = None,
     settings: Source | None = None,
+    inputs: Reference | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Run:
     """Simulate an FMU from its archive.
@@ -89,20 +92,25 @@ def run_fmu(
         Stop time and communication step in s; None: of the FMU's default experiment.
     settings
         Values of parameters and inputs by name, or a file of them.
+    inputs
+        Inputs that change during the run: a CSV file with a column "time" and one for each, or
+        arrays by name. Between the times they go in straight lines, before and after them they
+        stay. The FMU sees them at communication points: hence a short `step_size`.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
 
     Raises
     ------
     UsageError
-        If the FMU has no variable of a name in `settings`, a value is not of its type, its unit or
-        within its limits, or a time makes no sense.
+        If the FMU has no variable of a name in `settings` or `inputs`, a value is not of its type,
+        its unit or within its limits, or a time makes no sense.
     EnvironmentLackError
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
     description = description_of(path)
     start_values = fmu_settings(description, [entries_of(settings, "settings")])[0]
+    signals = None if inputs is None else input_signals(inputs, description, start_values)
     stop_time, step_size = experiment_times(description, stop_time, step_size)
     log = Log()
     begin = time.perf_counter()
@@ -114,6 +122,7 @@ def run_fmu(
             stop_time=stop_time,
             output_interval=step_size,
             start_values=start_values,
+            input=signals,
             step_finished=_reporter(progress, stop_time, pass_interrupts),
         )
     wall_time = time.perf_counter() - begin

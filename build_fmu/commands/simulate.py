@@ -69,6 +69,7 @@ def simulate(arguments: argparse.Namespace) -> Run:
             stop_time=arguments.stop,
             step_size=arguments.step,
             settings=left,
+            inputs=arguments.inputs,
             progress=progress,
         )
     length = result.stop_time - float(result.values["time"][0])
