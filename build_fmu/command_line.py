@@ -23,6 +23,7 @@ EXIT_CODES = """exit codes:
   2  usage or scene error
   3  the simulation did not finish or logged an error, or no equilibrium was found
   4  the environment lacks something
+  130  interrupted (Ctrl-C)
 """
 
 
@@ -40,8 +41,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 0
     except OSError as error:
         return _say(f"{error.filename or 'file'}: {error.strerror or error}", USAGE)
-    except KeyboardInterrupt:
-        return _say("interrupted", INTERRUPTED)
+    except KeyboardInterrupt as stop:  # perhaps with what is to be known after it
+        return _say("; ".join(["interrupted", *map(str, stop.args)]), INTERRUPTED)
 
 
 def _say(text: str, code: int) -> int:

@@ -1,7 +1,7 @@
 """What ends a command, each with its exit code.
 
 0 done; 1 a check failed; 2 usage or scene error; 3 the simulation did not finish or logged an
-error, or no equilibrium was found; 4 the environment lacks something.
+error, or no equilibrium was found; 4 the environment lacks something. Ctrl-C ends it with 130.
 """
 
 from __future__ import annotations

@@ -10,8 +10,9 @@ import pytest
 
 import build_fmu
 from build_fmu.errors import EnvironmentLackError
-from build_fmu.study import engines
-from build_fmu.study.engines import DIED, Task, run_jobs
+from build_fmu.study import dask_workers
+from build_fmu.study.engines import run_jobs
+from build_fmu.study.jobs import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
 from tests.fmu_instance import pendulum
 
@@ -58,7 +59,7 @@ def test_a_job_that_ends_its_worker_is_lost_and_no_other(engine):
 
 
 def test_without_a_scheduler_the_environment_lacks_something(monkeypatch):
-    monkeypatch.setattr(engines, "CONNECTION", 0.5)
+    monkeypatch.setattr(dask_workers, "CONNECTION", 0.5)
     with pytest.raises(
         EnvironmentLackError, match=r"no scheduler of dask answers at 127\.0\.0\.1:9"
     ):

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 import pytest
 
 from build_fmu.errors import EnvironmentLackError, UsageError
-from build_fmu.study.engines import DIED, Task, run_jobs
+from build_fmu.study.engines import run_jobs
+from build_fmu.study.jobs import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
 
 PATIENCE = 60.0

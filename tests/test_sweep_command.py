@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import sys
+import warnings
 
 import numpy as np
 import pytest
 
 import build_fmu
+from build_fmu.study import dask_workers
 from tests.commands import run
 from tests.fmu_instance import PENDULUM, pendulum, text_fmu
 from tests.test_order_limits import text
@@ -83,3 +86,33 @@ def test_an_output_without_a_name_is_refused(capsys, tmp_path, names):
     assert (code, out) == (2, "")
     assert "a name is empty" in err
     assert not file.exists()
+
+
+@pytest.mark.parametrize("missing", [True, False], ids=["no package", "no scheduler"])
+def test_an_engine_that_is_not_there_leaves_no_files(capsys, tmp_path, monkeypatch, missing):
+    if missing:
+        monkeypatch.setitem(sys.modules, "distributed", None)
+    else:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            pytest.importorskip("distributed")
+        monkeypatch.setattr(dask_workers, "CONNECTION", 0.5)
+    arguments = ("--grid", "mass=1", "--engine", "dask://127.0.0.1:9", "-o", tmp_path / "a.csv")
+    code, out, err = run(capsys, "sweep", pendulum(), *arguments)
+    assert (code, out) == (4, "")
+    assert "distributed" in err if missing else "no scheduler" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupted_fresh_sweep_goes_on_without_fresh(tmp_path):
+    def interrupt(_done, _count):
+        raise KeyboardInterrupt
+
+    arguments = {"grid": {"mass": [1, 2]}, "path": tmp_path / "a.csv", "engine": "serial"}
+    with pytest.raises(KeyboardInterrupt, match=r"1 of 2 runs are in .*a\.csv, the same command g"):
+        build_fmu.sweep(pendulum(), progress=interrupt, **arguments)
+    with pytest.raises(KeyboardInterrupt, match="the same command without --fresh goes on"):
+        build_fmu.sweep(pendulum(), progress=interrupt, fresh=True, **arguments)
+    del arguments["path"]
+    with pytest.raises(KeyboardInterrupt, match=r"^$"):
+        build_fmu.sweep(pendulum(), progress=interrupt, **arguments)

@@ -16,7 +16,7 @@ import pytest
 import build_fmu
 from build_fmu.errors import UsageError
 from build_fmu.study import sweep as sweep_module
-from build_fmu.study.engines import DIED
+from build_fmu.study.jobs import DIED
 from tests.crashing_runs import FATAL, crashing
 from tests.fmu_instance import pendulum
 
@@ -81,8 +81,53 @@ def test_an_interruption_leaves_the_runs_that_are_done_and_nothing_else(
     process = begin(file, engine)
     whom(process.pid, signal.SIGINT)
     out, err = process.communicate(timeout=PATIENCE)
-    assert (process.returncode, out, err) == (130, "", "build-fmu: interrupted\n")
-    assert ",false," not in file.read_text()  # an interruption is no failure of a run
+    text = file.read_text()
+    assert (process.returncode, out) == (130, "")
+    done = len(text.splitlines()) - 1
+    assert said(err) == [
+        f"build-fmu: interrupted; {done} of 100000 runs are in {file}, the same command goes on"
+    ]
+    assert ",false," not in text  # an interruption is no failure of a run
+    assert list(temporary.iterdir()) == []
+
+
+def said(err: str) -> list[str]:
+    """Lines on stderr, without the progress that a slow machine has time for."""
+    return [line for line in err.splitlines() if not line.startswith("sweep of ")]
+
+
+STRUCK = """
+import os, signal, sys
+from multiprocessing import popen_spawn_posix
+from build_fmu.command_line import main
+
+launch, launches = popen_spawn_posix.Popen._launch, []
+
+def struck(self, process):
+    launch(self, process)
+    launches.append(process)
+    if len(launches) == int(sys.argv[1]):
+        os.killpg(0, signal.SIGINT)
+
+popen_spawn_posix.Popen._launch = struck
+sys.exit(main(sys.argv[2:]))
+"""
+"""A command that Ctrl-C strikes as soon as it has so many processes."""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no groups of processes")
+@pytest.mark.parametrize("processes", [1, 2, 4])
+def test_an_interruption_while_processes_start_is_one_like_any_other(
+    temporary, tmp_path, processes
+):
+    file = tmp_path / "a.csv"
+    arguments = ["sweep", pendulum(), "--grid", "mass=1:2:100000", "--output", "A.x", "-o", file]
+    command = [sys.executable, "-c", STRUCK, str(processes), *arguments, "--engine", "processes:4"]
+    done = subprocess.run(
+        command, capture_output=True, text=True, start_new_session=True, timeout=PATIENCE
+    )
+    assert done.returncode == 130, done.stderr
+    assert [line[:24] for line in said(done.stderr)] == ["build-fmu: interrupted; "]
     assert list(temporary.iterdir()) == []
 
 

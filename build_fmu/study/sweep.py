@@ -17,9 +17,11 @@ from typing import TYPE_CHECKING, Any
 from build_fmu.errors import UsageError
 from build_fmu.instance import check_platform, description_of
 from build_fmu.run import experiment_times
-from build_fmu.study.engines import Task, engine_of, folder_of_worker
+from build_fmu.study.dask_workers import folder_of_worker
+from build_fmu.study.engines import engine_of
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
+from build_fmu.study.jobs import Task
 from build_fmu.study.kept import KeptFmu
 from build_fmu.study.names import outputs_of
 from build_fmu.study.plan import Plan, Result
@@ -118,6 +120,8 @@ def sweep(
     ------
     build_fmu.errors.UsageError
         With every mistake of grid, table and parameters.
+    KeyboardInterrupt
+        With the number of runs that the file has, and how to go on.
     """
     require_form(form)
     mistakes: list[Mistake] = []
@@ -149,10 +153,20 @@ def sweep(
                         said.update(result.warnings)
                         if progress:
                             progress(done, plan.count)
+            except KeyboardInterrupt:
+                raise _interruption(len(store.results), plan.count, file, fresh) from None
             finally:
                 _release()
     found = Sweep(plan, by_run(store.results), len(known), sorted(said))
     return in_form(found, form, trajectories)
+
+
+def _interruption(done: int, count: int, file: Path | None, fresh: bool) -> KeyboardInterrupt:
+    """Say what there is and how to go on, if there is a file."""
+    if file is None:
+        return KeyboardInterrupt()
+    again = "the same command without --fresh" if fresh else "the same command"
+    return KeyboardInterrupt(f"{done} of {count} runs are in {file}, {again} goes on")
 
 
 def _plan(

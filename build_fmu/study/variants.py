@@ -9,8 +9,9 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from build_fmu.errors import UnfinishedError
-from build_fmu.study.engines import Task, engine_of
+from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
+from build_fmu.study.jobs import Task
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
 from build_fmu.study.remains import require_room
 from build_fmu.study.settings import Source, entries_of, scene_overrides
