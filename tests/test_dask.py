@@ -49,7 +49,7 @@ def test_a_sweep_has_the_results_of_this_process(engine):
     arguments = {"grid": {"mass": [1.0, -1.0, 2.0, 3.0]}, "outputs": ["A.x", "energy.error"]}
     here = build_fmu.sweep(pendulum(), engine="serial", **arguments)
     there = build_fmu.sweep(pendulum(), engine=engine, **arguments)
-    assert there.tolist() == here.tolist()
+    assert repr(there.tolist()) == repr(here.tolist())  # with NaN where no step was taken
     assert list(there["finished"]) == [True, False, True, True]
 
 
