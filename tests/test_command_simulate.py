@@ -66,6 +66,7 @@ FIXED = "fields of a scene are fixed in its FMU: declare a parameter for it in t
     ("name", "message", "help"),
     [
         ("bodies.crank0.mass", "four_bar has no parameter or input 'bodies.crank0.mass'", FIXED),
+        ("gravity", "four_bar has no parameter or input 'gravity'", FIXED),
         ("gravity[1]", "four_bar has no parameter or input 'gravity[1]'", FIXED),
         (
             "inputs.drive",
@@ -127,6 +128,12 @@ def test_a_run_that_would_not_end_ends_with_2(capsys, command, arguments, words)
     code, out, err = run(capsys, command, scene_fmu("four_bar"), *arguments)
     assert (code, out) == (2, "")
     assert words in err
+
+
+def test_a_number_with_its_unit_is_told_to_stand_alone(capsys):
+    code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drive=1kN.m")
+    message = "--set drive=1kN.m: error: drive: must be a number in N.m, got '1kN.m'\n"
+    assert (code, err) == (2, f"{message}  = help: a unit is not written here\n")
 
 
 def test_the_folder_of_a_csv_file_is_made(capsys, tmp_path):

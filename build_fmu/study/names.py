@@ -26,7 +26,7 @@ def not_settable(where: str, name: str, description: ModelDescription) -> Mistak
         return Mistake(where, f"{name}: is {kind} and cannot be set", help)
     message = f"{description.modelName} has no parameter or input {name!r}"
     table, dot, part = str(name).partition(".")
-    is_field = bool(dot) or "[" in part + table
+    is_field = bool(dot) or name == "gravity" or "[" in part + table
     if table in ("parameters", "inputs"):
         return Mistake(where, message, nearest(part.partition(".")[0], settable))
     if is_field and table != "solver" and (description.generationTool or "").startswith(OURS):

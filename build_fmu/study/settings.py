@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING
@@ -213,7 +214,9 @@ def _checked(entry: Entry, variable: ScalarVariable, mistakes: list[Mistake]) ->
     if not fits(value):
         words = wanted_instead(value) if variable.type == "Real" else words
         message = f"{variable.name}: must be {words}{in_unit}, got {shown(value)}"
-        mistakes.append(Mistake(entry.where, message))
+        with_unit = isinstance(value, str) and re.fullmatch(r"[-+]?[\d.]+ ?[^\W\d].*", value)
+        help = "a unit is not written here" if with_unit and variable.type != "Boolean" else ""
+        mistakes.append(Mistake(entry.where, message, help))
     elif isinstance(value, int | float):
         for bound, relation in ((variable.min, ">="), (variable.max, "<=")):
             if bound is None or (

@@ -80,14 +80,10 @@ def variants(
     build_fmu.errors.UnfinishedError
         If a process died that wrote one of them; the others are written.
     """
-    mistakes: list[Mistake] = []
-    rows = rows_of(grid, table, mistakes)
+    entries = entries_of(parameters)
+    rows = _rows(scene, entries, grid, table)
     run_jobs = engine_of(engine, workers)
     target = manifest_path(Path(folder), manifest)
-    entries = entries_of(parameters)
-    if mistakes:  # and those of names, which are the same in all rows
-        named = {name: entry for row in rows for name, entry in row.items()}
-        scene_overrides(scene, entries | named, mistakes)
     shared = _shared(scene, folder, entries, len(rows))
     jobs = [(number, row) for number, row in enumerate(rows, start=1)]
     names = {shared.name(number) for number, _ in jobs}
@@ -107,6 +103,21 @@ def variants(
             target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
     _require_all(made)
     return made
+
+
+def _rows(
+    scene: str | PathLike[str],
+    entries: Mapping[str, Entry],
+    grid: Sequence[str] | Mapping[str, object],
+    table: str | PathLike[str] | Sequence[Mapping[str, object]] | None,
+) -> list[Row]:
+    """Rows of values; their mistakes are told with those of the names, which are in all rows."""
+    mistakes: list[Mistake] = []
+    rows = rows_of(grid, table, mistakes)
+    if mistakes:
+        named = {name: entry for row in rows for name, entry in row.items()}
+        scene_overrides(scene, {**entries, **named}, mistakes)
+    return rows
 
 
 def _require_all(made: Sequence[Variant]) -> None:
