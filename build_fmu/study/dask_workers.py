@@ -61,7 +61,7 @@ def _client(address: str) -> Any:
     try:
         from distributed import Client  # pyright: ignore[reportMissingImports]
     except ImportError:
-        text = "the package distributed is missing; install it: pip install holonom[dask]"
+        text = "the package distributed is missing; install it: pip install 'holonom[dask]'"
         raise EnvironmentLackError(text) from None
     try:
         return Client(f"tcp://{address}", timeout=CONNECTION)

@@ -175,7 +175,7 @@ class Hdf5Store(Store):
         try:
             import h5py  # pyright: ignore[reportMissingImports]
         except ImportError:
-            text = "the package h5py is missing; install it: pip install holonom[hdf5]"
+            text = "the package h5py is missing; install it: pip install 'holonom[hdf5]'"
             raise EnvironmentLackError(text) from None
         super().__init__(plan, trajectories)
         if grouped := [name for name in plan.outputs if "/" in name]:
