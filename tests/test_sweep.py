@@ -168,9 +168,10 @@ def test_a_form_that_is_not_there_is_refused():
 
 @pytest.mark.parametrize("form", ["pandas", "xarray"])
 def test_a_form_whose_package_is_missing_says_how_to_get_it(monkeypatch, form):
+    fmu = pendulum()  # its build looks for packages as well
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: None)
     with pytest.raises(EnvironmentLackError, match=rf"pip install 'holonom\[{form}\]'"):
-        build_fmu.sweep(pendulum(), grid=GRID, form=form)
+        build_fmu.sweep(fmu, grid=GRID, form=form)
 
 
 def test_the_form_of_a_sweep_has_the_plan_and_every_result():
