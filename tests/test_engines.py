@@ -108,5 +108,5 @@ def test_a_number_of_processes_is_at_least_one():
 
 def test_without_dask_the_environment_lacks_something(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(EnvironmentLackError, match=r"pip install holonom\[dask\]"):
+    with pytest.raises(EnvironmentLackError, match=r"pip install 'holonom\[dask\]'"):
         list(run_jobs(Task(square, 0, lost), [1], "dask://127.0.0.1:9"))
