@@ -41,11 +41,23 @@ def build_archive(
 ) -> Path:
     """Write the FMU of a scene and its parameter set; see `build_fmu.build`."""
     loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
-    model = compile_scene(loaded)
-    require_own_set(fmu_path(path, model.name))
-    written = write_fmu(model, path, loaded)
-    write_parameter_set(model, written)
-    return written
+    return write_fmu_and_set(compile_scene(loaded), path, loaded)
+
+
+def write_fmu_and_set(
+    model: Model,
+    path: str | PathLike[str] | None,
+    scene: Scene,
+    tell: Callable[[str], object] | None = None,
+) -> Path:
+    """Write an FMU, as `write_fmu` does, and its parameter set, unless that is another program's.
+
+    Returns the path of the FMU.
+    """
+    target = fmu_path(path, model.name)
+    require_own_set(target)
+    write_parameter_set(model, write_fmu(model, target, scene, tell))
+    return target
 
 
 def write_fmu(

@@ -177,6 +177,11 @@ def description_of(path: str | PathLike[str]) -> ModelDescription:
     return description
 
 
+def start_time_of(description: ModelDescription) -> float:
+    """Start time of the default experiment, in s."""
+    return float(getattr(description.defaultExperiment, "startTime", None) or 0.0)
+
+
 def check_platform(path: str) -> None:
     """Refuse an FMU that has no library for this machine."""
     from fmpy import platform, supported_platforms

@@ -21,6 +21,7 @@ from build_fmu.instance import (
     instantiated,
     interrupts_held,
     not_said_twice,
+    start_time_of,
     unpacked,
 )
 from build_fmu.reference import Reference
@@ -178,7 +179,7 @@ def experiment_times(
 ) -> tuple[float, float]:
     """Stop time and communication step, checked: a run must come to an end."""
     experiment = description.defaultExperiment
-    start = float(getattr(experiment, "startTime", None) or 0.0)
+    start = start_time_of(description)
     if stop_time is None:
         stop_time = float(getattr(experiment, "stopTime", None) or start + 1.0)
     if not (math.isfinite(stop_time) and stop_time > start):

@@ -17,6 +17,7 @@ from dataclasses import replace
 from os import PathLike, fspath
 from typing import TYPE_CHECKING
 
+from build_fmu.instance import start_time_of
 from build_fmu.reference import Reference, columns_of, limits, name_of, names_to_compare
 from build_fmu.study.settings import Source, entries_of
 from build_fmu.study.values import Mistake, refuse
@@ -171,7 +172,7 @@ def _run_along(
 
 def _way_to(time: float, description: ModelDescription, where: str) -> list[float]:
     """Start time of the run, if the reference begins later."""
-    start = float(getattr(description.defaultExperiment, "startTime", None) or 0.0)
+    start = start_time_of(description)
     if time < start:
         message = f"begins at t = {time:g} s, before the FMU, which starts at {start:g} s"
         refuse([Mistake(where, message, "shift its times, or leave out what comes before")])

@@ -7,14 +7,13 @@ import sys
 
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json
-from build_fmu.study.remains import require_own_set
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import is_fmu, scene_and_model
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
-    from build_fmu.export import fmu_path, write_fmu, write_parameter_set
+    from build_fmu.export import write_fmu_and_set
 
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
@@ -25,9 +24,7 @@ def run(arguments: argparse.Namespace) -> int:
     def tell(sentence: str) -> None:
         sys.stderr.write(f"{model.name}: {sentence}\n")
 
-    require_own_set(fmu_path(arguments.output, model.name))
-    path = write_fmu(model, arguments.output, scene, tell)
-    write_parameter_set(model, path)
+    path = write_fmu_and_set(model, arguments.output, scene, tell)
     size = path.stat().st_size
     if arguments.json:
         beside = str(path.with_suffix(".ssv"))

@@ -11,11 +11,10 @@ from pathlib import Path
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.report import count_bar, number, print_json, print_table
-from build_fmu.study.plan import Result
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.study.sweep import Sweep, sweep
 
-MOST_REASONS = 10
+MOST_TOLD = 10
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -51,8 +50,9 @@ def run(arguments: argparse.Namespace) -> int:
         print_json(_document(found, path, spent))
     else:
         _print(found, path, spent)
-    _warn(found.warnings)
-    _report(found.failed)
+    _tell(found.warnings, "warnings")
+    failed = [f"run {r.run} ended at t = {r.end_time:g} s: {r.reason}" for r in found.failed]
+    _tell(failed, "runs")
     return UNFINISHED if found.failed else 0
 
 
@@ -100,16 +100,8 @@ def _values(found: Sweep, run: int) -> str:
     return ", ".join(f"{k}={x:g}" if isinstance(x, float) else f"{k}={x}" for k, x in row.items())
 
 
-def _warn(sentences: Sequence[str]) -> None:
-    for sentence in sentences[:MOST_REASONS]:
+def _tell(sentences: Sequence[str], what: str) -> None:
+    for sentence in sentences[:MOST_TOLD]:
         sys.stderr.write(f"build-fmu: {sentence}\n")
-    if len(sentences) > MOST_REASONS:
-        sys.stderr.write(f"build-fmu: ... and {len(sentences) - MOST_REASONS} more warnings\n")
-
-
-def _report(failed: Sequence[Result]) -> None:
-    for result in failed[:MOST_REASONS]:
-        where = f"run {result.run} ended at t = {result.end_time:g} s"
-        sys.stderr.write(f"build-fmu: {where}: {result.reason}\n")
-    if len(failed) > MOST_REASONS:
-        sys.stderr.write(f"build-fmu: ... and {len(failed) - MOST_REASONS} more runs\n")
+    if len(sentences) > MOST_TOLD:
+        sys.stderr.write(f"build-fmu: ... and {len(sentences) - MOST_TOLD} more {what}\n")

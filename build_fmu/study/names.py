@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from build_fmu.study.values import Mistake, nearest
+from build_fmu.study.values import Mistake, listed, nearest
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
@@ -21,8 +21,7 @@ def not_settable(where: str, name: str, description: ModelDescription) -> Mistak
     settable = [each for each, kind in causality.items() if kind in SETTABLE]
     if name in causality:
         kind = "an output" if causality[name] == "output" else f"a variable ({causality[name]})"
-        first = ", ".join(settable[:20]) + (", ..." if len(settable) > 20 else "")
-        help = f"settable are {first}" if settable else "it has no parameters and inputs"
+        help = f"settable are {listed(settable)}" if settable else "it has no parameters and inputs"
         return Mistake(where, f"{name}: is {kind} and cannot be set", help)
     message = f"{description.modelName} has no parameter or input {name!r}"
     table, dot, part = str(name).partition(".")
@@ -43,7 +42,8 @@ def outputs_of(
     outputs = [v.name for v in description.modelVariables if v.causality == "output"]
     if names is None:
         return outputs
-    for name in [names] if isinstance(names, str) else names:
+    names = [names] if isinstance(names, str) else names
+    for name in names:
         where = f"output {name}"
         if name not in kinds:
             message = f"{description.modelName} has no variable {name!r}"
@@ -51,4 +51,4 @@ def outputs_of(
         elif kinds[name] == "String":
             help = "what is kept of a run are numbers"
             mistakes.append(Mistake(where, f"{name}: is a text, not a number", help))
-    return list(dict.fromkeys([names] if isinstance(names, str) else names))
+    return list(dict.fromkeys(names))

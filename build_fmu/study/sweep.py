@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.instance import check_platform, description_of
+from build_fmu.instance import check_platform, description_of, start_time_of
 from build_fmu.run import experiment_times
 from build_fmu.study.dask_workers import folder_of_worker
 from build_fmu.study.engines import engine_of
@@ -221,7 +221,7 @@ def _lost(plan: Plan, job: tuple[int, Mapping[str, Any]], reason: str) -> Result
 
 def _times(stop: float, step: float, description: ModelDescription) -> list[float]:
     """Communication points from the start to the stop time; the last step may be shorter."""
-    start = float(getattr(description.defaultExperiment, "startTime", None) or 0.0)
+    start = start_time_of(description)
     count = (stop - start) / step
     whole = round(count) if abs(count - round(count)) < 1e-6 else math.ceil(count)
     return [*(start + i * step for i in range(max(whole, 1))), stop]

@@ -8,7 +8,7 @@ import math
 import re
 import reprlib
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
+MOST_NAMES = 20
 _LONG_NAME = re.compile(r"parameters\.(\w+)(?:\.value)?|inputs\.(\w+)(?:\.start)?")
 
 _SHORT = reprlib.Repr()
@@ -152,5 +153,9 @@ def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> 
     near = [x for each in (names, others) for x in difflib.get_close_matches(str(wrong), each, 1)]
     if near:
         return f"did you mean {near[0]!r}?"
-    first = ", ".join(names[:20]) + (", ..." if len(names) > 20 else "")
-    return f"there are {first}" if names else ""
+    return f"there are {listed(names)}" if names else ""
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names in one line, the first of them where there are many."""
+    return ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")
