@@ -1,5 +1,6 @@
 # make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
 # make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
+# make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
 # make benchmark   time and accuracy, on this machine
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
 # make cofmupy     the same in cofmupy, which is large
@@ -10,6 +11,9 @@
 
 PYTHON ?= python3
 JOBS ?= 2
+SEED ?= 1
+N ?= 5000
+ATTACKS ?=
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -17,7 +21,7 @@ COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h)
 
-.PHONY: demo test lint benchmark importers cofmupy kernel clean
+.PHONY: demo test lint hostile benchmark importers cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m build_fmu.demo
@@ -31,6 +35,9 @@ lint: $(VENV)/installed-tools
 	$(BIN)/pyright --pythonpath $(BIN)/python
 	$(BIN)/lint-imports
 	CFLAGS=-Werror $(BIN)/python -m build_kernel
+
+hostile: $(VENV)/installed-tools
+	$(BIN)/python -m tests.hostile --seed $(SEED) --count $(N) $(ATTACKS)
 
 benchmark: $(VENV)/installed-benchmarks
 	$(BIN)/python -m benchmarks

@@ -1,0 +1,56 @@
+"""Attacks on the public interface, briefly; `make hostile` runs them at length."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.hostile import attack, process
+
+BRIEFLY = 40
+PATIENCE = 20.0
+"""A crowded machine is no finding."""
+
+
+@pytest.mark.parametrize("name", attack.attacks())
+def test_bad_input_ends_in_an_answer_or_a_sentence(name, tmp_path):
+    assert attack.run(name, "0", BRIEFLY, tmp_path, PATIENCE) == []
+
+
+@pytest.fixture
+def attack_of(tmp_path, monkeypatch):
+    """A made-up attack of four cases, of which number 2 does as told."""
+
+    def made(second_case: str) -> list[attack.Finding]:
+        package = tmp_path / "tests" / "hostile"
+        package.mkdir(parents=True)
+        for name in ("attack.py", "process.py"):
+            (package / name).write_text((attack.HERE / name).read_text("utf-8"), "utf-8")
+        text = "import os\nCPU_LIMIT = 0.2\ndef prepare(folder): pass\n"
+        text += "def case(seed, number, folder):\n    if number == 2:\n        " + second_case
+        (package / "madeup.py").write_text(text, "utf-8")
+        monkeypatch.setattr(attack, "ROOT", tmp_path)
+        monkeypatch.setattr(attack, "module_of", lambda _: process)
+        monkeypatch.setattr(process, "prepare", lambda _: None, raising=False)
+        return attack.run("madeup", "0", 4, Path(tmp_path))
+
+    return made
+
+
+@pytest.mark.parametrize(
+    ("second_case", "told"),
+    [
+        ("return 'wrong answer'", "wrong answer"),
+        ("raise KeyError(1)", "KeyError: 1 at madeup.py"),
+        ("os._exit(3)", "the process ended with 3"),
+        ("os.kill(os.getpid(), 11)", "the process ended with -11"),
+        ("while True: pass", "took longer than 0.2 s at madeup.py"),
+    ],
+)
+def test_an_attack_tells_of_wrong_answers_tracebacks_crashes_and_hangs(
+    attack_of, second_case, told
+):
+    (finding,) = attack_of(second_case)
+    assert finding.number == 2
+    assert told in finding.text
