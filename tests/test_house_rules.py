@@ -15,7 +15,7 @@ else:
     import tomli as tomllib
 
 ROOT = Path(__file__).resolve().parent.parent
-CODE = ("solver", "fmu_src", "build_fmu", "build_kernel", "benchmarks", "examples")
+CODE = ("holonom", "solver", "fmu_src", "build_fmu", "build_kernel", "benchmarks", "examples")
 TEXT = (*CODE, "docs", "scenes", "tests")
 FILE_LINES = 300
 FUNCTION_LINES = 40

@@ -19,7 +19,7 @@ from build_kernel import compiler
 from solver.runtime.kernel import library_path
 
 ROOT = Path(__file__).resolve().parent.parent
-TRAVELS = ("build_fmu", "build_kernel", "fmu_src", "scenes", "solver")
+TRAVELS = ("build_fmu", "build_kernel", "fmu_src", "holonom", "scenes", "solver")
 TOP_FILES = ("CHANGELOG.md", "LICENSE", "MANIFEST.in", "README.md", "pyproject.toml")
 
 
@@ -210,6 +210,7 @@ def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder):
     assert {name.partition("/")[0] for name in names if "dist-info" not in name} == {
         "build_fmu",
         "fmu_src",
+        "holonom",
         "solver",
     }
     for dimension in compiler.DIMENSIONS:
