@@ -1,4 +1,4 @@
-"""What `docs/method.md` and `docs/scene.md` say of orders: errors, and loads that sense."""
+"""What the theory and `docs/scene.md` say of orders: errors, and loads that sense."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from tests.mechanism_runs import run
 from tests.problems import double_pendulum, observed_order
 from tests.problems import scene as scene_of
 
-METHOD = Path(__file__).resolve().parents[1] / "docs" / "method.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "theory" / "orders.md"
 ROW = re.compile(r"\| ([2468]) \| (\d+) \| (\S+) \| (\S+) \|")
 
 
 def test_the_table_of_errors_is_what_is_measured() -> None:
     # Two digits are printed; the motion it is compared with is good to 1e-13.
-    rows = ROW.findall(METHOD.read_text(encoding="utf-8"))
+    rows = ROW.findall(PAGE.read_text(encoding="utf-8"))
     assert [row[0] for row in rows] == ["2", "4", "6", "8"]
     names = [f"{point}.{part}" for part in ("x", "y", "vx", "vy") for point in "AB"]
     q, v = double_pendulum_motion(np.array([0.0, 2.0]), math.pi / 6)

@@ -1,4 +1,4 @@
-"""The README says what happens: its scene, its Python, its options and its commands are run."""
+"""README and the page of settings say what happens: scenes, Python, options, commands are run."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from solver import scene
 
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+SETTINGS = (ROOT / "docs" / "solver_settings.md").read_text(encoding="utf-8")
 
 
 def fenced(language: str, place: int = 0) -> str:
@@ -27,8 +28,8 @@ def fenced(language: str, place: int = 0) -> str:
 
 
 def option_defaults() -> dict[str, str]:
-    """Default of each option, as the README's table has it."""
-    table = README.partition("| option | values | default |")[2].partition("\n\n")[0]
+    """Default of each option, as the page of settings has it."""
+    table = SETTINGS.partition("| option | values | default |")[2].partition("\n\n")[0]
     rows = re.findall(r"^\| (`.*?) \| .* \| (.*?) \|$", table, re.MULTILINE)
     pairs = [
         (name, value)

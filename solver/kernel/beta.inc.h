@@ -1,4 +1,4 @@
-/* The intermediate configuration of eq 8, for `conserving-al-beta`. Included before
+/* The intermediate configuration of eq 8 (theory 2.3), for `conserving-al-beta`. Included before
    function.inc.h, after registers.inc.h.                                                                      */
 
 /* Leaf l of function j at q_n + beta d, from its forms there: value in x1, slopes p. */

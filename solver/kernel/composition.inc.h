@@ -4,7 +4,7 @@ enum { N_COMPOSED = 3 }; /* orders 4, 6 and 8 */
 
 /* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
    The plain step is not near the identity as h goes to 0 (it reflects the velocity normal to the constraints), the
-   pair is, so that it composes (numerics 8). Parts beyond the middle repeat the first ones in reverse.
+   pair is, so that it composes (theory 8.1). Parts beyond the middle repeat the first ones in reverse.
    Order 4: Suzuki 1990; 6: Kahan and Li 1997, s9odr6a; 8: the 15 stages of Suzuki and Umeno 1993.              */
 static double stage(int order, int i, int *stages)
 {
@@ -24,7 +24,7 @@ static double stage(int order, int i, int *stages)
 
 /* Weights of the outputs 0 ... s after each stage, for the difference from a solution of lower order that costs nothing:
    the sum of weighted outputs vanishes to order 3, 4 or 6. They fulfil the conditions of that order, with a unit error
-   of the next one, and repeat in reverse (odd order) or with the other sign (even). docs/method.md.              */
+   of the next one, and repeat in reverse (odd order) or with the other sign (even) (theory 8.6).                */
 static double embedded(int order, int i, int stages)
 {
     static const double weights[3][8] = {

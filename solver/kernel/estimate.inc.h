@@ -1,4 +1,4 @@
-/* What a step adds to the error of a run. Included after interval.inc.h.
+/* What a step adds to the error of a run (theory 8.6). Included after interval.inc.h.
 
    The difference from an embedded solution of order r, e ~ (omega h)^(r+1), tells how fast the motion changes, and with it
    the error of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. How far a mechanism is from the mean

@@ -1,4 +1,4 @@
-/* Links and rows at the state to about twice the digits of a double. Included after forms.inc.h. */
+/* Links and rows at the state to about twice the digits of a double (theory 1.6). Included after forms.inc.h. */
 
 /* One link of form f at the state to about twice the digits of a double, high + low (DIM each, overwritten);
    coefficients of the link begin at `at`, those of its quarter turns at `turn_at`.                            */

@@ -1,4 +1,4 @@
-/* Steps of order 4, 6 and 8 where dampers take energy out. Included after rigid.inc.h.
+/* Steps of order 4, 6 and 8 where dampers take energy out (theory 8.3). Included after rigid.inc.h.
 
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel

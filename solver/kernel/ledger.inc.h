@@ -1,4 +1,4 @@
-/* What a solved step leaves behind: the ledger, the angles' turns, the state. Included after
+/* What a solved step leaves behind: the ledger, the angles' turns, the state (theory 11). Included after
    step.inc.h.                                                                                                */
 
 static void book(context *c, int account, double amount)

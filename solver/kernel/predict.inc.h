@@ -1,4 +1,4 @@
-/* Where the solution of a half step is sought first. Included after linear_solve.inc.h.
+/* Where the solution of a half step is sought first (theory 3.5). Included after linear_solve.inc.h.
 
    Accelerations and multipliers of a half step depend on its length and on which half of its pair it is, so that they
    jump from half to half of an internal step, by nearly what they jumped by in the internal step before. The state

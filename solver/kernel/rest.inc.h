@@ -1,4 +1,4 @@
-/* Islands at rest: no work as long as nothing touches them. Included after newton.inc.h.
+/* Islands at rest: no work as long as nothing touches them (theory 4.8). Included after newton.inc.h.
 
    A state without velocities in which forces and multipliers balance is a fixed point of the step, whatever its length:
    w = 0 and the last multipliers solve it. That is seen without an iteration, and once the island has stood still for

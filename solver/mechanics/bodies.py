@@ -3,7 +3,7 @@
 A uniform slender bar of mass m between two points has the mass matrix (m/6) [[2, 1], [1, 2]] x I,
 one row |X_2 - X_1|^2 = L^2, and half its weight at either end. A rigid body is r, its centre of
 mass, and directors: d_1, d_2, d_3 with d_i . d_k = delta_ik in space, one d with |d| = 1 in the
-plane; its mass matrix is diag(m, E) or diag(m, J). (numerics 9)
+plane; its mass matrix is diag(m, E) or diag(m, J). (theory 9)
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Drivers: prescribed positions, distances, angles and displacements (numerics 6.1).
+"""Drivers: prescribed positions, distances, angles and displacements (theory 6.1).
 
 A driven point is a node whose coordinates are signals; everything else is a row sigma - f(t) = 0
 whose multiplier is the force that the driver exerts, F = -mu along +sigma.

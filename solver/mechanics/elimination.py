@@ -1,4 +1,4 @@
-"""Elimination order and sparse pattern of the tangent, fixed when a mechanism is assembled.
+"""Elimination order and sparse pattern of the tangent, fixed at assembly (theory 4.2).
 
 The KKT graph has nodes (blocks of `dim` coordinates) and rows (blocks of one multiplier, or of
 `dim` where vectors coincide). Blocks are eliminated by minimum degree. A row waits until the nodes

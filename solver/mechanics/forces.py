@@ -1,4 +1,4 @@
-"""Forces: elements along a quantity, loads on places, moments, potentials (numerics 5)."""
+"""Forces: elements along a quantity, loads on places, moments, potentials (theory 5)."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Inertia of a rigid body as the masses of its directors: the Euler tensor.
 
-    E = tr(J)/2 I - J,      J_perp of an axis a = tr(E) - a' E a,      (numerics 9.1)
+    E = tr(J)/2 I - J,      J_perp of an axis a = tr(E) - a' E a,      (theory 9.1)
 
 E is zero along what has no extent: a rod, a plate, a point. A direction without inertia would have
 no equation of motion, so such a body gets the smallest one that computes safely.

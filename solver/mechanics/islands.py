@@ -1,4 +1,4 @@
-"""Islands: parts of a mechanism that nothing joins but what stays where it is.
+"""Islands: parts of a mechanism that nothing joins but what stays where it is (theory 4.7).
 
 Nodes belong to the same island if they are of one body, or a mass, row, force or potential depends
 on both. Sensors and

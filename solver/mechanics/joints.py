@@ -1,4 +1,4 @@
-"""Joints between two bodies as rows (numerics 9.3).
+"""Joints between two bodies as rows (theory 9.3).
 
 Each joint is the list of rows between A, the first body, and B, the second one: with x the place of
 the joint, a its axis in A, and b_1, b_2 perpendicular to it in B; places and axes are as drawn.

@@ -3,7 +3,7 @@
     gear  theta_2 - k theta_1 = 0        rack  x_2 - R theta_1 = 0        surface  F(xi) = 0
 
 with xi the coordinates of a place in the axes of a body. A rolling disc has one holonomic row, the
-height of its centre, and one velocity row for each tangent of the plane (numerics 6.2).
+height of its centre, and one velocity row for each tangent of the plane (theory 6.2).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a mechanism consists of: coordinates, rows, redundant rows, mobility.
+"""What a mechanism consists of: coordinates, rows, redundant rows, mobility (theory 9.5).
 
 Kutzbach's mobility is the number of coordinates less that of rows: 6 of each spatial body and 3 of
 each planar one, less the constraints of the joints. By rank it is what can really move as drawn,

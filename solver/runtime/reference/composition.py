@@ -1,4 +1,4 @@
-"""Compositions of pairs of half steps to a higher order (numerics 8).
+"""Compositions of pairs of half steps to a higher order (theory 8.1).
 
 A symmetric composition of a symmetric step that is near the identity as h goes to 0 has the order
 for which its parts are made. The plain step is not: it reflects the velocity normal to the

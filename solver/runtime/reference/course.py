@@ -6,7 +6,7 @@ step is a sum of slopes p times changes of its forms,
     form 1,    length 1/(l_n + l_n1),    angle g (-s_mid, c_mid), g = dtheta/(c_mid ds - s_mid dc),
 
 and its discrete gradient sum p grad s(q_mid): exact for any step, and blind to rigid motions
-(numerics 2.5, 5.1). Forms are quadratic, so that grad s(q_mid) . d = ds.
+(theory 2.5). Forms are quadratic, so that grad s(q_mid) . d = ds.
 """
 
 from __future__ import annotations

@@ -70,7 +70,7 @@ def directors_moved(directors: Array, moment: Array, frame: int) -> Array:
     """Forces (9,) on the directors of a body by a moment.
 
     f_i = m x d^i/2 with the dual directors d^i; with those, sum d_i x f_i = m also where a step
-    has left d_i at its middle shorter than 1 (numerics 9.1).
+    has left d_i at its middle shorter than 1 (theory 5.5).
     """
     D = directors.reshape(3, 3)
     m = moment @ D if frame == BODY_AXES else moment

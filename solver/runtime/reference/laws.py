@@ -5,7 +5,7 @@ Every law has slopes g with respect to the forms of the mechanism; its generalis
     sum_f g_f grad s_f,
 
 with g from the discrete chain rule and the gradients at the middle of the step. For a function phi
-this makes the work over a step exactly phi_n1 - phi_n, whatever the step (numerics 2.5).
+this makes the work over a step exactly phi_n1 - phi_n, whatever the step (theory 2.5).
 """
 
 from __future__ import annotations
