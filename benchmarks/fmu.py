@@ -57,7 +57,7 @@ def measure(effort: Effort) -> Section:
         loading = first_step_times(fmu, effort)
     after_import = _sum([loading[part] for part in PARTS[1:]])
     parts = [
-        _part("build-fmu build, new process", building["new process"]),
+        _part("holonom build, new process", building["new process"]),
         _part("build_fmu.build, in a process that has built before", building["same process"]),
         *(_part(f"first step: {part}", times) for part, times in loading.items()),
         _part("first step: all but Python's start and importing fmpy", after_import),

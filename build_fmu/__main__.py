@@ -1,4 +1,4 @@
-"""`python -m build_fmu` does the same as `build-fmu`."""
+"""`python -m build_fmu` does the same as the command `holonom`."""
 
 from __future__ import annotations
 

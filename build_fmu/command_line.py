@@ -46,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _say(text: str, code: int) -> int:
-    prefix = "" if ": error: " in text else "build-fmu: "
+    prefix = "" if ": error: " in text else "holonom: "
     sys.stderr.write(f"{prefix}{text}\n")
     return code
 
@@ -66,7 +66,7 @@ def setting(text: str) -> tuple[str, object]:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="build-fmu",
+        prog="holonom",
         description="Turn mechanisms into FMI 2.0 co-simulation units; run and check them.",
         epilog=EXIT_CODES,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -69,7 +69,7 @@ def fmu_model(target: str) -> Model:
         with zipfile.ZipFile(target) as archive:
             return Model.from_bytes(archive.read("resources/model.bin"))
     except (KeyError, ValueError, OptionError) as error:
-        text = f"{target}: not made by this version of build-fmu ({error})"
+        text = f"{target}: not made by this version of holonom ({error})"
         raise UsageError(text) from None
 
 

@@ -49,7 +49,7 @@ def assert_conserves(
     Parameters
     ----------
     target
-        An FMU of build-fmu, or a scene.
+        An FMU of holonom, or a scene.
     energy, constraint
         Largest `energy.error` and `constraint.position` that pass, relative to the largest energy
         and to length squared.
@@ -79,7 +79,7 @@ def assert_conserves(
 def _excess(run: Run, name: str, limit: float) -> list[str]:
     """A sentence about an output that is larger than it may be."""
     if name not in (run.values.dtype.names or ()):
-        return [f"there is no output {name!r}; is it an FMU of build-fmu?"]
+        return [f"there is no output {name!r}; is it an FMU of holonom?"]
     sizes = abs(run.values[name])
     worst = int(sizes.argmax())
     if sizes[worst] <= limit:
@@ -106,7 +106,7 @@ def assert_follows(
     target
         An FMU, or a scene.
     reference
-        A CSV file whose first line has the names, among them "time", as `build-fmu simulate --csv`
+        A CSV file whose first line has the names, among them "time", as `holonom simulate --csv`
         and fmpy write it; or arrays by name.
     relative
         Error that passes, relative to the largest value of the reference in that column. Round-off

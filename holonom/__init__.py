@@ -18,7 +18,7 @@ import solver
 
 if TYPE_CHECKING:
     from build_fmu import *
-    from build_fmu.errors import CommandError, EnvironmentLackError, UsageError
+    from build_fmu.errors import CommandError, EnvironmentLackError, UnfinishedError, UsageError
     from build_fmu.run import run_fmu
     from solver import *
 else:
@@ -32,7 +32,7 @@ else:
         raise AttributeError(message)
 
 
-__all__ = ["CommandError", "EnvironmentLackError", "UsageError", "run_fmu"]
+__all__ = ["CommandError", "EnvironmentLackError", "UnfinishedError", "UsageError", "run_fmu"]
 __all__ += build_fmu.__all__
 __all__ += solver.__all__
 

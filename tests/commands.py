@@ -1,4 +1,4 @@
-"""Commands of `build-fmu`, run in this process."""
+"""Commands of `holonom`, run in this process."""
 
 from __future__ import annotations
 

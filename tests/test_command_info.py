@@ -1,4 +1,4 @@
-"""`build-fmu info`: what a mechanism consists of, how it can move, and where it comes to rest."""
+"""`holonom info`: what a mechanism consists of, how it can move, and where it comes to rest."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ def test_the_tables_have_units_and_show_rounding_as_zero(capsys):
 def test_where_nothing_comes_to_rest_the_end_is_3_and_a_sentence(capsys):
     code, out, err = run(capsys, "info", SCENES / "screw_jack.toml", "--equilibrium", "--json")
     assert (code, out) == (3, "")
-    assert err.startswith("build-fmu: screw_jack: no static equilibrium was found")
+    assert err.startswith("holonom: screw_jack: no static equilibrium was found")
     assert err.count("\n") == 1
 
 

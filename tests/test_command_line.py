@@ -80,7 +80,7 @@ def test_a_bad_scene_ends_with_2_and_its_report(capsys, tmp_path):
 def test_a_usage_error_ends_with_2_and_one_line(capsys, arguments):
     code, out, err = run(capsys, *arguments)
     assert (code, out) == (2, "")
-    assert err.startswith("build-fmu: ")
+    assert err.startswith("holonom: ")
     assert err.count("\n") == 1
 
 
@@ -136,7 +136,7 @@ def test_validate_lists_the_findings(capsys, tmp_path):
 def test_help_waits_for_nothing_heavy():
     command = [sys.executable, "-X", "importtime", "-m", "build_fmu", "--help"]
     process = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT)
-    assert process.stdout.startswith("usage: build-fmu")
+    assert process.stdout.startswith("usage: holonom")
     modules = {line.split("|")[-1].strip() for line in process.stderr.splitlines()}
     heavy = {"numpy", "scipy", "pydantic", "rich", "fmpy", "pythonfmu", "solver", "zipfile"}
     assert not {name.split(".")[0] for name in modules} & heavy

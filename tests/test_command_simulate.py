@@ -1,4 +1,4 @@
-"""`build-fmu simulate` and `check`: what they print, and what ends them before they begin."""
+"""`holonom simulate` and `check`: what they print, and what ends them before they begin."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ def test_a_step_that_is_longer_than_the_run_is_told(capsys, command):
     arguments = (scene_fmu("four_bar"), "--stop", 0.01)
     code, _, err = run(capsys, command, *arguments, "--step", 5)
     assert code == 0
-    assert err == "build-fmu: the run of 0.01 s is one step, as --step is 5 s\n"
+    assert err == "holonom: the run of 0.01 s is one step, as --step is 5 s\n"
     assert run(capsys, command, *arguments, "--step", 0.01)[2] == ""
 
 
@@ -199,4 +199,4 @@ def test_a_mechanism_that_cannot_begin_says_so_once(capsys, tmp_path, command):
         words = f"joint '{joint}': length is 1 m, but its points are drawn {distance} m apart"
         assert err.count(words) == 1
     assert err.count("move a point, correct the length, or leave it out") == 1
-    assert err.startswith("build-fmu: the run ended at t = 0.0 s, before 1.0 s: ")
+    assert err.startswith("holonom: the run ended at t = 0.0 s, before 1.0 s: ")

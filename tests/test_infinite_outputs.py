@@ -69,7 +69,7 @@ def test_simulate_ends_with_3_and_the_sentence(capsys):
     assert code == 3
     assert json.loads(out)["finished"]
     assert json.loads(out)["reason"] == SENTENCE
-    assert f"build-fmu: {LOGGED}: {SENTENCE}" in err
+    assert f"holonom: {LOGGED}: {SENTENCE}" in err
 
 
 def test_a_sweep_records_the_run_as_failed():

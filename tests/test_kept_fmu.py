@@ -75,4 +75,4 @@ def test_a_last_run_may_leave_no_instance(fmu, tmp_path):
 def test_an_fmu_that_cannot_be_instantiated_at_all_ends_the_sweep(fmu, tmp_path):
     code, lines, err = swept(fmu, tmp_path / "a.csv", "1 2 3", "serial")
     assert (code, lines) == (2, [])
-    assert err.startswith("build-fmu: Moody cannot be instantiated")
+    assert err.startswith("holonom: Moody cannot be instantiated")

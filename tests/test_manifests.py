@@ -100,7 +100,7 @@ def test_a_manifest_stands_beside_the_fmus(capsys, tmp_path, manifest):
     arguments = ("--grid", "mass=1,2", "-o", tmp_path / "v", "--manifest", manifest)
     code, out, err = run(capsys, "variants", PENDULUM, *arguments)
     assert (code, out) == (2, "")
-    assert err == f"build-fmu: {manifest}: a manifest stands beside the FMUs; write m.csv\n"
+    assert err == f"holonom: {manifest}: a manifest stands beside the FMUs; write m.csv\n"
     assert not (tmp_path / "v").exists()
 
 
@@ -125,7 +125,7 @@ def test_fmus_of_an_earlier_study_are_not_left_unmentioned(capsys, tmp_path):
     code, _, err = run(capsys, *second)
     assert code == 2
     assert err == (
-        f"build-fmu: {tmp_path}: 1 FMU of an earlier study would stay there, double_pendulum_3.fmu;"
+        f"holonom: {tmp_path}: 1 FMU of an earlier study would stay there, double_pendulum_3.fmu;"
         " name another folder, or remove what is of no use with --fresh\n"
     )
     assert run(capsys, *second, "--fresh")[0] == 0
@@ -149,7 +149,7 @@ def test_what_build_fmu_did_not_write_is_neither_replaced_nor_removed(capsys, tm
         arguments = ("--grid", grid, "--fresh", "-o", tmp_path)
         code, _, err = run(capsys, "variants", PENDULUM, *arguments)
         assert code == 2
-        assert f"{mine}: was not written by build-fmu; move it, or name another folder" in err
+        assert f"{mine}: was not written by holonom; move it, or name another folder" in err
         assert mine.read_bytes() == before
     assert run(capsys, "variants", PENDULUM, "--grid", "mass=1", "--fresh", "-o", tmp_path)[0] == 0
     assert mine.read_bytes() == before
@@ -201,7 +201,7 @@ def test_the_name_of_an_fmu_ends_in_fmu(capsys, tmp_path, name):
 def test_an_fmu_is_written_into_no_device(capsys):
     code, out, err = run(capsys, "build", PENDULUM, "-o", "/dev/null")
     assert (code, out) == (2, "")
-    assert err == "build-fmu: /dev/null: an FMU is a file; name one, or a folder for it\n"
+    assert err == "holonom: /dev/null: an FMU is a file; name one, or a folder for it\n"
 
 
 def test_each_parameter_set_has_the_whole_name_of_its_fmu(capsys, tmp_path):

@@ -1,10 +1,11 @@
-"""The package `holonom`: the one name that users import."""
+"""The package `holonom`: the one name that users import, and the command of the same name."""
 
 from __future__ import annotations
 
 import ast
 import importlib
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -18,6 +19,7 @@ import solver
 from build_fmu.payload import payload
 
 ROOT = Path(__file__).resolve().parents[1]
+PAGES = sorted([ROOT / "README.md", *(ROOT / "docs").rglob("*.md")])
 
 
 def imported_for_types() -> dict[str, str]:
@@ -67,6 +69,25 @@ def test_importing_it_loads_no_library_and_reads_no_scene_code():
     heavy = {"numpy", "scipy", "pydantic", "rich", "fmpy", "pythonfmu", "argparse", "zipfile"}
     assert not {name.partition(".")[0] for name in loaded} & heavy
     assert not [name for name in loaded if name.startswith("solver.")]
+
+
+@pytest.mark.parametrize("module", ["holonom", "build_fmu"])
+def test_both_commands_are_one_and_call_themselves_holonom(module):
+    shown = run(sys.executable, "-m", module, "--help")
+    assert shown.startswith("usage: holonom ")
+    assert "build-fmu" not in shown
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_pages_teach_one_command_and_one_import(page):
+    text = page.read_text(encoding="utf-8")
+    assert not re.findall(r"^ +(?:\$ )?build-fmu .*", text, re.MULTILINE)
+    assert not re.findall(r"^ *(?:import|from) (?:solver|build_fmu)\b.*", text, re.MULTILINE)
+
+
+def test_messages_and_help_name_one_command():
+    sources = [path.read_text(encoding="utf-8") for path in (ROOT / "build_fmu").rglob("*.py")]
+    assert not [text for text in sources if "build-fmu" in text]
 
 
 def test_no_file_of_the_package_travels_in_an_fmu():

@@ -41,7 +41,7 @@ def option_defaults() -> dict[str, str]:
 
 def commands() -> list[str]:
     """Commands that the README shows, without their comments."""
-    lines = re.findall(r"^    (build-fmu .*)$", README, re.MULTILINE)
+    lines = re.findall(r"^    (holonom .*)$", README, re.MULTILINE)
     return [line.partition("  #")[0].rstrip() for line in lines]
 
 

@@ -93,7 +93,7 @@ def test_a_parameter_set_of_others_is_neither_replaced_nor_removed(capsys, tmp_p
     for grid in ("mass=1,2", "mass=1,-2"):
         code, _, err = run(capsys, "variants", PENDULUM, "--grid", grid, "-o", tmp_path)
         assert code == 2
-        assert f"{mine}: was not written by build-fmu; move it, or name another folder" in err
+        assert f"{mine}: was not written by holonom; move it, or name another folder" in err
     assert [path.name for path in tmp_path.iterdir()] == [mine.name]
     assert mine.read_text() == FOREIGN
     assert run(capsys, "variants", PENDULUM, "--grid", "mass=1", "-o", tmp_path)[0] == 0
@@ -105,8 +105,8 @@ def test_build_does_not_replace_a_parameter_set_of_others(capsys, tmp_path):
     mine.write_text(FOREIGN)
     code, out, err = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
     assert (code, out) == (2, "")
-    assert err == f"build-fmu: {mine}: was not written by build-fmu; move it, or name another FMU\n"
-    with pytest.raises(build_fmu.errors.UsageError, match="was not written by build-fmu"):
+    assert err == f"holonom: {mine}: was not written by holonom; move it, or name another FMU\n"
+    with pytest.raises(build_fmu.errors.UsageError, match="was not written by holonom"):
         build_fmu.build(PENDULUM, tmp_path / "a.fmu")
     assert [path.name for path in tmp_path.iterdir()] == [mine.name]
     mine.unlink()
@@ -120,7 +120,7 @@ def test_variants_go_into_a_folder(capsys, tmp_path, name):
     code, out, err = run(capsys, "variants", PENDULUM, "--grid", "mass=1,2", "-o", tmp_path / name)
     assert (code, out) == (2, "")
     wanted = "there will be many FMUs; name a folder for them, not a file"
-    assert err == f"build-fmu: {tmp_path / name}: {wanted}\n"
+    assert err == f"holonom: {tmp_path / name}: {wanted}\n"
     assert [path.name for path in tmp_path.iterdir()] == ["there"]
 
 

@@ -94,7 +94,7 @@ def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
     code, out, err = run(capsys, "sweep", pendulum(), *arguments)
     assert code == 3
     assert "3 runs, 1 failed" in out
-    assert err.startswith("build-fmu: run 2 ended at t = 0 s: ")
+    assert err.startswith("holonom: run 2 ended at t = 0 s: ")
     assert [row["finished"] for row in lines(tmp_path / "a.csv")] == ["true", "false", "true"]
 
 

@@ -72,7 +72,7 @@ def test_a_warning_of_the_runs_is_said_once(capsys, tmp_path, engine):
     code, out, err = run(capsys, "sweep", fmu, *grid, *options)
     assert code == 0
     assert err.count("solver.order is 4, but steps are of order 2") == 1
-    assert json.loads(out)["warnings"] == [err.removeprefix("build-fmu: ").rstrip("\n")]
+    assert json.loads(out)["warnings"] == [err.removeprefix("holonom: ").rstrip("\n")]
 
 
 # ------------------------------------------------------------------------------------ mistakes

@@ -85,7 +85,7 @@ def test_an_interruption_leaves_the_runs_that_are_done_and_nothing_else(
     assert (process.returncode, out) == (130, "")
     done = len(text.splitlines()) - 1
     assert said(err) == [
-        f"build-fmu: interrupted; {done} of 100000 runs are in {file}, the same command goes on"
+        f"holonom: interrupted; {done} of 100000 runs are in {file}, the same command goes on"
     ]
     assert ",false," not in text  # an interruption is no failure of a run
     assert list(temporary.iterdir()) == []
@@ -127,7 +127,7 @@ def test_an_interruption_while_processes_start_is_one_like_any_other(
         command, capture_output=True, text=True, start_new_session=True, timeout=PATIENCE
     )
     assert done.returncode == 130, done.stderr
-    assert [line[:24] for line in said(done.stderr)] == ["build-fmu: interrupted; "]
+    assert [line[:22] for line in said(done.stderr)] == ["holonom: interrupted; "]
     assert list(temporary.iterdir()) == []
 
 

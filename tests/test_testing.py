@@ -212,7 +212,7 @@ def test_an_error_that_passes_for_a_column_that_is_not_compared_is_a_mistake():
     assert "did you mean 'A.x'?" in str(caught.value)
 
 
-# ---------------------------------------------------------- references that build-fmu wrote itself
+# ---------------------------------------------------------- references that holonom wrote itself
 
 
 def written(capsys, file: Path, name: str, *settings: str) -> Path:

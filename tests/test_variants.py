@@ -1,4 +1,4 @@
-"""`build-fmu variants`: one FMU for each row, the same as built one by one, and a manifest."""
+"""`holonom variants`: one FMU for each row, the same as built one by one, and a manifest."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from build_fmu import command_line
 
 ROOT = Path(__file__).resolve().parents[1]
 GUIDE = (ROOT / "docs" / "variants.md").read_text(encoding="utf-8")
-COMMANDS = re.findall(r"^    build-fmu (.*)$", GUIDE, flags=re.MULTILINE)
+COMMANDS = re.findall(r"^    holonom (.*)$", GUIDE, flags=re.MULTILINE)
 ARGUMENTS = re.findall(r"^\| (`-[^|]*`) \| (`[^|]*`) \|$", GUIDE, flags=re.MULTILINE)
 
 

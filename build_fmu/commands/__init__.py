@@ -1,1 +1,1 @@
-"""The commands of `build-fmu`: each module has `run(arguments) -> exit code`."""
+"""The commands of `holonom`: each module has `run(arguments) -> exit code`."""

@@ -1,4 +1,4 @@
-"""`build-fmu build SCENE`: write an FMU and its parameter set; its path goes to stdout."""
+"""`holonom build SCENE`: write an FMU and its parameter set; its path goes to stdout."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`build-fmu check SCENE|FMU`: run it and test that energy and constraints hold."""
+"""`holonom check SCENE|FMU`: run it and test that energy and constraints hold."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def run(arguments: argparse.Namespace) -> int:
     limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
     missing = [name for name in limits if name not in (result.values.dtype.names or ())]
     if missing:
-        text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of build-fmu"
+        text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of holonom"
         raise UsageError(text)
     checks = [
         {"name": name, "largest": largest, "limit": limit, "holds": largest <= limit}

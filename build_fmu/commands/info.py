@@ -1,4 +1,4 @@
-"""`build-fmu info SCENE|FMU`: what it consists of, how it can move, and where it comes to rest."""
+"""`holonom info SCENE|FMU`: what it consists of, how it can move, and where it comes to rest."""
 
 from __future__ import annotations
 

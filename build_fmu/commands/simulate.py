@@ -1,4 +1,4 @@
-"""`build-fmu simulate SCENE|FMU`: run it in fmpy and show where it ended, or write a CSV file."""
+"""`holonom simulate SCENE|FMU`: run it in fmpy and show where it ended, or write a CSV file."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def report_end(result: Run) -> int:
         if message not in result.reason:
             sys.stderr.write(f"{message}\n")
     if result.failure:
-        sys.stderr.write(f"build-fmu: {result.failure}\n")
+        sys.stderr.write(f"holonom: {result.failure}\n")
     return UNFINISHED if result.reason else 0
 
 
@@ -75,7 +75,7 @@ def simulate(arguments: argparse.Namespace) -> Run:
     length = result.stop_time - float(result.values["time"][0])
     if arguments.step and arguments.step > length * (1.0 + 1e-9):
         sentence = f"the run of {length:g} s is one step, as --step is {arguments.step:g} s"
-        sys.stderr.write(f"build-fmu: {sentence}\n")
+        sys.stderr.write(f"holonom: {sentence}\n")
     return result
 
 

@@ -1,4 +1,4 @@
-"""`build-fmu sweep FMU|SCENE`: run it with many values; a table of what came out goes to stdout."""
+"""`holonom sweep FMU|SCENE`: run it with many values; a table of what came out goes to stdout."""
 
 from __future__ import annotations
 
@@ -102,6 +102,6 @@ def _values(found: Sweep, run: int) -> str:
 
 def _tell(sentences: Sequence[str], what: str) -> None:
     for sentence in sentences[:MOST_TOLD]:
-        sys.stderr.write(f"build-fmu: {sentence}\n")
+        sys.stderr.write(f"holonom: {sentence}\n")
     if len(sentences) > MOST_TOLD:
-        sys.stderr.write(f"build-fmu: ... and {len(sentences) - MOST_TOLD} more {what}\n")
+        sys.stderr.write(f"holonom: ... and {len(sentences) - MOST_TOLD} more {what}\n")

@@ -1,4 +1,4 @@
-"""`build-fmu validate FMU`: findings of fmpy's validator."""
+"""`holonom validate FMU`: findings of fmpy's validator."""
 
 from __future__ import annotations
 

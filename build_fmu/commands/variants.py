@@ -1,4 +1,4 @@
-"""`build-fmu variants SCENE`: one FMU for each row of a grid or table, and a manifest of them."""
+"""`holonom variants SCENE`: one FMU for each row of a grid or table, and a manifest of them."""
 
 from __future__ import annotations
 

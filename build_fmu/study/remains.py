@@ -81,7 +81,7 @@ def require_own_set(fmu: Path) -> None:
 
 
 def _not_ours(path: Path, other: str) -> str:
-    return f"{path}: was not written by build-fmu; move it, or name another {other}"
+    return f"{path}: was not written by holonom; move it, or name another {other}"
 
 
 def _numbered(folder: Path, stem: str, kind: str) -> list[Path]:
