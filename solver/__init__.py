@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from solver.mechanics import assemble
     from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
-    from solver.scene import Scene, SceneError, load, loads
+    from solver.scene import Scene, SceneError, SceneWarning, load, loads
     from solver.trajectory import Trajectory, simulate
 
 _HOMES = {
@@ -27,6 +27,7 @@ _HOMES = {
     "OptionError": "solver.runtime",
     "Scene": "solver.scene",
     "SceneError": "solver.scene",
+    "SceneWarning": "solver.scene",
     "StepError": "solver.runtime",
     "Trajectory": "solver.trajectory",
     "assemble": "solver.mechanics",
@@ -42,6 +43,7 @@ __all__ = [
     "OptionError",
     "Scene",
     "SceneError",
+    "SceneWarning",
     "StepError",
     "Trajectory",
     "assemble",

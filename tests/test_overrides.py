@@ -63,7 +63,8 @@ def test_numbers_of_bodies_and_joints_can_be_replaced(name, value, read, expecte
             "points.A.mass",
             "2kg",
             "--set points.A.mass=2kg: error: points.A.mass: a number with letters behind it; "
-            "a unit is not written here, column 1 of '2kg'",
+            "a unit is not written here, column 1 of '2kg'\n"
+            "     = help: a unit is not written behind a number; all are in SI, here kg: write 2",
         ),
         (
             "points.A.mass",

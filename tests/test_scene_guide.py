@@ -31,7 +31,8 @@ def test_the_scene_in_space_is_complete_with_all_that_follows_it():
     start = EXAMPLES.index(SPATIAL)
     scene = loads("".join(EXAMPLES[start : start + 5]))
     assert scene.dimension == 3
-    assert scene.joints
+    assert scene.warnings == ()
+    assert scene.joints["shoulder"].on == ("column.top", "arm.root")
     assert scene.constraints
     assert scene.forces
     assert scene.drivers
@@ -64,6 +65,25 @@ def test_the_report_shown_is_what_these_mistakes_get():
     with pytest.raises(SceneError) as caught:
         loads(wrong, name="pendulum.toml")
     assert textwrap.indent(str(caught.value), "    ") in GUIDE
+
+
+def test_the_warning_shown_is_what_this_place_gets():
+    beside = """
+        name = "swing"
+        dimension = 2
+        gravity = [0, -9.81]
+
+        [bodies.arm]
+        position = [0.5, 0]
+        mass = 1.0
+        inertia = 0.1
+        points = { tip = [0.5, 0] }
+
+        [joints]
+        pin = { type = "revolute", bodies = ["ground", "arm"], position = [1.02, 0] }
+        """
+    (sentence,) = loads(textwrap.dedent(beside).lstrip(), name="swing.toml").sentences()
+    assert textwrap.indent(sentence, "    ") in GUIDE
 
 
 def test_the_python_example_runs(monkeypatch):

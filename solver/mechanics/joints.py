@@ -31,7 +31,8 @@ class Pair:
     A: Frame
     B: Frame
     joint: BodyJoint
-    place: Vector
+    ends: tuple[Combination, Combination]
+    """The joint's place on either."""
     axis: Vector
     normals: tuple[Vector, ...]
     """Perpendicular to the axis: two in space, one in the plane."""
@@ -39,11 +40,11 @@ class Pair:
     @property
     def link(self) -> Combination:
         """From the joint's place on A to that on B."""
-        return self.B.place(self.place) - self.A.place(self.place)
+        return self.ends[1] - self.ends[0]
 
     def meet(self) -> None:
         """Let the places coincide."""
-        self.rows.coincidence(self.A.place(self.place), self.B.place(self.place))
+        self.rows.coincidence(*self.ends)
 
     def align(self) -> None:
         """Keep the axes parallel: a . b_1 = a . b_2 = 0; in the plane J a . b = 0."""
@@ -169,7 +170,8 @@ def add_joint(parts: Parts, name: str, joint: BodyJoint) -> None:
         rows.detail = f" on {_called(first.point)} and {_called(second.point)}"
         rows.coincidence(parts.place(first), parts.place(second))
     else:
-        rows.detail = " on {} and {}".format(*(_called(body) for body in joint.bodies))
+        names = zip(joint.on, joint.bodies, strict=True)
+        rows.detail = " on {} and {}".format(*(_called(point or body) for point, body in names))
         pair = _pair(parts, rows, joint, joint.bodies)
         JOINTS[joint.type](pair, found)
         if joint.axis is not None:
@@ -197,7 +199,11 @@ def _pair(
         normals = (turned(axis),) if plane else perpendicular(axis, mechanism.default)
     assert joint.position is not None or joint.type in ("prismatic", "fixed")
     place = joint.position or _origin(parts, bodies[1])
-    return Pair(mechanism, rows, A, B, joint, place, axis, normals)
+    first, second = (
+        parts.named(point) if point else frame.place(place)
+        for point, frame in zip(joint.on, (A, B), strict=True)
+    )
+    return Pair(mechanism, rows, A, B, joint, (first, second), axis, normals)
 
 
 def _origin(parts: Parts, body: str | None) -> Vector:

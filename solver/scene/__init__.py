@@ -6,11 +6,12 @@ scene = load("double_pendulum.toml", {"length": 2.0, "points.A.mass": 3.0})
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Mapping
 from typing import Any, Literal
 
 from solver.scene.expression import Expr, ExpressionError, Number, evaluate, parse, symbols
-from solver.scene.report import Given, Problem, SceneError, Source
+from solver.scene.report import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.vocabulary import (
     Bar,
     Body,
@@ -85,6 +86,7 @@ __all__ = [
     "Rolling",
     "Scene",
     "SceneError",
+    "SceneWarning",
     "SolverSettings",
     "Source",
     "Spring",
@@ -117,10 +119,15 @@ def load(path: str | os.PathLike[str], overrides: Mapping[str, object] | None = 
     ------
     SceneError
         With every mistake in the file and the overrides.
+
+    Warns
+    -----
+    SceneWarning
+        Of what is legal and seldom meant; the scene keeps these as its `warnings`.
     """
     from solver.scene.reader import read_file  # pydantic takes a third of a second to import
 
-    return read_file(os.fspath(path), overrides or {})
+    return _with_warnings(read_file(os.fspath(path), overrides or {}))
 
 
 def loads(
@@ -133,7 +140,14 @@ def loads(
     """Read a scene from text; `name` stands for the file in reports. See ``load``."""
     from solver.scene.reader import read_text
 
-    return read_text(text, name, format, overrides or {})
+    return _with_warnings(read_text(text, name, format, overrides or {}))
+
+
+def _with_warnings(scene: Scene) -> Scene:
+    """Give the warnings of a scene to Python, at the line that called this package's function."""
+    for sentence in scene.sentences():
+        warnings.warn(sentence, SceneWarning, stacklevel=3)
+    return scene
 
 
 def json_schema() -> dict[str, Any]:

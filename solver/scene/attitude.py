@@ -37,7 +37,7 @@ def read_orientation(geometry: Geometry, path: Path, given: Any) -> Number | Mat
         geometry.draft.error(path, "must be a number in dimension 2, the angle in rad, got a table")
         return 0.0
     if planar:
-        return geometry.numbers.number(path, given, GEOMETRY)
+        return geometry.numbers.angle(path, given, GEOMETRY)
     if not table:
         geometry.draft.error(path, "must be a table in dimension 3, got a number", _EXAMPLE)
         return IDENTITY
@@ -91,7 +91,7 @@ def _matrix(geometry: Geometry, path: Path, part: Any, fields: dict[str, Any]) -
 
 def _about_an_axis(geometry: Geometry, path: Path, part: Any) -> Matrix:
     axis = geometry.axis((*path, "axis"), part.axis)
-    angle = geometry.numbers.number((*path, "angle"), part.angle, GEOMETRY)
+    angle = geometry.numbers.angle((*path, "angle"), part.angle, GEOMETRY)
     if len(axis) != 3 or geometry.values(axis) in (None, [0.0] * 3):
         return IDENTITY
     length = sqrt(dot(axis, axis))
@@ -102,6 +102,8 @@ def _about_an_axis(geometry: Geometry, path: Path, part: Any) -> Matrix:
 def _rotation_vector(geometry: Geometry, path: Path, part: Any) -> Matrix:
     """Turn by |v| about v; for v = 0 by nothing."""
     vector = geometry.vector((*path, "rotation_vector"), part.rotation_vector)
+    for i, component in enumerate(part.rotation_vector):
+        geometry.numbers.angle((*path, "rotation_vector", i), component, GEOMETRY)
     if len(vector) != 3:
         return IDENTITY
     square = dot(vector, vector)

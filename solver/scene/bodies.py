@@ -6,28 +6,27 @@ from typing import Any
 
 from solver.scene import schema_bodies as schema
 from solver.scene.attitude import read_orientation, read_spin
-from solver.scene.expression import ExpressionError, cos, sin
 from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry, applied
+from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
 from solver.scene.references import References
-from solver.scene.vocabulary import Bar, Body, Point, Rigid, Vector
+from solver.scene.vocabulary import Bar, Body, Point, Rigid
 from solver.scene.weight import read_weight
 
 
 class Bodies:
     """Reader of the tables [points] and [bodies]."""
 
-    def __init__(self, geometry: Geometry, references: References) -> None:
+    def __init__(self, geometry: Geometry, references: References, gravity: Any) -> None:
         self.geometry = geometry
         self.references = references
         self.draft = geometry.draft
         self.parts: dict[str, dict[str, Any]] = {
             table: geometry.draft.parts(table) for table in ("points", "bodies")
         }
-        self._forgotten_dimension()
+        self._forgotten_dimension(gravity)
 
-    def _forgotten_dimension(self) -> None:
+    def _forgotten_dimension(self, gravity: Any) -> None:
         """Say once, not at every vector, that a planar scene does not call itself planar."""
         places = [
             (table, part.position)
@@ -35,10 +34,13 @@ class Bodies:
             for part in parts.values()
             if getattr(part, "position", BROKEN) is not BROKEN
         ]
-        lengths = {len(position) for _, position in places}
+        if gravity not in (None, BROKEN):
+            places.append(("gravity", gravity))
+        lengths = {len(vector) for _, vector in places}
         if lengths == {2} and "dimension" not in self.draft.data:
             self.geometry.dimension = 2
-            message = "positions have 2 numbers, but the scene has dimension 3 (the default)"
+            what = "gravity has" if places[0][0] == "gravity" else "positions have"
+            message = f"{what} 2 numbers, but the scene has dimension 3 (the default)"
             help = "write dimension = 2 at the top of the file"
             self.draft.error((places[0][0],), message, help)
 
@@ -59,7 +61,7 @@ class Bodies:
                 message = "a fixed point cannot have a velocity"
                 self.draft.error((*path, "velocity"), message, "leave out velocity or fixed")
         if part.position is not BROKEN:
-            self.references.places[name] = position
+            self.references.places.drawn[name] = position
         return Point(
             position=position,
             velocity=geometry.zero() if velocity is None else velocity,
@@ -84,8 +86,7 @@ class Bodies:
         elif {first, second} <= self.references.fixed:
             message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
             self.draft.error((*path, "points"), message)
-        if first in self.references.places:
-            self.references.places[name] = self.references.places[first]
+        self.references.places.add_bar(name, (first, second))
         return Bar(points=(first, second), mass=mass)
 
     def _end_of_a_bar(self, path: tuple[str | int, ...], point: str) -> None:
@@ -121,26 +122,5 @@ class Bodies:
             points=points,
         )
         if part.position is not BROKEN:
-            self._note_places(name, body)
+            self.references.places.add_rigid(name, body)
         return body
-
-    def _note_places(self, name: str, body: Rigid) -> None:
-        """Note where the origin of a body and its points are drawn."""
-        places = self.references.places
-        places[name] = body.position
-        for point, place in body.points.items():
-            try:
-                places[f"{name}.{point}"] = drawn_place(body, place)
-            except (ExpressionError, ValueError):
-                continue  # too large a number, or a vector of the wrong length: reported already
-
-
-def drawn_place(body: Rigid, place: Vector) -> Vector:
-    """Global place in m, as drawn, of a place in the axes of a body."""
-    axes = body.orientation
-    if not isinstance(axes, tuple):
-        c, s = cos(axes), sin(axes)
-        matrix: tuple[Vector, ...] = ((c, -s), (s, c))
-    else:
-        matrix = axes
-    return tuple(x + y for x, y in zip(body.position, applied(matrix, place), strict=True))

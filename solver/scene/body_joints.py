@@ -16,6 +16,9 @@ from solver.scene.vocabulary import BodyJoint, Vector
 ALIGNED = 1e-6
 """Sine of an angle below which directions count as parallel, and its cosine as perpendicular."""
 
+MEETING = ("spherical", "revolute", "universal", "fixed")
+"""Types of joints at whose position a place of one body and one of the other are the same."""
+
 _HOW = "write bodies = [...] and position = [...]"
 
 
@@ -41,10 +44,12 @@ class BodyJoints:
         axis, second = self._axes(path, part)
         pitch = getattr(part, "pitch", None)
         number = self.geometry.numbers.optional
+        position = self._position(path, part, pair)
         return BodyJoint(
             type=part.type,
             bodies=pair,
-            position=self._position(path, part, pair),
+            position=position,
+            on=self._points(path, part, pair, position),
             axis=axis,
             second_axis=second,
             pitch=number((*path, "pitch"), pitch, GEOMETRY, NOT_ZERO, "m per turn"),
@@ -69,13 +74,33 @@ class BodyJoints:
         if part.position is not None:
             return self.geometry.vector((*path, "position"), part.position)
         if part.type in ("fixed", "prismatic"):
-            drawn = self.references.places
+            drawn = self.references.places.drawn
             places = [drawn[name] for name in pair[::-1] if name in drawn]
             return places[0] if places else self.geometry.zero()
         help = f"write position = {'[0, 0]' if self.geometry.dimension == 2 else '[0, 0, 0]'}"
         if part.bodies is not None:
             self.draft.error(path, "'position' is missing: where the bodies meet", help)
         return self.geometry.zero()
+
+    def _points(
+        self, path: Path, part: Any, pair: tuple[str | None, str | None], position: Vector
+    ) -> tuple[str | None, str | None]:
+        """Named points of the two bodies that are one at the position, where that matters."""
+        if part.type not in MEETING or part.position is None:
+            return None, None
+        where = (*path, "position")
+        first, second = (self.references.places.point_at(where, body, position) for body in pair)
+        held = {*self.references.fixed, None} if None in pair else {first}
+        if (first or second) and {first, second} <= held:
+            message = f"the bar ends in the fixed point '{first or second}', which holds it already"
+            if None not in pair:
+                message = f"both bars end in '{first}', about which they turn already"
+            bar = pair[1] or pair[0]
+            help = f"leave the joint out: '{bar}' turns about its ends"
+            if part.type == "fixed":
+                help = f'hold its angle instead, by a constraint with value = "{bar}.angle - ..."'
+            self.draft.error(path, message, help)
+        return first, second
 
     def _axes(self, path: Path, part: Any) -> tuple[Vector | None, Vector | None]:
         if isinstance(part, schema.Universal):

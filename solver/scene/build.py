@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.scene.advice import advise
 from solver.scene.bodies import Bodies
 from solver.scene.draft import Draft
 from solver.scene.elements import read_elements
@@ -22,13 +23,12 @@ from solver.scene.names import (
 )
 from solver.scene.numbers import OUTPUT, Known, Numbers
 from solver.scene.references import References
-from solver.scene.report import did_you_mean
+from solver.scene.report import in_order
 from solver.scene.schema import File, Heading
 from solver.scene.settings import read_settings
 from solver.scene.values import check_unit, read_inputs, read_parameters
 from solver.scene.vocabulary import Output, Scene
-
-_LATER = {"contacts": "contacts are not available in this version"}
+from solver.scene.words import did_you_mean
 
 
 def build(draft: Draft) -> Scene:
@@ -38,7 +38,7 @@ def build(draft: Draft) -> Scene:
     known = Known(kinds_of_names(draft))
     numbers = Numbers(draft, known)
     geometry = Geometry(numbers, heading.dimension)
-    bodies = Bodies(geometry, References(geometry))
+    bodies = Bodies(geometry, References(geometry), heading.gravity)
     inventory = known.inventory = inventory_of_draft(draft, geometry.dimension or 3)
     check_body_points(draft, known)
     ends = (*inventory.points, *known.of("body"), *inventory.body_points)
@@ -49,6 +49,8 @@ def build(draft: Draft) -> Scene:
     gravity = geometry.optional(("gravity",), heading.gravity)
     outputs = _outputs(numbers)
     solver, experiment = read_settings(numbers)
+    if not draft.problems:
+        advise(numbers, inputs, elements["joints"])
     return Scene(
         name=heading.name,
         description=heading.description,
@@ -61,6 +63,7 @@ def build(draft: Draft) -> Scene:
         solver=solver,
         experiment=experiment,
         source=draft.source,
+        warnings=in_order(draft.warnings),
     )
 
 
@@ -68,8 +71,7 @@ def _heading(draft: Draft) -> Any:
     """Read what the file says about the scene as a whole, and report unknown tables."""
     for name in draft.data:
         if name not in File.model_fields:
-            help = _LATER.get(name)
-            help = help or did_you_mean(name, File.model_fields, "known tables and fields")
+            help = did_you_mean(name, File.model_fields, "known tables and fields", "file")
             draft.error((name,), "unknown table or field", help)
     fields = {name: value for name, value in draft.data.items() if name in Heading.model_fields}
     heading = draft.part((), Heading, fields)

@@ -6,15 +6,21 @@ as ``BROKEN``, so that the rest of the part can still be checked in the same run
 
 from __future__ import annotations
 
-from typing import Any, Literal, get_args
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from solver.scene.fields import BROKEN, shown
-from solver.scene.report import Path, Problem, Source, did_you_mean
-from solver.scene.schema import ONLY_IN_SPACE, OTHER_WORDS, PARTS, TYPES
+from solver.scene.report import Path, Problem, Source
+from solver.scene.schema import ONLY_IN_SPACE, PARTS, TYPES
 from solver.scene.schema_part import Part
+from solver.scene.words import did_you_mean, nearest
+
+if TYPE_CHECKING:
+    from solver.scene.places import Seat
 
 _EXPECTED = {
     "string_type": "must be a text",
@@ -26,7 +32,11 @@ _EXPECTED = {
     "too_short": "must have two entries",
     "too_long": "must have two entries",
 }
-
+_NAMES_OF = {
+    **{"point": "points", "body": "bodies", "joint": "joints"},
+    **{name: name for name in ("points", "bodies", "joints")},
+}
+"""Fields that name parts of a table."""
 
 _BAR = 'write type = "bar"; the points of a rigid body are a table'
 
@@ -38,12 +48,22 @@ class Draft:
         self.data = data
         self.source = source
         self.problems = problems
+        self.warnings: list[Problem] = []
+        self.seats: dict[tuple[Path, str], Seat] = {}
+        """Where each place lies on each of its bodies."""
+        self.seats_of_file: Mapping[tuple[Path, str], Seat] = {}
+        """The same without overrides, if there are some."""
 
     def error(
         self, path: Path, message: str, help: str | None = None, mark: tuple[str, int] = ("", 1)
     ) -> None:
         """Note a mistake at a place of the file."""
         self.problems.append(self.source.problem(path, message, help, mark))
+
+    def warn(self, path: Path, message: str, help: str) -> None:
+        """Note what is legal at a place of the file and seldom meant."""
+        problem = self.source.problem(path, message, help)
+        self.warnings.append(replace(problem, severity="warning"))
 
     def table(self, name: str) -> dict[str, Any]:
         """Return a table of the file, empty where it is missing or no table."""
@@ -64,6 +84,9 @@ class Draft:
                 help = "write it as a table: { ... }"
                 self.error(path, f"must be a table of fields, got {shown(data)}", help)
             elif (model := self._model(table, path, data)) is not None:
+                if fitting := self._fitting(table, model, data):
+                    self._wrong_type(path, model, data, fitting)
+                    model, data = TYPES[table][fitting[0]], data | {"type": fitting[0]}
                 checked[name] = self.part(path, model, data)
         return checked
 
@@ -88,10 +111,38 @@ class Draft:
             help = f"write type = ...; known types of {table}: {', '.join(known)}"
             self.error(path, "'type' is missing", help)
         else:
-            other = OTHER_WORDS.get(str(wanted)) if table == "joints" else None
-            help = did_you_mean(other or str(wanted), known, f"known types of {table}")
+            help = did_you_mean(str(wanted), known, f"known types of {table}", table)
+            homes = [home for home, types in TYPES.items() if str(wanted) in types]
+            if homes and not nearest(str(wanted), known, table):
+                help = f"'{wanted}' is a type of [{homes[0]}]: write it there"
             self.error((*path, "type"), f"unknown type {shown(wanted)}", help)
         return None
+
+    def _fitting(self, table: str, model: type[Part], data: dict[str, Any]) -> list[str]:
+        """Types of a table that have all fields of a part, where its own type has not."""
+        own = model.model_fields
+        misspelt = [nearest(name, own.keys() - data.keys(), "fields") for name in data.keys() - own]
+        planar = self.data.get("dimension") == 2
+        found = [
+            word
+            for word, other in TYPES.get(table, {}).items()
+            if misspelt
+            and data.keys() <= other.model_fields.keys()
+            and all(name in data for name, x in other.model_fields.items() if x.is_required())
+            and not (planar and word in ONLY_IN_SPACE)
+        ]
+        return found if len(found) == 1 or not all(misspelt) else []
+
+    def _wrong_type(
+        self, path: Path, model: type[Part], data: dict[str, Any], fitting: list[str]
+    ) -> None:
+        """Report a field that the type does not have and others have."""
+        extra = next(name for name in data if name not in model.model_fields)
+        help = f"types of {path[0]} with these fields: {', '.join(fitting)}"
+        if len(fitting) == 1:
+            help = f'write type = "{fitting[0]}"'
+        message = f"is no field of the type '{data.get('type', 'rigid')}'"
+        self.error((*path, extra), message, help)
 
     def part(self, path: Path, model: type[Part], data: dict[str, Any], short: bool = False) -> Any:
         """Check the fields of one part; a field with a mistake becomes ``BROKEN``.
@@ -101,13 +152,15 @@ class Draft:
         try:
             return model.model_validate(data)
         except ValidationError as error:
-            usable = dict(data)
+            usable = {name: x for name, x in data.items() if name in model.model_fields}
+            others = model.model_fields.keys() - usable.keys()
+            meant = {nearest(name, others, "fields") for name in data.keys() - usable.keys()}
+            usable |= dict.fromkeys(meant & others, BROKEN)
             for detail in error.errors(include_url=False):
                 location = tuple(detail["loc"])
-                self._report(path, model, data, detail, location[1:] if short else location)
-                if detail["type"] == "extra_forbidden":
-                    usable.pop(str(location[0]), None)
-                else:
+                if detail["type"] != "missing" or location[0] not in meant:
+                    self._report(path, model, data, detail, location[1:] if short else location)
+                if detail["type"] != "extra_forbidden":
                     usable[str(location[0])] = BROKEN
             return model.model_validate(usable)
 
@@ -118,10 +171,10 @@ class Draft:
         about = detail.get("ctx", {})
         if kind == "missing":
             name = str(location[-1])
-            self.error(path, f"'{name}' is missing", self._example(model, name))
+            self.error(path, f"'{name}' is missing", self._example(model, name, path))
             return
         if kind == "extra_forbidden":
-            help = did_you_mean(str(location[-1]), model.model_fields, "known fields")
+            help = did_you_mean(str(location[-1]), model.model_fields, "known fields", "fields")
             self.error((*path, *location), "unknown field", help)
             return
         place = (*path, *_existing(location, data))
@@ -132,15 +185,22 @@ class Draft:
             self.error(place, about["message"], about.get("help"), about.get("mark", ("", 1)))
         else:
             rule = _EXPECTED.get(kind, detail["msg"])
-            help = self._example(model, str(detail["loc"][0])) if len(location) == 1 else None
+            name = str(detail["loc"][0])
+            help = self._example(model, name, path) if len(location) == 1 else None
             self.error(place, f"{rule}, got {shown(value)}", help)
 
-    def _example(self, model: type[Part], name: str) -> str | None:
+    def _example(self, model: type[Part], name: str, path: Path) -> str | None:
         """Say how a field is written; a vector has as many numbers as the scene has dimensions."""
         examples = model.model_fields[name].examples
         if not examples:
             return None
-        text = shown(examples[0]).replace("'", '"')
+        example = examples[0]
+        if name in _NAMES_OF and isinstance(example[0], str):
+            parts = self.data.get(_NAMES_OF[name])
+            found = [part for part in parts if part not in path] if isinstance(parts, dict) else []
+            two = [*["ground"] * (name == "bodies"), *found, "...", "..."][:2]
+            example = (found or two)[-1] if isinstance(example, str) else two
+        text = shown(example).replace("'", '"')
         if self.data.get("dimension") == 2:
             text = text.replace("[0, ", "[", 1)
         return f"write {name} = {text}"

@@ -14,7 +14,6 @@ from solver.scene.joints import Joints
 from solver.scene.numbers import Known
 from solver.scene.quantities import Inventory
 from solver.scene.schema import TYPES
-from solver.scene.schema_bodies import Point
 
 
 def read_elements(bodies_reader: Bodies, inventory: Inventory) -> dict[str, Any]:
@@ -68,8 +67,6 @@ def _free_points_have_mass(draft: Draft, drawn: dict[str, Any], known: Known) ->
     if not carried <= {*known.ends, "ground"}:
         return  # a name that is none is reported already, and may mean any point
     for name, part in drawn.items():
-        if not draft.data["points"][name].keys() <= Point.model_fields.keys():
-            continue  # a misspelt mass is reported already
         nothing = part.mass is None or (part.mass is not BROKEN and part.mass.number == 0.0)
         if nothing and part.fixed is False and name not in carried:
             message = f"free point '{name}' has no mass"

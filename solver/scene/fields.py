@@ -14,6 +14,7 @@ from pydantic_core import PydanticCustomError
 
 from solver.scene.expression import ExpressionError, read
 from solver.scene.grammar import Reading
+from solver.scene.units import in_si
 
 BROKEN: Any = object()
 """Value of a field whose mistake has been reported; everything accepts it."""
@@ -45,7 +46,7 @@ def _number(value: object) -> Reading:
         except ExpressionError as error:
             about = {
                 "message": f"{error.message}, column {error.column} of '{value}'",
-                "help": error.help,
+                "help": error.help or in_si(value),
                 "mark": (value, error.column),
             }
             raise mistake(about) from None

@@ -85,7 +85,9 @@ class Forces:
         where, number = (*path, "stiffness"), self.numbers.number
         joint = self._joint(path, part)
         stiffness = number(where, part.stiffness, FORCE, NOT_NEGATIVE, "N.m/rad")
-        free = self.numbers.optional((*path, "free_angle"), part.free_angle, FORCE)
+        free = part.free_angle
+        if free is not None:
+            free = self.numbers.angle((*path, "free_angle"), free, FORCE)
         return TorsionSpring(
             joint=joint,
             stiffness=stiffness,

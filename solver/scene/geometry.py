@@ -36,7 +36,8 @@ class Geometry:
             return (0.0,) * wanted
         if len(readings) != wanted and not (self.dimension is None and len(readings) == 2):
             message = f"must have {wanted} numbers in dimension {wanted}, got {len(readings)}"
-            self.draft.error(path, message)
+            planar = path == ("gravity",) and wanted == 3
+            self.draft.error(path, message, "in the plane write dimension = 2" if planar else None)
         return self.entries(path, readings, place)
 
     def entries(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector:

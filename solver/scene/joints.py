@@ -90,6 +90,8 @@ class Joints:
         given = None if value is None else self.geometry.numbers.value(value)
         help = "for parallel axes write 'prismatic', 'cylindrical' or 'planar'"
         if given is not None and not (ALIGNED < given < math.pi - ALIGNED):
+            if given > math.pi:
+                help = f'if these are degrees, write "{given:.12g}*pi/180"'
             message = f"must be > 0 and < pi rad, where the joint is singular, got {given:.15g}"
             self.draft.error((*path, "value"), message, help)
         elif value is None and cosine is not None and 1.0 - abs(cosine) < 0.5 * ALIGNED**2:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from solver.scene.draft import Draft
-from solver.scene.numbers import Known
+from solver.scene.numbers import Known, a
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.quantities import Inventory
 from solver.scene.report import Path
@@ -62,8 +62,7 @@ def check_names(draft: Draft) -> None:
                 line = draft.source.problem(first, "").line
                 where = f" in line {line}" if line else ""
                 owner = KINDS[str(first[0])]
-                article = "an" if owner[0] in "aeiou" else "a"
-                draft.error(path, f"the name '{name}' is already that of {article} {owner}{where}")
+                draft.error(path, f"the name '{name}' is already that of {a(owner)}{where}")
             taken.setdefault(name, path)
 
 

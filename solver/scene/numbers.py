@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from math import pi
 from typing import Any
 
 from solver.scene.draft import Draft
@@ -17,7 +18,9 @@ from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, Reading
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.quantities import Inventory, Level, quantities
-from solver.scene.report import Path, did_you_mean
+from solver.scene.report import Path
+from solver.scene.units import in_si
+from solver.scene.words import did_you_mean
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +39,7 @@ class Place:
 
 
 SETTING = Place(parameters=False, tunable=False)
-PARAMETER = Place()
-PROPERTY = Place()
+PARAMETER = PROPERTY = Place()
 GEOMETRY = Place(tunable=False)
 FORCE = Place(time=True)
 DRIVER = Place(time=True)
@@ -82,6 +84,8 @@ class Known:
     """The mechanism's parts, once they are counted."""
     values: dict[str, float] = field(default_factory=dict)
     """Default values of the parameters that have one."""
+    uses: dict[str, list[Path]] = field(default_factory=dict)
+    """Where each name stands in an expression."""
 
     @cached_property
     def quantities(self) -> Mapping[str, Level]:
@@ -117,6 +121,15 @@ class Numbers:
             how = "" if isinstance(reading.number, float) else f" (= {reading.text})"
             self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
         return reading.number
+
+    def angle(self, path: Path, reading: Any, place: Place) -> Number:
+        """Check an angle in rad; one of more than a turn is perhaps in degrees."""
+        number = self.number(path, reading, place)
+        value = self.value(number) or 0.0
+        if abs(turns := value / (2.0 * pi)) > 1.0 and "pi" not in reading.text:
+            help = f'if these are degrees, write "{value:.12g}*pi/180"'
+            self.draft.warn(path, f"is {value:.6g} rad, {turns:.3g} turns", help)
+        return number
 
     def optional(
         self, path: Path, reading: Any, place: Place, rule: Rule | None = None, unit: str = ""
@@ -162,6 +175,7 @@ class Numbers:
         """Report every name in an expression that is unknown or out of place."""
         fine = True
         for mention in reading.mentions:
+            self.known.uses.setdefault(mention.name, []).append(path)
             judge = self._symbol if mention.role == "symbol" else self._call
             verdict = judge(mention, place)
             if verdict is not None:
@@ -241,7 +255,8 @@ class Numbers:
             words += ["t", *self.known.of("input")]
         if name.count("."):
             words += sorted(possible)
-        return f"unknown symbol '{name}'", did_you_mean(name, words)
+        unit = in_si(f"1 {name}") if len(name) > 1 else None
+        return f"unknown symbol '{name}'", unit or did_you_mean(name, words)
 
     def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:
         """Judge a name that begins like that of a part: list what the part has."""

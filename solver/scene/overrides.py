@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from solver.scene.fields import shown
-from solver.scene.report import Given, Path, Problem, did_you_mean, location_of, path_of
+from solver.scene.report import Given, Path, Problem, location_of, path_of
 from solver.scene.schema import Heading
+from solver.scene.words import did_you_mean
 
 if sys.version_info >= (3, 11):
     import tomllib

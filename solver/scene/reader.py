@@ -24,8 +24,12 @@ def read_text(text: str, name: str, notation: str, overrides: Mapping[str, objec
     """Read the text of a scene; see ``solver.scene.loads``."""
     text = text.replace("\r\n", "\n")
     data, problems = tables_of(text, name, notation)
+    drawn = Draft(data, Source(name, text, notation), [])
+    if overrides and data.get("bodies"):
+        build(drawn)  # for where its places lie on its bodies
     source = Source(name, text, notation, *apply_overrides(data, overrides, problems))
     draft = Draft(data, source, problems)
+    draft.seats_of_file = drawn.seats
     scene = build(draft)
     if problems:
         raise SceneError(problems, source)

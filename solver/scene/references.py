@@ -11,8 +11,10 @@ from typing import Any
 from solver.scene.fields import BROKEN, shown
 from solver.scene.geometry import Geometry
 from solver.scene.numbers import a, unknown_end
-from solver.scene.report import Path, did_you_mean
+from solver.scene.places import Places, same
+from solver.scene.report import Path
 from solver.scene.vocabulary import PointReference, Vector
+from solver.scene.words import did_you_mean
 
 NOWHERE = PointReference(point=None)
 """Stands for a reference that has been reported."""
@@ -27,8 +29,7 @@ class References:
         self.known = geometry.known
         self.fixed: set[str] = set()
         """Points that are part of the ground."""
-        self.places: dict[str, Vector] = {}
-        """Where points, origins of bodies, points of bodies and first ends of bars are drawn."""
+        self.places = Places(geometry)
 
     def owner(self, name: str) -> str | None:
         """Body that a reference belongs to; None for points and the ground."""
@@ -53,8 +54,7 @@ class References:
             return NOWHERE
         if not self.exists(where, name):
             return NOWHERE
-        place = self._place((*path, "at"), name, at, "leave it out")
-        return PointReference(point=name, at=place)
+        return self._reference((*path, "at"), name, at, "leave it out")
 
     def ends(self, path: Path, part: Any) -> tuple[PointReference, PointReference]:
         """Read the two ends of a joint, force or driver."""
@@ -71,60 +71,56 @@ class References:
             self.draft.error(where, f"both ends are '{first}'")
         elif {first, second} <= self.fixed | {"ground"}:
             self.draft.error(where, f"both ends are fixed: '{first}' and '{second}'")
-        places = self._places(path, part)
-        return (
-            PointReference(point=None if first == "ground" else first, at=places[0]),
-            PointReference(point=None if second == "ground" else second, at=places[1]),
+        help = "give the place of 'ground' or of a body alone"
+        one, two = (
+            self._reference(place, name, at, help)
+            for name, (place, at) in zip(part.points, self._places(path, part), strict=True)
         )
+        return one, two
 
-    def _places(self, path: Path, part: Any) -> tuple[Vector | None, Vector | None]:
-        """Read `at`: one place for each end, or that of the one end that needs it."""
+    def _places(self, path: Path, part: Any) -> list[tuple[Path, Vector | None]]:
+        """Read `at`, one place for each end, or that of the one end that needs it."""
         where, points = (*path, "at"), part.points
-        if part.at is BROKEN:
-            return None, None
+        given: list[tuple[Path, Vector | None]] = [(where, None), (where, None)]
         if part.at is None:
             if "ground" in points:
                 message = "'at' is missing: the place of 'ground'"
                 help = f"write at = {shown([0] * len(self.geometry.zero()))}"
                 self.draft.error(path, message, help)
-            return None, None
-        if isinstance(part.at[0] if part.at else None, list):
-            return self._place_of_each(where, part)
-        place = self.geometry.vector(where, part.at)
-        bodies = [name for name in points if self.known.parts.get(name) == "body"]
-        needs = ["ground"] if "ground" in points else bodies
-        if len(needs) == 1:
-            return (place, None) if points[0] == needs[0] else (None, place)
-        if needs:
-            message = "must have one place for each end, got one vector"
-            self.draft.error(where, message, "write at = [[...], [...]]")
-        elif all(name in self.known.ends for name in points):
-            message = "'at' is the place of 'ground' or on a body, which is no end here"
-            self.draft.error(where, message)
-        return None, None
-
-    def _place_of_each(self, where: Path, part: Any) -> tuple[Vector | None, Vector | None]:
-        if len(part.at) != 2:
+        elif part.at is BROKEN:
+            pass
+        elif not isinstance(part.at[0] if part.at else None, list):
+            place = self.geometry.vector(where, part.at)
+            bodies = [name for name in points if self.known.parts.get(name) == "body"]
+            needs = ["ground"] if "ground" in points else bodies
+            if len(needs) == 1:
+                given[points.index(needs[0])] = where, place
+            elif needs:
+                message = "must have one place for each end, got one vector"
+                self.draft.error(where, message, "write at = [[...], [...]]")
+            elif all(name in self.known.ends for name in points):
+                message = "'at' is the place of 'ground' or on a body, which is no end here"
+                self.draft.error(where, message)
+        elif len(part.at) != 2:
             self.draft.error(where, f"must have one place for each end, got {len(part.at)}")
-            return None, None
-        help = "give the place of 'ground' or of a body alone"
-        first, second = (
-            self._place((*where, i), name, self.geometry.vector((*where, i), at), help)
-            for i, (name, at) in enumerate(zip(part.points, part.at, strict=True))
-        )
-        return first, second
+        else:
+            ends = (((*where, i), at) for i, at in enumerate(part.at))
+            given = [(place, self.geometry.vector(place, at)) for place, at in ends]
+        return given
 
-    def _place(self, path: Path, name: str, at: Vector | None, help: str) -> Vector | None:
-        """Keep the place of 'ground' or on a body; a point's must be where the point is drawn."""
-        if at is None or name == "ground" or self.known.parts.get(name) == "body":
-            return at
-        drawn = self.geometry.values(self.places.get(name, ()))
-        given = self.geometry.values(at)
-        if drawn and given and len(drawn) == len(given) and not _same(drawn, given):
+    def _reference(self, path: Path, name: str, at: Vector | None, help: str) -> PointReference:
+        """Return an end; the place of a point must be where the point is drawn."""
+        if name == "ground":
+            return PointReference(point=None, at=at)
+        if self.known.parts.get(name) == "body":
+            point = None if at is None else self.places.point_at(path, name, at)
+            return PointReference(point=point or name, at=None if point else at)
+        drawn = self.geometry.values(self.places.drawn.get(name, ()))
+        given = None if at is None else self.geometry.values(at)
+        if drawn and given and len(drawn) == len(given) and not same(drawn, given):
             what = "point" if self.owner(name) is None else "the point"
-            message = f"{what} '{name}' is drawn at {shown(drawn)}"
-            self.draft.error(path, message, help)
-        return None
+            self.draft.error(path, f"{what} '{name}' is drawn at {shown(drawn)}", help)
+        return PointReference(point=name)
 
     def pair(self, path: Path, names: Any) -> tuple[str | None, str | None]:
         """Read the two bodies of a joint; None is the ground."""
@@ -163,9 +159,3 @@ class References:
             message = f"unknown body '{name}'"
         self.draft.error(path, message, help)
         return False
-
-
-def _same(a: list[float], b: list[float]) -> bool:
-    """Compare places; those of points of bodies carry the round-off of a rotation."""
-    size = max(map(abs, (*a, *b)))
-    return all(abs(x - y) <= 1e-12 * size for x, y in zip(a, b, strict=True))

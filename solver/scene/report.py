@@ -1,4 +1,4 @@
-"""Mistakes in a scene, reported like a compiler's: file, line, the line itself, what to write.
+"""Mistakes and doubts in a scene, reported like a compiler's: file, line, what to write.
 
 scene.toml:13: error: points.B.mas: unknown field
 13 | mas = 2.0
@@ -10,14 +10,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from difflib import get_close_matches
+from typing import Literal
 
 from solver.scene.positions import Path, lines_of
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _STEP = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
 _WIDEST = 120
-_MOST = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +31,7 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """One mistake."""
+    """One mistake, or a warning of what is legal and seldom meant."""
 
     location: str
     """Place in the scene, ``points.B.position[0]``; empty for the file as a whole."""
@@ -44,6 +43,7 @@ class Problem:
     """Column in that line, from 1, where it is known."""
     override: str | None = None
     """The override that brought the mistake in, ``--set points.B.mass=-1``; None for the file."""
+    severity: Literal["error", "warning"] = "error"
 
 
 def location_of(path: Path) -> str:
@@ -61,19 +61,6 @@ def path_of(location: str) -> Path:
     """Read a location back into a path."""
     found = _STEP.findall(location)
     return tuple(int(index) if index else quoted or bare for quoted, index, bare in found)
-
-
-def did_you_mean(wrong: str, known: Iterable[str], title: str = "known") -> str | None:
-    """Suggest the nearest of the known words, or list them all."""
-    words, low = list(known), wrong.lower()
-    folded = {word.lower(): word for word in words}
-    close = get_close_matches(low, folded, 1, 0.65)
-    close += [word for word in folded if len(word) > 2 and low.startswith(word)]
-    close += [word for word in folded if len(low) > 2 and word.startswith(low)]
-    if close:
-        return f"did you mean '{folded[close[0]]}'?"
-    shown = ", ".join(words[:_MOST]) + (", ..." if len(words) > _MOST else "")
-    return f"{title}: {shown}" if words else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +107,22 @@ class Source:
                 return Problem(location, message, help, line, self._column(line, *mark))
         return Problem(location, message, help)
 
+    def report(self, problem: Problem) -> str:
+        """Text of a problem as it is reported, with its line and help."""
+        where = problem.override or (f"{self.name}:{problem.line}" if problem.line else self.name)
+        subject = f"{problem.location}: " if problem.location else ""
+        lines = [f"{where}: {problem.severity}: {subject}{problem.message}"]
+        gutter = " " * (4 + len(str(problem.line or "")))
+        if problem.line:
+            text = self.line(problem.line).replace("\t", " ").rstrip()
+            shown = text if len(text) <= _WIDEST else text[: _WIDEST - 4] + " ..."
+            lines.append(f"    {problem.line} | {shown}")
+            if problem.column is not None and problem.column <= len(shown) + 1:
+                lines.append(f"{gutter} | {' ' * (problem.column - 1)}^")
+        if problem.help:
+            lines.append(f"{gutter} = help: {problem.help}")
+        return "\n".join(lines)
+
     def line(self, number: int) -> str:
         """Text of a line, from 1."""
         lines = self.text.split("\n")
@@ -128,6 +131,16 @@ class Source:
     def _column(self, number: int, text: str, column: int) -> int | None:
         line = self.line(number)
         return line.index(text) + column if text and line.count(text) == 1 else None
+
+
+class SceneWarning(UserWarning):
+    """A scene that can be built and is seldom meant so."""
+
+
+def in_order(problems: Iterable[Problem]) -> tuple[Problem, ...]:
+    """Each problem once, in the order of the file."""
+    unique = dict.fromkeys(problems)
+    return tuple(sorted(unique, key=lambda p: (p.line is None, p.line or 0, p.column or 0)))
 
 
 class SceneError(Exception):
@@ -142,10 +155,7 @@ class SceneError(Exception):
     """
 
     def __init__(self, problems: Iterable[Problem], source: Source) -> None:
-        unique = dict.fromkeys(problems)
-        self.problems = tuple(
-            sorted(unique, key=lambda p: (p.line is None, p.line or 0, p.column or 0))
-        )
+        self.problems = in_order(problems)
         self.source = source
         super().__init__(self.problems, source)
 
@@ -154,22 +164,4 @@ class SceneError(Exception):
 
     def sentences(self) -> list[str]:
         """Each mistake as it is reported, with its line and help."""
-        return [_described(problem, self.source) for problem in self.problems]
-
-
-def _described(problem: Problem, source: Source) -> str:
-    where = f"{source.name}:{problem.line}" if problem.line else source.name
-    if problem.override is not None:
-        where = problem.override
-    subject = f"{problem.location}: " if problem.location else ""
-    lines = [f"{where}: error: {subject}{problem.message}"]
-    gutter = " " * (4 + len(str(problem.line or "")))
-    if problem.line:
-        text = source.line(problem.line).replace("\t", " ").rstrip()
-        shown = text if len(text) <= _WIDEST else text[: _WIDEST - 4] + " ..."
-        lines.append(f"    {problem.line} | {shown}")
-        if problem.column is not None and problem.column <= len(shown) + 1:
-            lines.append(f"{gutter} | {' ' * (problem.column - 1)}^")
-    if problem.help:
-        lines.append(f"{gutter} = help: {problem.help}")
-    return "\n".join(lines)
+        return [self.source.report(problem) for problem in self.problems]

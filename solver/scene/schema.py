@@ -153,17 +153,6 @@ ONLY_IN_SPACE: dict[str, str] = {
 """Types of joints that the plane does not have, and what it has instead."""
 
 
-OTHER_WORDS: dict[str, str] = {
-    **dict.fromkeys(("hinge", "pin", "rotational", "pivot"), "revolute"),
-    **dict.fromkeys(("slider", "translational", "slide"), "prismatic"),
-    **dict.fromkeys(("ball", "ball_joint", "ball_socket"), "spherical"),
-    **dict.fromkeys(("weld", "lock", "rigid"), "fixed"),
-    **dict.fromkeys(("rod", "link", "bar", "massless_rod"), "distance"),
-    **dict.fromkeys(("cardan", "hooke"), "universal"),
-}
-"""What others call the types of joints."""
-
-
 def json_schema() -> dict[str, Any]:
     """JSON Schema of a scene file, for completion and checks in an editor."""
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "holonom scene"}

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, NoReturn
 
-from pydantic import Discriminator, Field, Tag, WithJsonSchema
+from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema
 
-from solver.scene.fields import Expression, NumberToMatrix, Two, Vector, shape_of
+from solver.scene.fields import (
+    Expression,
+    NumberToMatrix,
+    Two,
+    Vector,
+    mistake,
+    shape_of,
+    shown,
+)
 from solver.scene.schema_part import Part
 from solver.scene.schema_shapes import SHAPES, InBodyAxes, Orientation
 
@@ -19,11 +27,19 @@ def _table(*models: type[Part]) -> Any:
 
 
 Shape = _table(*(SHAPES[3] | SHAPES[2]).values())
+
+
+def _no_list(value: object) -> NoReturn:
+    message = f"must be a number in dimension 2 and a table in dimension 3, got {shown(value)}"
+    help = 'angles are in rad: write for instance { axis = [0, 1, 0], angle = "pi/2" }'
+    raise mistake({"message": message, "help": help})
+
+
 AngleOrAttitude = Annotated[
     Annotated[Expression, Tag("number")]
     | Annotated[_table(Orientation), Tag("table")]
-    | Annotated[Expression, Tag("vector")]
-    | Annotated[Expression, Tag("vectors")],
+    | Annotated[Expression, PlainValidator(_no_list), Tag("vector")]
+    | Annotated[Expression, PlainValidator(_no_list), Tag("vectors")],
     Discriminator(shape_of),
 ]
 Spin = Annotated[

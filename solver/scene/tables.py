@@ -10,6 +10,7 @@ from typing import Any, NoReturn
 
 from solver.scene.positions import first_of_repeated, lines_of_json
 from solver.scene.report import Problem, SceneError, Source, location_of
+from solver.scene.units import in_si
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -90,6 +91,9 @@ def _toml(text: str, name: str) -> dict[str, Any]:
             before = sum(len(each) + 1 for each in text.split("\n")[: line - 1])
             first = first_of_repeated(text[: before + column - 1] if column else text)
             help = f"{help}, first in line {first}" if first else help
+        elif not help:  # such as angle = 90 deg
+            pieces = re.split(r"[=,{}\[\]]", text.split("\n")[line - 1])
+            help = next(filter(None, map(in_si, pieces)), None)
         _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
 
 

@@ -11,6 +11,7 @@ in mm would act as one in m. Files of parameter values may be in any of these, a
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, field
 
@@ -61,6 +62,15 @@ _SYMBOLS: dict[str, tuple[dict[str, int], float]] = {
     "Wb": ({"kg": 1, "m": 2, "s": -2, "A": -1}, 1.0),
     "Ohm": ({"kg": 1, "m": 2, "s": -3, "A": -2}, 1.0),
 }
+_NAMES = {
+    "N": "newton newtons", "m": "meter meters metre metres", "s": "sec second seconds",
+    "kg": "kilogram kilograms", "rad": "radian radians", "deg": "degree degrees °",
+    "J": "joule joules", "W": "watt watts", "Hz": "hertz", "Pa": "pascal pascals",
+}  # fmt: skip
+_SPELLED = {name: symbol for symbol, names in _NAMES.items() for name in names.split()}
+_LONGEST = 8
+"""Letters of a word that may be several symbols without signs between them."""
+_NUMBER_AND_UNIT = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d].*|°)\s*")
 _FACTOR = re.compile(r"(?P<symbol>[A-Za-z%]+|1)(?:(?:\^|\*\*)?(?P<power>-?\d+))?")
 _OPERATORS = re.compile(r"(?<!\*)\*(?!\*)|[./]")
 
@@ -103,24 +113,70 @@ def _keeps(base: str, powers: dict[str, int]) -> bool:
 
 def not_of_si(unit: str) -> tuple[str, str]:
     """What is wrong with a unit of a scene, and the remedy; empty for one of SI or none."""
-    base = base_unit(unit or "1")
-    if base is None:
+    unit = unit or "1"
+    base = base_unit(unit)
+    meant = unit if base else _respelled(unit)
+    if not meant:
         known = ", ".join(symbol for symbol, (_, factor) in _SYMBOLS.items() if factor == 1.0)
         help = f"write products, quotients and powers of {known}, or leave it out"
         return f"there is no unit {unit!r}", help
-    if base.factor == 1.0:
-        return "", ""
-    name = _si_name(base)
-    return (
-        f"must be a unit of SI, in which all numbers of a scene are, got {unit!r}",
-        f"give the value in {name}: 1 {unit} is {base.factor:g} {name}",
-    )
+    found = base or base_unit(meant) or BaseUnit()
+    if found.factor != 1.0:
+        message = f"must be a unit of SI, in which all numbers of a scene are, got {unit!r}"
+        name = _si_name(meant, found)
+        return message, f"give the value in {name}: 1 {meant} is {found.factor:g} {name}"
+    return ("", "") if base else (f"there is no unit {unit!r}", f"did you mean '{meant}'?")
 
 
-def _si_name(base: BaseUnit) -> str:
-    for symbol, (powers, factor) in _SYMBOLS.items():
-        if powers == base.powers and factor == 1.0:
-            return symbol
+def in_si(text: str) -> str | None:
+    """Say how a number with a unit behind it is written in a scene; None for another text."""
+    match = _NUMBER_AND_UNIT.fullmatch(text)
+    unit = match[2].strip() if match else ""
+    base = base_unit(unit) or base_unit(_respelled(unit))
+    if not match or not base or not math.isfinite(float(match[1]) * base.factor):
+        return None
+    value, name = float(match[1]) * base.factor, _si_name(unit, base)
+    return f"a unit is not written behind a number; all are in SI, here {name}: write {value:.12g}"
+
+
+def _respelled(unit: str) -> str:
+    """Write a unit with the symbols of SI that it was perhaps meant to have; empty if unclear."""
+    # Not those of mega: with a small m they may be milli.
+    folded = {symbol.lower(): symbol for symbol in _SYMBOLS if symbol[0] != "M"} | _SPELLED
+
+    def respelled(match: re.Match[str]) -> str:
+        word = match[0]
+        known = word if word in _SYMBOLS else folded.get(word.lower())
+        products = [] if known or len(word) > _LONGEST else _products(word)
+        return known or ".".join(min(products, key=_likelihood, default=[word]))
+
+    text = re.sub(r"[°A-Za-z]+", respelled, re.sub(r"\s*[·⋅×\s-]\s*", ".", unit.strip()))
+    return text if base_unit(text) else ""
+
+
+def _products(word: str) -> list[list[str]]:
+    """Ways of reading a word as several symbols: Nms as N.m.s or N.ms."""
+    if not word:
+        return [[]]
+    first = [symbol for symbol in _SYMBOLS if word.startswith(symbol)]
+    return [[symbol, *rest] for symbol in first for rest in _products(word[len(symbol) :])]
+
+
+def _likelihood(symbols: list[str]) -> tuple[bool, int]:
+    """Key of a product that is more likely the smaller it is: each symbol once, those of SI."""
+    return len({*symbols}) < len(symbols), sum(_SYMBOLS[s][1] != 1.0 for s in symbols)
+
+
+def _si_name(unit: str, base: BaseUnit) -> str:
+    """Write a unit with symbols of SI."""
+    si = {str(powers): symbol for symbol, (powers, factor) in _SYMBOLS.items() if factor == 1.0}
+
+    def same(match: re.Match[str]) -> str:
+        return si.get(str(_SYMBOLS.get(match[0], ("",))[0]), match[0])
+
+    name = re.sub(r"[A-Za-z%]+", same, unit)
+    if base_unit(name) == BaseUnit(base.powers):
+        return name
     above = [f"{name}{p if p > 1 else ''}" for name, p in base.powers.items() if p > 0]
     below = [f"/{name}{-p if p < -1 else ''}" for name, p in base.powers.items() if p < 0]
     return (".".join(above) or "1") + "".join(below)

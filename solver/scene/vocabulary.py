@@ -169,6 +169,12 @@ class Scene:
     experiment: Experiment = field(default_factory=Experiment)
     source: Source = field(default_factory=Source, repr=False, compare=False)
     """The text it was read from, so that later findings can name file and line."""
+    warnings: tuple[Problem, ...] = field(default=(), repr=False, compare=False)
+    """What is legal in that text and seldom meant."""
+
+    def sentences(self) -> tuple[str, ...]:
+        """Each warning as it is reported, with its line and help."""
+        return tuple(map(self.source.report, self.warnings))
 
     def error(self, location: str, message: str, help: str | None = None) -> Problem:
         """Describe a mistake found later, such as a rod of zero length, with its line."""

@@ -36,6 +36,8 @@ class BodyJoint:
     """Instead of `bodies` and `position`, for spherical, and for revolute in the plane."""
     position: Vector | None = None
     """Of the joint, as drawn, in global axes."""
+    on: tuple[str | None, str | None] = (None, None)
+    """Named points of the two bodies that `position` means, since it lies there: "rod.tip"."""
     axis: Vector | None = None
     """Of the joint, as drawn, in global axes, of any length; in a universal joint fixed in the
     first body; the normal of a planar joint."""

@@ -13,10 +13,11 @@ from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, shown
 from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
-from solver.scene.report import Path, did_you_mean
+from solver.scene.report import Path
 from solver.scene.schema_shapes import SHAPES
 from solver.scene.shapes import GYRATION, Sizes
 from solver.scene.vocabulary import Vector
+from solver.scene.words import did_you_mean
 
 Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
 

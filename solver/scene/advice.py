@@ -1,0 +1,104 @@
+"""What is legal in a scene and seldom meant: each is a warning with its remedy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
+from solver.scene.draft import Draft
+from solver.scene.numbers import Numbers
+from solver.scene.report import Path, location_of
+from solver.scene.vocabulary import BodyJoint, Input, Joint
+
+LARGE = 100.0
+"""Length in m from which it may be one in mm, and ratio of one to the next smaller of the scene."""
+SMALL = 5.0
+"""Length in mm below which few numbers of a drawing in mm are."""
+
+
+def advise(numbers: Numbers, inputs: dict[str, Input], joints: dict[str, Joint]) -> None:
+    """Warn of a scene as a whole, in which no mistake was found."""
+    _unused(numbers)
+    _held(numbers, inputs)
+    _welded_twice(numbers.draft, joints)
+    _millimetres(numbers.draft)
+
+
+def _unused(numbers: Numbers) -> None:
+    """Warn of parameters and inputs that change nothing; a calculated one is a result."""
+    known, data = numbers.known, numbers.draft.data
+    for name in known.of("parameter", "input"):
+        table = f"{known.parts[name]}s"
+        given = data[table][name]
+        value = given.get("value") if isinstance(given, dict) else given
+        if name not in known.uses and not isinstance(value, str):
+            help = "use it in an expression, or leave it out"
+            numbers.draft.warn((table, name), "nothing depends on it", help)
+
+
+def _held(numbers: Numbers, inputs: dict[str, Input]) -> None:
+    """Warn of inputs that move something by jumps."""
+    for name, given in inputs.items():
+        moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
+        if moved and given.interpolation == "hold":
+            message = f"is held in each communication step, so that {location_of(moved[0])} jumps"
+            numbers.draft.warn(("inputs", name), message, 'write interpolation = "ramp"')
+
+
+def _prescribes(path: Path) -> bool:
+    """Whether the expression at a place says where something is."""
+    return path[0] == "drivers" or (path[0] == "constraints" and path[2] == "value")
+
+
+def _welded_twice(draft: Draft, joints: dict[str, Joint]) -> None:
+    """Warn of joints between bodies that fixed joints hold together already."""
+    welded_to: dict[str | None, str | None] = {}
+
+    def last_of(body: str | None) -> str | None:
+        while body in welded_to:
+            body = welded_to[body]
+        return body
+
+    of_bodies = ((n, j) for n, j in joints.items() if isinstance(j, BodyJoint))
+    for name, joint in sorted(of_bodies, key=lambda item: item[1].type != "fixed"):
+        first, second = map(last_of, joint.bodies or ("", None))
+        if first == second:
+            message = "fixed joints hold these bodies together already, so that it is redundant"
+            help = "leave it out: the reactions of redundant joints are not unique"
+            draft.warn(("joints", name), message, help)
+        elif joint.type == "fixed":
+            welded_to[first] = second
+
+
+def _millimetres(draft: Draft) -> None:
+    """Warn of the largest length where all of them, or those far above the others, may be in mm."""
+    if any(part.get("type") == "gravitation" for part in draft.table("forces").values()):
+        return  # planets
+    found = sorted((abs(value), path) for path, value in _lengths(draft) if value)
+    sizes = [size for size, _ in found]
+    gap = any(y >= LARGE * max(x, 1.0) for x, y in pairwise(sizes))
+    if sizes and sizes[-1] >= LARGE and (gap or sizes[0] >= SMALL):
+        help = f"{sizes[-1]:g} mm are {sizes[-1] / 1000.0:g} m; if metres are meant, say so by a "
+        message = f"is {sizes[-1]:g} m: all lengths of a scene are in metres"
+        draft.warn(found[-1][1], message, f'{help}parameter with unit = "m"')
+
+
+def _lengths(draft: Draft) -> Iterator[tuple[Path, float]]:
+    """Plain numbers of positions and sizes, each with its place."""
+    for table in ("points", "bodies"):
+        for name, part in draft.table(table).items():
+            yield from _numbers((table, name, "position"), part.get("position"))
+            for field in ("points", "shape"):
+                if isinstance(part.get(field), dict):
+                    for word, value in part[field].items():
+                        if word != "density":
+                            yield from _numbers((table, name, field, word), value)
+
+
+def _numbers(path: Path, value: Any) -> Iterator[tuple[Path, float]]:
+    if isinstance(value, list):
+        for i, item in enumerate(value):
+            yield from _numbers((*path, i), item)
+    elif isinstance(value, (int, float)):
+        yield path, float(value)

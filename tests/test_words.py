@@ -1,0 +1,299 @@
+"""Words that a scene does not have: each leads to the one that it has."""
+
+import json
+import math
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from solver import SceneError, loads
+from solver.scene.schema import TYPES, File
+from solver.scene.units import base_unit
+from solver.scene.words import NAMES
+
+TABLES = [name for name, field in File.model_fields.items() if str(field.annotation)[:4] == "dict"]
+PARTS = [(table, word) for table, types in TYPES.items() for word in types]
+SCENE = {
+    "name": "x",
+    "points": {
+        "O": {"position": [0, 0, 0], "fixed": True},
+        "A": {"position": [1, 0, 0], "mass": 1.0},
+        "B": {"position": [2, 0, 0], "mass": 1.0},
+    },
+    "bodies": {
+        "crank": {"position": [0, 0, 0], "mass": 1.0, "inertia": [1, 1, 1]},
+        "slider": {"position": [0, 0, 0], "mass": 1.0, "inertia": [1, 1, 1]},
+    },
+    "joints": {
+        "bearing": {"type": "revolute", "bodies": ["ground", "crank"], "position": [0, 0, 0],
+                    "axis": [0, 0, 1]},
+        "guide": {"type": "prismatic", "bodies": ["ground", "slider"], "axis": [1, 0, 0]},
+    },
+}  # fmt: skip
+
+
+def problems(scene):
+    """Mistakes that are reported of a scene; none where it is right."""
+    text = scene if isinstance(scene, str) else json.dumps(scene)
+    try:
+        loads(text, format="toml" if isinstance(scene, str) else "json")
+    except SceneError as error:
+        return error.problems
+    return ()
+
+
+def problem_of(table, fields):
+    """The one mistake that is reported of a scene with one more part."""
+    parts = SCENE.get(table, {}) | {"new": fields}
+    (found,) = problems(SCENE | {table: parts})
+    return found
+
+
+def example(table, word):
+    """Fields of a part of this type, all that are required, with values that are right."""
+    known = {
+        "points": ["O", "A"], "point": "A", "bodies": ["ground", "slider"], "body": "slider",
+        "joint": "bearing", "joints": ["bearing", "guide"], "axis": [0, 0, 1], "value": "1.0",
+        "position": [0, 0, 0], "axes": [[1, 0, 0], [0, 1, 0]], "surface": "x",
+    }  # fmt: skip
+    if word == "torque" or (table, word) in (("forces", "force"), ("drivers", "position")):
+        known["value"] = [1, 0, 0]
+    required = (name for name, field in TYPES[table][word].model_fields.items()
+                if field.is_required() and name != "type")  # fmt: skip
+    return {"type": word} | {name: known.get(name, 1.0) for name in required}
+
+
+# -------------------------------------------------------------------------- names of tables
+
+
+@pytest.mark.parametrize("table", TABLES)
+def test_the_singular_of_a_table_suggests_it(table):
+    singular = f"{table[:-3]}y" if table.endswith("ies") else table.removesuffix("s")
+    for word in (singular, singular.upper(), singular.title()):
+        (found,) = problems(SCENE | {word: {}})
+        assert (found.message, found.help) == ("unknown table or field", f"did you mean '{table}'?")
+
+
+@pytest.mark.parametrize("place", NAMES)
+def test_every_word_of_the_list_means_what_exists(place):
+    fields = {field for types in TYPES.values() for x in types.values() for field in x.model_fields}
+    known = {"file": {*File.model_fields}, "fields": {*fields, "density", "start", "min", "max"}}
+    known["fields"] |= {"description", "fixed", "radius"}
+    for word, names in NAMES[place].items():
+        assert names
+        assert {*names} <= known.get(place, {*TYPES.get(place, ())})
+        assert word == word.lower()
+        if place in ("file", *TYPES):
+            assert word not in known.get(place, {*TYPES.get(place, ())})
+
+
+@pytest.mark.parametrize(("word", "names"), NAMES["file"].items())
+def test_other_words_for_tables(word, names):
+    (found,) = problems(SCENE | {word: {}})
+    assert found.help == f"did you mean '{names[0]}'?"
+
+
+@pytest.mark.parametrize(
+    ("table", "word", "names"), [(t, *item) for t in TYPES for item in NAMES[t].items()]
+)
+def test_other_words_for_types(table, word, names):
+    assert problem_of(table, {"type": word}).help == f"did you mean '{names[0]}'?"
+
+
+@pytest.mark.parametrize(("word", "names"), NAMES["fields"].items())
+def test_other_words_for_fields(word, names):
+    """In the first part that has one of the fields that the word may mean."""
+    for table, kind in PARTS:
+        own = TYPES[table][kind].model_fields
+        wanted = next((name for name in names if name in own), "")
+        if wanted and word not in own:
+            fields = example(table, kind)
+            fields.pop(wanted, None)
+            if table == "bodies" and kind == "bar":
+                fields["points"] = ["A", "B"]
+            reports = problems(SCENE | {table: SCENE.get(table, {}) | {"new": fields | {word: 1}}})
+            helps = [report.help for report in reports if report.message == "unknown field"]
+            types = [report.help for report in reports if "no field of the type" in report.message]
+            assert helps == [f"did you mean '{wanted}'?"] or types
+            return
+    assert {*names} <= {"density", "start", "min", "max", "description", "fixed"}
+
+
+def test_the_usual_letters_mean_the_fields_of_springs_and_dampers():
+    spring = {"type": "spring", "points": ["O", "A"], "k": 100.0, "l0": 0.5}
+    reports = problems(SCENE | {"forces": {"s": spring}})
+    found = {report.location: report.help for report in reports}
+    assert found["forces.s.k"] == "did you mean 'stiffness'?"
+    assert found["forces.s.l0"] == "did you mean 'free_length'?"
+    found = problems(SCENE | {"forces": {"s": {"type": "damper", "points": ["O", "A"], "c": 1}}})
+    assert "did you mean 'damping'?" in [report.help for report in found]
+
+
+@pytest.mark.parametrize("word", ["motor", "friction", "limit", "velocity"])
+def test_what_is_no_word_of_a_scene_says_what_to_write(word):
+    """As a table, as a type and as a field of a joint."""
+    hinge = SCENE["joints"]["bearing"] | {word: 1.0}
+    places = [
+        problems(SCENE | {word: {}}),
+        problems(SCENE | {"joints": {"bearing": hinge}}),
+        *([problem_of(table, {"type": word})] for table in ("forces", "drivers")),
+    ]
+    for (found,) in places:
+        assert found.help.count("type = ") or "field of points and rigid bodies" in found.help
+        for kind in ("angle", "displacement", "joint_torque", "torsion_damper", "potential"):
+            assert kind in str(TYPES)  # what the sentences name exists
+
+
+@pytest.mark.parametrize(
+    ("table", "word"), [("joints", "spring"), ("forces", "revolute"), ("drivers", "joint_torque")]
+)
+def test_a_type_of_another_table_names_the_table(table, word):
+    home = next(home for home, types in TYPES.items() if word in types)
+    help = problem_of(table, {"type": word}).help
+    assert help == f"'{word}' is a type of [{home}]: write it there"
+
+
+# --------------------------------------------------------------------- types with these fields
+
+
+@pytest.mark.parametrize(("table", "right"), PARTS)
+def test_fields_of_one_type_under_another_name_suggest_it(table, right):
+    """Where one type alone has all fields that are given, and not near names of them."""
+    fields = example(table, right)
+    fitting = {
+        word
+        for word, model in TYPES[table].items()
+        if fields.keys() <= model.model_fields.keys()
+        and all(name in fields for name, x in model.model_fields.items() if x.is_required())
+    }
+    for wrong, model in TYPES[table].items():
+        if fitting == {right} and not fields.keys() <= model.model_fields.keys():
+            parts = SCENE.get(table, {}) | {"new": fields | {"type": wrong}}
+            found = {p.message: p.help for p in problems(SCENE | {table: parts})}
+            assert found[f"is no field of the type '{wrong}'"] == f'write type = "{right}"'
+            assert "unknown field" not in found
+
+
+@pytest.mark.parametrize(("table", "word"), PARTS)
+def test_a_misspelt_field_is_one_mistake_and_not_also_a_missing_one(table, word):
+    fields = example(table, word)
+    if table == "bodies":
+        fields |= {"points": ["A", "B"]} if word == "bar" else {"mass": 1.0, "inertia": [1, 1, 1]}
+    for name in fields.keys() - {"type"}:
+        wrong = {(f"{x}_" if x == name else x): value for x, value in fields.items()}
+        found = problems(SCENE | {table: SCENE.get(table, {}) | {"new": wrong}})
+        helps = {report.location: report.help for report in found}
+        assert helps[f"{table}.new.{name}_"] == f"did you mean '{name}'?"
+        assert not any(f"'{name}'" in report.message for report in found)
+
+
+def test_a_torque_at_a_joint_is_a_joint_torque():
+    found = problem_of("forces", {"type": "torque", "joint": "bearing", "value": 1.0})
+    assert (found.location, found.help) == ("forces.new.joint", 'write type = "joint_torque"')
+
+
+@pytest.mark.parametrize(("table", "word"), PARTS)
+def test_what_is_missing_is_shown_with_names_of_this_scene(table, word):
+    named = {"point", "points", "body", "bodies", "joint", "joints"}
+    fields = example(table, word)
+    for name in named & fields.keys():
+        scene = SCENE | {table: SCENE.get(table, {}) | {"new": fields | {name: 1.5}}}
+        helps = [found.help for found in problems(scene) if found.location.endswith(f".{name}")]
+        (text,) = helps
+        names = json.loads(text.partition("= ")[2])
+        parts = {**SCENE["points"], **SCENE["bodies"], **SCENE["joints"], "ground": {}}
+        assert {names} if isinstance(names, str) else {*names} <= parts.keys()
+
+
+def test_nothing_is_named_where_there_is_nothing():
+    scene = {"name": "x", "points": SCENE["points"]}
+    scene["forces"] = {"drive": {"type": "torque", "value": [1, 0, 0]}}
+    (found,) = problems(scene)
+    assert found.help == 'write body = "..."'
+
+
+# --------------------------------------------------------------------------------------- units
+
+SI = ["N", "m", "s", "kg", "rad", "J", "Pa", "W", "Hz"]
+
+
+@given(st.lists(st.sampled_from(SI), min_size=2, max_size=3, unique=True))
+def test_symbols_without_signs_between_them_suggest_a_product(symbols):
+    unit = "".join(symbols)
+    assume(base_unit(unit) is None)
+    scene = SCENE | {"parameters": {"p": {"value": 1.0, "unit": unit}}}
+    (found,) = problems(scene)
+    assert found.message == f"there is no unit '{unit}'"
+    meant = found.help.removeprefix("did you mean '").removesuffix("'?")
+    assert meant.replace(".", "") == unit
+    assert base_unit(meant).factor == 1.0
+
+
+@pytest.mark.parametrize(
+    ("unit", "meant"),
+    [("Nm", "N.m"), ("Nms/rad", "N.m.s/rad"), ("N·m", "N.m"), ("kgm2", "kg.m2"), ("Kg", "kg"),
+     ("newton", "N"), ("m/sec", "m/s"), ("N m", None)],
+)  # fmt: skip
+def test_other_spellings_of_units(unit, meant):
+    scene = SCENE | {"parameters": {"p": {"value": 1.0, "unit": unit}}}
+    helps = [found.help for found in problems(scene)]
+    assert helps == ([f"did you mean '{meant}'?"] if meant else [])
+
+
+@given(
+    value=st.floats(-1e6, 1e6),
+    unit=st.sampled_from(["deg", "mm", "kN", "rpm", "m", "rad", "N/mm", "degrees", "°"]),
+    space=st.sampled_from(["", " ", "  "]),
+)
+def test_a_unit_behind_a_number_says_the_number_in_si(value, unit, space):
+    point = SCENE["points"]["A"] | {"mass": f"{value!r}{space}{unit}"}
+    (found,) = problems(SCENE | {"points": {"A": point}})
+    factor = base_unit({"degrees": "deg", "°": "deg"}.get(unit, unit)).factor
+    written = found.help.rpartition("write ")[2]
+    assert found.help.startswith("a unit is not written behind a number; all are in SI, here ")
+    assert math.isclose(float(written), value * factor, rel_tol=1e-10)
+
+
+@pytest.mark.parametrize("line", ["value = 90 deg", "a = { value = 90 deg }", "v = [0, 90 deg]"])
+def test_so_does_one_without_quotes(line):
+    """Of TOML it is a mistake of the notation."""
+    (found,) = problems(f'name = "x"\n[parameters.p]\n{line}\n')
+    assert found.line == 3
+    assert found.help.endswith("here rad: write 1.57079632679")
+
+
+def test_an_expression_is_no_number_with_a_unit():
+    for text in ("2*", "1 if", "3 foo", "1e5 +"):
+        (found,) = problems(SCENE | {"points": {"A": {"position": [0, 0, 0], "mass": text}}})
+        assert found.help is None or "unit" not in found.help
+
+
+def test_a_unit_as_a_symbol_says_so_too():
+    point = SCENE["points"]["A"] | {"position": ["30*deg", "0.5*mm", 0]}
+    helps = [found.help for found in problems(SCENE | {"points": {"A": point}})]
+    assert [help.rpartition("write ")[2] for help in helps] == ["0.0174532925199", "0.001"]
+
+
+# ------------------------------------------------------------------------- angles and gravity
+
+
+@settings(max_examples=20)
+@given(st.lists(st.floats(-360, 360), min_size=1, max_size=4))
+def test_a_list_as_an_orientation_says_how_it_is_written(angles):
+    body = SCENE["bodies"]["crank"] | {"orientation": angles}
+    (found,) = problems(SCENE | {"bodies": {"crank": body}, "joints": {}})
+    assert found.message.startswith("must be a number in dimension 2 and a table in dimension 3")
+    assert "angles are in rad" in found.help
+
+
+def test_the_angle_of_a_joint_in_degrees_says_radians():
+    joint = {"type": "angle", "bodies": ["crank", "slider"], "value": 90,
+             "axes": [[1, 0, 0], [0, 1, 0]]}  # fmt: skip
+    assert problem_of("joints", joint).help == 'if these are degrees, write "90*pi/180"'
+
+
+@pytest.mark.parametrize("points", [{}, SCENE["points"], {"A": {"position": [0, 0], "mass": 1}}])
+def test_gravity_of_two_numbers_suggests_the_plane(points):
+    found = problems({"name": "x", "gravity": [0, -9.81], "points": points})
+    assert any("dimension = 2" in str(each.help) for each in found)
