@@ -36,7 +36,8 @@ def build(
     scene
         A scene file (.toml or .json) or a loaded scene.
     path
-        An .fmu file, or a folder, for `<name of the scene>.fmu` in it; None: the current one.
+        An .fmu file, or a folder; None: the current one. In a folder the FMU has the name of the
+        scene's file, `<name>.fmu`, and that of the mechanism if the scene was loaded before.
     parameters
         Numbers and options that replace those of the scene file, by dotted name: a declared
         parameter ("length") or any field ("points.A.mass"); or a file of them, .toml, .json, .csv

@@ -14,6 +14,8 @@ import zlib
 from collections.abc import Mapping
 from pathlib import Path
 
+from build_fmu.errors import writing
+
 MOST_BYTES = 2**32 - 1
 """Of an archive: beyond it stands the format zip64."""
 MOST_REMEMBERED = 256
@@ -29,6 +31,11 @@ _REGULAR_FILE, _EXECUTABLE_FILE = 0o100644, 0o100755
 def write_archive(path: Path, entries: Mapping[str, bytes]) -> None:
     """Write the archive; a file that is there is replaced in one step, or left as it was."""
     content = archive(entries)  # first: a process that is ended meanwhile leaves no file
+    with writing(path):
+        _replace(path, content)
+
+
+def _replace(path: Path, content: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
     temporary = Path(name)

@@ -7,12 +7,14 @@ so that `--help` need not wait for NumPy.
 from __future__ import annotations
 
 import argparse
+import errno
 import importlib
 import os
 import sys
 from collections.abc import Sequence
 
 from build_fmu.errors import LACK, USAGE, CommandError
+from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
 
@@ -31,7 +33,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; the exit code."""
     chosen = _parser().parse_args(arguments)
     try:
-        return importlib.import_module(f"build_fmu.commands.{chosen.command}").run(chosen)
+        with scene_warnings() as chosen.warnings:
+            code = importlib.import_module(f"build_fmu.commands.{chosen.command}").run(chosen)
+        sys.stdout.flush()
+        return code
     except CommandError as failure:
         return _say(str(failure), failure.code)
     except ModuleNotFoundError as error:
@@ -40,7 +45,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - what is left unsaid has no reader
         return 0
     except OSError as error:
-        return _say(f"{error.filename or 'file'}: {error.strerror or error}", USAGE)
+        full = error.errno == errno.ENOSPC and not error.filename  # who writes files names them
+        sys.stdout = open(os.devnull, "w") if full else sys.stdout  # noqa: SIM115 - tried again
+        name = error.filename or ("the standard output" if full else "file")
+        return _say(f"{name}: {error.strerror or error}", USAGE)
     except KeyboardInterrupt as stop:  # perhaps with what is to be known after it
         return _say("; ".join(["interrupted", *map(str, stop.args)]), INTERRUPTED)
 
@@ -75,7 +83,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     build = commands.add_parser("build", help="write the FMU of a scene")
     build.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
-    text = "an .fmu file or a folder (default: <name of the scene>.fmu)"
+    text = "an .fmu file or a folder (default: <name of the scene's file>.fmu)"
     build.add_argument("-o", "--output", metavar="FILE", help=text)
     _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
     _add_variants(commands)
@@ -105,7 +113,7 @@ def _parser() -> argparse.ArgumentParser:
 def _add_variants(commands: argparse._SubParsersAction) -> None:
     command = commands.add_parser("variants", help="write one FMU for each row of a grid or table")
     command.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
-    text = "folder for the FMUs and the manifest (default: <name of the scene>_variants)"
+    text = "folder for the FMUs and the manifest (default: <name of the scene's file>_variants)"
     command.add_argument("-o", "--output", metavar="FOLDER", help=text)
     text = "name of the file that says which FMU is which, .csv or .json (default: %(default)s)"
     command.add_argument("--manifest", default="manifest.csv", metavar="FILE", help=text)

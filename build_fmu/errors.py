@@ -6,10 +6,24 @@ error, or no equilibrium was found; 4 the environment lacks something. Ctrl-C en
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
+from os import PathLike, fspath
+
 CHECK_FAILED = 1
 USAGE = 2
 UNFINISHED = 3
 LACK = 4
+
+
+@contextlib.contextmanager
+def writing(path: str | PathLike[str]) -> Iterator[None]:
+    """Name the file in an error of writing it, such as that of a full disk, which has no name."""
+    try:
+        yield
+    except OSError as error:
+        error.filename = error.filename or fspath(path)
+        raise
 
 
 class CommandError(Exception):

@@ -8,13 +8,13 @@ import re
 import time
 import uuid
 from collections.abc import Callable, Mapping
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
-from build_fmu.errors import UsageError
+from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import model_description
 from build_fmu.payload import payload, wrapper_libraries
 from build_fmu.picture import picture
@@ -25,7 +25,6 @@ from build_fmu.trial import Trial, trial
 from build_fmu.version import VERSION
 
 if TYPE_CHECKING:
-    from build_fmu.study.values import Entry
     from solver.runtime import Model
     from solver.scene import Scene
 
@@ -41,23 +40,18 @@ def build_archive(
 ) -> Path:
     """Write the FMU of a scene and its parameter set; see `build_fmu.build`."""
     loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
-    return write_fmu_and_set(compile_scene(loaded), path, loaded)
+    of_file = isinstance(scene, str | PathLike)
+    target = fmu_path(path, Path(scene).stem if of_file else identifier(loaded.name))
+    write_fmu_and_set(compile_scene(loaded), target, loaded)
+    return target
 
 
 def write_fmu_and_set(
-    model: Model,
-    path: str | PathLike[str] | None,
-    scene: Scene,
-    tell: Callable[[str], object] | None = None,
-) -> Path:
-    """Write an FMU, as `write_fmu` does, and its parameter set, unless that is another program's.
-
-    Returns the path of the FMU.
-    """
-    target = fmu_path(path, model.name)
+    model: Model, target: Path, scene: Scene, tell: Callable[[str], object] | None = None
+) -> None:
+    """Write an FMU, as `write_fmu` does, and its parameter set; refuse to replace another's."""
     require_own_set(target)
     write_parameter_set(model, write_fmu(model, target, scene, tell))
-    return target
 
 
 def write_fmu(
@@ -71,7 +65,7 @@ def write_fmu(
     The scene that it was compiled from travels along, as text and as a picture. `tell` is called
     with what the trial run has to say, which stands on the page of the FMU as well.
     """
-    target, seen = fmu_path(path, model.name), trial(model)
+    target, seen = fmu_path(path, identifier(model.name)), trial(model)
     write_archive(target, archive_entries(model, seen, scene))
     for sentence in filter(None, (*seen.remarks, seen.reason)):
         if tell:
@@ -80,7 +74,7 @@ def write_fmu(
 
 
 def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
-    """Path of the FMU of a mechanism of this name; a folder or None means the name itself, there.
+    """Path of an FMU; a folder or None means `<name>.fmu`, there.
 
     Raises
     ------
@@ -90,7 +84,7 @@ def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
     """
     target = Path(path or ".")
     if target.is_dir():
-        return target / f"{identifier(name)}.fmu"
+        return target / f"{name}.fmu"
     if target.exists() and not target.is_file():
         text = f"{target}: an FMU is a file; name one, or a folder for it"
         raise UsageError(text)
@@ -104,22 +98,9 @@ def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
 def write_parameter_set(model: Model, fmu: Path) -> Path:
     """Write the parameters of an FMU beside it, as a .ssv file of SSP."""
     target = fmu.with_suffix(".ssv")
-    target.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
+    with writing(target):
+        target.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
     return target
-
-
-def scene_name(scene: str | PathLike[str], entries: Mapping[str, Entry]) -> str:
-    """Name of the mechanism of a scene file, after which its FMUs are called.
-
-    The scene may need what is varied to be without mistakes, so it is not read any further.
-    """
-    from solver.scene.tables import tables_of, text_of
-
-    text, notation = text_of(fspath(scene))
-    tables, _ = tables_of(text, fspath(scene), notation)
-    given = [entries["name"].value] if "name" in entries else []
-    names = [name for name in (*given, tables.get("name")) if isinstance(name, str) and name]
-    return names[0] if names else Path(scene).stem
 
 
 def load_scene(

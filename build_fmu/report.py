@@ -6,12 +6,35 @@ import contextlib
 import json
 import sys
 import time
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 FILE_WIDTH = 120
 """Columns of a table that does not go to a terminal."""
 SECONDS_BETWEEN_LINES = 10.0
 """Of progress where stderr is no terminal."""
+
+
+@contextlib.contextmanager
+def scene_warnings() -> Iterator[list[str]]:
+    """Say each warning of a scene on stderr, once; yields the list of those that were said."""
+    from solver.scene import SceneWarning
+
+    said: list[str] = []
+    usual = warnings.showwarning
+
+    def show(message: Warning | str, category: type[Warning], *place: Any) -> None:
+        if not issubclass(category, SceneWarning):
+            usual(message, category, *place)
+        elif str(message) not in said:
+            said.append(str(message))
+            sys.stderr.write(f"{message}\n")
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", SceneWarning)
+        warnings.showwarning = show
+        yield said
 
 
 def print_json(values: object) -> None:

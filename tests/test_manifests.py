@@ -8,9 +8,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from fmpy import read_model_description
 
 import build_fmu
 from build_fmu.errors import UsageError
+from solver.scene import load
 from tests.commands import run
 from tests.fmu_instance import SCENES
 
@@ -170,21 +172,35 @@ def test_an_interrupted_study_says_what_it_wrote(tmp_path):
 # ------------------------------------------------------------------------------------- names
 
 
-def test_fmus_are_called_as_the_mechanism_is(capsys, tmp_path, monkeypatch):
-    """As `build` does: by the name in the scene, not by that of its file."""
+@pytest.mark.parametrize("stem", ["some file", "a.b", "x[1]"])
+def test_fmus_are_called_as_the_file_of_the_scene_is(capsys, tmp_path, monkeypatch, stem):
     monkeypatch.chdir(tmp_path)
-    scene = tmp_path / "some file.toml"
+    scene = tmp_path / f"{stem}.toml"
     scene.write_text(PENDULUM.read_text())
-    assert run(capsys, "build", scene)[1] == "double_pendulum.fmu\n"
-    code, out, _ = run(capsys, "variants", scene, "--grid", "mass=1,2")
-    assert (code, out) == (0, f"{Path('double_pendulum_variants', 'manifest.csv')}\n")
-    assert fmus(tmp_path / "double_pendulum_variants") == [
-        "double_pendulum_1.fmu",
-        "double_pendulum_2.fmu",
-    ]
-    renamed = ("--grid", "mass=1", "--set", "name=other")
-    assert run(capsys, "variants", scene, *renamed)[0] == 0
-    assert fmus(tmp_path / "other_variants") == ["other_1.fmu"]
+    assert run(capsys, "build", scene)[1] == f"{stem}.fmu\n"
+    for values in ("1,2", "3,4"):  # the second study replaces the first
+        code, out, _ = run(capsys, "variants", scene, "--grid", f"mass={values}")
+        assert (code, out) == (0, f"{Path(f'{stem}_variants', 'manifest.csv')}\n")
+        assert fmus(tmp_path / f"{stem}_variants") == [f"{stem}_1.fmu", f"{stem}_2.fmu"]
+
+
+@pytest.mark.parametrize("output", [(), ("-o", "out")])
+def test_two_scenes_of_one_name_make_two_fmus(capsys, tmp_path, monkeypatch, output):
+    """The name of the mechanism is that of the model in the FMU; the file has its scene's."""
+    monkeypatch.chdir(tmp_path)
+    Path("out").mkdir()
+    for stem in ("first", "second"):
+        Path(f"{stem}.toml").write_text(PENDULUM.read_text())
+        path = Path(run(capsys, "build", f"{stem}.toml", *output)[1].strip())
+        assert path.name == f"{stem}.fmu"
+        assert build_fmu.build(f"{stem}.toml", "out").name == f"{stem}.fmu"
+        description = read_model_description(path)
+        assert description.coSimulation.modelIdentifier == "double_pendulum"
+    assert len(list(Path(*output[1:]).glob("*.fmu"))) == 2
+
+
+def test_the_fmu_of_a_loaded_scene_is_called_as_the_mechanism(tmp_path):
+    assert build_fmu.build(load(PENDULUM), tmp_path).name == "double_pendulum.fmu"
 
 
 @pytest.mark.parametrize("name", ["x.ssv", "a.v1", "scene.toml", "out"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json
@@ -13,7 +14,7 @@ from build_fmu.target import is_fmu, scene_and_model
 
 def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
-    from build_fmu.export import write_fmu_and_set
+    from build_fmu.export import fmu_path, write_fmu_and_set
 
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
@@ -24,11 +25,13 @@ def run(arguments: argparse.Namespace) -> int:
     def tell(sentence: str) -> None:
         sys.stderr.write(f"{model.name}: {sentence}\n")
 
-    path = write_fmu_and_set(model, arguments.output, scene, tell)
+    path = fmu_path(arguments.output, Path(arguments.scene).stem)
+    write_fmu_and_set(model, path, scene, tell)
     size = path.stat().st_size
     if arguments.json:
-        beside = str(path.with_suffix(".ssv"))
-        print_json({"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside})
+        document = {"fmu": str(path), "name": model.name, "bytes": size}
+        beside = {"parameters": str(path.with_suffix(".ssv"))}
+        print_json(document | beside | {"warnings": arguments.warnings})
     else:
         sys.stdout.write(f"{path}\n")
         sys.stderr.write(f"{model.name}: {len(model.variables)} variables, {size / 1e3:.0f} kB\n")

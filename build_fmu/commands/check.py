@@ -25,7 +25,8 @@ def run(arguments: argparse.Namespace) -> int:
     holds = all(check["holds"] for check in checks) and not result.reason
     if arguments.json:
         reason = {"reason": result.reason, "end_time": result.end_time}
-        print_json({"holds": holds, "checks": checks, **reason})
+        warnings = {"warnings": arguments.warnings}
+        print_json({"holds": holds, "checks": checks} | reason | warnings)
     elif begun(result):
         rows = [
             (str(c["name"]), f"{c['largest']:.2e}", f"{c['limit']:.2e}", _verdict(c["holds"]))

@@ -46,13 +46,13 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.equilibrium:
         found = find_equilibrium(model)
         if arguments.json:
-            print_json({"name": model.name, **asdict(found)})
+            print_json({"name": model.name, **asdict(found), "warnings": arguments.warnings})
         else:
             _print_equilibrium(model, found, survey(model).redundant_parts or ())
         return 0
     counts = survey(model)
     if arguments.json:
-        print_json(_document(model, counts))
+        print_json(_document(model, counts) | {"warnings": arguments.warnings})
     else:
         _print_counts(model, counts)
     return 0

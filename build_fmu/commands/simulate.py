@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from build_fmu.errors import UNFINISHED, UsageError
+from build_fmu.errors import UNFINISHED, UsageError, writing
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
 from build_fmu.study.settings import given_on_the_command_line
@@ -29,14 +29,14 @@ def run(arguments: argparse.Namespace) -> int:
     elif arguments.csv:
         path = Path(arguments.csv)
         path.parent.mkdir(parents=True, exist_ok=True)
-        with path.open("w", newline="", encoding="utf-8") as file:
+        with writing(path), path.open("w", newline="", encoding="utf-8") as file:
             write_csv(result.values, file)
         rows, columns = len(result.values), len(result.values.dtype.names or ())
         # One document on stdout is what --json promises.
         stream = sys.stderr if arguments.json else sys.stdout
         stream.write(f"{arguments.csv}: {rows} rows, {columns} columns\n")
     if arguments.json:
-        print_json(summary(result))
+        print_json(summary(result) | {"warnings": arguments.warnings})
     elif not arguments.csv and begun(result):
         _print_end(arguments.target, result)
     return report_end(result)

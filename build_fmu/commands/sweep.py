@@ -47,7 +47,8 @@ def run(arguments: argparse.Namespace) -> int:
         )
     spent = time.perf_counter() - begin
     if arguments.json:
-        print_json(_document(found, path, spent))
+        document = _document(found, path, spent)
+        print_json(document | {"warnings": [*arguments.warnings, *found.warnings]})
     else:
         _print(found, path, spent)
     _tell(found.warnings, "warnings")
@@ -75,7 +76,6 @@ def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
         "runs": found.plan.count,
         "resumed": found.resumed,
         "failed": [{"run": r.run, "time": r.end_time, "reason": r.reason} for r in found.failed],
-        "warnings": list(found.warnings),
         "wall_time": spent,
         "outputs": {
             name: {"min": low, "run_of_min": low_run, "max": high, "run_of_max": high_run}

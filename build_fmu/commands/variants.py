@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,12 +14,11 @@ from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import is_fmu
 
 if TYPE_CHECKING:
-    from build_fmu.study.manifest import Variant
+    pass
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Export; exit code 0."""
-    from build_fmu.export import identifier, scene_name
     from build_fmu.study.variants import variants
     from solver.scene import SceneError
 
@@ -34,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     begin = time.perf_counter()
     try:
-        name = identifier(scene_name(scene, entries))
+        name = Path(scene).stem
         folder = Path(arguments.output or f"{name}_variants")
         with count_bar(f"variants of {name}", "FMUs") as progress:
             made = variants(
@@ -51,14 +49,12 @@ def run(arguments: argparse.Namespace) -> int:
             )
     except SceneError as error:
         raise UsageError(str(error)) from None
-    _print(made, folder / arguments.manifest, time.perf_counter() - begin, as_json=arguments.json)
-    return 0
-
-
-def _print(made: Sequence[Variant], manifest: Path, spent: float, *, as_json: bool) -> None:
-    if as_json:
-        rows = [{"fmu": str(manifest.parent / v.fmu), "parameters": v.parameters} for v in made]
-        print_json({"manifest": str(manifest), "variants": rows})
+    manifest = folder / arguments.manifest
+    if arguments.json:
+        rows = [{"fmu": str(folder / v.fmu), "parameters": v.parameters} for v in made]
+        warnings = {"warnings": arguments.warnings}
+        print_json({"manifest": str(manifest), "variants": rows} | warnings)
     else:
         sys.stdout.write(f"{manifest}\n")
-        sys.stderr.write(f"{len(made)} FMUs in {spent:.1f} s\n")
+        sys.stderr.write(f"{len(made)} FMUs in {time.perf_counter() - begin:.1f} s\n")
+    return 0

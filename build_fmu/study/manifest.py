@@ -29,6 +29,8 @@ class Variant:
     mistakes: tuple[str, ...] = field(default=(), repr=False)
     lost: bool = field(default=False, repr=False)
     """Whether the process that wrote it died."""
+    warnings: tuple[str, ...] = field(default=(), repr=False)
+    """Of its scene."""
 
     @property
     def error(self) -> str:

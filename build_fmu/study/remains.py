@@ -6,6 +6,7 @@ some of another scene. What this package did not write is neither replaced nor r
 
 from __future__ import annotations
 
+import glob
 import zipfile
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -42,8 +43,9 @@ class Room:
             for path in _numbered(self.folder, self.stem, kind):
                 if path.stem in going and (path.stem in own or _is_ours(path)):
                     path.unlink(missing_ok=True)
-        for path in self.folder.glob(f".{self.stem}_*.fmu-*"):  # of a process that was ended
-            if path.name[1:].partition(".")[0] in going:
+        # Of a process that was ended:
+        for path in self.folder.glob(f".{glob.escape(self.stem)}_*.fmu-*"):
+            if path.name[1:].rpartition(".fmu-")[0] in going:
                 path.unlink(missing_ok=True)
 
 
@@ -85,7 +87,7 @@ def _not_ours(path: Path, other: str) -> str:
 
 
 def _numbered(folder: Path, stem: str, kind: str) -> list[Path]:
-    found = folder.glob(f"{stem}_*{kind}")
+    found = folder.glob(f"{glob.escape(stem)}_*{kind}")
     return [path for path in found if path.stem[len(stem) + 1 :].isdecimal()]
 
 

@@ -10,12 +10,13 @@ import contextlib
 import csv
 import io
 import json
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TextIO
 
-from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.errors import EnvironmentLackError, UsageError, writing
 from build_fmu.study.lock import LOCKS, lock
 from build_fmu.study.plan import Plan, Result
 
@@ -141,7 +142,7 @@ class CsvStore(Store):
     def _begin(self, path: Path) -> TextIO:
         """File with what is known, in the order of the runs."""
         other = path.with_name(f".{path.name}.new")
-        with other.open("w", newline="", encoding="utf-8") as file:
+        with writing(path), other.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.plan.columns)
             writer.writerows(self.plan.row(self.results[run]) for run in sorted(self.results))
@@ -151,14 +152,15 @@ class CsvStore(Store):
     def keep(self, result: Result) -> None:
         """Write the line of a result at once."""
         super().keep(result)
-        csv.writer(self._file, lineterminator="\n").writerow(self.plan.row(result))
-        self._file.flush()
+        with writing(self._path):
+            csv.writer(self._file, lineterminator="\n").writerow(self.plan.row(result))
+            self._file.flush()
 
     def close(self) -> None:
         """Put the lines into the order of the runs."""
-        self._file.close()
-        self._begin(self._path).close()
-        self._lock.close()
+        with contextlib.closing(self._lock), writing(self._path):
+            self._file.close()
+            self._begin(self._path).close()
 
 
 # ---------------------------------------------------------------------------------------- HDF5
@@ -194,12 +196,14 @@ class Hdf5Store(Store):
             self._lock.close()
             text = f"{path}: cannot be opened ({error}); name another file, or --fresh"
             raise UsageError(text) from None
+        self._path = path
         try:
             if there:
                 _require_the_same(path, self._file.attrs.get("plan"), plan.document)
                 self._read(path)
             else:
-                self._create(h5py)
+                with _writing_hdf5(path):
+                    self._create(h5py)
         except BaseException:
             self.close()
             raise
@@ -260,17 +264,29 @@ class Hdf5Store(Store):
     def keep(self, result: Result) -> None:
         """Write trajectory and line of a result."""
         at = result.run - 1
-        if result.values is not None:
-            for name, column in zip(self.plan.outputs, result.values.T, strict=True):
-                self._file["trajectories"][name][at, : len(column)] = column
-        self._file["runs"][at] = self.plan.record(result, LONGEST_REASON)
-        self._file.flush()
+        with _writing_hdf5(self._path):
+            if result.values is not None:
+                for name, column in zip(self.plan.outputs, result.values.T, strict=True):
+                    self._file["trajectories"][name][at, : len(column)] = column
+            self._file["runs"][at] = self.plan.record(result, LONGEST_REASON)
+            self._file.flush()
         super().keep(result)
 
     def close(self) -> None:
         """Close the file."""
-        self._file.close()
-        self._lock.close()
+        with contextlib.closing(self._lock), _writing_hdf5(self._path):
+            self._file.close()
+
+
+@contextlib.contextmanager
+def _writing_hdf5(path: Path) -> Iterator[None]:
+    """Name the file where h5py cannot write it, and say why in the words of the system."""
+    try:
+        yield
+    except (OSError, RuntimeError) as error:
+        reason = re.search(r"error message = '(.*?)'", str(error))
+        text = f"{path}: {reason[1] if reason else error}"
+        raise UsageError(text) from None
 
 
 def by_run(results: Mapping[int, Result]) -> Sequence[Result]:

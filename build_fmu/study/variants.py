@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 
-from build_fmu.errors import UnfinishedError
+from build_fmu.errors import UnfinishedError, writing
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
 from build_fmu.study.jobs import Task
@@ -16,6 +17,7 @@ from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manife
 from build_fmu.study.remains import require_room
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.values import Entry, Mistake, in_one_text, refuse
+from solver.scene import Given, SceneError, SceneWarning
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,11 @@ def variants(
     list of Variant
         The rows of the manifest.
 
+    Warns
+    -----
+    solver.scene.SceneWarning
+        Of what is legal in the scenes and seldom meant, once for all of them.
+
     Raises
     ------
     solver.scene.SceneError, build_fmu.errors.UsageError
@@ -100,8 +107,11 @@ def variants(
         made = in_one_form(sorted(made, key=lambda variant: variant.number))
         if made or room.is_touched():  # an interrupted study says what it has written
             room.clear({variant.fmu for variant in made})
-            target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
+            with writing(target):
+                target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
     _require_all(made)
+    for text in dict.fromkeys(text for variant in made for text in variant.warnings):
+        warnings.warn(text, SceneWarning, stacklevel=2)
     return made
 
 
@@ -134,13 +144,11 @@ def _shared(
     entries: Mapping[str, Entry],
     count: int,
 ) -> _Shared:
-    from build_fmu.export import identifier, scene_name
-
     return _Shared(
         scene=fspath(scene),
         overrides=scene_overrides(scene, entries),
         folder=fspath(folder),
-        stem=identifier(scene_name(scene, entries)),
+        stem=Path(scene).stem,
         digits=len(str(count)),
     )
 
@@ -151,19 +159,19 @@ def _export(shared: _Shared, jobs: Sequence[tuple[int, Row]]) -> list[Variant]:
 
 
 def _exported(shared: _Shared, number: int, row: Row) -> Variant:
-    from build_fmu.export import compile_scene, load_scene, write_fmu, write_parameter_set
-    from solver.scene import Given, SceneError
+    from build_fmu.export import compile_scene, write_fmu, write_parameter_set
+    from solver.scene.reader import read_file
 
     own = {name: Given(entry.value, entry.where, entry.named) for name, entry in row.items()}
     values = {name: entry.value for name, entry in row.items()}
     try:
-        scene = load_scene(shared.scene, {**shared.overrides, **own})
+        scene = read_file(shared.scene, {**shared.overrides, **own})
         model = compile_scene(scene)
     except SceneError as error:
         return Variant(number, "", values, tuple(error.sentences()))
     path = Path(shared.folder, shared.name(number))
     write_parameter_set(model, write_fmu(model, path, scene))
-    return Variant(number, path.name, values)
+    return Variant(number, path.name, values, warnings=scene.sentences())
 
 
 def _lost(job: tuple[int, Row], reason: str) -> Variant:
