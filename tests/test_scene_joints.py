@@ -30,10 +30,7 @@ from solver.scene import (
     parse,
     schema,
 )
-from solver.scene.draft import Draft
-from solver.scene.names import inventory_of_draft
-from solver.scene.quantities import inventory_of, position_symbols, quantities, rate_symbols
-from solver.scene.report import Source
+from tests.scene_quantities import quantities_of
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -125,21 +122,16 @@ def test_a_place_on_a_body_and_on_the_ground_are_kept_and_that_of_a_point_is_not
     assert SCENE.joints["j1"].points == (TIP, PointReference(point="b2", at=(0.0, 0.0, 1.0)))
 
 
-@pytest.mark.parametrize("text", [SPACE, PLANE], ids=["space", "plane"])
-def test_file_and_scene_have_the_same_quantities(text):
-    """The reader judges expressions by the file; the mechanism answers by the scene."""
-    scene = loads(text)
-    draft = Draft(tomllib.loads(text), Source(), [])
-    assert quantities(inventory_of_draft(draft, scene.dimension)) == quantities(inventory_of(scene))
-
-
 def own(names, *prefixes):
     return {name for name in names if name.split(".")[0] in prefixes}
 
 
 def test_positions_and_rates_are_those_of_points_bodies_and_joints():
-    inventory = inventory_of(loads(PLANE))
-    positions, rates = position_symbols(inventory), rate_symbols(inventory)
+    levels = quantities_of(PLANE)
+    positions, rates = (
+        {name for name, level in levels.items() if level == wanted}
+        for wanted in ("position", "rate")
+    )
     assert own(positions, "A", "link") == {"A.x", "A.y", "link.angle"}
     assert own(positions, "b1") == {"b1.x", "b1.y", "b1.angle", "b1.tip.x", "b1.tip.y"}
     assert own(rates, "b2", "link") == {
@@ -179,7 +171,7 @@ def test_positions_and_rates_are_those_of_points_bodies_and_joints():
 )  # fmt: skip
 def test_quantities_in_space(name, words):
     expected = {f"{name}.{word}" for word in words.split()}
-    assert own(quantities(inventory_of(SCENE)), name) == expected
+    assert own(quantities_of(SPACE), name) == expected
 
 
 @pytest.mark.parametrize(
@@ -194,7 +186,7 @@ def test_quantities_in_space(name, words):
 )
 def test_quantities_in_the_plane(name, words):
     expected = {f"{name}.{word}" for word in words.split()}
-    assert own(quantities(inventory_of(loads(PLANE))), name) == expected
+    assert own(quantities_of(PLANE), name) == expected
 
 
 def test_a_joint_of_unknown_type_is_reported_alone():

@@ -9,7 +9,8 @@ from typing import Any
 from solver.scene.draft import Draft
 from solver.scene.numbers import Numbers
 from solver.scene.report import Path, location_of
-from solver.scene.vocabulary import BodyJoint, Input, Joint
+from solver.scene.vocabulary_joints import BodyJoint, Joint
+from solver.scene.vocabulary_parts import Input
 
 LARGE = 100.0
 """Length in m from which it may be one in mm, and ratio of one to the next smaller of the scene."""
@@ -88,17 +89,13 @@ def _lengths(draft: Draft) -> Iterator[tuple[Path, float]]:
     """Plain numbers of positions and sizes, each with its place."""
     for table in ("points", "bodies"):
         for name, part in draft.table(table).items():
-            yield from _numbers((table, name, "position"), part.get("position"))
-            for field in ("points", "shape"):
-                if isinstance(part.get(field), dict):
-                    for word, value in part[field].items():
-                        if word != "density":
-                            yield from _numbers((table, name, field, word), value)
+            for field in ("position", "points", "shape"):
+                yield from _numbers((table, name, field), part.get(field))
 
 
 def _numbers(path: Path, value: Any) -> Iterator[tuple[Path, float]]:
-    if isinstance(value, list):
-        for i, item in enumerate(value):
-            yield from _numbers((*path, i), item)
-    elif isinstance(value, (int, float)):
+    if isinstance(value, dict | list):
+        for step, item in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from _numbers((*path, step), item)
+    elif isinstance(value, int | float) and path[-1] != "density":
         yield path, float(value)

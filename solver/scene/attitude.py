@@ -16,7 +16,7 @@ from solver.scene.geometry import Geometry, applied, dot
 from solver.scene.numbers import GEOMETRY
 from solver.scene.report import Path
 from solver.scene.schema_shapes import InBodyAxes, Orientation
-from solver.scene.vocabulary import Vector
+from solver.scene.vocabulary_parts import Vector
 
 Matrix: TypeAlias = tuple[Vector, Vector, Vector]
 

@@ -10,7 +10,7 @@ from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
 from solver.scene.references import References
-from solver.scene.vocabulary import Bar, Body, Point, Rigid
+from solver.scene.vocabulary_parts import Bar, Body, Point, Rigid
 from solver.scene.weight import read_weight
 
 

@@ -11,7 +11,8 @@ from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_ZERO
 from solver.scene.references import References
 from solver.scene.report import Path
-from solver.scene.vocabulary import BodyJoint, Vector
+from solver.scene.vocabulary_joints import BodyJoint
+from solver.scene.vocabulary_parts import Vector
 
 ALIGNED = 1e-6
 """Sine of an angle below which directions count as parallel, and its cosine as perpendicular."""

@@ -6,7 +6,7 @@ as ``BROKEN``, so that the rest of the part can still be checked in the same run
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -75,7 +75,9 @@ class Draft:
 
     def parts(self, table: str) -> dict[str, Any]:
         """Check all parts of a table against their schema; parts without a usable type drop out."""
-        checked = {}
+        checked, types = {}, TYPES.get(table, {})
+        if table == "joints" and self.data.get("dimension") == 2:
+            types = {word: model for word, model in types.items() if word not in ONLY_IN_SPACE}
         for name, data in self.table(table).items():
             path = (table, name)
             if table == "parameters" and not isinstance(data, dict):
@@ -83,55 +85,52 @@ class Draft:
             elif not isinstance(data, dict):
                 help = "write it as a table: { ... }"
                 self.error(path, f"must be a table of fields, got {shown(data)}", help)
-            elif (model := self._model(table, path, data)) is not None:
-                if fitting := self._fitting(table, model, data):
+            elif (model := PARTS.get(table) or self._model(path, data, types)) is not None:
+                if fitting := _fitting(model, data, types):
                     self._wrong_type(path, model, data, fitting)
-                    model, data = TYPES[table][fitting[0]], data | {"type": fitting[0]}
+                    model, data = types[fitting[0]], data | {"type": fitting[0]}
                 checked[name] = self.part(path, model, data)
         return checked
 
-    def _model(self, table: str, path: Path, data: dict[str, Any]) -> type[Part] | None:
-        if table in PARTS:
-            return PARTS[table]
-        known, wanted = TYPES[table], data.get("type")
-        if wanted is None and table == "bodies":
+    def _model(
+        self, path: Path, data: dict[str, Any], known: dict[str, type[Part]]
+    ) -> type[Part] | None:
+        table = str(path[0])
+        if table == "bodies" and data.get("type") is None:
             if not isinstance(data.get("points"), list):
                 return known["rigid"]
             self.error(path, "'type' is missing; a body with two points is a bar", _BAR)
             return None
-        planar = table == "joints" and self.data.get("dimension") == 2
-        if planar and isinstance(wanted, str) and wanted in ONLY_IN_SPACE:
-            message = f"'{wanted}' is possible only in dimension 3"
-            self.error((*path, "type"), message, ONLY_IN_SPACE[wanted])
-            return None
+
+        def elsewhere(word: str) -> tuple[str, str] | None:
+            if table == "joints" and word in ONLY_IN_SPACE:
+                return f"'{word}' is possible only in dimension 3", ONLY_IN_SPACE[word]
+            home = next((home for home, types in TYPES.items() if word in types), None)
+            if home is None or nearest(word, known, table):
+                return None
+            return f"unknown type {shown(word)}", f"'{word}' is a type of [{home}]: write it there"
+
+        return self.model(path, data, known, f"known types of {table}", elsewhere, table)
+
+    def model(
+        self, path: Path, data: dict[str, Any], known: Mapping[str, type[Part]], title: str,
+        elsewhere: Callable[[str], tuple[str, str] | None], place: str = "",
+    ) -> type[Part] | None:  # fmt: skip
+        """Return the model of the type that a part has; report one that is not known.
+
+        `elsewhere` has message and help for a type that is known at another place of a scene.
+        """
+        wanted = data.get("type")
         if isinstance(wanted, str) and wanted in known:
             return known[wanted]
-        known = [word for word in known if not (planar and word in ONLY_IN_SPACE)]
         if wanted is None:
-            help = f"write type = ...; known types of {table}: {', '.join(known)}"
+            help = f"write type = ...; {title}: {', '.join(known)}"
             self.error(path, "'type' is missing", help)
         else:
-            help = did_you_mean(str(wanted), known, f"known types of {table}", table)
-            homes = [home for home, types in TYPES.items() if str(wanted) in types]
-            if homes and not nearest(str(wanted), known, table):
-                help = f"'{wanted}' is a type of [{homes[0]}]: write it there"
-            self.error((*path, "type"), f"unknown type {shown(wanted)}", help)
+            help = did_you_mean(str(wanted), known, title, place)
+            words = elsewhere(str(wanted)) or (f"unknown type {shown(wanted)}", help)
+            self.error((*path, "type"), *words)
         return None
-
-    def _fitting(self, table: str, model: type[Part], data: dict[str, Any]) -> list[str]:
-        """Types of a table that have all fields of a part, where its own type has not."""
-        own = model.model_fields
-        misspelt = [nearest(name, own.keys() - data.keys(), "fields") for name in data.keys() - own]
-        planar = self.data.get("dimension") == 2
-        found = [
-            word
-            for word, other in TYPES.get(table, {}).items()
-            if misspelt
-            and data.keys() <= other.model_fields.keys()
-            and all(name in data for name, x in other.model_fields.items() if x.is_required())
-            and not (planar and word in ONLY_IN_SPACE)
-        ]
-        return found if len(found) == 1 or not all(misspelt) else []
 
     def _wrong_type(
         self, path: Path, model: type[Part], data: dict[str, Any], fitting: list[str]
@@ -204,6 +203,20 @@ class Draft:
         if self.data.get("dimension") == 2:
             text = text.replace("[0, ", "[", 1)
         return f"write {name} = {text}"
+
+
+def _fitting(model: type[Part], data: dict[str, Any], types: Mapping[str, type[Part]]) -> list[str]:
+    """Types of a table that have all fields of a part, where its own type has not."""
+    own = model.model_fields
+    misspelt = [nearest(name, own.keys() - data.keys(), "fields") for name in data.keys() - own]
+    found = [
+        word
+        for word, other in types.items()
+        if misspelt
+        and data.keys() <= other.model_fields.keys()
+        and all(name in data for name, x in other.model_fields.items() if x.is_required())
+    ]
+    return found if len(found) == 1 or not all(misspelt) else []
 
 
 def _existing(location: Path, data: Any) -> Path:

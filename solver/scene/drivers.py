@@ -13,13 +13,8 @@ from solver.scene.numbers import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW
 from solver.scene.quantities import Level
 from solver.scene.references import References
 from solver.scene.report import Path
-from solver.scene.vocabulary import (
-    Constraint,
-    DistanceDriver,
-    Driver,
-    JointDriver,
-    PositionDriver,
-)
+from solver.scene.vocabulary_forces import DistanceDriver, Driver, JointDriver, PositionDriver
+from solver.scene.vocabulary_joints import Constraint
 
 
 class Drivers:

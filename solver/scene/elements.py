@@ -11,9 +11,9 @@ from solver.scene.fields import BROKEN
 from solver.scene.forces import Forces
 from solver.scene.joint_names import JointNames
 from solver.scene.joints import Joints
-from solver.scene.numbers import Known
 from solver.scene.quantities import Inventory
-from solver.scene.schema import TYPES
+from solver.scene.vocabulary_forces import PositionDriver
+from solver.scene.vocabulary_parts import Bar
 
 
 def read_elements(bodies_reader: Bodies, inventory: Inventory) -> dict[str, Any]:
@@ -27,15 +27,12 @@ def read_elements(bodies_reader: Bodies, inventory: Inventory) -> dict[str, Any]
     forces = Forces(geometry, references, names).read(points, bodies)
     drivers = drivers_reader.read()
     _something_moves(geometry.draft, points)
-    _free_points_have_mass(geometry.draft, bodies_reader.parts["points"], geometry.known)
-    return {
-        "points": points,
-        "bodies": bodies,
-        "joints": joints,
-        "constraints": constraints,
-        "forces": forces,
-        "drivers": drivers,
+    read = {
+        **{"points": points, "bodies": bodies, "joints": joints, "constraints": constraints},
+        **{"forces": forces, "drivers": drivers},
     }
+    _free_points_have_mass(geometry.draft, bodies_reader.parts["points"], read)
+    return read
 
 
 def _something_moves(draft: Draft, points: dict[str, Any]) -> None:
@@ -49,26 +46,18 @@ def _something_moves(draft: Draft, points: dict[str, Any]) -> None:
         draft.error(("points",), "all points are fixed: nothing can move")
 
 
-_CARRIERS = ("bar", "spherical", "revolute", "position")
-"""Types of bodies, joints and drivers that give a point mass, or need none of it."""
-
-
-def _free_points_have_mass(draft: Draft, drawn: dict[str, Any], known: Known) -> None:
-    """Report points that certainly have no mass: none of their own, of a bar or of a body."""
-    carried: set[str] = set()
-    for table in ("bodies", "joints", "drivers"):
-        parts = draft.data.get(table, {})
-        for part in parts.values() if isinstance(parts, dict) else ():
-            kind = part.get("type", "rigid") if isinstance(part, dict) else None
-            if kind in _CARRIERS or not (isinstance(kind, str) and kind in TYPES[table]):
-                ends = part.get("points", part.get("point")) if isinstance(part, dict) else None
-                names = ends if isinstance(ends, list) else [ends]
-                carried |= {str(name) for name in names}
-    if not carried <= {*known.ends, "ground"}:
+def _free_points_have_mass(draft: Draft, drawn: dict[str, Any], read: dict[str, Any]) -> None:
+    """Report points that have no mass: none of their own or of a bar, and no driver."""
+    if any(len(read[table]) < len(draft.table(table)) for table in ("bodies", "drivers")):
+        return  # what was left out may carry any point
+    bars = [body for body in read["bodies"].values() if isinstance(body, Bar)]
+    carried = {end for bar in bars for end in bar.points}
+    if not carried <= read["points"].keys():
         return  # a name that is none is reported already, and may mean any point
+    carried |= {x.point.point for x in read["drivers"].values() if isinstance(x, PositionDriver)}
     for name, part in drawn.items():
         nothing = part.mass is None or (part.mass is not BROKEN and part.mass.number == 0.0)
         if nothing and part.fixed is False and name not in carried:
             message = f"free point '{name}' has no mass"
-            help = "give it a mass, a bar, a joint with a body or fixed = true"
+            help = "give it a mass, a bar or fixed = true, or make it a point of a body"
             draft.error(("points", name), message, help)

@@ -16,18 +16,11 @@ __all__ = [
     "Expr",
     "ExpressionError",
     "Number",
-    "absolute",
-    "acos",
-    "asin",
-    "atan",
     "atan2",
     "calls",
     "cos",
     "evaluate",
-    "exp",
     "log",
-    "maximum",
-    "minimum",
     "operate",
     "parse",
     "read",
@@ -37,7 +30,6 @@ __all__ = [
     "sqrt",
     "symbol",
     "symbols",
-    "tan",
 ]
 
 
@@ -51,26 +43,6 @@ def cos(x: Number) -> Number:
     return operate("cos", x)
 
 
-def tan(x: Number) -> Number:
-    """Tangent of an angle in rad."""
-    return operate("tan", x)
-
-
-def asin(x: Number) -> Number:
-    """Angle in [-pi/2, pi/2] whose sine is x."""
-    return operate("asin", x)
-
-
-def acos(x: Number) -> Number:
-    """Angle in [0, pi] whose cosine is x."""
-    return operate("acos", x)
-
-
-def atan(x: Number) -> Number:
-    """Angle in [-pi/2, pi/2] whose tangent is x."""
-    return operate("atan", x)
-
-
 def atan2(y: Number, x: Number) -> Number:
     """Angle in [-pi, pi] of the vector (x, y)."""
     return operate("atan2", y, x)
@@ -81,29 +53,9 @@ def sqrt(x: Number) -> Number:
     return operate("sqrt", x)
 
 
-def exp(x: Number) -> Number:
-    """Exponential function."""
-    return operate("exp", x)
-
-
 def log(x: Number) -> Number:
     """Natural logarithm."""
     return operate("log", x)
-
-
-def absolute(x: Number) -> Number:
-    """Absolute value; ``abs`` in a scene."""
-    return operate("abs", x)
-
-
-def minimum(x: Number, y: Number) -> Number:
-    """Smaller of two numbers; ``min`` in a scene."""
-    return operate("min", x, y)
-
-
-def maximum(x: Number, y: Number) -> Number:
-    """Larger of two numbers; ``max`` in a scene."""
-    return operate("max", x, y)
 
 
 def sign(x: Number) -> Number:

@@ -4,10 +4,11 @@ A number is a finite float or the text of an expression, and arrives as a ``Read
 mistake has been reported holds ``BROKEN``.
 """
 
+# pyright: reportInvalidTypeForm=false
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeAlias, Union
 
 from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema
 from pydantic_core import PydanticCustomError
@@ -84,27 +85,16 @@ def shape_of(value: object) -> str:
     return "vectors" if any(isinstance(item, list) for item in value) else "vector"
 
 
-NumberOrVector = Annotated[
-    Annotated[Expression, Tag("number")]
-    | Annotated[Expression, Tag("table")]
-    | Annotated[Vector, Tag("vector")]
-    | Annotated[Vector, Tag("vectors")],
-    Discriminator(shape_of),
-]
-VectorOrVectors = Annotated[
-    Annotated[Vector, Tag("number")]
-    | Annotated[Vector, Tag("table")]
-    | Annotated[Vector, Tag("vector")]
-    | Annotated[list[Vector], Tag("vectors")],
-    Discriminator(shape_of),
-]
-NumberToMatrix = Annotated[
-    Annotated[Expression, Tag("number")]
-    | Annotated[Expression, Tag("table")]
-    | Annotated[Vector, Tag("vector")]
-    | Annotated[list[Vector], Tag("vectors")],
-    Discriminator(shape_of),
-]
+def by_shape(number: Any, table: Any, vector: Any, vectors: Any) -> Any:
+    """Type of a field that is read as one of these, by the shape of its value."""
+    types = {"number": number, "table": table, "vector": vector, "vectors": vectors}
+    tagged = tuple(Annotated[kind, Tag(shape)] for shape, kind in types.items())
+    return Annotated[Union[tagged], Discriminator(shape_of)]  # noqa: UP007
+
+
+NumberOrVector: TypeAlias = by_shape(Expression, Expression, Vector, Vector)
+VectorOrVectors: TypeAlias = by_shape(Vector, Vector, Vector, list[Vector])
+NumberToMatrix: TypeAlias = by_shape(Expression, Expression, Vector, list[Vector])
 
 
 def _two(*example: object) -> Any:

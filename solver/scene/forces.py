@@ -12,22 +12,19 @@ from solver.scene.joint_names import JointNames
 from solver.scene.numbers import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
 from solver.scene.references import References
 from solver.scene.report import Path
-from solver.scene.vocabulary import (
-    Body,
+from solver.scene.vocabulary_forces import (
     Damper,
     Force,
     ForceElement,
     Gravitation,
     JointTorque,
-    Point,
     Potential,
-    Rigid,
     Spring,
     Torque,
     TorsionDamper,
     TorsionSpring,
-    Vector,
 )
+from solver.scene.vocabulary_parts import Body, Point, Rigid, Vector
 
 STORED = Place(own=("length",))
 """Where the energy of a spring stands."""

@@ -10,7 +10,7 @@ from solver.scene.expression import ExpressionError, Number
 from solver.scene.fields import BROKEN
 from solver.scene.numbers import GEOMETRY, Numbers, Place
 from solver.scene.report import Path
-from solver.scene.vocabulary import Vector
+from solver.scene.vocabulary_parts import Vector
 
 T = TypeVar("T")
 

@@ -14,7 +14,7 @@ from solver.scene.joint_names import JointNames
 from solver.scene.numbers import GEOMETRY, NOT_ZERO, POSITIVE, Place
 from solver.scene.references import References
 from solver.scene.report import Path
-from solver.scene.vocabulary import (
+from solver.scene.vocabulary_joints import (
     ConstantAngle,
     Distance,
     Gear,

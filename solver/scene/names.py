@@ -10,10 +10,9 @@ from typing import Any
 from solver.scene.draft import Draft
 from solver.scene.numbers import Known, a
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
-from solver.scene.quantities import Inventory
+from solver.scene.quantities import SHARED_POINT, Inventory
 from solver.scene.report import Path
 from solver.scene.schema import TYPES
-from solver.scene.types_of_parts import SHARED_POINT
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from solver.scene.expression import ExpressionError, cos, sin, symbols
 from solver.scene.geometry import Geometry, applied
 from solver.scene.report import Path
-from solver.scene.vocabulary import Rigid, Vector
+from solver.scene.vocabulary_parts import Rigid, Vector
 
 SAME = 1e-12
 """Distance of equal places, relative to their coordinates: the round-off of a rotation."""
@@ -63,10 +63,10 @@ class Places:
         self._mark(name, (f"{name}.{point}" for point in body.points))
 
     def _mark(self, body: str, points: Iterable[str]) -> None:
-        places = {point: self.geometry.values(self.drawn.get(point, ())) for point in points}
+        places = {point: self.geometry.values(self.drawn.get(point, ())) or [] for point in points}
         size = len(self.geometry.zero())
         if len(self.drawn[body]) == size:
-            self.marks[body] = {n: place for n, place in places.items() if len(place or ()) == size}
+            self.marks[body] = {n: place for n, place in places.items() if len(place) == size}
 
     def point_at(self, path: Path, body: str | None, place: Vector) -> str | None:
         """Named point of a body that a place of the file means, if any.

@@ -11,12 +11,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from solver.scene.types_of_parts import SHARED_POINT, type_of
-from solver.scene.vocabulary import Rigid, Scene
-
 Level: TypeAlias = Literal["position", "rate", "result"]
 """Of the drawn and moved configuration, of its velocities, or of the solution as a whole."""
 
+SHARED_POINT = "shared_point"
+"""Type of a spherical or revolute joint that is given by points: it has a force and no angle."""
 WITH_ANGLE = ("revolute", "cylindrical", "screw")
 """Joints whose second body turns about an axis of the first; given by bodies, not by points."""
 WITH_DISPLACEMENT = ("prismatic", "cylindrical", "screw")
@@ -55,37 +54,9 @@ class Inventory:
         return "xyz" if self.dimension == 3 else "z" if rotation else "xy"
 
 
-def inventory_of(scene: Scene) -> Inventory:
-    """List the parts of a scene."""
-    return Inventory(
-        dimension=scene.dimension,
-        points=tuple(scene.points),
-        bodies={name: type_of(body) for name, body in scene.bodies.items()},
-        body_points=tuple(
-            f"{name}.{point}"
-            for name, body in scene.bodies.items()
-            for point in (body.points if isinstance(body, Rigid) else ())
-        ),
-        joints={name: type_of(joint) for name, joint in scene.joints.items()},
-        constraints=tuple(scene.constraints),
-        forces={name: type_of(force) for name, force in scene.forces.items()},
-        drivers={name: type_of(driver) for name, driver in scene.drivers.items()},
-    )
-
-
 def quantities(inventory: Inventory) -> dict[str, Level]:
     """Return the names of all quantities of a mechanism, each with its level."""
     return dict(_listed(inventory))
-
-
-def position_symbols(inventory: Inventory) -> frozenset[str]:
-    """Names of the quantities that are functions of the configuration."""
-    return frozenset(name for name, level in _listed(inventory) if level == "position")
-
-
-def rate_symbols(inventory: Inventory) -> frozenset[str]:
-    """Names of the quantities that are functions of configuration and velocities."""
-    return frozenset(name for name, level in _listed(inventory) if level == "rate")
 
 
 def _listed(inventory: Inventory) -> Iterator[tuple[str, Level]]:

@@ -13,7 +13,7 @@ from solver.scene.geometry import Geometry
 from solver.scene.numbers import a, unknown_end
 from solver.scene.places import Places, same
 from solver.scene.report import Path
-from solver.scene.vocabulary import PointReference, Vector
+from solver.scene.vocabulary_parts import PointReference, Vector
 from solver.scene.words import did_you_mean
 
 NOWHERE = PointReference(point=None)

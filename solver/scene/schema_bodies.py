@@ -1,18 +1,19 @@
 """Fields of points and bodies in a scene file, and of what a body's shape and attitude may be."""
 
+# pyright: reportInvalidTypeForm=false
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, NoReturn
+from typing import Annotated, Any, Literal, NoReturn, TypeAlias
 
-from pydantic import Discriminator, Field, PlainValidator, Tag, WithJsonSchema
+from pydantic import Field, PlainValidator, WithJsonSchema
 
 from solver.scene.fields import (
     Expression,
     NumberToMatrix,
     Two,
     Vector,
+    by_shape,
     mistake,
-    shape_of,
     shown,
 )
 from solver.scene.schema_part import Part
@@ -26,7 +27,7 @@ def _table(*models: type[Part]) -> Any:
     return Annotated[dict[str, Any], WithJsonSchema(schema)]
 
 
-Shape = _table(*(SHAPES[3] | SHAPES[2]).values())
+Shape: TypeAlias = _table(*(SHAPES[3] | SHAPES[2]).values())
 
 
 def _no_list(value: object) -> NoReturn:
@@ -35,20 +36,9 @@ def _no_list(value: object) -> NoReturn:
     raise mistake({"message": message, "help": help})
 
 
-AngleOrAttitude = Annotated[
-    Annotated[Expression, Tag("number")]
-    | Annotated[_table(Orientation), Tag("table")]
-    | Annotated[Expression, PlainValidator(_no_list), Tag("vector")]
-    | Annotated[Expression, PlainValidator(_no_list), Tag("vectors")],
-    Discriminator(shape_of),
-]
-Spin = Annotated[
-    Annotated[Expression, Tag("number")]
-    | Annotated[_table(InBodyAxes), Tag("table")]
-    | Annotated[Vector, Tag("vector")]
-    | Annotated[Vector, Tag("vectors")],
-    Discriminator(shape_of),
-]
+_NoList = Annotated[Expression, PlainValidator(_no_list)]
+AngleOrAttitude: TypeAlias = by_shape(Expression, _table(Orientation), _NoList, _NoList)
+Spin: TypeAlias = by_shape(Expression, _table(InBodyAxes), Vector, Vector)
 
 
 class Point(Part):
@@ -88,7 +78,7 @@ class Rigid(Part):
     angular_velocity: Spin | None = Field(
         None, description="rad/s: a number in 2-D; in 3-D a vector, or { body = [...] }"
     )
-    shape: Shape | None = Field(  # pyright: ignore[reportInvalidTypeForm]
+    shape: Shape | None = Field(
         None, description="box, cylinder or sphere; in 2-D box, disc or rod; with a density or mass"
     )
     points: dict[str, Vector] = Field({}, description="m, named points in body axes")

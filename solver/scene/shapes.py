@@ -10,7 +10,7 @@ from solver.scene.fields import BROKEN, shown
 from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
 from solver.scene.report import Path
-from solver.scene.vocabulary import Vector
+from solver.scene.vocabulary_parts import Vector
 
 
 class Sizes:

@@ -11,7 +11,7 @@ from solver.scene.fields import BROKEN
 from solver.scene.numbers import PARAMETER, Numbers
 from solver.scene.report import Path
 from solver.scene.units import not_of_si
-from solver.scene.vocabulary import Input, Parameter
+from solver.scene.vocabulary_parts import Input, Parameter
 
 
 def read_parameters(numbers: Numbers) -> dict[str, Parameter]:

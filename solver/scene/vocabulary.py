@@ -13,81 +13,9 @@ from typing import Literal, NoReturn
 
 from solver.scene.expression import Number
 from solver.scene.report import Problem, SceneError, Source
-from solver.scene.vocabulary_forces import (
-    Damper,
-    DistanceDriver,
-    Driver,
-    Force,
-    ForceElement,
-    Gravitation,
-    JointDriver,
-    JointTorque,
-    PositionDriver,
-    Potential,
-    Spring,
-    Torque,
-    TorsionDamper,
-    TorsionSpring,
-)
-from solver.scene.vocabulary_joints import (
-    BodyJoint,
-    ConstantAngle,
-    Constraint,
-    Distance,
-    Gear,
-    Joint,
-    PointOn,
-    Rack,
-    Rolling,
-)
-from solver.scene.vocabulary_parts import (
-    Bar,
-    Body,
-    Input,
-    Parameter,
-    Point,
-    PointReference,
-    Rigid,
-    Vector,
-)
-
-__all__ = [
-    "Bar",
-    "Body",
-    "BodyJoint",
-    "ConstantAngle",
-    "Constraint",
-    "Damper",
-    "Distance",
-    "DistanceDriver",
-    "Driver",
-    "Experiment",
-    "Force",
-    "ForceElement",
-    "Gear",
-    "Gravitation",
-    "Input",
-    "Joint",
-    "JointDriver",
-    "JointTorque",
-    "Output",
-    "Parameter",
-    "Point",
-    "PointOn",
-    "PointReference",
-    "PositionDriver",
-    "Potential",
-    "Rack",
-    "Rigid",
-    "Rolling",
-    "Scene",
-    "SolverSettings",
-    "Spring",
-    "Torque",
-    "TorsionDamper",
-    "TorsionSpring",
-    "Vector",
-]
+from solver.scene.vocabulary_forces import Driver, ForceElement
+from solver.scene.vocabulary_joints import Constraint, Joint
+from solver.scene.vocabulary_parts import Body, Input, Parameter, Point, Vector
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,14 +10,13 @@ import math
 from typing import Any, TypeAlias
 
 from solver.scene.expression import Number
-from solver.scene.fields import BROKEN, shown
+from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
 from solver.scene.report import Path
 from solver.scene.schema_shapes import SHAPES
 from solver.scene.shapes import GYRATION, Sizes
-from solver.scene.vocabulary import Vector
-from solver.scene.words import did_you_mean
+from solver.scene.vocabulary_parts import Vector
 
 Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
 
@@ -89,21 +88,16 @@ def _scaled(mass: Number, radii: Vector) -> Inertia:
 
 def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
     """Check the fields of a shape; None where its type is of no use."""
-    kind = data.get("type")
     known = SHAPES.get(geometry.dimension or 0, SHAPES[3] | SHAPES[2])
-    if isinstance(kind, str) and kind in known:
-        return geometry.draft.part(path, known[kind], data)
-    words = f"shapes in dimension {geometry.dimension or 3}"
-    if kind is None:
-        help = f"write type = ...; {words}: {', '.join(known)}"
-        geometry.draft.error(path, "'type' is missing", help)
-    elif isinstance(kind, str) and kind in SHAPES[2] | SHAPES[3]:
-        message = f"'{kind}' is possible only in dimension {2 if kind in SHAPES[2] else 3}"
-        geometry.draft.error((*path, "type"), message, f"{words}: {', '.join(known)}")
-    else:
-        help = did_you_mean(str(kind), known, words)
-        geometry.draft.error((*path, "type"), f"unknown type {shown(kind)}", help)
-    return None
+    title = f"shapes in dimension {geometry.dimension or 3}"
+
+    def elsewhere(kind: str) -> tuple[str, str] | None:
+        possible = [dimension for dimension, shapes in SHAPES.items() if kind in shapes]
+        message = f"'{kind}' is possible only in dimension {(*possible, 0)[0]}"
+        return (message, f"{title}: {', '.join(known)}") if possible else None
+
+    model = geometry.draft.model(path, data, known, title, elsewhere)
+    return None if model is None else geometry.draft.part(path, model, data)
 
 
 def _inertia(geometry: Geometry, path: Path, given: Any) -> Inertia:

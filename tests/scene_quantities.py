@@ -1,0 +1,21 @@
+"""Quantities that the reader of a scene knows, by its file alone."""
+
+from __future__ import annotations
+
+import sys
+
+from solver.scene.draft import Draft
+from solver.scene.names import inventory_of_draft
+from solver.scene.quantities import quantities
+from solver.scene.report import Source
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+
+def quantities_of(text):
+    """Names of all quantities of a scene in TOML, each with its level."""
+    data = tomllib.loads(text)
+    return quantities(inventory_of_draft(Draft(data, Source(), []), data.get("dimension", 3)))
