@@ -46,7 +46,7 @@ def test_a_file_that_becomes_too_large_is_named(tmp_path, size, file, command):
     fmu = scene_fmu("double_pendulum")
     code, err = limited(tmp_path, size, *(fmu if word == "FMU" else word for word in command))
     assert code == 2
-    assert err.splitlines()[-1].startswith(f"build-fmu: {file}: ")
+    assert err.splitlines()[-1].startswith(f"holonom: {file}: ")
     assert "Traceback" not in err
 
 
@@ -65,7 +65,7 @@ def test_so_is_a_small_file_on_a_disk_that_is_full_by_then(tmp_path, monkeypatch
     if name == "manifest.csv":
         command = ("variants", PENDULUM, "-o", tmp_path, "--grid", "mass=1", "--engine", "serial")
     code, _, err = run(capsys, *command)
-    assert (code, err) == (2, f"build-fmu: {tmp_path / name}: No space left on device\n")
+    assert (code, err) == (2, f"holonom: {tmp_path / name}: No space left on device\n")
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device")
@@ -77,4 +77,4 @@ def test_a_full_disk_behind_the_standard_output_is_said(tmp_path, command):
             cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
         )  # fmt: skip
     assert process.returncode == 2
-    assert process.stderr == "build-fmu: the standard output: No space left on device\n"
+    assert process.stderr == "holonom: the standard output: No space left on device\n"

@@ -209,6 +209,13 @@ def test_a_pose_that_leaves_the_joint_in_its_place_is_right():
     assemble(scene)
 
 
+def test_a_body_that_is_replaced_as_a_whole_is_moved_as_well():
+    arm = json.loads(arm_on_a_pin(TIP))["bodies"]["arm"]
+    overrides = {"bodies.arm": arm | {"position": [0.25, 0]}}
+    _, (sentence,) = read(arm_on_a_pin((0.1, 0.4)), **overrides)
+    assert "lies 0.25 m elsewhere on 'arm', which bodies.arm=a table has moved" in sentence
+
+
 def test_places_of_springs_on_bodies_are_treated_alike():
     spring = {"type": "spring", "points": ["ground", "arm"], "stiffness": 50.0}
     for at, override, told in [

@@ -49,10 +49,10 @@ class Draft:
         self.source = source
         self.problems = problems
         self.warnings: list[Problem] = []
-        self.seats: dict[tuple[Path, str], Seat] = {}
-        """Where each place lies on each of its bodies."""
-        self.seats_of_file: Mapping[tuple[Path, str], Seat] = {}
-        """The same without overrides, if there are some."""
+        self.seats: dict[tuple[Path, str], Seat] | None = None
+        """Where each place lies on each of its bodies, if that is asked for."""
+        self.seats_of_file: Mapping[tuple[Path, str], Seat] | None = None
+        """The same without overrides, if these move something."""
 
     def error(
         self, path: Path, message: str, help: str | None = None, mark: tuple[str, int] = ("", 1)
@@ -208,12 +208,13 @@ class Draft:
 def _fitting(model: type[Part], data: dict[str, Any], types: Mapping[str, type[Part]]) -> list[str]:
     """Types of a table that have all fields of a part, where its own type has not."""
     own = model.model_fields
+    if data.keys() <= own.keys():
+        return []
     misspelt = [nearest(name, own.keys() - data.keys(), "fields") for name in data.keys() - own]
     found = [
         word
         for word, other in types.items()
-        if misspelt
-        and data.keys() <= other.model_fields.keys()
+        if data.keys() <= other.model_fields.keys()
         and all(name in data for name, x in other.model_fields.items() if x.is_required())
     ]
     return found if len(found) == 1 or not all(misspelt) else []

@@ -76,8 +76,10 @@ class Places:
         given = self.geometry.values(place)
         if body not in self.marks or not given or len(given) != len(self.geometry.zero()):
             return None
-        seat = self.draft.seats[path, body] = self._seat(path, body, place, given)
-        before = self.draft.seats_of_file.get((path, body), seat)
+        seat = self._seat(path, body, place, given)
+        if self.draft.seats is not None:
+            self.draft.seats[path, body] = seat
+        before = (self.draft.seats_of_file or {}).get((path, body), seat)
         if any(p[: len(path)] == path[: len(p)] for p in self.draft.source.overrides):
             before = seat  # an override gives the place itself
         if before.point in self.marks[body]:
@@ -92,7 +94,8 @@ class Places:
         point = there[0] if len(there) == 1 else None
         if point and not _symbols(place) <= _symbols(self.drawn[point]):
             point = None  # it goes its own way when parameters change
-        if body not in self.rigid:
+        asked = self.draft.seats is not None or self.draft.seats_of_file
+        if body not in self.rigid or not asked:
             return Seat(point, None)
         rigid = self.rigid[body]
 
@@ -110,7 +113,8 @@ class Places:
         if gap <= DRAWN * max(map(abs, (*before.own, *seat.own))):
             return
         for replaced, text in self.draft.source.overrides.items():
-            if replaced[:2] == ("bodies", body) and replaced[2] in ("position", "orientation"):
+            pose = replaced[2:3] in ((), ("position",), ("orientation",))
+            if replaced[:2] == ("bodies", body) and pose:
                 message = (
                     f"stays where it is drawn, and so lies {gap:.3g} m elsewhere on '{body}', "
                     f"which {text} has moved"

@@ -12,6 +12,9 @@ from solver.scene.report import SceneError, Source
 from solver.scene.tables import tables_of, text_of
 from solver.scene.vocabulary import Scene
 
+_MOVING = ("parameters", "points", "bodies")
+"""Tables whose numbers say where bodies and their points are."""
+
 
 def read_file(path: str, overrides: Mapping[str, object]) -> Scene:
     """Read a scene file; see ``solver.scene.load``."""
@@ -24,12 +27,12 @@ def read_text(text: str, name: str, notation: str, overrides: Mapping[str, objec
     """Read the text of a scene; see ``solver.scene.loads``."""
     text = text.replace("\r\n", "\n")
     data, problems = tables_of(text, name, notation)
-    drawn = Draft(data, Source(name, text, notation), [])
-    if overrides and data.get("bodies"):
-        build(drawn)  # for where its places lie on its bodies
     source = Source(name, text, notation, *apply_overrides(data, overrides, problems))
     draft = Draft(data, source, problems)
-    draft.seats_of_file = drawn.seats
+    if data.get("bodies") and any(path[0] in _MOVING for path in source.overrides):
+        drawn = Draft(tables_of(text, name, notation)[0], Source(name, text, notation), [])
+        drawn.seats = draft.seats_of_file = {}
+        build(drawn)
     scene = build(draft)
     if problems:
         raise SceneError(problems, source)
