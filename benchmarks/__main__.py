@@ -6,10 +6,12 @@ import argparse
 import os
 import sys
 import time
+import warnings
 from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
+import solver
 from benchmarks.effort import FULL, QUICK, Effort
 from benchmarks.machine import describe
 from benchmarks.report import Section, as_json, as_markdown
@@ -37,6 +39,7 @@ DOCS = Path(__file__).resolve().parents[1] / "docs"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     options = _options(arguments)
+    warnings.simplefilter("ignore", solver.SceneWarning)  # bodies of a kilometre are meant
     effort = QUICK if options.quick else FULL
     machine = describe()
     sections = [_measure(name, effort) for name in options.names or SECTIONS]

@@ -42,7 +42,7 @@ def read_orientation(geometry: Geometry, path: Path, given: Any) -> Number | Mat
         geometry.draft.error(path, "must be a table in dimension 3, got a number", _EXAMPLE)
         return IDENTITY
     part = geometry.draft.part(path, Orientation, given)
-    return geometry.calculated(path, lambda: _matrix(geometry, path, part, given), IDENTITY)
+    return geometry.calculated(path, lambda: _matrix(geometry, path, part), IDENTITY)
 
 
 def read_spin(
@@ -71,13 +71,11 @@ def read_spin(
     return geometry.calculated(path, lambda: applied(orientation, own), geometry.zero())
 
 
-def _matrix(geometry: Geometry, path: Path, part: Any, fields: dict[str, Any]) -> Matrix:
+def _matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
     draft = geometry.draft
     names = ("axis", "quaternion", "rotation_vector", "matrix")
     ways = [name for name in names if getattr(part, name) is not None]
-    if not ways and not set(fields) <= Orientation.model_fields.keys():
-        pass  # a misspelt field is reported already
-    elif not ways and part.angle is not None:
+    if not ways and part.angle is not None:
         draft.error(path, "'axis' is missing", _EXAMPLE)
     elif len(ways) != 1 or (part.angle is not None and ways != ["axis"]):
         given = [*ways, *(["angle"] if part.angle is not None and "axis" not in ways else [])]
