@@ -65,7 +65,7 @@ def simulate(
         What to move.
     stop_time, step_size : float, optional
         End of the run and communication step [s]; the scene's own where left out. The internal
-        step is the setting ``step_size`` of the scene's solver.
+        step is the setting ``step_size`` of the scene's solver, unless there is a ``tolerance``.
     parameters, inputs : mapping of str to float, optional
         Values by name, kept for the whole run.
     outputs : sequence of str, optional

@@ -223,8 +223,7 @@ def model_of(fmu: Path) -> bytes:
         ("double_pendulum", {"mass": 2, "solver.step_size": 0.001}),
         ("double_wishbone", {"solver.max_newton": 15}),
         ("four_bar", {}),
-        # Order and longest step follow from a tolerance, and are in the set.
-        ("double_pendulum", {"solver.tolerance": 1e-6, "solver.step_size": 0.02}),
+        ("double_pendulum", {"solver.tolerance": 1e-6, "solver.longest_step": 0.02}),
     ],
 )
 def test_the_set_beside_an_fmu_is_valid_and_gives_the_same_model(tmp_path, scene, changes):

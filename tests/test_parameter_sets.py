@@ -84,26 +84,16 @@ def test_a_unit_that_cannot_be_converted_is_refused(capsys, tmp_path, target, un
     assert err.startswith(expected[message])
 
 
-def test_the_longest_step_follows_the_step_size_in_whatever_unit(tmp_path):
-    """In the set of a scene with a tolerance both are there, and the second says nothing new."""
-    changes = {"solver.tolerance": 1e-6, "solver.step_size": 0.02}
+def test_the_longest_step_is_a_setting_of_the_scene_in_whatever_unit(tmp_path):
+    changes = {"solver.tolerance": 1e-6, "solver.longest_step": 0.02}
     build(PENDULUM, tmp_path / "a.fmu", parameters=changes)
     text = (tmp_path / "a.ssv").read_text()
-    assert text.count('value="0.02" unit="s"') == 2
+    assert text.count('value="0.02" unit="s"') == 1
     other = text.replace('value="0.02" unit="s"', 'value="20.0" unit="ms"', 1)
     other = other.replace('<ssc:Unit name="s">', '<ssc:Unit name="ms">'
         '<ssc:BaseUnit s="1" factor="0.001"/></ssc:Unit><ssc:Unit name="s">')  # fmt: skip
     fmu = build(PENDULUM, tmp_path / "b.fmu", parameters=written(tmp_path, "b2.ssv", other))
     assert model_of(fmu) == model_of(tmp_path / "a.fmu")
-
-
-def test_a_place_that_looks_like_a_set_is_none(tmp_path):
-    """Only what stands in a set may repeat what the scene has."""
-    folder = tmp_path / "of.ssv:1"
-    folder.mkdir()
-    file = written(folder, "a.toml", "length = 0.5\nsolver.longest_step = 1e6\n")
-    with pytest.raises(Exception, match="longest_step"):
-        build(measured(tmp_path), tmp_path / "a.fmu", parameters=file)
 
 
 @pytest.mark.parametrize(

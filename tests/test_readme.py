@@ -95,7 +95,7 @@ def test_the_defaults_are_those_of_the_code(option, text):
 
 def test_every_option_is_in_the_table():
     options = {field.name for field in dataclasses.fields(scene.SolverSettings)}
-    assert options == {"formulation", "longest_step", *option_defaults()}
+    assert options == {"formulation", *option_defaults()}
 
 
 def test_the_commands_run_one_after_the_other(monkeypatch, tmp_path, capsys):

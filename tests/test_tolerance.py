@@ -116,8 +116,8 @@ def test_an_absolute_tolerance_is_a_floor_under_the_relative_one():
     assert coarse["solver.substeps"] < fine["solver.substeps"]
 
 
-def test_the_step_size_is_then_the_longest_internal_step():
-    run = swinging(0.1, step_size=0.01, order=2)
+def test_longest_step_is_then_the_longest_internal_step():
+    run = swinging(0.1, longest_step=0.01, order=2)
     run.advance(0.0, 1.0)
     assert run["solver.substeps"] >= 200.0
 

@@ -101,8 +101,6 @@ def _fitted(
     """Values in the units of the scene, without those that it has already."""
     variables = {v.name: v for v in model.variables if v.causality in ("parameter", "input")}
     fitted: dict[str, Entry] = {}
-    step = entries.get("solver.step_size", Entry(None, ""))
-    step = converted(step, "solver.step_size", "s", [])
     for name, entry in entries.items():
         variable = variables.get(name)
         if variable is None:
@@ -113,8 +111,7 @@ def _fitted(
             continue
         before = len(mistakes)
         value = converted(entry, name, variable.unit, mistakes)
-        follows = name == "solver.longest_step" and value == step
-        if value == variable.start or follows or len(mistakes) > before:
+        if value == variable.start or len(mistakes) > before:
             continue
         if variable.kind == "option" and isinstance(value, float) and value.is_integer():
             value = int(value)  # an FMU's numbers are Real, a scene's counts are not

@@ -9,7 +9,7 @@ from solver.mechanics.numbers import Numbers
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Segment
 from solver.runtime.layout import SIZES, measured_size
-from solver.runtime.options import SLOTS
+from solver.runtime.options import slots_for
 from solver.scene import Expr, Number, Scene
 
 
@@ -96,7 +96,7 @@ def sizes_of(
         "n_local_nodes": max([1, *(len(c.nodes) for c in composites)]),
         "n_lu_values": tables["lu_ptr"][-1],
         "n_lean_values": (tables["lean_lu_ptr"] or (0,))[-1],
-        "n_slots": SLOTS[scene.solver.order],
+        "n_slots": slots_for(scene.solver.order, chosen=scene.solver.tolerance > 0.0),
         "n_islands": structure.islands.count,
     }
     return {name: known[name] for name in SIZES}

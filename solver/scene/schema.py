@@ -62,8 +62,8 @@ class Solver(Part):
     ] = "conserving-al"
     algorithm: Literal["nested", "simultaneous"] = "nested"
     multiplier_update: Literal["end", "paper"] = "end"
-    order: Literal[0, 2, 4, 6, 8] | None = Field(
-        None, description="0: chosen by the tolerance, 2 without one"
+    order: Literal[0, 2, 4, 6, 8] = Field(
+        0, description="0: chosen by the tolerance, 2 without one"
     )
     paired: bool = True
     step_size: Expression | None = Field(None, description="s, at most the communication step")
@@ -71,6 +71,9 @@ class Solver(Part):
         None, description="relative error of a run, 1e-14 to 0.1; 0: steps of step_size"
     )
     absolute_tolerance: Expression | None = Field(None, description="m")
+    longest_step: Expression | None = Field(
+        None, description="s, longest internal step where the tolerance chooses"
+    )
     newton_tolerance: Expression | None = None
     penalty: Expression | None = None
     xi: Expression | None = None

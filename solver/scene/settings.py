@@ -31,10 +31,10 @@ RANGES = {
 }
 """Settings that are numbers; the ranges are those of ``solver.runtime.options``."""
 
-_UNITS = {"step_size": "s", "absolute_tolerance": "m", "omega": "rad/s"}
+_UNITS = {"absolute_tolerance": "m", "longest_step": "s", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
 _CHOICES = (
-    *("formulation", "algorithm", "multiplier_update", "paired"),
+    *("formulation", "algorithm", "multiplier_update", "order", "paired"),
     *("assemble", "start"), *_COUNTS,
 )  # fmt: skip
 
@@ -72,15 +72,12 @@ def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
             ("solver", name), given, default, RANGES[name], _UNITS.get(name, "")
         )
 
-    tolerance = setting("tolerance")
     return SolverSettings(
         **{name: getattr(solver, name) for name in _CHOICES},
-        # Without a tolerance that chooses, 0 is what it is in the FMU: the default.
-        order=solver.order or (0 if tolerance else _DEFAULT.order),
         step_size=step_size,
-        longest_step=step_size if tolerance and solver.step_size else _DEFAULT.longest_step,
-        tolerance=tolerance,
+        tolerance=setting("tolerance"),
         absolute_tolerance=setting("absolute_tolerance"),
+        longest_step=setting("longest_step"),
         newton_tolerance=setting("newton_tolerance"),
         penalty=setting("penalty"),
         xi=setting("xi"),

@@ -34,13 +34,13 @@ class SolverSettings:
     formulation: str = "conserving-al"
     algorithm: str = "nested"
     multiplier_update: str = "end"
-    order: int = 2
+    order: int = 0
     """2, 4, 6 or 8: a step is a symmetric composition of 1, 5, 9 or 15 pairs; 0: chosen by the
     tolerance, and 2 without one."""
     paired: bool = True
     """Advance by pairs of half steps, which smooths velocities and multipliers."""
     step_size: float = 0.01
-    """Internal step in s; at most the communication step."""
+    """Internal step in s without a tolerance; at most the communication step."""
     tolerance: float = 0.0
     """Relative error of a run that orders and steps are chosen for, from 1e-14 to 0.1; 0: steps of
     `step_size`."""
