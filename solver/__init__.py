@@ -59,3 +59,7 @@ def __getattr__(name: str) -> object:
         message = f"module 'solver' has no attribute {name!r}"
         raise AttributeError(message)
     return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -16,23 +16,51 @@ from solver.runtime.errors import UnknownNameError
 from solver.scene import Scene, load
 
 if TYPE_CHECKING:
+    import pandas  # pyright: ignore[reportMissingImports]
     from numpy.typing import NDArray
 
 
-@dataclass(frozen=True, slots=True)
-class Trajectory:
-    """Values at the communication points: `t` (n,) in s; ``trajectory["A.x"]`` (n,) by name."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Trajectory(Mapping[str, "NDArray[np.float64]"]):
+    """Values at the communication points: `t` (n,) in s; ``trajectory["A.x"]`` (n,) by name.
+
+    A mapping of names to arrays: ``"A.x" in trajectory``, ``trajectory.items()``.
+    """
 
     t: NDArray[np.float64]
     names: tuple[str, ...]
-    values: NDArray[np.float64]
+    table: NDArray[np.float64]
     """ndarray, shape (n, len(names))."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Return the values of one variable."""
         if name not in self.names:
             raise UnknownNameError(name, self.names)
-        return self.values[:, self.names.index(name)]
+        return self.table[:, self.names.index(name)]
+
+    def __iter__(self) -> Iterator[str]:
+        """Iterate over the names."""
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        """Return the number of names."""
+        return len(self.names)
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether times, names and values are the same."""
+        if not isinstance(other, Trajectory):
+            return NotImplemented
+        pairs = (self.t, other.t), (self.table, other.table)
+        return self.names == other.names and all(np.array_equal(a, b) for a, b in pairs)
+
+    __hash__ = None  # type: ignore[assignment] - arrays may be changed
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a data frame: a row for each time, a column for each name; needs pandas."""
+        import pandas as pd  # pyright: ignore[reportMissingImports]
+
+        index = pd.Index(self.t, name="time")
+        return pd.DataFrame(self.table, index=index, columns=list(self.names))
 
 
 def communication_points(start: float, stop: float, step: float) -> Iterator[tuple[float, float]]:

@@ -92,7 +92,7 @@ def ours(name: str) -> tuple[dict[str, np.ndarray], dict[str, float]]:
     ]
     values, uncertainty = {}, {}
     for record, names in case.names.items():
-        zero = np.zeros(len(paths[0].values))
+        zero = np.zeros(len(paths[0].t))
         q = [np.stack([p[n] if n else zero for n in names], axis=1) for p in paths]
         coarse, fine = ((4.0 * b - a) / 3.0 for a, b in itertools.pairwise(q))
         values[record] = fine

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 import pytest
 
+import build_fmu
+import holonom
 import solver
 from solver.runtime import OptionError
 from tests.twins import PENDULUM, model_of
@@ -21,7 +24,7 @@ def test_what_is_left_out_is_that_of_the_scene():
     assert trajectory.t == pytest.approx(np.linspace(0.0, 1.0, 11))
     variables = model_of(PENDULUM).variables
     assert trajectory.names == tuple(v.name for v in variables if v.causality == "output")
-    assert trajectory.values.shape == (11, len(trajectory.names))
+    assert trajectory.table.shape == (11, len(trajectory.names))
 
 
 def test_what_is_asked_for_is_collected_in_that_order():
@@ -64,3 +67,33 @@ def test_a_trajectory_answers_a_wrong_name_too():
     trajectory = run(outputs=["A.x"])
     with pytest.raises(KeyError, match=r"^no variable is named 'A.z'; did you mean 'A.x'\?$"):
         trajectory["A.z"]
+
+
+def test_a_trajectory_is_a_mapping_of_names_to_arrays():
+    trajectory = run(outputs=["A.x", "energy.total"])
+    assert isinstance(trajectory, Mapping)
+    assert "A.x" in trajectory
+    assert "A.z" not in trajectory
+    assert list(trajectory) == list(trajectory.keys()) == ["A.x", "energy.total"]
+    assert len(trajectory) == 2
+    assert trajectory.get("A.z") is None
+    for name, values in trajectory.items():
+        assert np.array_equal(values, trajectory[name])
+    assert trajectory == run(outputs=["A.x", "energy.total"])
+    assert trajectory != run(outputs=["A.x"])
+
+
+def test_a_trajectory_becomes_a_data_frame():
+    pytest.importorskip("pandas")
+    trajectory = run(outputs=["A.x", "energy.total"])
+    frame = trajectory.to_pandas()
+    assert frame.index.name == "time"
+    assert frame.index.tolist() == trajectory.t.tolist()
+    assert list(frame.columns) == list(trajectory)
+    assert np.array_equal(frame["A.x"], trajectory["A.x"])
+
+
+@pytest.mark.parametrize("package", [solver, build_fmu, holonom], ids=lambda x: x.__name__)
+def test_dir_lists_the_names_for_users(package):
+    assert dir(package) == sorted(package.__all__)
+    assert all(hasattr(package, name) for name in dir(package))

@@ -170,7 +170,7 @@ motor = { type = "position", point = "P", value = ["0.3 + 0.2*t**2", "0.8*sin(2*
     )
     h = 0.005
     found = solver.simulate(solver.loads(text), stop_time=1.0, step_size=h, internal_step=h)
-    t = h * np.arange(len(found.values))
+    t = h * np.arange(len(found.t))
     force = np.column_stack([np.full_like(t, 0.8), 20 - 6.4 * np.sin(2 * t)])
     assert vector(found, "motor.force.", "xy") == pytest.approx(force, abs=10 * h**2)
     power = np.sum(force * np.column_stack([0.4 * t, 1.6 * np.cos(2 * t)]), axis=1)
