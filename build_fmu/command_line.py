@@ -12,6 +12,7 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 from build_fmu.errors import LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
@@ -27,6 +28,32 @@ EXIT_CODES = """exit codes:
   4  the environment lacks something
   130  interrupted (Ctrl-C)
 """
+
+
+OTHER_WORDS = {
+    **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
+    **dict.fromkeys(("--dt", "--interval", "--h"), "--step"),
+}
+"""Options that other programs have, and what they are called here."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser that suggests the option that an unknown one may mean."""
+
+    def parse_known_args(  # type: ignore[override]
+        self, args: Any = None, namespace: Any = None
+    ) -> tuple[Any, list[str]]:
+        """Parse, and report what is unknown here, where the options of the command are known."""
+        chosen, unknown = super().parse_known_args(args, namespace)
+        if unknown:
+            from difflib import get_close_matches
+
+            word = unknown[0].partition("=")[0]
+            known = [name for name in self._option_string_actions if name.startswith("--")]
+            near = OTHER_WORDS.get(word) or next(iter(get_close_matches(word, known)), "")
+            hint = f"; did you mean {near}?" if near in known else ""
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{hint}")
+        return chosen, unknown
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -73,7 +100,7 @@ def setting(text: str) -> tuple[str, object]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="holonom",
         description="Turn mechanisms into FMI 2.0 co-simulation units; run and check them.",
         epilog=EXIT_CODES,

@@ -185,10 +185,17 @@ def experiment_times(
     if not (math.isfinite(stop_time) and stop_time > start):
         text = f"the stop time must be after the start time {start!r} s, got {stop_time!r}"
         raise UsageError(text)
+    given = step_size is not None
     if step_size is None:
         step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
     if not (math.isfinite(step_size) and step_size > 0.0):
         text = f"the communication step must be > 0 s, got {step_size!r}"
+        raise UsageError(text)
+    if given and step_size > (stop_time - start) * (1.0 + 1e-9):
+        text = (
+            f"the communication step of {step_size:g} s is longer than the run of "
+            f"{stop_time - start:g} s; take a shorter step"
+        )
         raise UsageError(text)
     steps = (stop_time - start) / step_size
     if steps > MOST_STEPS:

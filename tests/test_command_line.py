@@ -191,3 +191,24 @@ def test_a_temporary_folder_that_would_end_the_process_is_refused(name, tmp_path
     check_unpack_folder(tmp_path / "with a blank")
     with pytest.raises(EnvironmentLackError, match="set TMPDIR"):
         check_unpack_folder(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [("--stop-time", "--stop"), ("--step-size", "--step"), ("--stoptime", "--stop"),
+     ("--duration", "--stop"), ("--dt", "--step"), ("--sett", "--set"), ("--inputt", "--inputs")],
+)  # fmt: skip
+@pytest.mark.parametrize("command", ["simulate", "check"])
+def test_an_unknown_option_suggests_the_one_that_it_may_mean(capsys, command, word, meant):
+    with pytest.raises(SystemExit, match="2"):
+        main([command, PENDULUM, word, "1"])
+    err = capsys.readouterr().err
+    assert (
+        f"holonom {command}: error: unrecognized arguments: {word} 1; did you mean {meant}?" in err
+    )
+
+
+def test_an_option_that_resembles_none_suggests_none(capsys):
+    with pytest.raises(SystemExit, match="2"):
+        main(["build", PENDULUM, "--zzz"])
+    assert "did you mean" not in capsys.readouterr().err

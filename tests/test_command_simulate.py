@@ -142,13 +142,21 @@ def test_the_folder_of_a_csv_file_is_made(capsys, tmp_path):
     assert trajectory(file)["time"][-1] == 0.1
 
 
-@pytest.mark.parametrize("command", ["simulate", "check"])
-def test_a_step_that_is_longer_than_the_run_is_told(capsys, command):
-    arguments = (scene_fmu("four_bar"), "--stop", 0.01)
-    code, _, err = run(capsys, command, *arguments, "--step", 5)
-    assert code == 0
-    assert err == "holonom: the run of 0.01 s is one step, as --step is 5 s\n"
-    assert run(capsys, command, *arguments, "--step", 0.01)[2] == ""
+@pytest.mark.parametrize("command", ["simulate", "check", "sweep"])
+def test_a_step_that_is_longer_than_the_run_is_refused(capsys, tmp_path, command):
+    arguments = [scene_fmu("four_bar"), "--stop", 1]
+    if command == "sweep":
+        arguments += ["--grid", "drive=1,2", "-o", tmp_path / "a.csv"]
+    code, out, err = run(capsys, command, *arguments, "--step", 3)
+    assert (code, out) == (2, "")
+    words = "the communication step of 3 s is longer than the run of 1 s; take a shorter step"
+    assert err == f"holonom: {words}\n"
+    assert run(capsys, command, *arguments, "--step", 1)[0] == 0
+
+
+def test_a_run_shorter_than_the_step_of_the_scene_is_one_step(capsys):
+    code, out, _ = run(capsys, "simulate", scene_fmu("four_bar"), "--stop", 0.01, "--json")
+    assert (code, json.loads(out)["steps"]) == (0, 1)
 
 
 def test_check_passes_where_energy_and_constraints_hold(capsys):

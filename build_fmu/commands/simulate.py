@@ -64,7 +64,7 @@ def simulate(arguments: argparse.Namespace) -> Run:
         runnable(arguments.target, entries) as (path, left),
         progress_bar(f"simulating {Path(path).stem}") as progress,
     ):
-        result = run_fmu(
+        return run_fmu(
             path,
             stop_time=arguments.stop,
             step_size=arguments.step,
@@ -72,11 +72,6 @@ def simulate(arguments: argparse.Namespace) -> Run:
             inputs=arguments.inputs,
             progress=progress,
         )
-    length = result.stop_time - float(result.values["time"][0])
-    if arguments.step and arguments.step > length * (1.0 + 1e-9):
-        sentence = f"the run of {length:g} s is one step, as --step is {arguments.step:g} s"
-        sys.stderr.write(f"holonom: {sentence}\n")
-    return result
 
 
 def write_csv(values: ndarray, file: TextIO) -> None:
