@@ -1,6 +1,6 @@
 """Bytes of an FMU state: a version mark, what the slave remembers, the integrator's whole State.
 
-    mark (8) | length of the header (4, little-endian) | header (JSON) | State
+    mark (8) | length of the header (4, little-endian) | header (JSON) | State | CRC-32 of all (4)
 
 The integrator's part is taken and given back untouched, so a restored run repeats bit for bit.
 """
@@ -10,9 +10,11 @@ from __future__ import annotations
 import json
 import math
 import struct
+import zlib
 from collections import namedtuple
 
-MARK = b"HOLFMU\x00\x01"  # the last byte is the version of this format
+MARK = b"HOLFMU\x00\x02"  # the last byte is the version of this format
+_NUMBER = struct.Struct("<I")
 
 
 class SnapshotError(Exception):
@@ -78,7 +80,8 @@ def _is_refusal(entry: object) -> bool:
 def pack(header: dict[str, object], state: bytes) -> bytes:
     """Bytes that `unpack` takes apart again; equal arguments give equal bytes."""
     text = json.dumps(header, sort_keys=True).encode()
-    return b"".join((MARK, struct.pack("<I", len(text)), text, state))
+    data = b"".join((MARK, _NUMBER.pack(len(text)), text, state))
+    return data + _NUMBER.pack(zlib.crc32(data))
 
 
 def unpack(data: bytes) -> tuple[dict, bytes]:
@@ -87,16 +90,15 @@ def unpack(data: bytes) -> tuple[dict, bytes]:
     Raises
     ------
     SnapshotError
-        If the bytes do not start with this version's mark, or end too early.
+        If the bytes do not start with this version's mark, or their checksum does not fit.
     """
-    start = len(MARK) + 4
-    if data[: len(MARK)] != MARK or len(data) < start:
+    if data[: len(MARK)] != MARK:
         text = "the bytes are no FMU state of this version; save the state again with this FMU"
         raise SnapshotError(text)
-    (length,) = struct.unpack("<I", data[len(MARK) : start])
-    try:
-        header = json.loads(data[start : start + length])
-    except ValueError:
+    content, checksum = data[: -_NUMBER.size], data[-_NUMBER.size :]
+    start = len(MARK) + _NUMBER.size
+    if len(content) < start or _NUMBER.pack(zlib.crc32(content)) != checksum:
         text = "the bytes of the FMU state are damaged; save the state again"
-        raise SnapshotError(text) from None
-    return header, data[start + length :]
+        raise SnapshotError(text)
+    (length,) = _NUMBER.unpack_from(content, len(MARK))
+    return json.loads(content[start : start + length]), content[start + length :]

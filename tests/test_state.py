@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import struct
 import zlib
 
 import pytest
 
 from solver.runtime import Integrator, OptionError, StepError
-from solver.runtime.layout import PLACE
+from solver.runtime.layout import ENDLESS, PLACE
 from solver.runtime.state import _CHECKSUM, _PREFIX, _START
 from tests.twins import PENDULUM, advance, block, model_of, start
 
@@ -63,6 +64,33 @@ def test_a_phase_that_does_not_exist_is_refused_even_with_the_right_checksum():
     prefix = _PREFIX.pack(magic, fingerprint, 7, length)
     checksum = _CHECKSUM.pack(zlib.crc32(saved[_START:], zlib.crc32(prefix)))
     assert_refused_and_kept(prefix + checksum + saved[_START:], "damaged")
+
+
+def forged(number: float, place: int, source: str = PENDULUM) -> bytes:
+    """A saved state with another number at a place, and the checksum of that."""
+    data = bytearray(moved(source).save())
+    struct.pack_into("<d", data, _START + 8 * place, number)
+    checksum = zlib.crc32(data[_START:], zlib.crc32(data[: _PREFIX.size]))
+    _CHECKSUM.pack_into(data, _PREFIX.size, checksum)
+    return bytes(data)
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+def test_a_number_that_is_not_finite_is_refused_anywhere_even_with_the_right_checksum(number):
+    endless = [PLACE[name] for name in ENDLESS] if number == math.inf else []
+    for place in range(len(block(moved()))):
+        if place not in endless:
+            assert_refused_and_kept(forged(number, place), "not finite; save it again")
+
+
+def test_a_state_after_a_jump_of_its_loads_comes_back():
+    # Two neighbouring means of multipliers are then not known: the time of the last is infinite.
+    run = moved(SPRING_OF_INPUT)
+    run["k"] = 9.0
+    assert run.state.head["mean_time"] == math.inf
+    other = Integrator(model_of(SPRING_OF_INPUT))
+    other.restore(run.save())
+    assert other.save() == run.save()
 
 
 @pytest.mark.parametrize("cut", [0, 7, 56, 59, 60, 61, -8, -1])

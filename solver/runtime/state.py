@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import struct
 import zlib
 from collections.abc import Iterator, Mapping
 
 from .errors import OptionError
-from .layout import HEAD, PLACE, state_sections
+from .layout import ENDLESS, HEAD, PLACE, state_sections
 from .model import Model
 
 MAGIC = b"holonom3"
@@ -22,6 +23,8 @@ _CHECKSUM = struct.Struct("<I")
 """CRC-32 of prefix and block; it stands between them."""
 
 _START = _PREFIX.size + _CHECKSUM.size
+
+_ENDLESS = {PLACE[name] for name in ENDLESS}
 
 
 class Head(Mapping[str, float]):
@@ -76,7 +79,7 @@ class State:
         Raises
         ------
         OptionError
-            When it is not, or was cut off or changed.
+            When it is not, was cut off or changed, or has a number that is not finite.
         """
         if len(data) < _START or data[:8] != MAGIC:
             message = "the saved state is not one of this format; save it again with this FMU"
@@ -93,6 +96,11 @@ class State:
         found = zlib.crc32(data[_START:], zlib.crc32(data[: _PREFIX.size]))
         if found != checksum or phase not in PHASES:
             message = "the saved state is damaged: its checksum does not fit; save it again"
+            raise OptionError(message)
+        numbers: memoryview[float] = memoryview(data)[_START:].cast("d")
+        strange = [place for place, number in enumerate(numbers) if not abs(number) < math.inf]
+        if any(place not in _ENDLESS or numbers[place] != math.inf for place in strange):
+            message = "the saved state has a number that is not finite; save it again"
             raise OptionError(message)
         return phase
 
