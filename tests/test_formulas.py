@@ -16,6 +16,7 @@ TEXTS = [
     "x**3 - 2*x + a/x", "sin(x)*cos(2*x) + tan(x/4)", "atan2(x, 1 + x**2)", "sqrt(1 + x*x)",
     "exp(-x)*log(2 + x)", "asin(x/5) - acos(x/6) + atan(x)", "x**a + a**x", "abs(x - 0.1)",
     "min(x, 2 - x) + max(x, a)", "x if a > 1 else x**2", "-x + a", "(1 + x)/(2 - x/9)",
+    "sinh(x)/cosh(a*x) - tanh(3*x)",
 ]  # fmt: skip
 
 
@@ -30,7 +31,22 @@ def test_a_derivative_is_the_limit_of_differences(text, x, a):
 
 
 def test_every_operation_that_is_not_constant_in_pieces_has_its_slopes():
-    flat = {"sign", "lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not", "select"}
+    flat = {
+        "sign",
+        "floor",
+        "ceil",
+        "mod",
+        "lt",
+        "le",
+        "gt",
+        "ge",
+        "eq",
+        "ne",
+        "and",
+        "or",
+        "not",
+        "select",
+    }
     from solver.scene.operations import OPERATIONS
 
     assert set(SLOPES) | flat == set(OPERATIONS)
@@ -160,6 +176,9 @@ def test_a_tunable_parameter_that_turns_a_potential_does_work():
     [
         '[forces]\nv = { type = "potential", value = "A.x**2 if A.x > 0 else 3*A.x**2" }\n',
         '[forces]\nv = { type = "potential", value = "A.x*sign(A.x)" }\n',
+        '[forces]\nv = { type = "potential", value = "floor(A.x)" }\n',
+        '[forces]\nv = { type = "potential", value = "ceil(A.x + A.y)**2" }\n',
+        '[forces]\nv = { type = "potential", value = "mod(A.x, 2)" }\n',
         '[forces]\nv = { type = "spring", points = ["A", "B"], energy = "length*(length > 1)" }\n',
         '[constraints]\nv = { value = "A.y - (2 if distance(A, B) < 9 else A.x)" }\n',
     ],
@@ -169,6 +188,18 @@ def test_a_formula_that_switches_with_what_moves_is_refused(part):
     text = report(part)
     assert ".v" in text
     assert "abs, min or max" in text
+
+
+@pytest.mark.parametrize("kernel", ["c", "numpy"])
+def test_hyperbolic_potentials_and_loads_that_round_keep_the_ledger_closed(kernel):
+    value = "3*cosh(A.x) + sinh(0.1*A.y) - tanh(distance(A, B))"
+    text = f'[forces]\nv = {{ type = "potential", value = "{value}" }}\nw = {{ type = "force", '
+    text += 'point = "A", value = ["floor(3*A.x) + ceil(A.vy)", "mod(t, 0.03)*A.x"] }\n'
+    moved = solver.Integrator(solver.assemble(solver.loads(POINTS + text)), kernel=kernel)
+    for k in range(100):
+        moved.advance(k * 0.01, 0.01)
+    assert moved["energy.work"] != 0.0
+    assert float(moved["energy.error"]) < 1e-12
 
 
 def test_a_formula_may_switch_with_the_time_and_parameters():

@@ -18,6 +18,7 @@ UNARY = {
     "copy": (-2.0, 2.0), "neg": (-2.0, 2.0), "sin": (-9.0, 9.0), "cos": (-9.0, 9.0),
     "tan": (-1.5, 1.5), "asin": (-0.99, 0.99), "acos": (-0.99, 0.99), "atan": (-9.0, 9.0),
     "sqrt": (0.1, 9.0), "exp": (-3.0, 3.0), "log": (0.1, 9.0), "abs": (-2.0, 2.0),
+    "sinh": (-3.0, 3.0), "cosh": (-3.0, 3.0), "tanh": (-3.0, 3.0),
 }  # fmt: skip
 BINARY = ("add", "sub", "mul", "div", "atan2", "min", "max")
 ONE_CONSTANT = ("pow", "mul", "div", "add", "sub")
@@ -26,6 +27,7 @@ COMPLEX = {
     "copy": lambda x: x, "neg": lambda x: -x, "sin": cmath.sin, "cos": cmath.cos,
     "tan": cmath.tan, "asin": cmath.asin, "acos": cmath.acos, "atan": cmath.atan,
     "sqrt": cmath.sqrt, "exp": cmath.exp, "log": cmath.log,
+    "sinh": cmath.sinh, "cosh": cmath.cosh, "tanh": cmath.tanh,
     "abs": lambda x: x if x.real > 0.0 else -x,
 }  # fmt: skip
 
@@ -84,6 +86,15 @@ def value(name, x, y):
         "add": x + y, "sub": x - y, "mul": x * y, "div": x / y, "atan2": math.atan2(x, y),
         "min": min(x, y), "max": max(x, y),
     }[name]  # fmt: skip
+
+
+@pytest.mark.parametrize("x", [-800.0, -30.0, 0.0, 30.0, 800.0])
+@pytest.mark.parametrize("dx", [-1600.0, -50.0, -1.5, 1e-3, 0.9, 60.0, 1600.0])
+def test_the_slope_of_tanh_is_finite_where_it_no_longer_changes(x, dx):
+    with np.errstate(over="ignore"):
+        change, (slope,) = one("tanh", moving(x, dx))
+    assert slope * dx == pytest.approx(math.tanh(x + dx) - math.tanh(x), abs=4e-16)
+    assert change.d == slope * dx
 
 
 @pytest.mark.parametrize("dx", [1.0, 1e-3, 1e-9])

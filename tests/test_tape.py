@@ -19,10 +19,11 @@ from tests.twins import PENDULUM, model_of, start
 NAMES = ("a", "b", "c")
 
 ARITY = {
-    **dict.fromkeys(("add", "sub", "mul", "div", "pow", "atan2", "min", "max"), 2),
+    **dict.fromkeys(("add", "sub", "mul", "div", "pow", "atan2", "min", "max", "mod"), 2),
     **dict.fromkeys(("lt", "le", "gt", "ge", "eq", "ne", "and", "or"), 2),
     **dict.fromkeys(("neg", "sin", "cos", "tan", "asin", "acos", "atan", "sqrt"), 1),
     **dict.fromkeys(("exp", "log", "abs", "sign", "not"), 1),
+    **dict.fromkeys(("sinh", "cosh", "tanh", "floor", "ceil"), 1),
     "select": 3,
 }
 """Operations by name and number of operands: all that an expression can hold."""
@@ -141,6 +142,9 @@ def test_what_has_no_value_is_handed_on_and_never_hidden(engine, name, operands,
         ("log", (-1.0,), math.nan),
         ("asin", (2.0,), math.nan),
         ("pow", (-8.0, 1.0 / 3.0), math.nan),
+        ("sinh", (-1e3,), -math.inf),
+        ("cosh", (-1e3,), math.inf),
+        ("mod", (1.0, 0.0), math.nan),
     ],
 )
 def test_beyond_its_domain_an_operation_is_that_of_ieee_754(engine, name, arguments, expected):
@@ -158,6 +162,18 @@ def test_of_two_equal_numbers_the_first_is_taken(engine, name, zeros):
     number = Expr(name, (symbol("a"), symbol("b")))
     value = on_tape(engine, number, dict(zip(NAMES, (*zeros, 0.0), strict=True)))
     assert same_bits(value, apply(name, *zeros))
+
+
+@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("x", [-7.25, -7.0, -0.5, -0.0, 0.0, 0.5, 7.0, 7.25, 1e300])
+@pytest.mark.parametrize("y", [2.0, -2.0, 0.1])
+def test_what_rounds_has_the_bits_of_its_expression(engine, x, y):
+    for name, arguments in (("floor", (x,)), ("ceil", (x,)), ("mod", (x, y))):
+        number = Expr(name, tuple(symbol(place) for place in NAMES[: len(arguments)]))
+        expected = apply(name, *arguments)
+        assert same_bits(on_tape(engine, number, {"a": x, "b": y, "c": 0.0}), expected)
+    assert abs(apply("mod", x, y)) <= abs(y)
+    assert apply("mod", x, y) * y >= 0.0
 
 
 def test_equal_subexpressions_are_computed_once():

@@ -17,6 +17,12 @@ static double sinhc(double x)
     return x2 < 1e-4 ? 1.0 + x2 / 6.0 * (1.0 + x2 / 20.0 * (1.0 + x2 / 42.0)) : sinh(x) / x;
 }
 
+/* (tanh x1 - tanh x0)/(x1 - x0) = sinhc(dx)/(cosh x0 cosh x1); a long step loses no digits by the difference. */
+static double tanh_slope(double x0, double x1, double dx)
+{
+    return fabs(dx) > 1.0 ? (tanh(x1) - tanh(x0)) / dx : 2.0 * sinhc(dx) / (cosh(x0 + x1) + cosh(dx));
+}
+
 /* (log x1 - log x0)/(x1 - x0), both positive: 2 atanh(z)/dx with z = dx/(x0 + x1). */
 static double log_slope(double x0, double x1, double dx)
 {
@@ -77,8 +83,8 @@ static argument argument_of(int32_t place, const double *numbers, const hm_regis
     return (argument){r->r0[place], r->r1[place], r->dr[place], 0.5 * (r->r0[place] + r->r1[place])};
 }
 
-/* Slopes of one operation with respect to its first two arguments. Comparisons, sign and conditions have none: the
-   reader keeps them away from what moves.                                                                   */
+/* Slopes of one operation with respect to its first two arguments. Comparisons, sign, conditions and what rounds
+   have none: the reader keeps them away from what moves.                                                     */
 static void operation_slopes(int32_t code, argument a, argument b, double f0, double f1, double *slope)
 {
     slope[0] = slope[1] = 0.0;
@@ -105,6 +111,9 @@ static void operation_slopes(int32_t code, argument a, argument b, double f0, do
     case T_SQRT: slope[0] = 1.0 / (f0 + f1); break;
     case T_EXP: slope[0] = exp(a.mean) * sinhc(0.5 * a.dx); break;
     case T_LOG: slope[0] = log_slope(a.x0, a.x1, a.dx); break;
+    case T_SINH: slope[0] = cosh(a.mean) * sinhc(0.5 * a.dx); break;
+    case T_COSH: slope[0] = sinh(a.mean) * sinhc(0.5 * a.dx); break;
+    case T_TANH: slope[0] = tanh_slope(a.x0, a.x1, a.dx); break;
     case T_ABS: slope[0] = abs_slope(a.x0, a.x1); break;
     case T_MIN: case T_MAX: {
         const double half = 0.5 * abs_slope(a.x0 - b.x0, a.x1 - b.x1), sign = code == T_MAX ? 1.0 : -1.0;

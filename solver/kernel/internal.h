@@ -46,7 +46,7 @@ static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 enum tape_code {
     T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
     T_SQRT, T_EXP, T_LOG, T_ABS, T_MIN, T_MAX, T_SIGN, T_LT, T_LE, T_GT, T_GE, T_EQ, T_NE, T_AND, T_OR, T_NOT,
-    T_SELECT
+    T_SELECT, T_SINH, T_COSH, T_TANH, T_FLOOR, T_CEIL, T_MOD
 };
 
 void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);

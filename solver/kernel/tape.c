@@ -5,6 +5,14 @@
 
 #include <math.h>
 
+/* What a exceeds a multiple of b by, with the sign of b. */
+static double modulo(double a, double b)
+{
+    const double rest = fmod(a, b);
+    if (rest == 0.0) return copysign(0.0, b);
+    return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
+}
+
 double hm_operate(int32_t code, double a, double b, double c)
 {
     switch (code) {
@@ -40,6 +48,12 @@ double hm_operate(int32_t code, double a, double b, double c)
     case T_OR: return (double)(a != 0.0 || b != 0.0);
     case T_NOT: return (double)(a == 0.0);
     case T_SELECT: return a != 0.0 ? b : c;
+    case T_SINH: return sinh(a);
+    case T_COSH: return cosh(a);
+    case T_TANH: return tanh(a);
+    case T_FLOOR: return floor(a);
+    case T_CEIL: return ceil(a);
+    case T_MOD: return modulo(a, b);
     default: return NAN; /* an unknown code is caught by the check for finite numbers */
     }
 }

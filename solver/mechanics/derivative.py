@@ -24,11 +24,15 @@ SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
     "sqrt": (lambda x: 0.5 / sqrt(x),),
     "exp": (lambda x: operate("exp", x),),
     "log": (lambda x: 1.0 / x,),
+    "sinh": (lambda x: operate("cosh", x),),
+    "cosh": (lambda x: operate("sinh", x),),
+    "tanh": (lambda x: 1.0 - operate("tanh", x) ** 2.0,),
     "abs": (sign,),
     "min": (lambda x, y: operate("le", x, y), lambda x, y: operate("gt", x, y)),
     "max": (lambda x, y: operate("ge", x, y), lambda x, y: operate("lt", x, y)),
 }  # fmt: skip
-"""Partial derivatives of the operations; those that are not listed are constant in pieces."""
+"""Partial derivatives of the operations; those that are not listed are constant in pieces,
+or, as mod, refused where they would move."""
 
 
 def derivative(number: Number, name: str) -> Number:

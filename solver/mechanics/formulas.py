@@ -17,7 +17,9 @@ from solver.mechanics.parts import Meaning, Parts
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
 from solver.scene.expression import calls, operate, symbol
 
-SWITCHES = frozenset({"sign", "lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"})
+SWITCHES = frozenset(
+    {"sign", "floor", "ceil", "mod", "lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"}
+)
 """Operations that jump: no slope over a step is exact where they do."""
 
 
@@ -54,8 +56,8 @@ def refuse_switches(value: Number) -> None:
         if any(
             name.startswith("#") for x in deciding if isinstance(x, Expr) for name in symbols(x)
         ):
-            message = "energy would jump where a condition or sign of what moves switches; "
-            message += "write it with abs, min or max, which are exact"
+            message = "energy would jump where a condition, sign, floor, ceil or mod of what moves "
+            message += "switches; write it with abs, min or max, which are exact"
             raise ExpressionError(message)
         return part if part.op == "symbol" else None
 

@@ -16,7 +16,7 @@ from solver.scene import Expr, Number
 CODES = (
     "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
     "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
-    "and", "or", "not", "select",
+    "and", "or", "not", "select", "sinh", "cosh", "tanh", "floor", "ceil", "mod",
 )  # fmt: skip
 """Operation codes in the order of ``tape_code`` in ``solver/kernel/internal.h``."""
 

@@ -26,8 +26,8 @@ _BINARY: dict[type[ast.AST], str] = {
 
 _REFUSED: dict[type[ast.AST], tuple[str, str | None]] = {
     ast.BitXor: ("operator '^' is not available", "write ** for a power"),
-    ast.FloorDiv: ("operator '//' is not available", None),
-    ast.Mod: ("operator '%' is not available", None),
+    ast.FloorDiv: ("operator '//' is not available", "write floor(x / y)"),
+    ast.Mod: ("operator '%' is not available", "write mod(x, y)"),
     ast.MatMult: ("operator '@' is not available", None),
     ast.BitAnd: ("operator '&' is not available", "write 'and'"),
     ast.BitOr: ("operator '|' is not available", "write 'or'"),
@@ -209,7 +209,8 @@ class _Reader:
         known = FUNCTIONS | MECHANISM_FUNCTIONS
         if name not in known:
             close = get_close_matches(name, known, 1)
-            help = f"did you mean '{close[0]}'?" if close else f"known: {', '.join(known)}"
+            help = f"did you mean '{close[0]}'? " if close else ""
+            help += f"functions: {', '.join(known)}"
             raise self.error(node, f"unknown function '{name}'", help)
         count, wanted = len(node.args), known[name]
         many = name in ("min", "max")

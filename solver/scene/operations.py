@@ -38,6 +38,11 @@ def _sign(x: float) -> float:
     return 0.0 if x == 0.0 else math.copysign(1.0, x)
 
 
+def _whole(rounding: Callable[[float], int]) -> Callable[[float], float]:
+    """Round to a whole number, with the sign of zero that C gives."""
+    return lambda x: math.copysign(float(rounding(x)), x)
+
+
 def _minimum(x: float, y: float) -> float:
     return y if y < x else x
 
@@ -63,7 +68,13 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt,
     "exp": math.exp,
     "log": math.log,
+    "sinh": math.sinh,
+    "cosh": math.cosh,
+    "tanh": math.tanh,
     "abs": math.fabs,
+    "floor": _whole(math.floor),
+    "ceil": _whole(math.ceil),
+    "mod": operator.mod,
     "min": _minimum,
     "max": _maximum,
     "sign": _sign,
@@ -78,11 +89,13 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "not": _truth(lambda x: x == 0.0),
     "select": lambda condition, x, y: x if condition != 0.0 else y,
 }
-"""Operation by name. ``select(condition, x, y)`` is x where the condition is true, else y."""
+"""Operation by name. ``select(condition, x, y)`` is x where the condition is true, else y;
+``mod(x, y)`` is what x exceeds a multiple of y by, with the sign of y."""
 
 FUNCTIONS: dict[str, int] = {
     "sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2,
-    "sqrt": 1, "exp": 1, "log": 1, "abs": 1, "min": 2, "max": 2, "sign": 1,
+    "sqrt": 1, "exp": 1, "log": 1, "sinh": 1, "cosh": 1, "tanh": 1, "abs": 1, "min": 2, "max": 2,
+    "sign": 1, "floor": 1, "ceil": 1, "mod": 2,
 }  # fmt: skip
 """Functions a scene may call, with their number of arguments (at least two for min and max)."""
 

@@ -108,6 +108,13 @@ def exp_slope(x: Change) -> Number:
     return np.exp(x.mid) * sinhc(0.5 * x.d)
 
 
+def tanh_slope(x: Change) -> Number:
+    """Slope of tanh, sinhc(dx)/(cosh x_n cosh x_n1); a long step loses no digits as a difference."""
+    if abs(x.d) > 1.0:
+        return (np.tanh(x.n1) - np.tanh(x.n)) / x.d
+    return 2.0 * sinhc(x.d) / (np.cosh(x.n + x.n1) + np.cosh(x.d))
+
+
 def abs_slope(x: Change) -> Number:
     """Slope of |x|; 0 where it stays 0."""
     total = absolute(x.n) + absolute(x.n1)
@@ -182,6 +189,9 @@ SLOPES: dict[str, Callable[..., tuple[Number, ...]]] = {
     "sqrt": _unary(lambda x: 1.0 / (np.sqrt(x.n) + np.sqrt(x.n1))),
     "exp": _unary(exp_slope),
     "log": _unary(log_slope),
+    "sinh": _unary(lambda x: np.cosh(x.mid) * sinhc(0.5 * x.d)),
+    "cosh": _unary(lambda x: np.sinh(x.mid) * sinhc(0.5 * x.d)),
+    "tanh": _unary(tanh_slope),
     "abs": _unary(abs_slope),
     "min": lambda x, y: extreme_slopes(x, y, -1.0),
     "max": lambda x, y: extreme_slopes(x, y, 1.0),

@@ -74,6 +74,12 @@ OPERATIONS: dict[str, tuple[int, Callable[..., float]]] = {
     "or": (2, _truth(lambda a, b: a != 0.0 or b != 0.0)),
     "not": (1, _truth(lambda a: a == 0.0)),
     "select": (3, lambda condition, a, b: a if condition != 0.0 else b),
+    "sinh": (1, _library(math.sinh, np.sinh)),
+    "cosh": (1, _library(math.cosh, np.cosh)),
+    "tanh": (1, math.tanh),
+    "floor": (1, np.floor),
+    "ceil": (1, np.ceil),
+    "mod": (2, np.mod),
 }
 """Number of arguments and meaning of each operation, in the order of the codes."""
 
