@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import solver
 from solver.scene.expression import (
     Expr,
     ExpressionError,
@@ -262,3 +263,9 @@ def test_numbers_combine_with_expressions():
     assert 2 + x == x.__radd__(2.0)
     assert 0 - x == -x
     assert x != 2.0
+
+
+def test_a_part_may_be_called_floor_as_the_bracket_tells_the_function_apart():
+    text = 'name = "f"\ndimension = 2\n[parameters]\nfloor = 2.5\nlow = "floor(floor) + floor"\n'
+    text += '[points]\nA = { position = ["low", 0], mass = 1 }\n'
+    assert evaluate(solver.loads(text).parameters["low"].value, {"floor": 2.5}) == 4.5

@@ -13,6 +13,7 @@ static double modulo(double a, double b)
     return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
 }
 
+/* min and max hand a NaN on, unlike fmin and fmax: it must be seen, not hidden. */
 double hm_operate(int32_t code, double a, double b, double c)
 {
     switch (code) {
@@ -34,7 +35,6 @@ double hm_operate(int32_t code, double a, double b, double c)
     case T_EXP: return exp(a);
     case T_LOG: return log(a);
     case T_ABS: return fabs(a);
-    /* min and max hand a NaN on, unlike fmin and fmax: it must be seen, not hidden. */
     case T_MIN: return (a <= b || a != a) ? a : b;
     case T_MAX: return (a >= b || a != a) ? a : b;
     case T_SIGN: return a != a ? a : (double)((a > 0.0) - (a < 0.0));

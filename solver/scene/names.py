@@ -33,11 +33,12 @@ RESERVED: dict[str, str] = {
     "momentum": "the momentum of the mechanism",
     "angular_momentum": "the angular momentum of the mechanism",
     "solver": "the solver's settings",
-    **dict.fromkeys([*FUNCTIONS, *MECHANISM_FUNCTIONS], "the function"),
+    **dict.fromkeys([*FUNCTIONS.keys() - {"floor"}, *MECHANISM_FUNCTIONS], "the function"),
     **dict.fromkeys([word.lower() for word in keyword.kwlist], "the language of expressions"),
     **dict.fromkeys(keyword.kwlist, "the language of expressions"),
 }
-"""Names with a meaning of their own: what each is reserved for."""
+"""Names with a meaning of their own: what each is reserved for. Many scenes have a floor, which the
+bracket behind the function tells apart."""
 
 
 def check_name(draft: Draft, path: Path, name: str) -> None:

@@ -109,7 +109,7 @@ def exp_slope(x: Change) -> Number:
 
 
 def tanh_slope(x: Change) -> Number:
-    """Slope of tanh, sinhc(dx)/(cosh x_n cosh x_n1); a long step loses no digits as a difference."""
+    """Slope of tanh, sinhc(dx)/(cosh x_n cosh x_n1); over a long step the difference itself."""
     if abs(x.d) > 1.0:
         return (np.tanh(x.n1) - np.tanh(x.n)) / x.d
     return 2.0 * sinhc(x.d) / (np.cosh(x.n + x.n1) + np.cosh(x.d))
