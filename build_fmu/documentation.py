@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib.metadata
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -84,7 +84,7 @@ def page(model: Model, seen: Trial, *, pictured: bool) -> str:
         needs=_NEEDS,
         picture=_PICTURE if pictured else "",
         solved=escape(solved(model)),
-        accuracy=escape(accuracy(seen)),
+        accuracy=escape(accuracy(model, seen)),
         tables="\n".join(filter(None, tables)),
     )
 
@@ -92,10 +92,12 @@ def page(model: Model, seen: Trial, *, pictured: bool) -> str:
 def solved(model: Model) -> str:
     """Sentences on size and method."""
     sizes, settings = model.sizes, model.settings
-    unknowns = sizes["dim"] * sizes["n_free"]
+    coordinates = _count(sizes["dim"] * sizes["n_free"], "coordinate")
+    islands = sizes["n_islands"]
+    apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     text = (
-        f"{unknowns} coordinates and {sizes['n_rows']} constraint rows in "
-        f"{sizes['n_islands']} part(s) that nothing joins, by {settings['formulation']}"
+        f"{coordinates} and {_count(sizes['n_rows'], 'constraint row')}{apart}, solved by "
+        f"{settings['formulation']}"
     )
     if settings["tolerance"]:
         return (
@@ -105,22 +107,38 @@ def solved(model: Model) -> str:
     return f"{text}, in internal steps of at most {settings['step_size']:g} s, of order {order:g}."
 
 
-def accuracy(seen: Trial) -> str:
+def _count(count: int, word: str) -> str:
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"
+
+
+def accuracy(model: Model, seen: Trial) -> str:
     """Sentences on a run from the start, with the numbers of the scene."""
-    text = (
-        f"In a run of {seen.duration:g} s, when this FMU was built, the energy balance was off by "
-        f"{seen.energy:.1e} of the reference energy at most, and the constraints by "
-        f"{seen.constraint:.1e} of their size."
-    )
-    text = " ".join([text, *(f"It said: {remark}." for remark in seen.remarks)])
+    start, stop, *_ = model.experiment
+    text = f"When this FMU was built, it ran for {seen.duration:g} s"
+    if seen.duration < stop - start:
+        text = f"{text} of the {stop - start:g} s of its default experiment"
+    return " ".join([f"{text}.", *_seen(model, seen)])
+
+
+def _seen(model: Model, seen: Trial) -> Iterator[str]:
+    if not seen.moved:
+        yield "Nothing moved, so that the run does not show how exact the results are."
+    else:
+        yield (
+            f"The energy balance was off by {seen.energy:.1e} of the reference energy at most, and "
+            f"the constraints by {seen.constraint:.1e} of their size."
+        )
+    yield from (f"Its log said: {remark}." for remark in seen.remarks)
     if seen.reason:
-        return f"{text} The run ended early: {seen.reason}"
-    if seen.convergence is None:
-        return text
-    return (
-        f"{text} At its end no coordinate was farther than {seen.convergence:.1e} m from where a "
-        "run twice as fine led."
-    )
+        yield f"The run ended early: {seen.reason}"
+    elif seen.moved and seen.position_error is not None:
+        finer = "tolerance" if model.settings["tolerance"] else "internal step"
+        turned = seen.rotation_error
+        rotation = "" if turned is None else f", and its angles and orientations {turned:.1e} rad"
+        yield (
+            f"In these {seen.duration:g} s its positions were at most {seen.position_error:.1e} m"
+            f"{rotation} off those of a run with half the {finer}."
+        )
 
 
 def _table(title: str, variables: Iterable[Variable]) -> str:

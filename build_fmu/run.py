@@ -24,6 +24,7 @@ from build_fmu.instance import (
     start_time_of,
     unpacked,
 )
+from build_fmu.poses import Poses
 from build_fmu.reference import Reference
 from build_fmu.signals import input_signals
 from build_fmu.study.settings import Source, entries_of, fmu_settings
@@ -53,6 +54,8 @@ class Run:
     """Whether it came to its stop time."""
     reason: str
     """Why it ended early, or the first error that the FMU logged; empty if it is a clean run."""
+    moved: bool = True
+    """Whether any position or orientation changed."""
 
     @property
     def end_time(self) -> float:
@@ -129,9 +132,13 @@ def run_fmu(
     wall_time = time.perf_counter() - begin
     if values is None:
         raise UsageError(log.reason(failed))
+    import numpy as np
+
     finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
     reason = log.error if finished else log.reason()
-    return Run(values, stop_time, wall_time, log.messages, finished, reason)
+    poses = Poses({v.name: v.unit for v in description.modelVariables if v.causality == "output"})
+    moved = poses.moved(np.array([values[name] for name in ("time", *poses.names)])[1:].T)
+    return Run(values, stop_time, wall_time, log.messages, finished, reason, moved)
 
 
 def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> str:

@@ -10,11 +10,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+import numpy as np
+
+from build_fmu.poses import Poses
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
 if TYPE_CHECKING:
-    from solver.runtime import Model
+    from numpy.typing import NDArray
+
+    from solver.runtime import Model, Variable
 
 MOST_WORK = 300_000
 """Unknowns times internal steps: some 50 ms."""
@@ -40,8 +45,12 @@ class Trial:
         Why it ended early; empty where it did not.
     energy, constraint : float
         Largest of the outputs energy.error and constraint.position.
-    convergence : float or None
-        Largest difference of a coordinate [m] at the end from a run that is twice as exact.
+    moved : bool
+        Whether any position or orientation changed.
+    position_error, rotation_error : float or None
+        Largest difference of a coordinate [m], and of an angle or orientation [rad], from a run
+        that is twice as exact, at all times of the run; None where there is no such run, or nothing
+        that turns.
     largest : mapping of str to float
         Largest size of what moves, by unit.
     remarks : tuple of str
@@ -52,7 +61,9 @@ class Trial:
     reason: str = ""
     energy: float = 0.0
     constraint: float = 0.0
-    convergence: float | None = None
+    moved: bool = True
+    position_error: float | None = None
+    rotation_error: float | None = None
     largest: Mapping[str, float] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
 
@@ -66,19 +77,23 @@ class Trial:
 def trial(model: Model) -> Trial:
     """Run the default experiment, or as much of it as is cheap."""
     duration, steps = _extent(model)
-    outputs = [i for i, v in enumerate(model.variables) if v.causality == "output"]
-    sizes = dict.fromkeys(outputs, 0.0)
+    outputs = [v for v in model.variables if v.causality == "output"]
+    names, poses = [v.name for v in outputs], Poses({v.name: v.unit for v in outputs})
     said: list[str] = []
     integrator = Integrator(model, log=said.append)
-    reason = _run(integrator, duration, steps, sizes)
-    by_name = {model.variables[i].name: size for i, size in sizes.items()}
+    rows, reason = _run(integrator, duration, steps, names)
+    sizes = dict(zip(names, abs(rows).max(axis=0, initial=0.0).tolist(), strict=True))
+    motion = rows[:, [names.index(name) for name in poses.names]]
+    apart = None if reason else _apart(model, duration, steps, poses, motion)
     return Trial(
         duration=integrator.time - model.experiment.start_time,
         reason=reason,
-        energy=by_name.get("energy.error", 0.0),
-        constraint=by_name.get("constraint.position", 0.0),
-        convergence=None if reason else _convergence(model, integrator, duration, steps),
-        largest=_by_unit(model, sizes),
+        energy=sizes.get("energy.error", 0.0),
+        constraint=sizes.get("constraint.position", 0.0),
+        moved=poses.moved(motion),
+        position_error=apart and apart[0],
+        rotation_error=apart[1] if apart and poses.turn else None,
+        largest=_by_unit(outputs, sizes),
         remarks=tuple(said),
     )
 
@@ -97,30 +112,29 @@ def _unknowns(model: Model) -> int:
     return model.sizes["dim"] * model.sizes["n_free"] + model.sizes["n_rows"] + 1
 
 
-def _run(integrator: Integrator, duration: float, steps: int, sizes: dict[int, float]) -> str:
-    """Run, keep the largest size of each output in `sizes`, and return why it ended early."""
-    start = integrator.model.experiment.start_time
+def _run(
+    integrator: Integrator, duration: float, steps: int, names: Sequence[str]
+) -> tuple[NDArray[np.float64], str]:
+    """Run; values by time and name, and why it ended early."""
+    start, rows, reason = integrator.model.experiment.start_time, [], ""
+    indices = [integrator.model.index(name) for name in names]
     try:
         integrator.initialise(start)
-        _keep_largest(integrator, sizes)
+        rows.append(np.array(integrator.get(indices), float))
         for k in range(steps):
             integrator.advance(
                 integrator.time, start + (k + 1) * duration / steps - integrator.time
             )
-            _keep_largest(integrator, sizes)
+            rows.append(np.array(integrator.get(indices), float))
     except (AssemblyError, OptionError, StepError) as error:
-        return in_one_line(error)
-    return ""
+        reason = in_one_line(error)
+    return np.array(rows).reshape(len(rows), len(names)), reason
 
 
-def _keep_largest(integrator: Integrator, sizes: dict[int, float]) -> None:
-    for index, value in zip(sizes, integrator.get(list(sizes)), strict=True):
-        if abs(value) > sizes[index]:  # type: ignore[arg-type]
-            sizes[index] = abs(value)  # type: ignore[arg-type]
-
-
-def _convergence(model: Model, coarse: Integrator, duration: float, steps: int) -> float | None:
-    """Largest difference of a coordinate at the end [m], in a run that is twice as exact."""
+def _apart(
+    model: Model, duration: float, steps: int, poses: Poses, coarse: NDArray[np.float64]
+) -> tuple[float, float] | None:
+    """Differences of positions [m] and rotations [rad] from a run that is twice as exact."""
     if FEWEST * _unknowns(model) > MOST_WORK:
         return None
     fine = Integrator(model, log=lambda _: None)  # the coarse one has said it
@@ -130,24 +144,14 @@ def _convergence(model: Model, coarse: Integrator, duration: float, steps: int) 
     else:
         longest = min(float(settings["step_size"]), duration / steps)
         fine["solver.step_size"] = 0.5 * longest
-    if _run(fine, duration, steps, {}):
-        return None
-    places = _coordinates(model)
-    pairs = zip(coarse.get(places), fine.get(places), strict=True)
-    return max((abs(a - b) for a, b in pairs), default=0.0)  # type: ignore[operator]
+    motion, reason = _run(fine, duration, steps, poses.names)
+    return None if reason else poses.apart(coarse, motion)
 
 
-def _coordinates(model: Model) -> Sequence[int]:
-    """Variables that are coordinates of points and bodies."""
-    ends = (".x", ".y", ".z")
-    variables = enumerate(model.variables)
-    return [i for i, v in variables if v.unit == "m" and v.name.endswith(ends)]
-
-
-def _by_unit(model: Model, sizes: Mapping[int, float]) -> dict[str, float]:
+def _by_unit(outputs: Sequence[Variable], sizes: Mapping[str, float]) -> dict[str, float]:
     largest: dict[str, float] = {}
-    for index, size in sizes.items():
-        variable = model.variables[index]
+    for variable in outputs:
         if variable.unit and not variable.name.startswith(OF_THE_SOLUTION):
+            size = sizes[variable.name]
             largest[variable.unit] = max(largest.get(variable.unit, 0.0), size)
     return dict(sorted(largest.items()))

@@ -208,3 +208,32 @@ def test_a_mechanism_that_cannot_begin_says_so_once(capsys, tmp_path, command):
         assert err.count(words) == 1
     assert err.count("move a point, correct the length, or leave it out") == 1
     assert err.startswith("holonom: the run ended at t = 0.0 s, before 1.0 s: ")
+
+
+RESTING = """
+name = "resting"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [0, -1], mass = 1.0, velocity = [0.0, 0] }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "speed", "moves"),
+    [("drawn", 0.0, False), ("equilibrium", 0.0, False), ("drawn", 1e-6, True)],
+)
+def test_what_is_at_rest_is_said_not_to_have_moved(capsys, tmp_path, start, speed, moves):
+    scene = tmp_path / "resting.toml"
+    scene.write_text(RESTING)
+    arguments = (scene, "--set", f"points.A.velocity=[{speed},0]", "--set", f"solver.start={start}")
+    _, out, _ = run(capsys, "simulate", *arguments)
+    assert out.splitlines()[0].endswith("; nothing moved") is not moves
+    assert json.loads(run(capsys, "simulate", *arguments, "--json")[1])["moved"] is moves
+    code, out, _ = run(capsys, "check", *arguments)
+    assert code == 0
+    assert out.count("nothing moved") == (0 if moves else 2)
+    assert json.loads(run(capsys, "check", *arguments, "--json")[1])["moved"] is moves

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
@@ -26,11 +27,17 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.json:
         reason = {"reason": result.reason, "end_time": result.end_time}
         warnings = {"warnings": arguments.warnings}
-        print_json({"holds": holds, "checks": checks} | reason | warnings)
+        found = {"holds": holds, "moved": result.moved, "checks": checks}
+        print_json(found | reason | warnings)
     elif begun(result):
         rows = [
-            (str(c["name"]), f"{c['largest']:.2e}", f"{c['limit']:.2e}", _verdict(c["holds"]))
-            for c in checks
+            (
+                str(check["name"]),
+                _largest(check, result.moved),
+                f"{check['limit']:.2e}",
+                _verdict(check["holds"]),
+            )
+            for check in checks
         ]
         title = f"{arguments.target}: {result.steps} steps to t = {result.end_time:g} s"
         print_table(title, ("output", "largest", "limit", "holds"), rows)
@@ -38,6 +45,11 @@ def run(arguments: argparse.Namespace) -> int:
     if not result.finished:
         return UNFINISHED
     return 0 if holds else CHECK_FAILED
+
+
+def _largest(check: Mapping[str, object], moved: bool) -> str:
+    """The number; of what was at rest it would say nothing."""
+    return f"{check['largest']:.2e}" if moved or not check["holds"] else "nothing moved"
 
 
 def _verdict(holds: object) -> str:

@@ -92,6 +92,7 @@ def summary(result: Run) -> dict[str, object]:
         "stop_time": result.stop_time,
         "steps": result.steps,
         "wall_time": result.wall_time,
+        "moved": result.moved,
         "largest": {name: result.largest(name) for name in errors},
         "final": {name: float(result.values[name][-1]) for name in names},
     }
@@ -103,5 +104,6 @@ def _print_end(target: str, result: Run) -> None:
         for name in result.values.dtype.names or ()
         for column in (result.values[name],)
     ]
-    title = f"{target}: {result.steps} steps in {result.wall_time:.3f} s"
+    rest = "" if result.moved else "; nothing moved"
+    title = f"{target}: {result.steps} steps in {result.wall_time:.3f} s{rest}"
     print_table(title, ("output", "start", "end", "largest magnitude"), rows)

@@ -41,7 +41,6 @@ class Change:
     """A number over a step: values at the beginning and the end, and their difference.
 
     They are NumPy's, so that a division by zero yields what IEEE 754 says, and no exception.
-    What is written .
     """
 
     n: Number
