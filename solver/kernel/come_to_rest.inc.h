@@ -40,7 +40,7 @@ static void stop_island(const context *c)
     const hm_state *s = &c->s;
     const int64_t n = DIM * c->n_moving, rows = c->m->n_rows;
     EACH_COORDINATE(c, k) {
-        s->v[k] = s->v_low[k] = s->a[0][k] = s->a[1][k] = 0.0;
+        s->v[k] = s->v_low[k] = s->imbalance[k] = s->imbalance_before[k] = s->a[0][k] = s->a[1][k] = 0.0;
         for (int slot = 0; slot < c->m->n_slots; slot++) s->a_change[n * slot + k] = 0.0;
     }
     EACH_ROW(c, i) {

@@ -174,7 +174,7 @@ static void go_back(context *c, double t, double law_time)
     const double *start = c->k.pair_backup;
     static const int accounts[] = {S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
                                    S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW};
-    memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(4 * DIM * c->n_moving)); /* q and v, low parts */
+    memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(6 * DIM * c->n_moving)); /* q, v, imbalances */
     memcpy(s->turns, start + (s->turns - s->head), sizeof(double) * (size_t)(s->derived - s->turns));
     for (int i = 0; i < 8; i++) s->head[accounts[i]] = start[accounts[i]];
     if (c->m->time_dependent) set_laws(c, law_time, 0);

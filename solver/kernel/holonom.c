@@ -20,6 +20,8 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->q_low = take(block, &used, n);
     s->v = take(block, &used, n);
     s->v_low = take(block, &used, n);
+    s->imbalance = take(block, &used, n);
+    s->imbalance_before = take(block, &used, n);
     s->start = take(block, &used, n);
     s->a[0] = take(block, &used, n);
     s->a[1] = take(block, &used, n);
@@ -85,6 +87,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->w = take(block, &used, n);
     k->d = take(block, &used, n);
     k->momentum = take(block, &used, n);
+    k->handed_on = take(block, &used, n);
     k->rhs = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->value = take(block, &used, m->n_lu_values);
     map_composite(m, block, &used, k);

@@ -113,6 +113,8 @@ double hm_operate(int32_t code, double a, double b, double c);
 typedef struct hm_state {
     double *head;
     double *q, *q_low, *v, *v_low; /* n each: coordinates and velocities, with what rounding left over       */
+    double *imbalance, *imbalance_before; /* n each: what Newton's iteration left of the momentum balance in the
+                                      last half step and in the one before it [kg m/s]                    */
     double *start;                 /* n: coordinates at the start, which energies are measured from           */
     double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
     double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
@@ -142,6 +144,7 @@ typedef struct hm_work {
     double *epsilon;      /* n_rows: compliance 2/alpha or 1/alpha                                          */
     double *hv, *w, *d;   /* n: h v, unknown d - h v, increment d                                           */
     double *momentum;     /* n: residual of the momentum balance                                            */
+    double *handed_on;    /* n: part of it that the last half steps have left to this one                    */
     double *rhs;          /* dim n_free + n_rows, elimination order                                         */
     double *value;        /* n_lu_values: tangent and its factors                                           */
     double *local;        /* per form of a composite: links and values, see composite.inc.h                  */

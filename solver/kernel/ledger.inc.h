@@ -43,7 +43,8 @@ static void book_step(context *c)
         book(c, S_DEFECT, dot(c->k.mu + m->n_form_rows + DIM * j, du));
     }
     EACH_COORDINATE(c, k) /* of driven nodes it is what moves them */
-        book(c, k < DIM * m->n_free ? S_RESIDUAL : S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
+        if (k < DIM * m->n_free) book(c, S_RESIDUAL, c->k.d[k] * (c->k.momentum[k] - c->k.handed_on[k]) / c->h);
+        else book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
     for IN_ISLAND(c, j, ISLAND_LOAD) {
         load_force(c, j, force);
         link_of(c, m->load_form[j], c->k.d, du, unused);
@@ -124,6 +125,8 @@ static void accept_island(context *c, int parity)
         /* Divided one by one: the rounding error of 2/h, the same in all steps, would add half its square of the
            change of velocity to the energy, always with one sign. */
         hm_add(s->v + k, s->v_low + k, 2.0 * c->k.w[k] / c->h);
+        s->imbalance_before[k] = s->imbalance[k];
+        s->imbalance[k] = c->k.momentum[k];
     }
     for IN_ISLAND(c, j, ISLAND_BODY) follow_orientation(c, j);
     if (!is_telling(c)) return;

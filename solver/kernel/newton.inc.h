@@ -27,6 +27,25 @@ static double constraint_defect(const context *c)
     return largest;
 }
 
+/* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is
+   solved for R + 2 e_1 - e_2 = 0. Newton's iteration leaves a part of what it corrects, with one sign over many steps,
+   and the energies v'e would grow with the number of steps. What is left so are second differences of e, whose energies
+   cancel but for those of the velocity's own second differences (double pendulum, 1e6 steps of 10 ms: 4e-12 J without,
+   1e-14 J with it).                                                                                             */
+static void hand_on(context *c)
+{
+    const double *e = c->s.imbalance, *before = c->s.imbalance_before;
+    EACH_COORDINATE(c, k) c->k.handed_on[k] = 2.0 * e[k] - before[k];
+}
+
+/* Residuals with what was handed on. */
+static int32_t evaluate_balance(context *c)
+{
+    const int32_t status = evaluate_residual(c);
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) c->k.momentum[k] += c->k.handed_on[k];
+    return status;
+}
+
 typedef struct newton_record {
     double theta, eta, size; /* contraction; in the mass norm, the last increment and d [kg^1/2 m]               */
     double target, floor;    /* tolerance and round-off of increments                                          */
@@ -241,7 +260,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         const int is_slow = is_lean(c) && r->eta > r->floor && r->theta > (iteration > 0 ? LEAN_CONTRACTION : 0.5);
         if (is_slow && iteration == 0) take_back(c);
         if (simultaneous) update_multipliers(c);
-        status = evaluate_residual(c);
+        status = evaluate_balance(c);
         if (status) return status;
         const double left = iteration > 0 || (keep && r->increments > 1) ? r->theta * r->eta : r->eta;
         const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
@@ -249,7 +268,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (is_solved(c, r, left, defect, stalled)) return HOLONOM_OK;
         if (simultaneous && iteration > 1 && r->theta > 0.25 && stiffen(c, &r->stiffened)) {
             update_multipliers(c);
-            if ((status = evaluate_residual(c))) return status;
+            if ((status = evaluate_balance(c))) return status;
             r->factorised = 0;
             r->theta = 1.0;
         } else if (r->theta < GOOD_CONTRACTION && may_update_early(c, iteration) && (iteration > 0 || constraint_defect(c) > UNBIASED))

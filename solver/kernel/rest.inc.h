@@ -83,6 +83,7 @@ static int stays_at_rest(context *c, int parity)
     EACH_ROW(c, i) c->k.mu[i] = c->s.mu[parity][i];
     const int rests = is_balanced(c);
     EACH_ROW(c, i) c->k.mu[i] = c->s.mu[parity][i];
+    EACH_COORDINATE(c, k) c->k.momentum[k] = c->k.handed_on[k] = 0.0;
     c->island[I_RESTING] = rests ? c->island[I_RESTING] + 1.0 : 0.0;
     return rests;
 }

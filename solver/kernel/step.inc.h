@@ -120,7 +120,7 @@ static int32_t try_step(context *c, int taken_over, newton_record *r, int *effor
 {
     const int single = is_penalty(c) || c->s.head[S_SIMULTANEOUS] != 0.0;
     int updates = 0;
-    int32_t status = turns_little(c) ? evaluate_residual(c) : HOLONOM_TURN_TOO_LARGE;
+    int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, taken_over);
     if (is_lean(c) && !taken_over && r->increments > LEAN_INCREMENTS) pause_lean(c->island);
@@ -139,6 +139,7 @@ static int32_t solve_island(context *c, int parity, int *effort)
         if (stays_at_rest(c, parity)) return HOLONOM_OK;
         prepare_step(c, parity);
     }
+    hand_on(c);
     choose_factors(c);
     const int taken_over = take_factors_over(c, &r);
     int32_t status = try_step(c, taken_over, &r, effort);

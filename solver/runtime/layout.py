@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 12
+ABI = 13
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -80,10 +80,12 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     """Return the offset and length of each vector of a state behind its head.
 
     ``q, q_low, v, v_low`` (n each, free and driven nodes): coordinates [m], velocities [m/s], and
-    what rounding left over; ``start`` (n): coordinates at the start; ``a_first, a_second`` (n
-    each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first, mu_second`` (n_rows each):
-    last multipliers; ``a_change, mu_change`` (n_slots of n and n_rows): how these changed from half
-    to half of the last internal steps; ``mean, mean_before``: means of two neighbours;
+    what rounding left over; ``imbalance, imbalance_before`` (n each): what Newton's iteration left
+    of the momentum balance in the last two half steps; ``start`` (n): coordinates at the start;
+    ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first,
+    mu_second`` (n_rows each): last multipliers; ``a_change, mu_change`` (n_slots of n and n_rows):
+    how these changed from half to half of the last internal steps; ``mean, mean_before``: means of
+    two neighbours;
     ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of angles;
     ``direction``: cosine and sine of each, times a factor;
     ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of continuous
@@ -94,7 +96,8 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
-        **dict.fromkeys(("q", "q_low", "v", "v_low", "start", "a_first", "a_second"), n),
+        **dict.fromkeys(("q", "q_low", "v", "v_low", "imbalance", "imbalance_before"), n),
+        **dict.fromkeys(("start", "a_first", "a_second"), n),
         **dict.fromkeys(("mu_first", "mu_second"), sizes["n_rows"]),
         "a_change": n * sizes["n_slots"],
         "mu_change": sizes["n_rows"] * sizes["n_slots"],

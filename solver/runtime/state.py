@@ -12,7 +12,7 @@ from .errors import OptionError
 from .layout import ENDLESS, HEAD, PLACE, state_sections
 from .model import Model
 
-MAGIC = b"holonom3"
+MAGIC = b"holonom4"
 """Begins every saved state; the digit is the version of its format."""
 
 PHASES = CONFIGURED, ASSEMBLED, MOVING = 0, 1, 2
