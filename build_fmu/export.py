@@ -16,7 +16,7 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import model_description
-from build_fmu.payload import payload, wrapper_libraries
+from build_fmu.payload import SLAVE_NAME, payload, wrapper_libraries
 from build_fmu.picture import picture
 from build_fmu.study.remains import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
@@ -132,7 +132,7 @@ def archive_entries(model: Model, seen: Trial, scene: Scene | None = None) -> di
     name = identifier(model.name)
     entries = {f"resources/{file}": data for file, data in code.files.items()}
     entries["resources/model.bin"] = model.to_bytes()
-    entries["resources/slavemodule.txt"] = f"{code.slave_module}\n".encode()
+    entries[f"resources/{SLAVE_NAME}"] = f"{code.slave_module}\n".encode()
     for library, data in wrapper_libraries().items():
         platform, suffix = library.split("/")
         entries[f"binaries/{platform}/{name}{suffix}"] = data

@@ -18,6 +18,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from build_fmu.archive_check import require_whole
 from build_fmu.errors import EnvironmentLackError, UsageError
 from fmu_src.status import LOGGER
 
@@ -158,19 +159,32 @@ def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Sl
             )
         fmu.instantiate(callbacks=log.callbacks(), loggingOn=True)
     except Exception as error:  # fmpy raises a bare Exception
+        reason = " ".join(log.reason(str(error)).split())
         text = (
             f"{unit.modelIdentifier} cannot be instantiated: is the archive damaged? Build it "
-            f"again ({log.reason(str(error))})"
+            f"again ({reason})"
         )
         raise UsageError(text) from None
     return fmu
 
 
 def description_of(path: str | PathLike[str]) -> ModelDescription:
-    """Model description of an FMU that can be run here: FMI 2.0, co-simulation."""
+    """Model description of an FMU that can be run here: whole, FMI 2.0, co-simulation.
+
+    Raises
+    ------
+    UsageError
+        If it is another file, or its archive or its model description is damaged.
+    """
     import fmpy
 
-    description = fmpy.read_model_description(fspath(path), validate=False)
+    require_whole(path)
+    try:
+        description = fmpy.read_model_description(fspath(path))
+    except Exception as error:  # whatever lxml and fmpy raise on a text that is no description
+        first = (str(error).splitlines() or [type(error).__name__])[:2][-1].removeprefix("- ")
+        text = f"{fspath(path)}: modelDescription.xml is not one that FMI allows ({first})"
+        raise UsageError(text) from None
     if description.fmiVersion != "2.0" or description.coSimulation is None:
         text = f"{fspath(path)}: not an FMI 2.0 co-simulation unit"
         raise UsageError(text)

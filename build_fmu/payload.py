@@ -25,12 +25,15 @@ import io
 import re
 import tokenize
 import zipfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from build_fmu.errors import EnvironmentLackError
 from solver.runtime.kernel import library_path
 
+SLAVE_NAME = "slavemodule.txt"
+"""File below `resources/` in which pythonfmu's library looks for the name of the slave module."""
 PYTHONFMU_MODULES = ("enums.py", "logmsg.py")
 SUFFIXES = (".so", ".dll", ".dylib")
 _IMPORT = re.compile(
@@ -71,13 +74,18 @@ class Payload:
 def payload(dimension: int) -> Payload:
     """Code of this installation, ready to travel with mechanisms of this dimension, 2 or 3."""
     sources = _fmu_src() | _runtime() | _kernels(dimension) | _pythonfmu()
-    digest = hashlib.sha256()
-    for path, data in sorted(sources.items()):
-        digest.update(f"{path} {len(data)}\n".encode() + data)
-    package = f"holonom_{digest.hexdigest()[:12]}"
+    package = package_name(sources)
     files = {f"{package}/{path}": data for path, data in sources.items()}
     files[f"{package}_slave.py"] = _SLAVE_MODULE.format(package=package).encode()
     return Payload(f"{package}_slave", files)
+
+
+def package_name(sources: Mapping[str, bytes]) -> str:
+    """Private name of the package with these files, which holds a hash of them."""
+    digest = hashlib.sha256()
+    for path, data in sorted(sources.items()):
+        digest.update(f"{path} {len(data)}\n".encode() + data)
+    return f"holonom_{digest.hexdigest()[:12]}"
 
 
 @functools.cache

@@ -32,16 +32,6 @@ def is_fmu(target: str) -> bool:
     return path.suffix == ".fmu" or zipfile.is_zipfile(path)
 
 
-def require_fmu(target: str) -> None:
-    """Raise UsageError unless the file is an archive with a model description."""
-    if is_fmu(target) and zipfile.is_zipfile(target):
-        with zipfile.ZipFile(target) as archive:
-            if "modelDescription.xml" in archive.namelist():
-                return
-    text = f"{target}: not an FMU (a zip file with modelDescription.xml)"
-    raise UsageError(text)
-
-
 def scene_model(target: str, entries: Mapping[str, Entry]) -> Model:
     """Compiled model of a scene file with these values; its mistakes become a UsageError."""
     return scene_and_model(target, entries)[1]
@@ -62,9 +52,10 @@ def scene_and_model(target: str, entries: Mapping[str, Entry]) -> tuple[Scene, M
 
 def fmu_model(target: str) -> Model:
     """Compiled model inside an FMU of ours."""
+    from build_fmu.instance import description_of
     from solver.runtime import Model, OptionError
 
-    require_fmu(target)
+    description_of(target)
     try:
         with zipfile.ZipFile(target) as archive:
             return Model.from_bytes(archive.read("resources/model.bin"))
@@ -82,7 +73,6 @@ def runnable(
     A scene is built into a temporary folder with the values as overrides of its numbers.
     """
     if is_fmu(target):
-        require_fmu(target)
         yield target, entries
         return
     from build_fmu.export import write_fmu

@@ -137,6 +137,16 @@ def test_every_table_and_row_is_there_and_travels(text):
     assert Model.from_bytes(model.to_bytes()) == model
 
 
+def test_a_model_with_a_damaged_bit_or_cut_off_is_refused():
+    data = model_of(PLANE).to_bytes()
+    for place in range(0, len(data), 7):
+        flipped = bytearray(data)
+        flipped[place] ^= 1 << place % 8
+        for damaged in (bytes(flipped), data[:place]):
+            with pytest.raises(ValueError, match="damaged"):
+                Model.from_bytes(damaged)
+
+
 @BOTH
 def test_kernel_and_reference_measure_the_same_after_some_steps(text):
     # Both solve to round-off; forces are the multipliers of 1e8 times the rounding of lengths.

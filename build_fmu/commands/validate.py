@@ -5,14 +5,14 @@ from __future__ import annotations
 import argparse
 import sys
 
+from build_fmu.archive_check import require_whole
 from build_fmu.errors import CHECK_FAILED
 from build_fmu.report import print_json
-from build_fmu.target import require_fmu
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Validate; exit code 1 if there is a finding."""
-    require_fmu(arguments.target)
+    require_whole(arguments.target)
     from fmpy.validation import validate_fmu
 
     findings = validate_fmu(arguments.target)

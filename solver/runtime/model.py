@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import json
 import sys
+import zlib
 from array import array
 from collections import namedtuple
 from functools import cached_property
@@ -23,7 +24,7 @@ from functools import cached_property
 from .errors import UnknownNameError
 from .layout import OFFSETS, SIZES, TABLES
 
-FORMAT = 2
+FORMAT = 3
 """Version of the byte format of a model."""
 
 
@@ -152,7 +153,7 @@ class Model(
         return self._places[name]
 
     def to_bytes(self) -> bytes:
-        """Return the model as bytes: a JSON header, then the raw arrays, little-endian.
+        """Return the model as bytes: a JSON header, the raw arrays, CRC-32; little-endian.
 
         The same model gives the same bytes.
         """
@@ -167,7 +168,8 @@ class Model(
         }
         text = json.dumps(header, separators=(",", ":")).encode()
         blocks = [_little_endian(table) for table in (*self.tables.values(), self.numbers)]
-        return b"".join([len(text).to_bytes(8, "little"), text, *blocks])
+        data = b"".join([len(text).to_bytes(8, "little"), text, *blocks])
+        return data + zlib.crc32(data).to_bytes(4, "little")
 
     @staticmethod
     def from_bytes(data: bytes) -> Model:
@@ -176,8 +178,13 @@ class Model(
         Raises
         ------
         ValueError
-            When the bytes are of another format version, or cut off.
+            When the bytes are of another format version, or damaged.
         """
+        # Indices of the tables steer the kernel, which does not check them.
+        data, checksum = data[:-4], data[-4:]
+        if zlib.crc32(data).to_bytes(4, "little") != checksum:
+            message = "the model is damaged, or of an earlier version; build it again"
+            raise ValueError(message)
         length = int.from_bytes(data[:8], "little")
         header = json.loads(data[8 : 8 + length])
         if header.pop("format") != FORMAT:
@@ -186,10 +193,7 @@ class Model(
         position = 8 + length
         for name, count in header["tables"].items():
             header["tables"][name], position = _from_little_endian("i", count, data, position)
-        header["numbers"], position = _from_little_endian("d", header["numbers"], data, position)
-        if position != len(data):
-            message = f"the model is {len(data)} bytes long, its header says {position}"
-            raise ValueError(message)
+        header["numbers"], _ = _from_little_endian("d", header["numbers"], data, position)
         header["variables"] = tuple(Variable(*row) for row in header["variables"])
         header["rules"] = tuple(Rule(*row) for row in header["rules"])
         header["rows"] = tuple(Row(*row) for row in header["rows"])

@@ -1,0 +1,108 @@
+"""Check of an archive before anything of it is unpacked or loaded.
+
+A library that is cut off, or code that is missing, ends the process without a word; files that are
+packed by a thousand fill the disk. What is no FMU, or not whole, is refused with a sentence.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+import struct
+import zipfile
+import zlib
+from lzma import LZMAError
+from os import PathLike, fspath
+from pathlib import Path, PurePosixPath
+
+from build_fmu.errors import UsageError
+from build_fmu.payload import SLAVE_NAME, package_name
+
+MOST_BYTES = 2**30
+"""Of all files of an FMU, unpacked; large ones of other tools have some hundred million."""
+MOST_FILES = 20_000
+
+_DESCRIPTION = "modelDescription.xml"
+_AGAIN = "; build it again, or fetch it again from where it came"
+_DAMAGE = (
+    *(zipfile.BadZipFile, zlib.error, LZMAError, struct.error, EOFError, OSError),
+    *(ValueError, RuntimeError),  # text that is none; a method or a password that is not known
+)
+_PACKAGE = re.compile(r"resources/(holonom_[0-9a-f]{12})/(.+)")
+
+
+def require_whole(path: str | PathLike[str]) -> None:
+    """Refuse a file that is no FMU, damaged, or larger than an FMU can be.
+
+    Raises
+    ------
+    UsageError
+        With the file and what is wrong with it.
+    """
+    file = Path(path)
+    problem = ""
+    if not file.is_file():
+        problem = "no such file"
+    elif file.stat().st_size > MOST_BYTES:
+        problem = f"larger than {MOST_BYTES} bytes, the most of an FMU"
+    elif not zipfile.is_zipfile(file):
+        problem = f"not an FMU (a zip file with {_DESCRIPTION})"
+    else:
+        data = file.read_bytes()
+        try:
+            with zipfile.ZipFile(io.BytesIO(data)) as archive:
+                problem = _size_problem(archive) or _name_problem(archive) or _file_problem(archive)
+        except _DAMAGE as error:
+            problem = f"the archive is damaged ({error}){_AGAIN}"
+    if problem:
+        text = f"{fspath(path)}: {problem}"
+        raise UsageError(text)
+
+
+def _size_problem(archive: zipfile.ZipFile) -> str:
+    entries = archive.infolist()
+    size = sum(entry.file_size for entry in entries)
+    if size > MOST_BYTES or len(entries) > MOST_FILES:
+        return (
+            f"unpacked it has {size} bytes in {len(entries)} files; an FMU has at most "
+            f"{MOST_BYTES} in {MOST_FILES}"
+        )
+    return ""
+
+
+def _name_problem(archive: zipfile.ZipFile) -> str:
+    """Say which name is not that of one file of its own inside of a folder; empty if all are."""
+    names = [entry.orig_filename for entry in archive.infolist()]
+    files = {name for name in names if not name.endswith("/")}
+    seen = set()
+    for name in names:
+        parts = name.removesuffix("/").split("/")
+        if {"", ".", ".."} & set(parts) or re.search(r"[\\:\0]", name):
+            return f"the archive has a file {name!r}, which does not lie inside of it"
+        if name in seen or any(str(folder) in files for folder in PurePosixPath(name).parents):
+            return f"the archive has two files in one place, {name!r}{_AGAIN}"
+        seen.add(name)
+    return "" if _DESCRIPTION in files else f"not an FMU (a zip file with {_DESCRIPTION})"
+
+
+def _file_problem(archive: zipfile.ZipFile) -> str:
+    """Say which file is damaged or missing; empty if none is."""
+    damaged = archive.testzip()
+    if damaged:
+        return f"the archive is damaged: {damaged} has another checksum{_AGAIN}"
+    names = archive.namelist()
+    libraries = [name for name in names if name.startswith("binaries/")]
+    if any(SLAVE_NAME.encode() in archive.read(name) for name in libraries):
+        named = f"resources/{SLAVE_NAME}"
+        text = archive.read(named).decode(errors="replace") if named in names else ""
+        module = f"resources/{text.partition(chr(10))[0].strip()}.py"
+        if module not in names:
+            missing = module if text.strip() else named
+            return f"{missing} is missing, without which its library ends the process{_AGAIN}"
+    code: dict[str, dict[str, bytes]] = {}
+    for found in filter(None, map(_PACKAGE.fullmatch, names)):
+        code.setdefault(found[1], {})[found[2]] = archive.read(found[0])
+    for package, files in code.items():
+        if package_name(files) != package:
+            return f"the code in resources/{package} is not what it was when it was built{_AGAIN}"
+    return ""
