@@ -25,8 +25,16 @@ class SlaveWithValues(LoggedSlave):
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
-        with open(os.path.join(self.resources or ".", MODEL_FILE), "rb") as file:
-            self._model = Model.from_bytes(file.read())
+        if not self.instance_name:
+            message = "fmi2Instantiate: the name of an instance must not be empty"
+            raise OptionError(message)
+        path = os.path.join(self.resources or ".", MODEL_FILE)
+        try:
+            with open(path, "rb") as file:
+                self._model = Model.from_bytes(file.read())
+        except OSError as error:
+            message = f"fmi2Instantiate: {path} cannot be read: {error.strerror}"
+            raise OptionError(message) from None
         self._integrator = Integrator(self._model, log=self.warn)
         self._phase = INSTANTIATED
         self._start_time: float | None = None
