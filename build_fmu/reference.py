@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from build_fmu.study.csv_file import csv_rows
 from build_fmu.study.values import Mistake, nearest, refuse
 from build_fmu.trial import OF_THE_SOLUTION
+from solver.signals import Problem, arrays_over_time
 
 if TYPE_CHECKING:
     from numpy import ndarray
@@ -38,51 +39,14 @@ def columns_of(reference: Reference) -> dict[str, ndarray]:
     UsageError
         With every mistake.
     """
-    import numpy as np
-
     mistakes: list[Mistake] = []
-    if isinstance(reference, Mapping):
-        columns = _arrays(reference, mistakes)
-    else:
-        read = _read(Path(reference), mistakes)
-        columns = {name: np.array(values) for name, values in read.items()}
+    is_file = not isinstance(reference, Mapping)
+    columns = _read(Path(reference), mistakes) if is_file else reference
     refuse(mistakes)
-    refuse(_wrong_times(columns, name_of(reference)))
-    return columns
-
-
-def _wrong_times(columns: Mapping[str, ndarray], where: str) -> list[Mistake]:
-    times = columns.get("time")
-    if times is None:
-        help = f"there are {', '.join(columns)}; name them in the first line, separated by commas"
-        return [Mistake(where, "has no column 'time'", help)]
-    falls = [i + 2 for i in range(len(times) - 1) if not times[i] < times[i + 1]]
-    if times.ndim != 1 or len(times) < 2 or falls:
-        row = f"; row {falls[0]} does not" if falls else f", and there are {len(times)}"
-        message = f"time must ascend, from at least two rows{row}"
-        return [Mistake(where, message, "sort the rows, and leave out what is there twice")]
-    return [
-        Mistake(where, f"{name}: not one value for each time", f"there are {len(times)} times")
-        for name, values in columns.items()
-        if values.shape != times.shape
-    ]
-
-
-def _arrays(reference: Mapping[str, Any], mistakes: list[Mistake]) -> dict[str, ndarray]:
-    import numpy as np
-
-    columns: dict[str, ndarray] = {}
-    for name, values in reference.items():
-        try:
-            columns[name] = np.asarray(values, float)
-        except (TypeError, ValueError) as error:
-            help = "give one number for each time"
-            mistakes.append(Mistake("the reference", f"{name}: not numbers: {error}", help))
-            continue
-        if not np.isfinite(columns[name]).all():
-            help = "leave out the times at which there is none"
-            mistakes.append(Mistake("the reference", f"{name}: must be finite numbers", help))
-    return columns
+    problems: list[Problem] = []
+    arrays = arrays_over_time(columns, problems)
+    refuse(Mistake(name_of(reference), *problem) for problem in problems)
+    return arrays
 
 
 def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:

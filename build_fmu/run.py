@@ -26,7 +26,7 @@ from build_fmu.instance import (
 )
 from build_fmu.poses import Poses
 from build_fmu.reference import Reference
-from build_fmu.signals import input_signals
+from build_fmu.signals import inputs_of
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 
 if TYPE_CHECKING:
@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from fmpy.simulation import Recorder
     from numpy import ndarray
 
+RECORDED = ("input", "output")
+"""What a run collects, by causality."""
 MOST_STEPS = 10_000_000
 """Most communication steps of a run: all rows are kept in memory until its end."""
 
@@ -44,12 +46,12 @@ class Run:
     """Result of `run_fmu`."""
 
     values: ndarray
-    """Structured array: "time" and every output, one row per communication point."""
+    """Structured array: "time", all inputs and outputs, one row per communication point."""
     stop_time: float
     wall_time: float
     """Seconds for unpacking, instantiation and all steps."""
     messages: tuple[str, ...]
-    """Lines of the FMU's log with status Warning and above."""
+    """A note on inputs that begin late, and the FMU's log with status Warning and above."""
     finished: bool
     """Whether it came to its stop time."""
     reason: str
@@ -97,9 +99,10 @@ def run_fmu(
     settings
         Values of parameters and inputs by name, or a file of them.
     inputs
-        Inputs that change during the run: a CSV file with a column "time" and one for each, or
-        arrays by name. Between the times they go in straight lines, before and after them they
-        stay. The FMU sees them at communication points: hence a short `step_size`.
+        Inputs that change during the run: a CSV file with a column "time" and one for each; or by
+        name numbers, functions of the time in s, and arrays, with their times as "time". Between
+        the times inputs go in straight lines, before and after them they stay. The FMU sees them at
+        communication points: hence a short `step_size`.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
 
@@ -112,10 +115,20 @@ def run_fmu(
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
+    import numpy as np
+
+    from solver.trajectory import communication_points
+
     description = description_of(path)
-    start_values = fmu_settings(description, [entries_of(settings, "settings")])[0]
-    signals = None if inputs is None else input_signals(inputs, description, start_values)
+    given = inputs_of(inputs)
+    entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}
+    start_values = fmu_settings(description, [entries])[0]
     stop_time, step_size = experiment_times(description, stop_time, step_size)
+    start = start_time_of(description)
+    times = np.array(
+        [*(t for t, _ in communication_points(start, stop_time, step_size)), stop_time]
+    )
+    signals = given.sampled(description, start_values, times)
     log = Log()
     begin = time.perf_counter()
     with unpacked(path) as folder, not_said_twice(), interrupts_held() as pass_interrupts:
@@ -127,18 +140,21 @@ def run_fmu(
             output_interval=step_size,
             start_values=start_values,
             input=signals,
+            output=[v.name for v in description.modelVariables if v.causality in RECORDED],
             step_finished=_reporter(progress, stop_time, pass_interrupts),
         )
     wall_time = time.perf_counter() - begin
     if values is None:
         raise UsageError(log.reason(failed))
-    import numpy as np
-
+    if signals is not None:
+        for name in given.changing.keys() - {"time"}:  # fmpy has the value of the step before
+            values[name] = np.interp(values["time"], times, signals[name])
     finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
     reason = log.error if finished else log.reason()
     poses = Poses({v.name: v.unit for v in description.modelVariables if v.causality == "output"})
     moved = poses.moved(np.array([values[name] for name in ("time", *poses.names)])[1:].T)
-    return Run(values, stop_time, wall_time, log.messages, finished, reason, moved)
+    messages = (*given.notes(start), *log.messages)
+    return Run(values, stop_time, wall_time, messages, finished, reason, moved)
 
 
 def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> str:

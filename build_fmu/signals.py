@@ -1,49 +1,86 @@
-"""Inputs that change during a run: columns by name, from a CSV file or arrays."""
+"""Inputs that change during the run of an FMU: from a CSV file, arrays, or functions of time."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 from build_fmu.reference import Reference, columns_of, name_of
 from build_fmu.study.values import Mistake, nearest, refuse
+from solver.signals import Problem, changes, sampled
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
     from numpy import ndarray
 
 
-def input_signals(
-    inputs: Reference, description: ModelDescription, held: Mapping[str, object]
-) -> ndarray:
-    """Inputs over time, as fmpy takes them: one row for each time, straight lines between them.
+@dataclass(frozen=True)
+class Inputs:
+    """Inputs by name: those that change, with the "time" of arrays, and those with one value."""
 
-    `held` has the values of inputs that do not change; an input that is neither there nor a column
-    keeps its start value.
+    where: str
+    """Name of the file, or of the argument, for messages."""
+    changing: Mapping[str, Any]
+    held: Mapping[str, Any]
 
-    Raises
-    ------
-    UsageError
-        If a column is no input, an input has a value besides its column, or what `columns_of`
-        raises.
-    """
-    import numpy as np
+    def sampled(
+        self, description: ModelDescription, values: Mapping[str, object], times: ndarray
+    ) -> ndarray | None:
+        """Inputs at the communication points `times` [s], as fmpy takes them: a row for each.
 
-    columns, where = columns_of(inputs), name_of(inputs)
-    known = {v.name: v.start for v in description.modelVariables if v.causality == "input"}
-    mistakes = []
-    for name in columns.keys() - {"time"}:
-        if name not in known:
-            message = f"{description.modelName} has no input {name!r}"
-            mistakes.append(Mistake(where, message, nearest(name, known)))
-        elif name in held:
-            help = "leave out the column, or the value"
-            mistakes.append(Mistake(where, f"{name}: there is a value for the whole run", help))
-    if columns.keys() <= {"time"}:
-        mistakes.append(Mistake(where, "has no column of an input", nearest("", known)))
-    refuse(mistakes)
-    signals = np.empty(len(columns["time"]), [(name, float) for name in ("time", *known)])
-    signals["time"] = columns["time"]
-    for name, start in known.items():
-        signals[name] = columns.get(name, float(held.get(name, start or 0.0)))  # type: ignore[arg-type]
-    return signals
+        `values` has those that do not change; what is neither there nor among `changing` keeps its
+        start value. None if nothing changes.
+
+        Raises
+        ------
+        UsageError
+            If a name is no input, an input has a value besides its signal, or a signal is wrong.
+        """
+        import numpy as np
+
+        if not self.changing:
+            return None
+        known = {v.name: v.start for v in description.modelVariables if v.causality == "input"}
+        self._check(description.modelName or "", known, values)
+        problems: list[Problem] = []
+        columns = sampled(self.changing, times, problems)
+        refuse(Mistake(self.where, *problem) for problem in problems)
+        signals = np.empty(len(times), [(name, float) for name in ("time", *known)])
+        signals["time"] = times
+        for name, start in known.items():
+            signals[name] = columns.get(name, float(values.get(name, start or 0.0)))  # type: ignore[arg-type]
+        return signals
+
+    def _check(self, model: str, known: Mapping[str, Any], values: Mapping[str, object]) -> None:
+        mistakes = []
+        for name in self.changing.keys() - {"time"}:
+            if name not in known:
+                message = f"{model} has no input {name!r}"
+                mistakes.append(Mistake(self.where, message, nearest(name, known)))
+            elif name in values:
+                help = "leave out the column, or the value"
+                message = f"{name}: there is a value for the whole run"
+                mistakes.append(Mistake(self.where, message, help))
+        if self.changing.keys() <= {"time"}:
+            mistakes.append(Mistake(self.where, "has no column of an input", nearest("", known)))
+        refuse(mistakes)
+
+    def notes(self, start: float) -> tuple[str, ...]:
+        """A sentence if the times of arrays begin after the start of the run [s]."""
+        times = self.changing.get("time")
+        if times is None or not times[0] > start:
+            return ()
+        text = f"{self.where}: begins at t = {times[0]:g} s; from {start:g} s until then"
+        return (f"{text} the inputs have the values of its first row",)
+
+
+def inputs_of(inputs: Reference | None) -> Inputs:
+    """Inputs as they are given, or from the columns of a file."""
+    if inputs is None:
+        return Inputs("", {}, {})
+    if not isinstance(inputs, Mapping):
+        return Inputs(name_of(inputs), columns_of(inputs), {})
+    changing = {name: signal for name, signal in inputs.items() if changes(signal)}
+    held = {name: value for name, value in inputs.items() if name not in changing}
+    return Inputs("inputs", changing, held)

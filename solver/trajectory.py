@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.errors import UnknownNameError
 from solver.scene import Scene, load
+from solver.signals import Problem, changes, sampled
 
 if TYPE_CHECKING:
     import pandas  # pyright: ignore[reportMissingImports]
@@ -80,7 +81,7 @@ def simulate(
     stop_time: float | None = None,
     step_size: float | None = None,
     parameters: Mapping[str, float] | None = None,
-    inputs: Mapping[str, float] | None = None,
+    inputs: Mapping[str, Any] | None = None,
     outputs: Sequence[str] | None = None,
     kernel: str = "auto",
     **options: float | str | bool,
@@ -94,10 +95,14 @@ def simulate(
     stop_time, step_size : float, optional
         End of the run and communication step [s]; the scene's own where left out. The internal
         step is the setting ``step_size`` of the scene's solver, unless there is a ``tolerance``.
-    parameters, inputs : mapping of str to float, optional
+    parameters : mapping of str to float, optional
         Values by name, kept for the whole run.
+    inputs : mapping, optional
+        By name numbers, functions of the time in s, and arrays, with their times as "time" [s].
+        Between the times inputs go in straight lines, before and after them they stay. They are set
+        at communication points: hence a short `step_size`.
     outputs : sequence of str, optional
-        Variables to collect; all outputs where left out.
+        Variables to collect; all inputs and outputs where left out.
     kernel : {"auto", "c", "numpy"}
         Compiled kernel or NumPy reference.
     **options
@@ -119,18 +124,51 @@ def simulate(
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
     settings = {f"solver.{name}": value for name, value in options.items()}
-    for name, value in {**(parameters or {}), **(inputs or {}), **settings}.items():
+    held = {name: value for name, value in (inputs or {}).items() if not changes(value)}
+    for name, value in {**(parameters or {}), **held, **settings}.items():
         integrator[name] = value
     names = _collected(model, outputs)
-    indices = [model.index(name) for name in names]
     start, stop, step = _times(model, stop_time, step_size)
     integrator.state.head["horizon"] = stop - start
-    times, rows = [start], [integrator.get(indices)]
-    for t, h in communication_points(start, stop, step):
+    steps = [*communication_points(start, stop, step)]
+    signals = _sampled(inputs or {}, held, [*(t for t, _ in steps), stop])
+    rows = _rows(integrator, steps, signals, [model.index(name) for name in names])
+    table = np.array(rows, dtype=float)
+    for name in signals.keys() & set(names):
+        table[:, names.index(name)] = signals[name]
+    return Trajectory(np.array([start, *(t + h for t, h in steps)]), names, table)
+
+
+def _rows(
+    integrator: Integrator,
+    steps: Sequence[tuple[float, float]],
+    signals: Mapping[str, NDArray[np.float64]],
+    indices: Sequence[int],
+) -> list[list[float | str | bool]]:
+    """Values at all communication points; each step begins with the inputs of its time."""
+    driven = [integrator.model.index(name) for name in signals]
+    values = np.array([*signals.values()]).T.tolist()
+    if driven:
+        integrator.set(driven, values[0])
+    rows = [integrator.get(indices)]
+    for k, (t, h) in enumerate(steps):
+        if driven:
+            integrator.set(driven, values[k])
         integrator.advance(t, h)
-        times.append(t + h)
         rows.append(integrator.get(indices))
-    return Trajectory(np.array(times), names, np.array(rows, dtype=float))
+    return rows
+
+
+def _sampled(
+    inputs: Mapping[str, Any], held: Mapping[str, Any], times: Sequence[float]
+) -> dict[str, NDArray[np.float64]]:
+    """Inputs that change, at the communication points."""
+    problems: list[Problem] = []
+    changing = {name: signal for name, signal in inputs.items() if name not in held}
+    found = sampled(changing, times, problems)
+    if problems:
+        raise OptionError("\n".join(f"inputs: {message}; {help}" for message, help in problems))
+    return found
 
 
 def _times(
@@ -152,7 +190,7 @@ def _times(
 def _collected(model: Model, outputs: Sequence[str] | None) -> tuple[str, ...]:
     """Names of the variables to collect."""
     if outputs is None:
-        return tuple(v.name for v in model.variables if v.causality == "output")
+        return tuple(v.name for v in model.variables if v.causality in ("input", "output"))
     if not outputs:
         message = "outputs: must name at least one variable; leave it out to collect all outputs"
         raise OptionError(message)

@@ -151,7 +151,7 @@ def test_a_run_that_says_it_is_clean():
 def test_the_page_of_an_fmu_says_it():
     with zipfile.ZipFile(text_fmu(text("order = 4"))) as archive:
         page = archive.read("documentation/index.html").decode()
-    assert "It said: solver.order is 4, but steps are of order 2" in page
+    assert "Its log said: solver.order is 4, but steps are of order 2" in page
 
 
 def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):

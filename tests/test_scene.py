@@ -101,7 +101,7 @@ def test_defaults_are_filled_in():
     assert scene.description == ""
     assert scene.points["A"].mass == 2.0
     assert scene.solver.step_size == 0.01
-    assert scene.experiment.step_size == pytest.approx(0.1)
+    assert scene.experiment.step_size == pytest.approx(0.01)  # of a run of 1 s
     assert scene.experiment.stop_time == 1.0
     assert scene.inputs["push"].start == 0.0
 

@@ -21,10 +21,28 @@ def run(**arguments):
 
 def test_what_is_left_out_is_that_of_the_scene():
     trajectory = run()
-    assert trajectory.t == pytest.approx(np.linspace(0.0, 1.0, 11))
+    assert trajectory.t == pytest.approx(np.linspace(0.0, 1.0, 101))
     variables = model_of(PENDULUM).variables
     assert trajectory.names == tuple(v.name for v in variables if v.causality == "output")
-    assert trajectory.table.shape == (11, len(trajectory.names))
+    assert trajectory.table.shape == (101, len(trajectory.names))
+
+
+@pytest.mark.parametrize(
+    ("stop", "internal", "communication"),
+    [(1, 0.01, 0.01), (10, 0.01, 0.1), (3, 0.01, 0.03), (2.5, 0.01, 0.02), (1000, 0.01, 0.1),
+     (0.5, 0.001, 0.005), (1, 0.1, 0.1), (0.005, 0.01, 0.01)],
+)  # fmt: skip
+def test_the_default_run_has_a_hundred_rows_or_one_for_each_internal_step(
+    stop, internal, communication
+):
+    text = f"{PENDULUM}\n[solver]\nstep_size = {internal}\n[experiment]\nstop_time = {stop}\n"
+    assert solver.loads(text).experiment.step_size == pytest.approx(communication, rel=1e-15)
+
+
+def test_a_communication_step_of_whole_internal_steps_does_not_change_the_motion():
+    """The internal steps are the same, up to the rounding of 0.1 s / 10."""
+    often, seldom = (run(outputs=["A.x", "A.y"], step_size=h) for h in (0.01, 0.1))
+    assert often.table[::10] == pytest.approx(seldom.table, abs=1e-13)
 
 
 def test_what_is_asked_for_is_collected_in_that_order():

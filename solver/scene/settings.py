@@ -31,6 +31,9 @@ RANGES = {
 }
 """Settings that are numbers; the ranges are those of ``solver.runtime.options``."""
 
+ROWS, MOST_STEPS = 100, 10
+"""Communication steps of a run, enough to draw it, and the internal steps that one has at most."""
+
 _UNITS = {"absolute_tolerance": "m", "longest_step": "s", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
 _CHOICES = (
@@ -50,7 +53,7 @@ def read_settings(numbers: Numbers) -> tuple[SolverSettings, Experiment]:
     if outer > 0.0 and inner > outer:
         message = f"must be at most the communication step {outer:g} s, got {inner:g} s"
         draft.error(("solver", "step_size"), message)
-    return _solver(numbers, solver, inner), _experiment(numbers, experiment, outer or 10.0 * inner)
+    return _solver(numbers, solver, inner), _experiment(numbers, experiment, inner, outer)
 
 
 def _seconds(
@@ -85,7 +88,7 @@ def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
     )
 
 
-def _experiment(numbers: Numbers, experiment: Any, step_size: float) -> Experiment:
+def _experiment(numbers: Numbers, experiment: Any, inner: float, outer: float) -> Experiment:
     start = _seconds(numbers, "experiment", experiment, "start_time", 0.0)
     stop = _seconds(numbers, "experiment", experiment, "stop_time", start + 1.0)
     if not stop > start:
@@ -93,6 +96,9 @@ def _experiment(numbers: Numbers, experiment: Any, step_size: float) -> Experime
         numbers.draft.error(("experiment", "stop_time"), message)
     tolerance = experiment.tolerance
     given = numbers.constant(("experiment", "tolerance"), tolerance, 0.0, TOLERANCE)
+    # Whole internal steps, so that the communication step does not change the motion.
+    counts, whole = range(1, MOST_STEPS + 1), (stop - start) * (1.0 + 1e-9)
+    usual = max((k for k in counts if ROWS * k * inner <= whole), default=1)
     return Experiment(
-        start_time=start, stop_time=stop, step_size=step_size, tolerance=given or None
+        start_time=start, stop_time=stop, step_size=outer or usual * inner, tolerance=given or None
     )

@@ -1,0 +1,86 @@
+"""Inputs that change during a run: arrays over time, or functions of it.
+
+Between the times of an array an input goes in a straight line; before and after them it stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+Problem = tuple[str, str]
+"""What is wrong, and what helps."""
+
+
+def changes(signal: object) -> bool:
+    """Whether it is an array or a function, rather than one value for the whole run."""
+    return callable(signal) or (not isinstance(signal, str) and np.iterable(signal))
+
+
+def arrays_over_time(
+    columns: Mapping[str, Any], problems: list[Problem]
+) -> dict[str, NDArray[np.float64]]:
+    """Arrays by name, checked: ascending times, and a finite value for each of them."""
+    arrays: dict[str, NDArray[np.float64]] = {}
+    for name, values in columns.items():
+        try:
+            arrays[name] = np.asarray(values, float)
+        except (TypeError, ValueError) as error:
+            problems.append((f"{name}: not numbers: {error}", "give one number for each time"))
+            continue
+        if not np.isfinite(arrays[name]).all():
+            help = "leave out the times at which there is none"
+            problems.append((f"{name}: must be finite numbers", help))
+    if not problems:
+        problems += _wrong_times(arrays)
+    return arrays
+
+
+def _wrong_times(arrays: Mapping[str, NDArray[np.float64]]) -> list[Problem]:
+    times = arrays.get("time")
+    if times is None:
+        help = "one must be named 'time'; names in a file are separated by commas"
+        help = f"there are {', '.join(arrays)}; {help}"
+        return [("has no column 'time'", help)]
+    falls = np.flatnonzero(~(np.diff(times) > 0.0)) if times.ndim == 1 else np.empty(0)
+    if times.ndim != 1 or len(times) < 2 or len(falls):
+        row = f"; row {falls[0] + 2} does not" if len(falls) else f", and there are {times.size}"
+        message = f"time must ascend, from at least two rows{row}"
+        return [(message, "sort the rows, and leave out what is there twice")]
+    return [
+        (f"{name}: not one value for each time", f"there are {len(times)} times")
+        for name, values in arrays.items()
+        if values.shape != times.shape
+    ]
+
+
+def sampled(
+    signals: Mapping[str, Any], times: ArrayLike, problems: list[Problem]
+) -> dict[str, NDArray[np.float64]]:
+    """Values of all inputs at these times [s], by name.
+
+    `signals` has arrays, their "time" [s], and functions of the time; what is wrong with them goes
+    to `problems`.
+    """
+    at = np.asarray(times, float)
+    arrays = {name: signal for name, signal in signals.items() if not callable(signal)}
+    arrays = arrays_over_time(arrays, problems) if arrays else {}
+    if problems:
+        return {}
+    functions = {
+        name: [signal(t) for t in at.tolist()]
+        for name, signal in signals.items()
+        if callable(signal)
+    }
+    functions = arrays_over_time({"time": at, **functions}, problems)
+    found = {**arrays, **functions}
+    return {
+        name: found[name] if name not in arrays else np.interp(at, arrays["time"], arrays[name])
+        for name in signals
+        if name != "time"
+    }
