@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid, demand_masses
 from solver.mechanics.combination import node
@@ -30,7 +31,6 @@ from solver.scene import (
     BodyJoint,
     ConstantAngle,
     Distance,
-    Expr,
     ExpressionError,
     Gear,
     Joint,
@@ -85,15 +85,9 @@ def _defaults(scene: Scene) -> dict[str, float]:
     values = {name: given.start for name, given in scene.inputs.items()}
     values["t"] = scene.experiment.start_time
     numbers = {name: parameter.value for name, parameter in scene.parameters.items()}
-    values |= {name: float(x) for name, x in numbers.items() if not isinstance(x, Expr)}
-    pending = {name: x for name, x in numbers.items() if isinstance(x, Expr)}
-    while pending:
-        known = len(values)
-        for name, x in [*pending.items()]:
-            if symbols(x) <= values.keys():
-                values[name] = evaluate(pending.pop(name), values)
-        if len(values) == known:  # a circle, which the reader has reported
-            break
+    uses = {name: sorted(symbols(x) & numbers.keys()) for name, x in numbers.items()}
+    for name in TopologicalSorter(uses).static_order():
+        values[name] = float(evaluate(numbers[name], values))
     return values
 
 

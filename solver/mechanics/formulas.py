@@ -15,7 +15,7 @@ from solver.mechanics.equations import RATE, SIGNAL, VALUE, Formula, Leaf, Scale
 from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.parts import Meaning, Parts
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
-from solver.scene.expression import calls, operate, symbol
+from solver.scene.expression import operate, symbol
 
 SWITCHES = frozenset(
     {"sign", "floor", "ceil", "mod", "lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"}
@@ -134,7 +134,7 @@ class Compiler:
 
     def _has_quantity(self, part: Expr, own: Mapping[str, Meaning]) -> bool:
         known = self.mechanism.varying | self.parts.scene.parameters.keys()
-        return bool(calls(part)) or any(name in own or name not in known for name in symbols(part))
+        return any(name in own or name not in known for name in symbols(part))
 
     def sensed(self, number: Number) -> Number:
         """Return an expression whose quantities are read from the sensors, as ``#value 3``."""

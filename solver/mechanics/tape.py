@@ -76,29 +76,53 @@ class Tape:
 
         That is PARAMETERS for what depends on fixed parameters alone, else the segment `wanted`.
         """
-        for segment in (Segment.PARAMETERS, wanted):
-            if (number, segment) in self._known:
-                return self._known[number, segment]
-        found = self._compile(number, wanted)
-        self._known[number, found[1]] = found
+        pending, found = [number], None
+        while pending:  # and no recursion: parameters may be calculated from each other in a chain
+            part = pending[-1]
+            found = self._found(part, wanted)
+            if found is None:
+                operands = self._operands(part, wanted)
+                places = [self._found(operand, wanted) for operand in operands]
+                missing = [x for x, at in zip(operands, places, strict=True) if at is None]
+                if missing:
+                    pending += reversed(missing)
+                    continue
+                found = self._compile(part, [at for at in places if at], wanted)
+                self._known[part, found[1]] = found
+            pending.pop()
+        assert found is not None
         return found
 
-    def _compile(self, number: Number, wanted: Segment) -> tuple[int, Segment]:
+    def _found(self, number: Number, wanted: Segment) -> tuple[int, Segment] | None:
+        known = self._known.get((number, Segment.PARAMETERS))
+        return known or self._known.get((number, wanted))
+
+    def _operands(self, number: Number, wanted: Segment) -> list[Number]:
+        """Numbers that are compiled before this one."""
+        if not isinstance(number, Expr):
+            return []
+        if number.op == "call":
+            return [self._calls(number)]
+        if number.op == "symbol":
+            self.used[wanted].add(name := str(number.args[0]))
+            meaning = self._symbols(name)
+            return [] if isinstance(meaning, tuple) else [meaning]
+        return [arg for arg in number.args if not isinstance(arg, str)]
+
+    def _compile(
+        self, number: Number, arguments: list[tuple[int, Segment]], wanted: Segment
+    ) -> tuple[int, Segment]:
+        """Compile a number whose operands lie at `arguments`."""
         if not isinstance(number, Expr):
             place = self._new()
             self.constants[place] = float(number)
             return place, Segment.PARAMETERS
-        if number.op == "call":
-            return self.compile(self._calls(number), wanted)
+        if number.op in ("call", "symbol") and arguments:
+            return arguments[0]
         if number.op == "symbol":
-            name = str(number.args[0])
-            self.used[wanted].add(name)
-            found = self._symbols(name)
-            if not isinstance(found, tuple):
-                return self.compile(found, wanted)
-            fixed = found[1] is Segment.PARAMETERS
-            return found if fixed else (found[0], wanted)
-        arguments = [self.compile(arg, wanted) for arg in number.args if not isinstance(arg, str)]
+            found = self._symbols(str(number.args[0]))
+            assert isinstance(found, tuple)
+            return found if found[1] is Segment.PARAMETERS else (found[0], wanted)
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
         target = self._new()

@@ -6,7 +6,7 @@ A number of the scene is a float or an ``Expr``. Text is read through Python's o
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from solver.scene.grammar import parse, read
 from solver.scene.operations import ExpressionError, apply
@@ -17,7 +17,6 @@ __all__ = [
     "ExpressionError",
     "Number",
     "atan2",
-    "calls",
     "cos",
     "evaluate",
     "log",
@@ -68,25 +67,9 @@ def select(condition: Number, x: Number, y: Number) -> Number:
     return operate("select", condition, x, y)
 
 
-def _nodes(number: Number) -> Iterator[Expr]:
-    """Every distinct node of a tree once (shared branches are not walked twice)."""
-    pending, seen = [number], set()
-    while pending:
-        node = pending.pop()
-        if isinstance(node, Expr) and id(node) not in seen:
-            seen.add(id(node))
-            yield node
-            pending.extend(arg for arg in node.args if isinstance(arg, Expr))
-
-
 def symbols(number: Number) -> frozenset[str]:
-    """Names of all symbols in a number."""
-    return frozenset(str(node.args[0]) for node in _nodes(number) if node.op == "symbol")
-
-
-def calls(number: Number) -> frozenset[Expr]:
-    """Find the mechanism functions in a number, each as an ``Expr`` such as ``distance(A, B)``."""
-    return frozenset(node for node in _nodes(number) if node.op == "call")
+    """Names of all symbols in a number, and its calls as text, such as ``distance(A, B)``."""
+    return number.mentions if isinstance(number, Expr) else frozenset()
 
 
 def evaluate(number: Number, values: Mapping[str, float]) -> float:

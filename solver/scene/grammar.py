@@ -24,6 +24,18 @@ _BINARY: dict[type[ast.AST], str] = {
     ast.And: "and", ast.Or: "or",
 }  # fmt: skip
 
+_CHAINS = {"add": "sub", "sub": "add", "mul": "div", "div": "mul"}
+"""Operations that stand beside each other without brackets."""
+_MANY = ("and", "or", "min", "max", "add", "mul")
+"""Operations whose operands may be grouped in any way."""
+
+LARGEST, DEEPEST = 1000, 50
+"""Operations of an expression, and how many of them within each other; sums, products and the
+arguments of a function count once for the depth, however many there are."""
+_TOO_LARGE = f"more than {LARGEST} operations, or {DEEPEST} within each other"
+_SHORT = 16
+"""Terms that are added one after the other; longer sums are halved, so that they are not deep."""
+
 _REFUSED: dict[type[ast.AST], tuple[str, str | None]] = {
     ast.BitXor: ("operator '^' is not available", "write ** for a power"),
     ast.FloorDiv: ("operator '//' is not available", "write floor(x / y)"),
@@ -80,7 +92,7 @@ def parse(text: str) -> Number:
 def read(text: str) -> Reading:
     """Read an expression and note every name in it; raises like ``parse``."""
     stripped = re.sub(r"\s", " ", text).strip()
-    if not stripped or "\0" in stripped:
+    if not stripped or "\0" in stripped or not is_readable(stripped):
         message = "not a readable text" if stripped else "empty expression"
         raise ExpressionError(message, 1)
     reader = _Reader(stripped, len(text) - len(text.lstrip()))
@@ -88,14 +100,53 @@ def read(text: str) -> Reading:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # Python's remarks on style, such as '1if x else 2'
             tree = ast.parse(stripped, mode="eval")
+        if len(stripped) > DEEPEST and not _is_of_size(tree.body):
+            raise RecursionError
         number = reader.number(tree.body)
     except SyntaxError as error:
         column = reader.indent + min(error.offset or len(stripped) + 1, len(stripped) + 1)
         raise ExpressionError(_plain(error.msg), column) from None
     except (RecursionError, MemoryError):
-        message = "nested too deeply"
-        raise ExpressionError(message, 1, "split it into several parameters") from None
+        raise ExpressionError(_TOO_LARGE, 1, "split it into several parameters") from None
     return Reading(text, number, tuple(reader.mentions))
+
+
+def is_readable(text: str) -> bool:
+    """Whether a text has whole characters alone; JSON can write halves of one, as surrogates."""
+    return text.isascii() or not re.search("[\ud800-\udfff]", text)
+
+
+def _chain(node: ast.expr) -> tuple[ast.expr, list[tuple[ast.BinOp, str]]]:
+    """First operand of a sum or product, and the operations that follow it."""
+    links: list[tuple[ast.BinOp, str]] = []
+    while isinstance(node, ast.BinOp) and (op := _BINARY.get(type(node.op), "")) in _CHAINS:
+        if links and links[0][1] not in (op, _CHAINS[op]):
+            break
+        links.append((node, op))
+        node = node.left
+    return node, links[::-1]
+
+
+def _operands(node: ast.expr) -> list[ast.expr]:
+    first, links = _chain(node)
+    if links:
+        return [first, *(link.right for link, _ in links)]
+    if isinstance(node, ast.Call):
+        return [] if getattr(node.func, "id", "") in MECHANISM_FUNCTIONS else node.args
+    children = () if isinstance(node, ast.Attribute) else ast.iter_child_nodes(node)
+    return [child for child in children if isinstance(child, ast.expr)]
+
+
+def _is_of_size(node: ast.expr) -> bool:
+    """Whether an expression keeps the limits of size and depth."""
+    level, size = [node], 0
+    for _ in range(DEEPEST + 1):
+        operands = [found for each in level if (found := _operands(each))]
+        size += sum(max(len(found) - 1, 1) for found in operands)
+        level = [operand for found in operands for operand in found]
+        if not level or size > LARGEST:
+            return size <= LARGEST
+    return False
 
 
 def _plain(message: str) -> str:
@@ -127,8 +178,13 @@ class _Reader:
                 return self.operate(node, "neg", operand)
             case ast.UnaryOp(op=ast.Not(), operand=operand):
                 return self.operate(node, "not", operand)
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
-                return self.operate(node, _BINARY[type(op)], left, right)
+            case ast.BinOp(left=left, op=ast.Pow(), right=right):
+                return self.operate(node, "pow", left, right)
+            case ast.BinOp(op=op) if type(op) in _BINARY:
+                first, links = _chain(node)
+                return self.joined(
+                    self.number(first), [(link, op, self.number(link.right)) for link, op in links]
+                )
             case ast.BoolOp(op=op, values=values):
                 return self.operate(node, _BINARY[type(op)], *values)
             case ast.Compare():
@@ -165,10 +221,12 @@ class _Reader:
 
     def name(self, node: ast.expr) -> str:
         """Read a dotted name, such as ``A.x``."""
+        words: list[str] = []
+        while isinstance(node, ast.Attribute):
+            words.insert(0, node.attr)
+            node = node.value
         if isinstance(node, ast.Name):
-            return node.id
-        if isinstance(node, ast.Attribute):
-            return f"{self.name(node.value)}.{node.attr}"
+            return ".".join([node.id, *words])
         raise self.error(node, "only a name can stand before or after a dot")
 
     def symbol(self, node: ast.expr) -> Number:
@@ -179,17 +237,30 @@ class _Reader:
         return symbol(name)
 
     def operate(self, node: ast.AST, op: str, *operands: ast.expr) -> Number:
-        """Apply an operation of two operands from left to right to any number of them."""
+        """Apply an operation to operands that are still to be translated."""
         return self.combine(node, op, [self.number(operand) for operand in operands])
 
+    def joined(self, first: Number, terms: list[tuple[ast.BinOp, str, Number]]) -> Number:
+        """Translate a sum or product; a long one as that of what is added less what is not."""
+        if len(terms) <= _SHORT:
+            for node, op, number in terms:
+                first = self.combine(node, op, [first, number])
+            return first
+        (node, op, _), *_ = terms
+        whole, less = ("add", "sub") if op in ("add", "sub") else ("mul", "div")
+        total = self.combine(node, whole, [first, *(x for _, op, x in terms if op == whole)])
+        rest = [x for _, op, x in terms if op == less]
+        return self.combine(node, less, [total, self.combine(node, whole, rest)]) if rest else total
+
     def combine(self, node: ast.AST, op: str, numbers: list[Number]) -> Number:
+        """Apply an operation; one of two operands to any number of them, in halves."""
         try:
-            if op in ("and", "or", "min", "max"):
-                result = numbers[0]
-                for number in numbers[1:]:
-                    result = operate(op, result, number)
-                return result
-            return operate(op, *numbers)
+            if op in _MANY and len(numbers) > 2:
+                half = (len(numbers) + 1) // 2
+                return operate(
+                    op, *(self.combine(node, op, numbers[k : k + half]) for k in (0, half))
+                )
+            return numbers[0] if op in _MANY and len(numbers) == 1 else operate(op, *numbers)
         except ExpressionError as error:
             raise self.error(node, error.message) from None
 

@@ -22,17 +22,25 @@ class Expr:
     args : tuple
         Operands, each a float or an ``Expr``. Of a symbol: its name. Of a call: the mechanism
         function and the names of its parts, ``("distance", "A", "B")``.
+    mentions : frozenset of str
+        Its symbols, and its calls as text.
     """
 
-    __slots__ = ("_hash", "args", "op")
+    __slots__ = ("_hash", "args", "mentions", "op")
 
     op: str
     args: tuple[Number | str, ...]
+    mentions: frozenset[str]
 
     def __init__(self, op: str, args: tuple[Number | str, ...]) -> None:
         object.__setattr__(self, "op", op)
         object.__setattr__(self, "args", args)
         object.__setattr__(self, "_hash", hash((op, args)))
+        if op in ("symbol", "call"):
+            mentions = frozenset([str(self)])
+        else:
+            mentions = frozenset().union(*(x.mentions for x in args if isinstance(x, Expr)))
+        object.__setattr__(self, "mentions", mentions)
 
     def __setattr__(self, name: str, value: object) -> NoReturn:
         message = f"Expr is immutable: {name} cannot be set to {value!r}"
@@ -47,9 +55,19 @@ class Expr:
     def __eq__(self, other: object) -> bool:
         if self is other:
             return True
-        if not isinstance(other, Expr) or self._hash != other._hash:
+        if not isinstance(other, Expr):
             return False
-        return self.op == other.op and self.args == other.args
+        pending: list[tuple[Expr, Expr]] = [(self, other)]
+        while pending:  # and no recursion, as trees may be deeper than Python's stack
+            one, two = pending.pop()
+            if one._hash != two._hash or one.op != two.op or len(one.args) != len(two.args):
+                return False
+            for x, y in zip(one.args, two.args, strict=True):
+                if isinstance(x, Expr) and isinstance(y, Expr):
+                    pending += [(x, y)] if x is not y else []
+                elif x != y:
+                    return False
+        return True
 
     def __bool__(self) -> NoReturn:
         message = f"the truth of {self} is known only once its symbols have values; use select()"
