@@ -150,8 +150,10 @@ def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Eleme
         "initial": "" if variable.causality == "input" else "exact" if settable else "calculated",
     }
     element = Element("ScalarVariable", {k: v for k, v in attributes.items() if v})
-    limits = {"unit": variable.unit, "min": variable.minimum, "max": variable.maximum}
-    values = limits if variable.type == "Real" else {}
+    limits = {"min": variable.minimum, "max": variable.maximum}
+    if variable.clips:
+        limits = {}  # importers refuse what is beyond
+    values = {"unit": variable.unit, **limits} if variable.type == "Real" else {}
     if variable.type == "Real" and variable.unit:
         values = {"declaredType": types[variable.unit], **values}
     if settable:

@@ -92,6 +92,7 @@ def variable_table(
                 name=name, type="Real", causality="input", variability="continuous",
                 unit=given.unit, description=given.description, start=given.start,
                 minimum=given.minimum, maximum=given.maximum, kind="input", place=place,
+                clips=given.limit == "clip",
             )
             for place, (name, given) in enumerate(scene.inputs.items())
         ),

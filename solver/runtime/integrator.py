@@ -20,7 +20,7 @@ from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
 from .order_limits import order_limit
 from .state import ASSEMBLED, CONFIGURED, MOVING, State
-from .value_checks import check_settable
+from .value_checks import check_settable, clipped
 
 ROUNDING, STEP_SLACK = 8, 1e-6
 """A step begins at the present time, up to so many last digits of it and this part of a step."""
@@ -66,6 +66,7 @@ class Integrator:
         self.state.head["time"], self.state.head["horizon"] = start, stop - start
         self.phase, self.message = CONFIGURED, SENTENCE[Status.OK]
         self._measured = self._limited = False
+        self._cut: set[str] = set()  # inputs of which it was said that they are clipped
 
     # ------------------------------------------------------------------------------- values
 
@@ -133,9 +134,15 @@ class Integrator:
         OptionError
             Naming the variable, the value and the rule that it breaks.
         """
-        changes = list(zip((self.model.variables[index] for index in indices), values, strict=True))
-        for variable, value in changes:
+        changes = []
+        for index, value in zip(indices, values, strict=True):
+            variable = self.model.variables[index]
             check_settable(variable, value, moving=self.phase == MOVING)
+            value, sentence = clipped(variable, value)
+            if sentence and variable.name not in self._cut:
+                self._cut.add(variable.name)
+                tell(self._log, sentence)
+            changes.append((variable, value))
         inputs, parameters = (list(self.state.vectors[name]) for name in ("inputs", "parameters"))
         for variable, value in changes:
             if variable.kind != "option":

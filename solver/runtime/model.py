@@ -31,8 +31,8 @@ FORMAT = 3
 class Variable(
     namedtuple(
         "Variable",
-        "name type causality variability unit description start minimum maximum kind place",
-        defaults=("", "", None, None, None, "measured", 0),
+        "name type causality variability unit description start minimum maximum kind place clips",
+        defaults=("", "", None, None, None, "measured", 0, False),
     )
 ):
     """A named quantity that a user reads or sets.
@@ -49,6 +49,8 @@ class Variable(
     kind, place
         Where it lies: "parameter", "input" (in the state), "number" (in the vector of numbers),
         "measured" (behind the offset of the measurements) or "option"; and the index there.
+    clips : bool
+        Whether a value beyond minimum or maximum is the limit instead of an error.
     """
 
     __slots__ = ()

@@ -33,9 +33,29 @@ def check_settable(variable: Variable, value: float | str | bool, *, moving: boo
     if not isinstance(value, int | float) or not math.isfinite(value):
         message = f"{name}: must be a finite number{unit and f' in{unit}'}, got {value!r}"
         raise OptionError(message)
+    limit = _limit_before(variable, value)
+    if limit is not None and not variable.clips:
+        sign = ">=" if value < limit else "<="
+        message = f"{name}: must be {sign} {limit:g}{unit}, got {value!r}"
+        if variable.causality == "input":
+            message += f'; with limit = "clip" in the scene\'s [inputs] it is {limit:g} instead'
+        raise OptionError(message)
+
+
+def clipped(variable: Variable, value: float | str | bool) -> tuple[float | str | bool, str]:
+    """Value to take, and a sentence if that is the limit of an input that clips."""
+    limit = _limit_before(variable, float(value)) if variable.clips else None
+    if limit is None:
+        return value, ""
+    unit = f" {variable.unit}".rstrip()
+    sentence = f"{variable.name}: {value!r}{unit} is beyond {limit:g}{unit}"
+    return limit, f"{sentence}, which it is clipped to (said once)"
+
+
+def _limit_before(variable: Variable, value: float) -> float | None:
+    """The limit that a value is beyond; None if it is within both."""
     if variable.minimum is not None and value < variable.minimum:
-        message = f"{name}: must be >= {variable.minimum:g}{unit}, got {value!r}"
-        raise OptionError(message)
+        return variable.minimum
     if variable.maximum is not None and value > variable.maximum:
-        message = f"{name}: must be <= {variable.maximum:g}{unit}, got {value!r}"
-        raise OptionError(message)
+        return variable.maximum
+    return None

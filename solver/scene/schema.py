@@ -39,6 +39,7 @@ class Input(Part):
     min: Expression | None = None
     max: Expression | None = None
     interpolation: Literal["hold", "ramp"] = "hold"
+    limit: Literal["refuse", "clip"] = "refuse"
 
 
 class Output(Part):

@@ -48,6 +48,9 @@ def read_inputs(numbers: Numbers) -> dict[str, Input]:
         check_unit(numbers.draft, ("inputs", name), part)
         start = numbers.constant(("inputs", name, "start"), part.start, 0.0)
         low, high = _range(numbers, ("inputs", name), part, start)
+        if part.limit == "clip" and part.min is None and part.max is None:
+            message = "there is nothing to clip to without min or max"
+            numbers.draft.error(("inputs", name, "limit"), message, "give one, or leave it out")
         read[name] = Input(
             start=start,
             unit=part.unit,
@@ -55,6 +58,7 @@ def read_inputs(numbers: Numbers) -> dict[str, Input]:
             minimum=low,
             maximum=high,
             interpolation=part.interpolation,
+            limit=part.limit,
         )
     return read
 

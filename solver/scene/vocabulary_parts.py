@@ -40,6 +40,8 @@ class Input:
     interpolation: Literal["hold", "ramp"] = "hold"
     """How drivers and forces see it within a communication step: constant, or a straight line from
     the value before to the new one."""
+    limit: Literal["refuse", "clip"] = "refuse"
+    """What happens to a value beyond `minimum` or `maximum`: an error, or the limit instead."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
