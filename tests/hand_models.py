@@ -227,8 +227,8 @@ class Hand:
             name="hand", description="", sizes={name: sizes[name] for name in SIZES},
             tables={name: array("i", tables[name]) for name in TABLES}, offsets=offsets,
             numbers=array("d", numbers), variables=(), rules=(),
-            rows=(Row("", "row", ""),) * sizes["n_rows"], settings=dict(DEFAULTS),
-            experiment=Experiment(),
+            rows=(Row("", "row", ""),) * sizes["n_rows"], forces={},
+            settings=dict(DEFAULTS), experiment=Experiment(),
         )  # fmt: skip
 
     def _write_nodes(self, at) -> None:

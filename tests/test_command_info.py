@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
+from build_fmu.commands.info import FORCES
+from solver.scene.schema import TYPES
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 from tests.test_archive import repack
@@ -44,7 +47,8 @@ def lines(capsys, target, *arguments) -> dict[str, str]:
     code, out, _ = run(capsys, "info", target, *arguments)
     assert code == 0
     table = out.partition("\n\n")[2].partition("\n\n")[0]
-    return {line[:22].strip(): line[22:].strip() for line in table.splitlines()}
+    rows = (re.split(r"\s{2,}", line, maxsplit=1) for line in table.splitlines())
+    return {name: text.strip() for name, text in rows}
 
 
 # -------------------------------------------------------------------------------------- counts
@@ -181,3 +185,55 @@ def test_what_is_fixed_names_the_places_that_no_table_of_points_has(capsys, tmp_
     scene.write_text(HUNG)
     _, out, _ = run(capsys, "info", scene)
     assert "points 2 moving, 3 fixed, places on the ground among them" in " ".join(out.split())
+
+
+# -------------------------------------------------------------------------------------- forces
+
+FORCED = """
+name = "forced"
+dimension = 2
+[points]
+P = { position = [2, 0], mass = 1 }
+[bodies]
+arm = { position = [0, 0], mass = 1, inertia = 1 }
+[joints]
+pin = { type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }
+[forces]
+"""
+OF_TYPES = {
+    "spring": 'points = ["P", "arm"], stiffness = 0.0',
+    "damper": 'points = ["P", "arm"], damping = 0.0',
+    "torsion_spring": 'joint = "pin", stiffness = 0.0',
+    "torsion_damper": 'joint = "pin", damping = 0.0',
+    "joint_torque": 'joint = "pin", value = 0.0',
+    "torque": 'body = "arm", value = 0.0',
+    "force": 'point = "P", value = [0, 0]',
+    "potential": 'value = "P.x**2"',
+    "gravitation": 'points = ["P", "arm"], constant = 1.0',
+}
+
+
+def test_every_type_of_force_has_its_row():
+    assert {*OF_TYPES} == {*TYPES["forces"]}
+    assert sorted(word for types in FORCES.values() for word in types) == sorted(OF_TYPES)
+
+
+@pytest.mark.parametrize("word", OF_TYPES)
+def test_a_force_is_counted_as_what_it_is(capsys, tmp_path, word):
+    """Also where its numbers are 0 at the start."""
+    scene = tmp_path / "forced.toml"
+    scene.write_text(f'{FORCED}one = {{ type = "{word}", {OF_TYPES[word]} }}\n')
+    table = lines(capsys, scene)
+    for kind, types in FORCES.items():
+        assert table[kind] == ("1  one" if word in types else "0")
+    assert info(capsys, scene)["forces"] == {word: ["one"]}
+
+
+def test_the_mechanism_comes_first_and_the_solver_last(capsys):
+    out = run(capsys, "info", SCENES / "four_bar.toml")[1]
+    names = [
+        line.split()[0] for line in out.partition("meaning")[2].splitlines()[2:] if line[:1].strip()
+    ]
+    solvers = [name.startswith("solver.") for name in names]
+    assert solvers == sorted(solvers)
+    assert any(solvers)

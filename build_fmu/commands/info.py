@@ -24,6 +24,14 @@ if TYPE_CHECKING:
     from solver.mechanics.survey import Survey
     from solver.runtime import Model, Variable
 
+FORCES = {
+    "springs": ("spring", "torsion_spring"),
+    "dampers": ("damper", "torsion_damper"),
+    "torques": ("joint_torque", "torque"),
+    "forces": ("force",),
+    "potentials": ("potential", "gravitation"),
+}
+"""Rows of the table, and the types of forces in each."""
 ROUNDING = 1e-10
 """Part of the largest value of its unit below which a value is shown as 0."""
 
@@ -64,7 +72,9 @@ def run(arguments: argparse.Namespace) -> int:
 def _print_counts(model: Model, counts: Survey) -> None:
     print_table(_title(model), ("", ""), _rows(model, counts))
     columns = ("variable", "unit", "kind", "start", "meaning")
-    print_table("variables", columns, [_row(variable) for variable in model.variables])
+    of_the_solver = [v.name.startswith("solver.") for v in model.variables]
+    order = sorted(range(len(of_the_solver)), key=of_the_solver.__getitem__)
+    print_table("variables", columns, [_row(model.variables[i]) for i in order])
 
 
 def _title(model: Model) -> str:
@@ -79,8 +89,7 @@ def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
         ("constraints", _names(_parts(model, "constraints"))),
         ("drivers", _names(driver_names(model))),
         ("points", _points(counts)),
-        ("springs and dampers", str(counts.springs_and_dampers)),
-        ("loads and torques", str(counts.loads_and_torques)),
+        *((kind, _names(_of_types(counts, types))) for kind, types in FORCES.items()),
         ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per point or axis)"),
         ("constraint rows", str(counts.rows)),
         ("redundant rows", _redundancy(counts)),
@@ -89,6 +98,10 @@ def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
     ]
+
+
+def _of_types(counts: Survey, types: Sequence[str]) -> list[str]:
+    return [name for word in types for name in counts.forces.get(word, ())]
 
 
 def _points(counts: Survey) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from array import array
 from collections.abc import Iterable, Sequence
 
@@ -18,7 +19,7 @@ from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionE
 from solver.runtime.layout import TABLES, measured_sections
 from solver.runtime.model import Row, Rule, Variable
 from solver.runtime.options import DEFAULTS
-from solver.scene import Expr, Scene
+from solver.scene import Expr, ForceElement, Scene
 from solver.scene.collector import collector_paused
 
 
@@ -84,6 +85,7 @@ def model_of(scene: Scene) -> Model:
         variables=variables,
         rules=rules,
         rows=tuple(_rows(structure)),
+        forces={name: _type(force) for name, force in scene.forces.items()},
         settings=_settings(scene),
         experiment=Experiment(
             start_time=scene.experiment.start_time,
@@ -92,6 +94,11 @@ def model_of(scene: Scene) -> Model:
             tolerance=scene.experiment.tolerance or scene.solver.tolerance or None,
         ),
     )
+
+
+def _type(force: ForceElement) -> str:
+    """Type of a force as a scene has it: "joint_torque" of a JointTorque."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", type(force).__name__).lower()
 
 
 def _settings(scene: Scene) -> dict[str, float | str | bool]:

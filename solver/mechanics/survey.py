@@ -53,8 +53,8 @@ class Survey:
     """Of positions, with drivers."""
     velocity_freedom: int | None
     """Of velocities, with drivers and velocity rows."""
-    springs_and_dampers: int
-    loads_and_torques: int
+    forces: dict[str, list[str]]
+    """Names of springs, dampers, torques and all other forces, by type."""
     stored_entries: int
     """Entries of the tangent's factors: proportional to the work of a step."""
     islands: int
@@ -133,8 +133,10 @@ def survey(model: Model) -> Survey:
         drivers=drivers,
         degrees_of_freedom=freedom,
         velocity_freedom=velocity_freedom,
-        springs_and_dampers=sizes["n_elements"],
-        loads_and_torques=sizes["n_loads"] + sizes["n_moments"] + sizes["n_body_moments"],
+        forces={
+            word: [name for name, kind in model.forces.items() if kind == word]
+            for word in dict.fromkeys(model.forces.values())
+        },
         stored_entries=sizes["n_lu_values"],
         islands=sizes["n_islands"],
     )

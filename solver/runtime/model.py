@@ -108,7 +108,8 @@ class Experiment(
 class Model(
     namedtuple(
         "Model",
-        "name description sizes tables offsets numbers variables rules rows settings experiment",
+        "name description sizes tables offsets numbers variables rules rows forces settings "
+        "experiment",
     )
 ):
     """Structure and numbers of a mechanism; never modified.
@@ -127,6 +128,8 @@ class Model(
     rules : tuple of Rule
     rows : tuple of Row
         What each constraint row belongs to, in the order of the multipliers.
+    forces : mapping of str to str
+        Type of each force of the scene, by name, such as "torsion_damper".
     settings : mapping of str to float, str or bool
         Of the solver, as in ``options.DEFAULTS``.
     experiment : Experiment
