@@ -87,7 +87,9 @@ def test_an_fmu_clips_says_so_once_and_comes_to_its_end():
     assert not beyond.reason
     assert len(beyond.messages) == 1
     assert "push: " in beyond.messages[0]
-    assert (beyond.values == within.values).all()
+    # fmpy takes inputs from straight lines, at times that are off the rows by their last digit.
+    for name in ("A.x", "A.vx"):
+        assert beyond.values[name] == pytest.approx(within.values[name], rel=1e-12, abs=1e-12)
     assert not within.messages
 
 
