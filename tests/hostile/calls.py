@@ -1,0 +1,288 @@
+"""Calls of FMI in any order, with any values: refused or taken, and never a wrong number after it.
+
+An instance gets legal and illegal calls, a twin the legal ones alone. After an illegal call the
+first one is brought back by a saved state or a reset; then all outputs agree bit for bit.
+Not tried: what ends pythonfmu's library itself (docs/fmu.md, section 5).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import logging
+import math
+import random
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import fmpy
+from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import FMU2Slave
+
+import solver
+from build_fmu import build
+from build_fmu.instance import Log
+
+SCENE = """
+name = "random_calls"
+dimension = 2
+gravity = [0, -9.81]
+[parameters]
+length = { value = 1.0, min = 0.01 }
+stiffness = { value = 20.0, variability = "tunable", min = 0.0 }
+[inputs]
+push = { start = 0.0, min = -50, max = 50 }
+pull = { start = 0.0, min = -5, max = 5, limit = "clip" }
+lift = { start = 0.0, interpolation = "ramp" }
+[points]
+O = { position = [0, 0] }
+A = { position = ["length", 0], mass = 1.0 }
+B = { position = [3, 0], mass = 0.5 }
+P = { position = [3, 1], fixed = true }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+[forces]
+wind = { type = "force", point = "A", value = ["sqrt(push + 100)", "pull"] }
+rope = { type = "spring", points = ["B", "P"], stiffness = "stiffness", free_length = 0.5 }
+drag = { type = "damper", points = ["B", "P"], damping = 0.3 }
+[drivers]
+hand = { type = "position", point = "O", value = ["0", "0.1*lift"] }
+"""
+KINDS = ("Real", "Integer", "Boolean", "String")
+TIMES = (0.0, 1.0, -1.0, math.nan, math.inf, -math.inf, 1e300, 5e-324)
+REALS = (*TIMES, 1e308, -1e308)
+TEXTS = ("", "nonsense", "x" * 10000, "%s%n%d", "é", "midpoint-al\n")
+STEPS = (0.01, 0.05, 0.003, 1e-6, 0.1)
+FATAL = 4
+
+
+class FatalError(Exception):
+    """An FMI function answered fmi2Fatal; the text says which."""
+
+
+def prepare(folder: Path) -> None:
+    """Build and unpack an FMU."""
+    fmpy.extract(str(build(solver.loads(SCENE), folder / "calls.fmu")), str(folder / "unpacked"))
+
+
+@functools.cache
+def _twins(folder: Path) -> tuple[Unit, Unit]:
+    logging.getLogger("holonom").disabled = True
+    return Unit(folder / "unpacked"), Unit(folder / "unpacked")
+
+
+class Unit:
+    """An instance, whose calls answer with their result, or None where they are refused."""
+
+    def __init__(self, folder: Path) -> None:
+        description = fmpy.read_model_description(str(folder))
+        variables = description.modelVariables
+        self.references = {v.name: v.valueReference for v in variables}
+        self.outputs = [
+            v.valueReference
+            for v in variables
+            if v.causality == "output" and v.name != "solver.status"
+        ]
+        assert description.coSimulation
+        name = description.coSimulation.modelIdentifier
+        self.fmu: Any = FMU2Slave(
+            guid=description.guid, unzipDirectory=str(folder), modelIdentifier=name
+        )
+        self.callbacks = Log().callbacks()
+        self.fmu.instantiate(callbacks=self.callbacks, loggingOn=True)
+
+    def call(self, name: str, *arguments: object) -> object:
+        """Result of a function; True where it has none."""
+        try:
+            result = getattr(self.fmu, name)(*arguments)
+        except FMICallException as error:
+            if error.status == FATAL:
+                text = f"{name}{arguments} is fatal"
+                raise FatalError(text[:200]) from None
+            return None
+        return True if result is None else result
+
+    def set(self, name: str, value: float, kind: str = "Real") -> object:
+        """Set one variable."""
+        return self.call(f"set{kind}", [self.references[name]], [value])
+
+
+class Sequence:
+    """Calls of one case; the phase is 0 instantiated, 1 initializing, 2 stepping, 3 terminated."""
+
+    def __init__(self, chance: random.Random, tried: Unit, plain: Unit) -> None:
+        self.chance, self.tried, self.plain = chance, tried, plain
+        self.start()
+
+    def start(self) -> None:
+        """Reset both."""
+        self.both("reset")
+        self.phase, self.time = 0, 0.0
+
+    def both(self, name: str, *arguments: object) -> object:
+        """Call a function of both, which must answer alike."""
+        answers = [unit.call(name, *arguments) for unit in (self.tried, self.plain)]
+        assert answers[0] == answers[1], f"{name}{arguments} answers {answers}"
+        return answers[0]
+
+    def set_both(self, name: str, value: float, kind: str = "Real") -> None:
+        """Set a variable of both."""
+        self.both(f"set{kind}", [self.tried.references[name]], [value])
+
+    def legal(self) -> None:
+        """One call that is allowed now."""
+        (self._before, self._initialising, self._stepping, self._after)[self.phase]()
+
+    def _before(self) -> None:
+        chance = self.chance
+        kind = chance.randrange(4)
+        if kind == 0:
+            self.both("setupExperiment", None, 0.0, 1e9)
+        elif kind == 1:
+            self.set_both("length", chance.uniform(0.5, 2.0))
+        elif kind == 2:
+            self.set_both("solver.order", chance.choice([2.0, 4.0]))
+        else:
+            self.both("enterInitializationMode")
+            self.phase = 1
+
+    def _initialising(self) -> None:
+        chance = self.chance
+        kind = chance.randrange(3)
+        if kind == 0:
+            self.set_both("push", chance.uniform(-5.0, 5.0))
+        elif kind == 1:
+            self.set_both("solver.paired", chance.choice([False, True]), "Boolean")
+        else:
+            self.both("exitInitializationMode")
+            self.phase = 2
+
+    def _stepping(self) -> None:
+        chance = self.chance
+        kind = chance.randrange(12)
+        ranges = {"stiffness": 50.0, "push": 5.0, "pull": 9.0, "lift": 0.1}
+        if kind < 4:
+            name = list(ranges)[kind]
+            low = 0.0 if name == "stiffness" else -ranges[name]
+            self.set_both(name, chance.uniform(low, ranges[name]))
+        elif kind == 4:
+            self._there_and_back()
+        elif kind == 5 and chance.random() < 0.1:
+            self.both("terminate")
+            self.phase = 3
+        else:
+            step = chance.choice(STEPS)
+            if self.both("doStep", self.time, step):
+                self.time += step
+
+    def _after(self) -> None:
+        if self.chance.random() < 0.3:
+            self.start()
+
+    def _there_and_back(self) -> None:
+        fmu = self.tried.fmu
+        state = fmu.getFMUState()
+        for _ in range(self.chance.randrange(3)):
+            self.tried.call("doStep", self.time, 0.01)
+        if self.chance.random() < 0.5:
+            data = fmu.serializeFMUState(state)
+            fmu.freeFMUState(state)
+            state = fmu.deserializeFMUState(data)
+        fmu.setFMUState(state)
+        fmu.freeFMUState(state)
+
+    def illegal(self) -> None:
+        """One call that is refused, or whose effect a saved state takes back."""
+        calls: list[Callable[[], object]] = [
+            self._bad_step,
+            self._bad_order,
+            self._bad_read,
+            self._bad_value,
+            self._bad_state,
+        ]
+        state = self.tried.fmu.getFMUState() if self.phase else None
+        self.chance.choice(calls)()
+        if self.phase == 2 and self.chance.random() < 0.5:
+            self.tried.call("doStep", self.time, 0.01)
+        if state is None:
+            self.start()
+            return
+        self.tried.fmu.setFMUState(state)
+        self.tried.fmu.freeFMUState(state)
+
+    def _bad_step(self) -> None:
+        chance = self.chance
+        time, step = chance.choice([self.time, *TIMES]), chance.choice([0.0, -0.1, *TIMES, 1e10])
+        if time == self.time and 0.0 < step < 1e9 and self.phase == 2:
+            step = -step
+        assert not self.tried.call("doStep", time, step), f"doStep({time}, {step}) was taken"
+
+    def _bad_order(self) -> None:
+        chance = self.chance
+        early = {1: "exitInitializationMode", 0: "enterInitializationMode", 2: "terminate"}
+        names = [name for phase, name in early.items() if phase != self.phase]
+        name = chance.choice([*names, "setupExperiment", "cancelStep"])
+        times = [chance.choice([None, *TIMES]) for _ in range(3)]
+        if name == "setupExperiment":
+            times[1] = times[1] or 0.0
+        self.tried.call(name, *(times if name == "setupExperiment" else ()))
+
+    def _bad_read(self) -> None:
+        chance, kind = self.chance, self.chance.choice(KINDS)
+        references = [chance.choice(self._references()) for _ in range(chance.randrange(4))]
+        values = self.tried.call(f"get{kind}", references)
+        if kind == "Real" and isinstance(values, list):
+            assert all(map(math.isfinite, values)), f"getReal({references}) gave {values}"
+
+    def _bad_value(self) -> None:
+        chance, kind = self.chance, self.chance.choice(KINDS)
+        references = [chance.choice(self._references()) for _ in range(chance.randrange(1, 4))]
+        values = {"Real": REALS, "Integer": (0, -1, 2**31 - 1), "Boolean": (False, True)}
+        given = [chance.choice(values.get(kind, TEXTS)) for _ in references]
+        self.tried.call(f"set{kind}", references, given)
+
+    def _references(self) -> list[int]:
+        known = list(self.tried.references.values())
+        return [*known, *known, len(known), 10**6, 2**31, 2**32 - 1]
+
+    def _bad_state(self) -> None:
+        chance, fmu = self.chance, self.tried.fmu
+        good = fmu.getFMUState()
+        data = bytearray(fmu.serializeFMUState(good))
+        fmu.freeFMUState(good)
+        place = chance.randrange(len(data))
+        if chance.random() < 0.5:
+            data[place] ^= 1 << chance.randrange(8)
+        else:
+            data[place : place + chance.randrange(1, 99)] = chance.randbytes(chance.randrange(9))
+        with contextlib.suppress(FMICallException):
+            state = fmu.deserializeFMUState(bytes(data))
+            fmu.setFMUState(state)
+            fmu.freeFMUState(state)
+        assert not self.tried.call("doStep", self.time, 0.01), "a damaged state was taken"
+
+    def compare(self) -> None:
+        """Read all outputs of both, which must agree."""
+        if self.phase == 0:
+            return
+        values = [unit.call("getReal", unit.outputs) for unit in (self.tried, self.plain)]
+        assert values[0] == values[1], f"outputs differ in phase {self.phase} at t = {self.time}"
+
+
+def case(seed: str, number: int, folder: Path) -> str | None:
+    """Make some calls."""
+    chance = random.Random(f"{seed}/{number}")
+    try:
+        sequence = Sequence(chance, *_twins(folder))
+        for _ in range(chance.randrange(10, 50)):
+            (sequence.illegal if chance.random() < 0.4 else sequence.legal)()
+            if chance.random() < 0.3:
+                sequence.compare()
+        sequence.compare()
+    except FatalError as error:
+        _twins.cache_clear()
+        return str(error)
+    except AssertionError as error:
+        return str(error)[:300]
+    return None
