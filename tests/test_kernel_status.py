@@ -70,6 +70,21 @@ DAMPED += "[forces]\n" + "".join(
 implicit midpoint step backwards, (1 + x)/(1 - x) with x = 0.574 c h/(4 m), feeds without bound.
 They begin within the step: from its beginning they would limit the order to 2."""
 
+HEAVY_AND_LIGHT = """
+name = "heavy_and_light"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1e-5 }
+B = { position = [2, 0], mass = 1e10 }
+C = { position = [3, 0], mass = 1e-5 }
+[joints]
+a = { type = "distance", points = ["O", "A"] }
+b = { type = "distance", points = ["A", "B"] }
+c = { type = "distance", points = ["B", "C"] }
+"""
+
 FAILURES = {
     Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
     Status.UZAWA_DIVERGED: (PENDULUM, {"penalty": 1e-3, "max_uzawa": 3}, {}, 0.1),
@@ -79,6 +94,7 @@ FAILURES = {
     Status.BAD_STEP: (PENDULUM, {}, {}, 1e12),
     Status.BAD_LAW: (TIRING, {}, {}, 0.1),
     Status.DAMPING_REVERSED: (DAMPED, {"order": 8.0, "step_size": 0.1}, {}, 0.1),
+    Status.STEP_COLLAPSED: (HEAVY_AND_LIGHT, {"tolerance": 1e-6}, {}, 0.1),
     Status.TURN_TOO_LARGE: (SPINNING, {"step_size": 0.1}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""

@@ -89,6 +89,6 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     memcpy(c.s.inputs_before, c.s.inputs, sizeof(double) * (size_t)m->n_inputs);
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
-    follow_energy_reference(&c);
+    follow_energies(&c);
     return HOLONOM_OK;
 }

@@ -6,6 +6,7 @@ enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
+#define MOST_STEPS 1e6 /* internal steps in a communication step: with more of them the length has collapsed */
 
 /* Whether something takes energy out: parts of a step that go back in time would give it. */
 static int is_dissipative(const context *c)
@@ -90,14 +91,19 @@ static int is_rejected(context *c, double t, double h, double law_time, double s
     double *head = c->s.head;
     step_error e;
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
-    if (!estimate_error(c, order, h, &e)) return 0;
-    if (found > 2) learn(c, order, t, h, law_time, &e);
-    double share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
-    if (e.is_noise) share = fmin(share, SAFETY);
+    const int judged = estimate_error(c, order, h, &e);
+    const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS * tolerated(c));
+    head[S_ACROSS] = defect;
+    double share = 0.0;
+    if (!judged && across <= REJECTED) return 0;
+    if (judged && found > 2) learn(c, order, t, h, law_time, &e);
+    if (judged) share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
+    if (judged && e.is_noise) share = fmin(share, SAFETY);
+    share = fmax(share, across);
     const double change = pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     head[S_WANTED] = h * fmin(fmax(change, 0.2), 2.0);
     if (share > REJECTED) return 1;
-    if (head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
+    if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
     return 0;
 }
 
@@ -113,7 +119,7 @@ static int32_t cover_to_tolerance(context *c, double start, double step)
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, head[S_WANTED])), h = rest / n;
         const double law_time = c->number[c->m->time_at];
-        if (!(n < 1e9)) return HOLONOM_BAD_STEP;
+        if (!(n < MOST_STEPS)) return HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
         c->damped = is_dissipative(c);
@@ -133,7 +139,7 @@ static int32_t cover_to_tolerance(context *c, double start, double step)
         }
         repeats = 0;
         done = n == 1.0 ? step : done + h;
-        follow_energy_reference(c);
+        follow_energies(c);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return HOLONOM_OK;

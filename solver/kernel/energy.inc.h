@@ -72,13 +72,28 @@ static double kinetic_energy(const context *c, double *p)
     return sum;
 }
 
-/* The reference energy is the largest kinetic energy, or change of potential energy, seen so far. */
-static void follow_energy_reference(context *c)
+/* What energies are off the ledger by. */
+static double ledger_balance(const context *c, double kinetic, double potential)
+{
+    const double *head = c->s.head;
+    return ((kinetic - head[S_KINETIC_START]) + potential) - (head[S_WORK] - head[S_DISSIPATED]);
+}
+
+/* The balance over the reference energy. */
+static double relative_balance(const context *c, double balance)
+{
+    const double reference = c->s.head[S_ENERGY_REFERENCE];
+    return reference > 0.0 ? fabs(balance) / reference : fabs(balance);
+}
+
+/* Follows the reference energy, the largest kinetic energy, or change of potential energy, seen so far, and the error of
+   the ledger.                                                                                                  */
+static void follow_energies(context *c)
 {
     const holonom_model *m = c->m;
     double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum), extent = c->number[m->extent_at];
-    const double change = fabs(potential_change(c));
+    const double potential = potential_change(c), change = fabs(potential);
     double load = 0.0; /* a thousandth of what the loads could do over the size of the mechanism */
     for (int32_t j = 0; j < m->n_loads; j++)
         load += extent * sqrt(dot(c->number + m->load_at + DIM * j, c->number + m->load_at + DIM * j));
@@ -92,6 +107,7 @@ static void follow_energy_reference(context *c)
     if (!(load <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = load;
     if (!(kinetic <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = kinetic;
     if (!(change <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = change;
+    head[S_LEDGER_ERROR] = relative_balance(c, ledger_balance(c, kinetic, potential));
 }
 
 /* Rates of all rows (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values

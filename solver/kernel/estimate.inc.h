@@ -97,6 +97,34 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     return 1;
 }
 
+/* What a step may add to velocities across the rows, against the fastest motion: so many times the tolerance, and what is
+   not looked at. They alternate from half step to half step, so that shorter steps do not undo them.             */
+#define ACROSS 10.0
+#define UNSEEN 1e-6
+
+/* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Errors in
+   the mass norm do not see light parts: their velocities show here. Rows of drivers have rates of signals, which are
+   differences and tell nothing at a kink.                                                                       */
+static double velocity_defect(context *c, double h)
+{
+    const holonom_model *m = c->m;
+    const double extent = c->number[m->extent_at];
+    double fastest = speed_scale(c) / c->number[m->extent_at + 1], largest = 0.0;
+    if (is_penalty(c) || !is_conserving(c)) return 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double *v = c->s.v + DIM * a, size = m->node_kind[a] ? 1.0 : extent;
+        fastest = fmax(fastest, sqrt(dot(v, v)) / size);
+    }
+    if (!(fastest > 0.0)) return 0.0;
+    memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+    for (int32_t j = first_function(c); j < first_potential(c) && m->n_signals; j++)
+        if (has_signal(c, j)) c->k.phi[row_of(c, j)] = 0.0;
+    for (int32_t i = 0; i < m->n_rows; i++) largest = fmax(largest, fabs(c->k.phi[i]) / c->number[m->row_scale_at + i]);
+    const double rounding = UNSEEN + 1e-13 / (h * fastest);
+    return fmax(0.0, largest / fastest - rounding);
+}
+
 /* How many times larger than in the mean the mechanism's errors are at an order. */
 static double times_mean(const context *c, int p) { return p > 0 ? exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0; }
 

@@ -121,8 +121,7 @@ static void free_velocities(context *c, double L[RIGID][RIGID])
 /* Energy that the ledger does not know of. */
 static double unbalanced(const context *c)
 {
-    const double *head = c->s.head, spent = head[S_WORK] - head[S_DISSIPATED];
-    return (kinetic_energy(c, c->k.momentum) - head[S_KINETIC_START]) + potential_change(c) - spent;
+    return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
 }
 
 /* Brings the energy onto the ledger by a change of the velocities along u (in d): u'Mu s^2/2 + v'Mu s + excess = 0. */

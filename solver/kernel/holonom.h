@@ -43,7 +43,8 @@ enum holonom_status {
     HOLONOM_BAD_STEP = 6,          /* step length is not a finite positive number                        */
     HOLONOM_BAD_LAW = 7,           /* a stiffness, free length or damping is negative, or work not a number */
     HOLONOM_TURN_TOO_LARGE = 8,    /* a body would turn by more than 2.5 rad in a half step                 */
-    HOLONOM_DAMPING_REVERSED = 9   /* over a step of order > 2, which goes back in between, dampers fed energy */
+    HOLONOM_DAMPING_REVERSED = 9,  /* over a step of order > 2, which goes back in between, dampers fed energy */
+    HOLONOM_STEP_COLLAPSED = 10    /* a tolerance asks for more than 1e6 internal steps in a communication step */
 };
 
 enum holonom_formulation {
@@ -200,8 +201,8 @@ enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY, S_KNOWN, S_HALVES,
-    S_WANTED, S_LAST_LENGTH, S_JUDGED_4, S_JUDGED_6, S_JUDGED_8, S_LEARNED_4, S_LEARNED_6, S_LEARNED_8,
-    S_ORDER_IN_USE, S_NEWTON, S_UZAWA, S_SUBSTEPS,
+    S_WANTED, S_LAST_LENGTH, S_JUDGED_4, S_JUDGED_6, S_JUDGED_8, S_LEARNED_4, S_LEARNED_6, S_LEARNED_8, S_ACROSS,
+    S_ORDER_IN_USE, S_NEWTON, S_UZAWA, S_SUBSTEPS, S_LEDGER_ERROR,
     S_STATUS, S_FORMULATION, S_SIMULTANEOUS, S_PAPER_UPDATE, S_PAIRED, S_STEP_SIZE, S_NEWTON_TOLERANCE, S_PENALTY,
     S_XI, S_OMEGA, S_MAX_NEWTON, S_MAX_UZAWA, S_ASSEMBLE, S_EQUILIBRIUM, S_ORDER,
     S_TOLERANCE, S_ABSOLUTE_TOLERANCE, S_LONGEST_STEP, S_HORIZON, S_HEAD

@@ -108,14 +108,13 @@ static double *measure_energies(context *c, double *y)
     const holonom_model *m = c->m;
     const double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum), change = potential_change(c);
-    const double spent = head[S_WORK] - head[S_DISSIPATED];
     y[0] = kinetic;
     y[1] = head[S_POTENTIAL_START] + change;
     y[2] = y[0] + y[1];
     y[3] = head[S_WORK];
     y[4] = head[S_DISSIPATED];
-    y[5] = ((kinetic - head[S_KINETIC_START]) + change) - spent;
-    y[6] = head[S_ENERGY_REFERENCE] > 0.0 ? fabs(y[5]) / head[S_ENERGY_REFERENCE] : fabs(y[5]);
+    y[5] = ledger_balance(c, kinetic, change);
+    y[6] = relative_balance(c, y[5]);
     y[7] = y[8] = 0.0;
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     row_values(c, c->k.phi);

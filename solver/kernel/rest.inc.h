@@ -53,14 +53,21 @@ static int is_balanced(context *c)
     return momentum_norm2(c) <= ROUND_OFF * ROUND_OFF * (c->h * c->h * weight2 + rows2);
 }
 
+/* Whether composite j follows a signal. */
+static int has_signal(const context *c, int32_t j)
+{
+    for (int32_t l = c->m->leaf_ptr[j]; l < c->m->leaf_ptr[j + 1]; l++)
+        if (c->m->leaf[4 * l] == LEAF_SIGNAL) return 1;
+    return 0;
+}
+
 /* Whether the island at hand has a node or row that follows a signal. */
 static int follows_signal(const context *c)
 {
     const holonom_model *m = c->m;
     if (!m->n_signals) return 0;
     if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 1;
-    EACH_COMPOSITE(c, j) for (int32_t l = m->leaf_ptr[j]; l < m->leaf_ptr[j + 1]; l++)
-        if (m->leaf[4 * l] == LEAF_SIGNAL) return 1;
+    EACH_COMPOSITE(c, j) if (has_signal(c, j)) return 1;
     return 0;
 }
 

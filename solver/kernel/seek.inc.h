@@ -66,6 +66,8 @@ static void take_over(context *c)
     memcpy(c->s.mu[0], c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
 }
 
+enum { ROUNDS = 8 };
+
 /* Velocities next to those given, in the mass metric, that the rows allow. Given ones weigh so much that they stay
    unless the rows contradict them; what weights give way is put back, and in the end the rows have their way.     */
 static int32_t make_velocities_consistent(context *c, int keep_given)
@@ -73,13 +75,17 @@ static int32_t make_velocities_consistent(context *c, int keep_given)
     const holonom_model *m = c->m;
     const double *weight = keep_given ? c->number + m->velocity_weight_at : NULL;
     const double *given = c->number + m->initial_velocity_at;
-    for (int round = keep_given ? 0 : 3; round < 4; round++) {
+    double last = INFINITY;
+    for (int round = keep_given ? 0 : 3; round < ROUNDS; round++) {
         for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
             if (weight[k / DIM] > 1.0) c->s.v[k] = given[k];
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+        const double defect = largest_row(c);
+        if (round > 3 && !(defect < 0.5 * last)) break; /* light parts cost digits: again, as long as it helps */
+        last = round < 3 ? INFINITY : defect;
         const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
         if (status) return status;
         add_solution(c, c->s.v);
@@ -149,12 +155,12 @@ static void open_ledger(context *c)
     memcpy(c->s.start, c->s.q, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t a = 0; a < c->n_moving; a++) mass += c->number[m->node_weight_at + a];
     head[S_KINETIC_START] = kinetic;
-    head[S_STORED_START] = stored_energy(c) + penalty_energy(c);
-    head[S_POTENTIAL_START] = head[S_STORED_START];
+    head[S_POTENTIAL_START] = stored_energy(c) + penalty_energy(c);
+    head[S_STORED_START] = potential_change(c); /* and weights on what rounding left over of the coordinates */
+    /* A floor, so that a mechanism at rest has a finite relative error. */
+    const double floor = 1e-3 * (mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at] + fabs(head[S_POTENTIAL_START]));
     for (int32_t a = 0; a < c->n_moving; a++)
         head[S_POTENTIAL_START] -= c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);
-    /* A floor, so that a mechanism at rest has a finite relative error. */
-    const double floor = 1e-3 * (mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at] + fabs(head[S_STORED_START]));
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
 }
 

@@ -64,6 +64,7 @@ class Status(IntEnum):
     BAD_LAW = 7
     TURN_TOO_LARGE = 8
     DAMPING_REVERSED = 9
+    STEP_COLLAPSED = 10
 
 
 SENTENCE = {
@@ -106,6 +107,11 @@ SENTENCE = {
     Status.DAMPING_REVERSED: (
         "dampers fed energy, even with the step halved 6 times: steps of an order above 2 go back "
         "in between, too far for dampers so strong; use solver.order = 2 or a smaller step_size"
+    ),
+    Status.STEP_COLLAPSED: (
+        "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this "
+        "communication step, and errors do not fall; look for masses or sizes that are many powers "
+        "of ten apart, or use a wider solver.tolerance or a shorter communication step"
     ),
 }
 """What each status means, and the remedy."""

@@ -15,10 +15,10 @@ from .assembly_checks import (
     rules_of_laws,
 )
 from .engine_choice import engine_for
-from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start, tell
+from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
-from .order_limits import order_limit
+from .remarks import Remarks
 from .state import ASSEMBLED, CONFIGURED, MOVING, State
 from .value_checks import check_settable, clipped
 
@@ -65,8 +65,8 @@ class Integrator:
         start, stop, *_ = self.model.experiment
         self.state.head["time"], self.state.head["horizon"] = start, stop - start
         self.phase, self.message = CONFIGURED, SENTENCE[Status.OK]
-        self._measured = self._limited = False
-        self._cut: set[str] = set()  # inputs of which it was said that they are clipped
+        self._measured = False
+        self._remarks = Remarks(self.model, self._log)
 
     # ------------------------------------------------------------------------------- values
 
@@ -139,9 +139,7 @@ class Integrator:
             variable = self.model.variables[index]
             check_settable(variable, value, moving=self.phase == MOVING)
             value, sentence = clipped(variable, value)
-            if sentence and variable.name not in self._cut:
-                self._cut.add(variable.name)
-                tell(self._log, sentence)
+            self._remarks.say(variable.name, sentence)
             changes.append((variable, value))
         inputs, parameters = (list(self.state.vectors[name]) for name in ("inputs", "parameters"))
         for variable, value in changes:
@@ -260,11 +258,7 @@ class Integrator:
         head["time"] = t + step
         self.phase = MOVING
         self.message = SENTENCE[Status.OK]
-        if not self._limited:
-            sentence, lasting = order_limit(self.model, head, self.engine.numbers)
-            self._limited = bool(sentence)
-            if lasting or (sentence and self._log):
-                tell(self._log, sentence)
+        self._remarks.look(head, self.engine.numbers)
 
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)

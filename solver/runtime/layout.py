@@ -53,13 +53,13 @@ OFFSETS = (
 
 HEAD = (
     "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
-    "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
-    "residual_low", "mean_time", "mean_time_before", "parity", "known", "halves", "wanted",
-    "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
-    "order_in_use", "newton_iterations", "uzawa_iterations", "substeps", "status", "formulation",
-    "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance", "penalty", "xi",
-    "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order", "tolerance",
-    "absolute_tolerance", "longest_step", "horizon",
+    "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
+    "mean_time", "mean_time_before", "parity", "known", "halves", "wanted", "last_length",
+    "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8", "across",
+    "order_in_use", "newton_iterations", "uzawa_iterations", "substeps", "ledger_error", "status",
+    "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
+    "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
+    "tolerance", "absolute_tolerance", "longest_step", "horizon",
 )  # fmt: skip
 """Scalars at the head of a state."""
 

@@ -24,6 +24,7 @@ from .unsolved import UnsolvedError
 
 Array = NDArray[np.float64]
 
+MOST_STEPS = 1e6
 MAX_HALVINGS, MAX_REPEATS = 6, 40
 
 COSTS = ("newton_iterations", "uzawa_iterations")
@@ -90,8 +91,8 @@ class Advance:
             # A pair is judged by the one before it: after a jump two are needed.
             least = 2.0 if head["order_in_use"] == 2.0 and head["known"] < 2.0 else 1.0
             n = max(least, control.number_of_steps(rest, head["wanted"]))
-            if not n < 1e9:
-                raise UnsolvedError(Status.BAD_STEP)
+            if not n < MOST_STEPS:
+                raise UnsolvedError(Status.STEP_COLLAPSED)
             h = rest / n
             backup, numbers = self.motion.block.copy(), self.clock.numbers.copy()
             solved = True

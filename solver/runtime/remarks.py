@@ -1,9 +1,10 @@
-"""Where steps stay of order 2 though a higher order is wanted, and the sentence that says so."""
+"""What is said once in a run that goes on: dampers keep steps at order 2, energy goes astray."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
+from .errors import tell
 from .model import Model
 from .options import decode
 
@@ -12,7 +13,44 @@ if TYPE_CHECKING:
     from .engine import Doubles
 
 CONSERVING = ("conserving-al", "conserving-al-beta")
+OPEN = 1e3
+"""Error of the ledger, over `newton_tolerance`, that no run of solved steps comes to."""
 COSTLY = "; a tight solver.tolerance takes many steps of order 2"
+
+
+class Remarks:
+    """Says what is noticed in one run, each once."""
+
+    def __init__(self, model: Model, log: Callable[[str], None] | None) -> None:
+        self._model, self._log = model, log
+        self._said: set[str] = set()
+
+    def look(self, head: Mapping[str, float], numbers: Doubles) -> None:
+        """Look at the state's head and the numbers of the model after a step."""
+        if "order" not in self._said:
+            sentence, lasting = order_limit(self._model, head, numbers)
+            if lasting or self._log:
+                self.say("order", sentence)
+        self.say("ledger", open_ledger(head))
+
+    def say(self, about: str, sentence: str) -> None:
+        """Say a sentence, if there is one and nothing was said about it."""
+        if sentence and about not in self._said:
+            self._said.add(about)
+            tell(self._log, sentence)
+
+
+def open_ledger(head: Mapping[str, float]) -> str:
+    """Return what is said after a step when energies are off the ledger though steps are solved."""
+    limit = OPEN * head["newton_tolerance"]
+    if head["ledger_error"] <= limit or decode("formulation", head) not in CONSERVING:
+        return ""
+    return (
+        f"the energy is off by {head['ledger_error']:.1e} of the reference energy at t = "
+        f"{head['time']:g} s though steps are solved: round-off of the coordinates is too large "
+        "for this mechanism; draw it closer to the origin, with sizes and masses less far apart, "
+        "or take longer steps"
+    )
 
 
 def order_limit(model: Model, head: Mapping[str, float], numbers: Doubles) -> tuple[str, bool]:

@@ -1,0 +1,100 @@
+"""Round-off that is larger than what is asked for is said, and no wrong values are handed on."""
+
+from __future__ import annotations
+
+import contextlib
+
+import pytest
+
+import solver
+from solver.runtime import Status
+
+SLIDE = """
+name = "far"
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+B = {{ position = [{arm}, 0], mass = 1.0, inertia = 1.0 }}
+[joints]
+slide = {{ type = "prismatic", bodies = ["ground", "B"], position = [0, 0], axis = [1, 1] }}
+[solver]
+step_size = {step}
+assemble = true
+"""
+
+CHAIN = """
+name = "masses"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = {{ position = [0, 0], fixed = true }}
+A = {{ position = [1, 0], mass = {light} }}
+B = {{ position = [2, 0], mass = {heavy} }}
+C = {{ position = [3, 0], mass = {light} }}
+[joints]
+a = {{ type = "distance", points = ["O", "A"] }}
+b = {{ type = "distance", points = ["A", "B"] }}
+c = {{ type = "distance", points = ["B", "C"] }}
+[solver]
+tolerance = {tolerance}
+"""
+
+
+def said_of(text: str, step: float) -> tuple[list[str], solver.Integrator]:
+    """What twenty steps of a scene say."""
+    said: list[str] = []
+    run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)
+    for _ in range(20):
+        run.advance(run.time, step)
+    return said, run
+
+
+@pytest.mark.filterwarnings("ignore::solver.SceneWarning")
+@pytest.mark.parametrize(("arm", "step"), [(5e6, 2.6e-8), (1e4, 1e-8)])
+def test_energy_that_round_off_of_far_places_feeds_is_said_once(arm, step):
+    """Places 5e6 m away are known to 1e-9 m, and a step of 26 ns to as much."""
+    said, run = said_of(SLIDE.format(arm=arm, step=step), 50.0 * step)
+    (sentence,) = said
+    assert sentence.startswith("the energy is off by ")
+    assert "closer to the origin" in sentence
+    assert run.state.head["ledger_error"] == run["energy.error"]
+
+
+@pytest.mark.filterwarnings("ignore::solver.SceneWarning")
+@pytest.mark.parametrize(("arm", "step"), [(5e6, 1e-3), (1.0, 1e-3), (1.0, 1e-9)])
+def test_nothing_is_said_where_round_off_stays_below_what_steps_are_solved_to(arm, step):
+    said, run = said_of(SLIDE.format(arm=arm, step=step), 50.0 * step)
+    assert said == []
+    assert run["energy.error"] < 1e-9
+
+
+class CollapsedError(Exception):
+    """A tolerance asked for too many steps."""
+
+
+def advance(run: solver.Integrator) -> None:
+    """Take a step of 0.1 s."""
+    try:
+        run.advance(run.time, 0.1)
+    except solver.StepError as error:
+        if error.status is not Status.STEP_COLLAPSED:
+            raise
+        raise CollapsedError from error
+
+
+@pytest.mark.parametrize("light", [1.0, 1e-4, 1e-8, 1e-12])
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4])
+def test_velocities_across_the_rows_stay_below_the_tolerance_or_the_step_collapses(
+    light, tolerance
+):
+    """Errors in the mass norm do not see parts that are 1e12 times lighter than others."""
+    run = solver.Integrator(
+        solver.assemble(solver.loads(CHAIN.format(light=light, heavy=1.0, tolerance=tolerance)))
+    )
+    with contextlib.suppress(CollapsedError):
+        for _ in range(20):
+            advance(run)
+            speeds = [abs(float(run[f"{name}.v{axis}"])) for name in "ABC" for axis in "xy"]
+            # A step may add ten times the tolerance of the fastest motion over the size, 3 m.
+            fastest = max(max(speeds) / 3.0, (2.0 * 9.81 / 3.0) ** 0.5)
+            assert run["constraint.velocity"] < 100.0 * tolerance * fastest
