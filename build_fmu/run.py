@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -46,7 +46,8 @@ class Run:
     """Result of `run_fmu`."""
 
     values: ndarray
-    """Structured array: "time", all inputs and outputs, one row per communication point."""
+    """Structured array: "time", all outputs, and all inputs as they were given, one row per
+    communication point."""
     stop_time: float
     wall_time: float
     """Seconds for unpacking, instantiation and all steps."""
@@ -115,20 +116,13 @@ def run_fmu(
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
-    import numpy as np
-
-    from solver.trajectory import communication_points
-
     description = description_of(path)
     given = inputs_of(inputs)
     entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}
     start_values = fmu_settings(description, [entries])[0]
     stop_time, step_size = experiment_times(description, stop_time, step_size)
     start = start_time_of(description)
-    times = np.array(
-        [*(t for t, _ in communication_points(start, stop_time, step_size)), stop_time]
-    )
-    signals = given.sampled(description, start_values, times)
+    signals = given.sampled(description, start_values, _times(start, stop_time, step_size))
     log = Log()
     begin = time.perf_counter()
     with unpacked(path) as folder, not_said_twice(), interrupts_held() as pass_interrupts:
@@ -147,14 +141,36 @@ def run_fmu(
     if values is None:
         raise UsageError(log.reason(failed))
     if signals is not None:
-        for name in given.changing.keys() - {"time"}:  # fmpy has the value of the step before
-            values[name] = np.interp(values["time"], times, signals[name])
+        _record(values, signals, given.changing.keys() - {"time"})
     finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
     reason = log.error if finished else log.reason()
-    poses = Poses({v.name: v.unit for v in description.modelVariables if v.causality == "output"})
-    moved = poses.moved(np.array([values[name] for name in ("time", *poses.names)])[1:].T)
     messages = (*given.notes(start), *log.messages)
+    moved = _moved(description, values)
     return Run(values, stop_time, wall_time, messages, finished, reason, moved)
+
+
+def _times(start: float, stop: float, step: float) -> ndarray:
+    """Communication points in s."""
+    import numpy as np
+
+    from solver.trajectory import communication_points
+
+    return np.array([*(t for t, _ in communication_points(start, stop, step)), stop])
+
+
+def _record(values: ndarray, signals: ndarray, names: Iterable[str]) -> None:
+    """Replace inputs by those of the times of the rows; fmpy has those of the step before."""
+    import numpy as np
+
+    for name in names:
+        values[name] = np.interp(values["time"], signals["time"], signals[name])
+
+
+def _moved(description: ModelDescription, values: ndarray) -> bool:
+    import numpy as np
+
+    poses = Poses({v.name: v.unit for v in description.modelVariables if v.causality == "output"})
+    return poses.moved(np.array([values[name] for name in ("time", *poses.names)])[1:].T)
 
 
 def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> str:

@@ -35,7 +35,7 @@ def run(
         scene(mechanism) if isinstance(mechanism, str) else mechanism,
         stop_time=stop, step_size=every or stop, outputs=list(names), internal_step=h, **settings,
     )  # fmt: skip
-    return found.values
+    return found.table
 
 
 def extrapolated(

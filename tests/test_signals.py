@@ -142,7 +142,7 @@ def test_the_file_of_a_run_has_the_inputs_as_columns(capsys, tmp_path):
         ({"A.x": lambda t: t}, "A.x: is calculated"),
         ({"push": "a"}, "push: must be a finite number in N"),
     ],
-    ids=str,
+    ids=range(9),
 )
 def test_mistakes_of_inputs_in_python_are_sentences(inputs, words):
     with pytest.raises(solver.OptionError, match=words):

@@ -110,7 +110,7 @@ def test_a_damper_takes_c_times_the_square_of_what_it_slows_in_every_step(name, 
 def test_a_torque_at_a_joint_does_torque_times_angle(name, h, dimension):
     text, torque = TORQUES[name]
     run = joined(dimension, f'type = "joint_torque", joint = "joint", value = "{text}"', h)
-    middle = h * (np.arange(len(run.values) - 1) + 0.5)
+    middle = h * (np.arange(len(run.t) - 1) + 0.5)
     work = sums(torque(middle) * np.diff(run["joint.angle"]))
     size = np.abs(run["energy.work"]).max() + run["energy.kinetic"][0]
     assert run["energy.work"] == pytest.approx(work, abs=ROUND_OFF * size)

@@ -69,7 +69,7 @@ def directors(run: solver.Trajectory, dimension: int) -> Array:
 def test_a_constant_force_does_force_times_way_and_gives_its_impulse(place, h, dimension):
     force = FORCE[:dimension]
     run = loaded(dimension, f'type = "force", point = "{place}", value = {force.tolist()}', h)
-    way, t = vector(run, f"{place}.", AXES[dimension]), h * np.arange(len(run.values))
+    way, t = vector(run, f"{place}.", AXES[dimension]), h * np.arange(len(run.t))
     assert run["energy.work"] == pytest.approx((way - way[0]) @ force, abs=1e-11)
     momentum = vector(run, "momentum.", AXES[dimension])
     assert momentum == pytest.approx(momentum[0] + np.outer(t, force), abs=ROUND_OFF)
@@ -113,7 +113,7 @@ def test_a_torque_in_space_is_a_couple_on_the_three_axes(axes, h):
     size = np.abs(work).max()
     assert run["energy.work"] == pytest.approx(work, abs=ROUND_OFF * size)
     if axes == "global":
-        t, kept = h * np.arange(len(run.values)), vector(run, "angular_momentum.")
+        t, kept = h * np.arange(len(run.t)), vector(run, "angular_momentum.")
         assert kept == pytest.approx(kept[0] + np.outer(t, MOMENT), abs=ROUND_OFF * size)
 
 
