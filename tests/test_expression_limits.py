@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 import solver
-from solver.scene import ExpressionError, SceneError, parse
+from solver.scene import ExpressionError, SceneError, evaluate, parse
 from solver.scene.grammar import DEEPEST, LARGEST
 
 SCENE = {
@@ -143,7 +143,7 @@ def test_a_long_sum_is_that_of_its_terms():
     multiplied = "p" + "".join(f" {s} (p + {x!r})" for s, x in zip(powers, numbers, strict=True))
     for text in (added, multiplied):
         expected = eval(text, {"p": 0.3})
-        value = solver.scene.evaluate(parse(text), {"p": 0.3})
+        value = evaluate(parse(text), {"p": 0.3})
         assert value == pytest.approx(expected, rel=1e-12)
 
 

@@ -19,7 +19,7 @@ from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionE
 from solver.runtime.layout import TABLES, measured_sections
 from solver.runtime.model import Row, Rule, Variable
 from solver.runtime.options import DEFAULTS
-from solver.scene import Expr, ForceElement, Scene
+from solver.scene import Expr, ExpressionError, ForceElement, Scene
 from solver.scene.collector import collector_paused
 
 
@@ -32,7 +32,11 @@ def assemble(scene: Scene) -> Model:
         When the mechanism of the scene cannot be assembled with its own numbers: every broken rule,
         with its line. A scene made by hand can also have a setting that is out of range.
     """
-    model = model_of(scene)
+    try:
+        model = model_of(scene)
+    except ExpressionError as error:
+        text = f"a number of the mechanism has no finite value: {error.message}"
+        scene.fail([scene.error("", f"{text}; look for a very large or small one")])
     try:
         Integrator(model).initialise()
     except (AssemblyError, OptionError) as error:

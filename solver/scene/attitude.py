@@ -90,7 +90,7 @@ def _matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
 def _about_an_axis(geometry: Geometry, path: Path, part: Any) -> Matrix:
     axis = geometry.axis((*path, "axis"), part.axis)
     angle = geometry.numbers.angle((*path, "angle"), part.angle, GEOMETRY)
-    if len(axis) != 3 or geometry.values(axis) in (None, [0.0] * 3):
+    if len(axis) != 3 or geometry.values(axis) is None:
         return IDENTITY
     length = sqrt(dot(axis, axis))
     x, y, z = (component / length for component in axis)
@@ -133,9 +133,7 @@ def _quaternion(geometry: Geometry, path: Path, part: Any) -> Matrix:
     if len(given) != 4:
         geometry.draft.error(path, f"must have 4 numbers, w first, got {len(given)}")
         return IDENTITY
-    if geometry.values(given) in (None, [0.0] * 4):
-        if geometry.values(given) is not None:
-            geometry.draft.error(path, "a quaternion of length zero", "[1, 0, 0, 0] does not turn")
+    if not geometry.has_length(path, given, "a quaternion"):
         return IDENTITY
     length = sqrt(dot(given, given))
     w, x, y, z = (number / length for number in given)

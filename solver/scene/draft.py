@@ -14,7 +14,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from solver.scene.fields import BROKEN, shown
-from solver.scene.report import Path, Problem, Source
+from solver.scene.report import Path, Problem, SceneError, Source
 from solver.scene.schema import ONLY_IN_SPACE, PARTS, TYPES
 from solver.scene.schema_part import Part
 from solver.scene.words import did_you_mean, nearest
@@ -38,6 +38,9 @@ _NAMES_OF = {
 }
 """Fields that name parts of a table."""
 
+MOST = 200
+"""Mistakes that are reported."""
+
 _BAR = 'write type = "bar"; the points of a rigid body are a table'
 
 
@@ -57,8 +60,11 @@ class Draft:
     def error(
         self, path: Path, message: str, help: str | None = None, mark: tuple[str, int] = ("", 1)
     ) -> None:
-        """Note a mistake at a place of the file."""
+        """Note a mistake at a place of the file; so many that others hide behind them end it."""
         self.problems.append(self.source.problem(path, message, help, mark))
+        if len(self.problems) > MOST:
+            message = f"more than {MOST} mistakes; not all are listed"
+            raise SceneError([*self.problems, Problem("", message)], self.source)
 
     def warn(self, path: Path, message: str, help: str) -> None:
         """Note what is legal at a place of the file and seldom meant."""

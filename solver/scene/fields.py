@@ -29,6 +29,8 @@ def shown(value: object) -> str:
         return f"[{', '.join(shown(item) for item in value)}]"
     if isinstance(value, dict):
         return "a table"
+    if isinstance(value, int) and abs(value) >= 10**20:  # Python refuses to write long ones
+        return f"an integer of {int(math.log10(abs(value))) + 1} digits"
     return repr(value) if isinstance(value, (str, int, float)) else str(value)
 
 
@@ -59,7 +61,7 @@ def _number(value: object) -> Reading:
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
-        about = {"message": f"must be a finite number, got {str(value)[:20]}"}
+        about = {"message": f"must be a finite number, got {shown(value)}"}
         raise mistake(about)
     return Reading(value, number)
 

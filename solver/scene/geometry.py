@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from solver.scene.expression import ExpressionError, Number
 from solver.scene.fields import BROKEN
-from solver.scene.numbers import GEOMETRY, Numbers, Place
+from solver.scene.numbers import GEOMETRY, LARGEST, Numbers, Place
 from solver.scene.report import Path
 from solver.scene.vocabulary_parts import Vector
 
@@ -43,7 +43,9 @@ class Geometry:
     def entries(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector:
         """Read the numbers of a list."""
         if all([reading.is_constant for reading in readings]):
-            return tuple([reading.number for reading in readings])
+            numbers = tuple([reading.number for reading in readings])
+            if all([-LARGEST <= number <= LARGEST for number in numbers]):
+                return numbers
         return tuple(
             self.numbers.number((*path, i), reading, place) for i, reading in enumerate(readings)
         )
@@ -55,9 +57,22 @@ class Geometry:
     def axis(self, path: Path, readings: Any) -> Vector:
         """Read a direction of any length but zero."""
         axis = self.vector(path, readings)
-        if readings is not BROKEN and self.values(axis) == list(self.zero()):
-            self.draft.error(path, "a direction of length zero", "any other length will do")
-        return axis
+        if readings is BROKEN or len(axis) != len(self.zero()):
+            return axis
+        fine = self.has_length(path, axis, "a direction")
+        return axis if fine else (1.0, *self.zero()[1:])
+
+    def has_length(self, path: Path, vector: Vector, what: str) -> bool:
+        """Report a vector whose length is zero, or too small or large for its square."""
+        values = self.values(vector)
+        size = 1.0 if values is None else max(map(abs, values))
+        if not 1.0 / LARGEST <= size <= LARGEST:
+            length = f"{size:.3g}" if size else "zero"
+            help = "any other length will do"
+            if size:
+                help = f"any length from {1.0 / LARGEST:g} to {LARGEST:g} will do"
+            self.draft.error(path, f"{what} of length {length}", help)
+        return values is not None and 1.0 / LARGEST <= size <= LARGEST
 
     def values(self, vector: Vector) -> list[float] | None:
         """Values with the default parameters; None where one of them has none."""

@@ -153,6 +153,8 @@ def _plain(message: str) -> str:
     """Python's message in our words: the first clause, without advice meant for programs."""
     if message.startswith(("invalid syntax", "f-string", "cannot assign", "expression cannot")):
         return "not an expression"
+    if message.startswith("Exceeds the limit"):
+        return "number larger than any floating-point number"
     if message.startswith("invalid decimal literal"):
         return "a number with letters behind it; a unit is not written here"
     return re.split(r"[.;] |\. Did", message)[0]

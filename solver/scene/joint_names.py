@@ -7,11 +7,10 @@ from typing import Any
 
 from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
-from solver.scene.numbers import a
 from solver.scene.quantities import SHARED_POINT, WITH_ANGLE, WITH_DISPLACEMENT
 from solver.scene.report import Path
 from solver.scene.schema import ONLY_IN_SPACE
-from solver.scene.words import did_you_mean
+from solver.scene.words import a, did_you_mean
 
 
 class JointNames:

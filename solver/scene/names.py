@@ -8,11 +8,12 @@ from collections.abc import Iterator
 from typing import Any
 
 from solver.scene.draft import Draft
-from solver.scene.numbers import Known, a
+from solver.scene.numbers import Known
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.quantities import SHARED_POINT, Inventory
 from solver.scene.report import Path
 from solver.scene.schema import TYPES
+from solver.scene.words import a
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 

@@ -20,7 +20,10 @@ from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.quantities import Inventory, Level, quantities
 from solver.scene.report import Path
 from solver.scene.units import in_si
-from solver.scene.words import did_you_mean
+from solver.scene.words import a, did_you_mean
+
+LARGEST = 1e100
+"""Largest size of a number of a mechanism: products of three of them are finite."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +119,9 @@ class Numbers:
             value = self.default(path, reading)
         else:
             return 0.0
-        if value is not None and rule is not None and not rule.holds(value):
+        if value is not None and abs(value) > LARGEST and place is not SETTING:
+            self.draft.error(path, f"must be at most {LARGEST:g} in size, got {value:.6g}")
+        elif value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
             how = "" if isinstance(reading.number, float) else f" (= {reading.text})"
             self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
@@ -274,11 +279,6 @@ class Numbers:
 
 
 _ELSEWHERE = "is possible only in outputs, in constraints and in the values of forces and torques"
-
-
-def a(kind: str) -> str:
-    """Put the article in front of a kind of part."""
-    return f"{'an' if kind[0] in 'aeiou' else 'a'} {kind}"
 
 
 def unknown_end(known: Known, name: str) -> tuple[str, str | None] | None:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from solver.scene.fields import shown
+from solver.scene.grammar import is_readable
 from solver.scene.report import Given, Path, Problem, location_of, path_of
 from solver.scene.schema import Heading
 from solver.scene.words import did_you_mean
@@ -40,7 +41,9 @@ def apply_overrides(
         text = f"{name}={given if isinstance(given, str) else shown(value)}"
         where = override.where if isinstance(override, Given) else f"--set {text}"
         path = _target(data, path_of(name))
-        if path is None or not _replace(data, path, value):
+        if not is_readable(text):
+            problems.append(Problem("", "not a readable text", override=where))
+        elif path is None or not _replace(data, path, value):
             help = did_you_mean(name, _known(data))
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
             named = override.named if isinstance(override, Given) else ""
@@ -59,7 +62,7 @@ def _value(given: object) -> object:
         return given
     try:
         read = tomllib.loads(f"value = {given}")
-    except (tomllib.TOMLDecodeError, RecursionError):
+    except (ValueError, RecursionError):  # no TOML, or an integer of too many digits
         return given
     return read["value"] if len(read) == 1 else given
 

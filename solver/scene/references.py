@@ -10,11 +10,11 @@ from typing import Any
 
 from solver.scene.fields import BROKEN, shown
 from solver.scene.geometry import Geometry
-from solver.scene.numbers import a, unknown_end
+from solver.scene.numbers import unknown_end
 from solver.scene.places import Places, same
 from solver.scene.report import Path
 from solver.scene.vocabulary_parts import PointReference, Vector
-from solver.scene.words import did_you_mean
+from solver.scene.words import a, did_you_mean
 
 NOWHERE = PointReference(point=None)
 """Stands for a reference that has been reported."""

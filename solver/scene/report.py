@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Literal
 
 from solver.scene.positions import Path, lines_of
@@ -121,16 +122,21 @@ class Source:
                 lines.append(f"{gutter} | {' ' * (problem.column - 1)}^")
         if problem.help:
             lines.append(f"{gutter} = help: {problem.help}")
-        return "\n".join(lines)
+        return "\n".join(lines).encode("utf-8", "backslashreplace").decode()
 
     def line(self, number: int) -> str:
         """Text of a line, from 1."""
-        lines = self.text.split("\n")
+        lines = _split(self.text)
         return lines[number - 1].rstrip() if number <= len(lines) else ""
 
     def _column(self, number: int, text: str, column: int) -> int | None:
         line = self.line(number)
         return line.index(text) + column if text and line.count(text) == 1 else None
+
+
+@lru_cache(maxsize=4)
+def _split(text: str) -> list[str]:
+    return text.split("\n")
 
 
 class SceneWarning(UserWarning):

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path as FilePath
 from typing import Any, NoReturn
 
+from solver.scene.grammar import is_readable
 from solver.scene.positions import first_of_repeated, lines_of_json
 from solver.scene.report import Problem, SceneError, Source, location_of
 from solver.scene.units import in_si
@@ -79,7 +80,9 @@ def _toml(text: str, name: str) -> dict[str, Any]:
         return tomllib.loads(text)
     except RecursionError:
         _give_up(Source(name, text), Problem("", "TOML: nested too deeply"))
-    except tomllib.TOMLDecodeError as error:
+    except ValueError as error:
+        if not isinstance(error, tomllib.TOMLDecodeError):
+            _refuse_digits(Source(name, text))
         words = str(error)
         place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
         message = words[: place.start()] if place else words
@@ -113,6 +116,8 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
     except json.JSONDecodeError as error:
         problem = Problem("", f"JSON: {error.msg}", None, error.lineno, error.colno)
         _give_up(Source(name, text), problem)
+    except ValueError:
+        _refuse_digits(Source(name, text))
     if not isinstance(data, dict):
         from solver.scene.fields import shown  # pydantic takes a third of a second to import
 
@@ -125,11 +130,20 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
     return data
 
 
+def _refuse_digits(source: Source) -> NoReturn:
+    """Give up on an integer that Python does not read, as that would take long."""
+    long = re.compile(r"[0-9_]{640}")
+    line = next((k for k, x in enumerate(source.text.split("\n"), 1) if long.search(x)), None)
+    _give_up(source, Problem("", "an integer with thousands of digits", None, line))
+
+
 def _shallow(data: Any, source: Source) -> None:
-    """Give up on nesting that no scene has, before anything descends into it."""
+    """Give up on nesting and texts that no scene has, before anything descends into them."""
     level = [data]
     for _ in range(DEEPEST):
-        inside = [value.values() if isinstance(value, dict) else value for value in level]
+        inside = [[*x, *x.values()] if isinstance(x, dict) else x for x in level]
+        if not all(is_readable(x) for items in inside for x in items if isinstance(x, str)):
+            _give_up(source, Problem("", "a text with half a character, such as \\ud800"))
         level = [item for items in inside for item in items if isinstance(item, (dict, list))]
         if not level:
             return

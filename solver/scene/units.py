@@ -70,8 +70,10 @@ _NAMES = {
 _SPELLED = {name: symbol for symbol, names in _NAMES.items() for name in names.split()}
 _LONGEST = 8
 """Letters of a word that may be several symbols without signs between them."""
+_WIDEST = 100
+"""Letters of a number with its unit; the pattern takes long for very many digits."""
 _NUMBER_AND_UNIT = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\W\d].*|°)\s*")
-_FACTOR = re.compile(r"(?P<symbol>[A-Za-z%]+|1)(?:(?:\^|\*\*)?(?P<power>-?\d+))?")
+_FACTOR = re.compile(r"(?P<symbol>[A-Za-z%]+|1)(?:(?:\^|\*\*)?(?P<power>-?\d))?")
 _OPERATORS = re.compile(r"(?<!\*)\*(?!\*)|[./]")
 
 
@@ -103,6 +105,8 @@ def base_unit(unit: str) -> BaseUnit | None:
         factor *= known[1] ** power
         for base, exponent in known[0].items():
             powers[base] = powers.get(base, 0) + exponent * power
+    if not 0.0 < factor < math.inf:
+        return None
     return BaseUnit({base: p for base, p in powers.items() if p and _keeps(base, powers)}, factor)
 
 
@@ -130,7 +134,7 @@ def not_of_si(unit: str) -> tuple[str, str]:
 
 def in_si(text: str) -> str | None:
     """Say how a number with a unit behind it is written in a scene; None for another text."""
-    match = _NUMBER_AND_UNIT.fullmatch(text)
+    match = _NUMBER_AND_UNIT.fullmatch(text) if len(text) <= _WIDEST else None
     unit = match[2].strip() if match else ""
     base = base_unit(unit) or base_unit(_respelled(unit))
     if not match or not base or not math.isfinite(float(match[1]) * base.factor):

@@ -11,6 +11,8 @@ from difflib import get_close_matches
 
 _MOST = 20
 """Names that are listed."""
+_MANY = 300
+"""Names that are compared with a wrong one; of more only those that begin like it."""
 
 _WORDS = {
     "file": """
@@ -111,6 +113,11 @@ NAMES = {place: _read(text) for place, text in _WORDS.items()}
 SENTENCES = {word: sentence for words, sentence in _NOT_A_WORD.items() for word in words}
 
 
+def a(kind: str) -> str:
+    """Put the article in front of a kind of part."""
+    return f"{'an' if kind[0] in 'aeiou' else 'a'} {kind}"
+
+
 def nearest(wrong: str, known: Iterable[str], place: str = "") -> str | None:
     """Return the known name that was perhaps meant by a word at a place, if there is one."""
     low, folded = wrong.lower(), {name.lower(): name for name in known}
@@ -118,9 +125,11 @@ def nearest(wrong: str, known: Iterable[str], place: str = "") -> str | None:
     if not close and _sentence(low, place):
         return None
     close += [name for name in _other_numbers(low) if name in folded]
-    close += get_close_matches(low, folded, 1, 0.65)
-    close += [name for name in folded if len(name) > 2 and low.startswith(name)]
-    close += [name for name in folded if len(low) > 2 and name.startswith(low)]
+    alike = [name for name in folded if name[:2] == low[:2]]
+    few = folded if len(folded) <= _MANY else alike[:_MANY]
+    close += get_close_matches(low, few, 1, 0.65)
+    close += [name for name in alike if len(name) > 2 and low.startswith(name)]
+    close += [name for name in alike if len(low) > 2 and name.startswith(low)]
     return folded[close[0]] if close else None
 
 
