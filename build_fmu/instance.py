@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.archive_check import require_whole
-from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.errors import EnvironmentLackError, UsageError, writing
 from fmu_src.status import LOGGER
 
 if TYPE_CHECKING:
@@ -127,13 +127,20 @@ def unpacked(
     EnvironmentLackError
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
+    OSError
+        With the folder, if it cannot be written, as where the disk is full.
     """
     import fmpy
 
     check_platform(fspath(path))
     check_unpack_folder(Path(parent or tempfile.gettempdir()))
     folder = tempfile.TemporaryDirectory(prefix="fmu-", dir=parent, ignore_cleanup_errors=True)
-    fmpy.extract(fspath(path), folder.name)
+    try:
+        with writing(folder.name):
+            fmpy.extract(fspath(path), folder.name)
+    except BaseException:
+        folder.cleanup()
+        raise
     return folder
 
 

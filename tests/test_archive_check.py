@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import io
+import os
 import struct
+import subprocess
+import sys
 import zipfile
 from pathlib import Path
 
@@ -16,6 +19,7 @@ from build_fmu.run import run_fmu
 from tests.commands import run
 from tests.fmu_instance import pendulum
 
+ROOT = Path(__file__).parent.parent
 SLAVE = "resources/slavemodule.txt"
 
 
@@ -155,6 +159,27 @@ def test_another_programs_fmu_needs_no_slave_module(tmp_path):
     names = [n for n in files() if n.startswith(("binaries/", "resources/"))]
     other.write_bytes(without(*names))
     assert description_of(other).modelName == "pendulum"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a limit of file sizes is one of POSIX")
+@pytest.mark.parametrize("command", [("simulate",), ("sweep", "--grid", "length=1:2:2")], ids=str)
+def test_where_an_fmu_cannot_be_unpacked_the_folder_is_named_and_gone(command, tmp_path):
+    lines = (
+        "import resource, sys",
+        "from build_fmu.command_line import main",
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000))",
+        "sys.exit(main(sys.argv[1:]))",
+    )
+    (tmp_path / "temporary").mkdir()
+    process = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines), command[0], pendulum(), *command[1:]],
+        env={**os.environ, "TMPDIR": str(tmp_path / "temporary"), "PYTHONPATH": str(ROOT)},
+        cwd=tmp_path, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert process.returncode == 2
+    assert f"holonom: {tmp_path}/temporary/" in process.stderr
+    assert "File too large" in process.stderr
+    assert not list((tmp_path / "temporary").iterdir())
 
 
 def test_what_is_no_file_has_a_sentence(tmp_path):
