@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.runtime import Integrator, Model
+from solver.runtime import Integrator, Model, layout
 from solver.runtime.layout import TABLES
 from tests.zoo import PLANE, SPACE
 
@@ -135,6 +135,14 @@ def test_every_table_and_row_is_there_and_travels(text):
     assert tuple(model.tables) == TABLES
     assert len(model.rows) == model.sizes["n_rows"] == len(model.tables["row_position"])
     assert Model.from_bytes(model.to_bytes()) == model
+
+
+@pytest.mark.parametrize("group", ["SIZES", "TABLES", "OFFSETS"])
+def test_a_model_of_another_version_is_refused(group, monkeypatch):
+    data = model_of(PLANE).to_bytes()
+    monkeypatch.setattr(f"solver.runtime.model.{group}", ("more", *getattr(layout, group)))
+    with pytest.raises(ValueError, match="another version of holonom"):
+        Model.from_bytes(data)
 
 
 def test_a_model_with_a_damaged_bit_or_cut_off_is_refused():

@@ -192,8 +192,9 @@ class Model(
             raise ValueError(message)
         length = int.from_bytes(data[:8], "little")
         header = json.loads(data[8 : 8 + length])
-        if header.pop("format") != FORMAT:
-            message = f"the model has another format than {FORMAT}, which this code reads"
+        names = [tuple(header[group]) for group in ("sizes", "tables", "offsets")]
+        if header.pop("format") != FORMAT or names != [SIZES, TABLES, OFFSETS]:
+            message = "the model is of another version of holonom; build it again"
             raise ValueError(message)
         position = 8 + length
         for name, count in header["tables"].items():
