@@ -39,6 +39,7 @@ int64_t hm_map_state(const holonom_model *m, double *block, hm_state *s)
     s->direction = take(block, &used, 2 * (int64_t)m->n_quantities);
     s->signal = take(block, &used, m->n_signals);
     s->quaternion = take(block, &used, 4 * (int64_t)m->n_bodies);
+    s->sampled = take(block, &used, 3 * (int64_t)m->n_sampled);
     s->derived = take(block, &used, 2 + 2 * (int64_t)m->n_rows);
     s->inputs = take(block, &used, m->n_inputs);
     s->inputs_before = take(block, &used, m->n_inputs);
@@ -88,6 +89,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->d = take(block, &used, n);
     k->momentum = take(block, &used, n);
     k->handed_on = take(block, &used, n);
+    k->sensed = take(block, &used, n);
     k->rhs = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->value = take(block, &used, m->n_lu_values);
     map_composite(m, block, &used, k);
@@ -123,7 +125,7 @@ int64_t holonom_measured_size(const holonom_model *m)
     const int64_t motion = 2 * (int64_t)m->dim * (m->n_free + m->n_driven + m->n_places) + 2 * (int64_t)m->n_quantities;
     const int64_t forces = (int64_t)m->n_elements + m->n_form_rows + m->n_rows;
     const int64_t reactions = (m->dim + turning) * m->n_reactions + (int64_t)m->dim * m->n_driven;
-    return motion + forces + 7 * (int64_t)m->n_bodies + reactions + 9 + m->dim + turning + 5;
+    return motion + forces + 7 * (int64_t)m->n_bodies + reactions + 9 + m->dim + turning + 6;
 }
 
 void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }

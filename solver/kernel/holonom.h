@@ -119,6 +119,7 @@ typedef struct holonom_model {
     int32_t n_lean_values; /* likewise of those without stiffness; 0 where these are not worth while         */
     int32_t n_slots;      /* half steps of an internal one whose changes a state keeps, see predict.inc.h   */
     int32_t n_islands;    /* parts that no mass, row or force joins: each is solved by itself               */
+    int32_t n_sampled;    /* loads that read quantities                                                    */
 
     const int32_t *island_begin;  /* (n_islands + 1) ISLAND_COLUMNS: where each island begins among these     */
     const int32_t *node_kind;     /* moving and fixed nodes: 0 point, 1 direction                          */
@@ -152,6 +153,7 @@ typedef struct holonom_model {
     const int32_t *reaction_entry;      /* 4 each: reaction, REACTION_..., index, sign                     */
     const int32_t *mass_node;     /* 2 n_mass: row node, column node                                       */
     const int32_t *input_ramp;    /* n_inputs: 1 if it changes evenly over a communication step            */
+    const int32_t *sampled_load;  /* 2 n_sampled: SAMPLED_... and place among these                          */
     const int32_t *tape;          /* 5 integers an operation: code, target, three arguments                */
 
     holonom_elimination full, lean;
@@ -195,6 +197,8 @@ enum holonom_island_column {
     ISLAND_COINCIDENCE, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_BODY_MOMENT, ISLAND_MASS, ISLAND_LINKED,
     ISLAND_ACTIVE, ISLAND_BODY, ISLAND_COLUMNS
 };
+/* Loads that read the mechanism, see sampling.inc.h. */
+enum { SAMPLED_LOAD = 0, SAMPLED_MOMENT = 1, SAMPLED_BODY_MOMENT = 2, SAMPLED_DRIVE = 3 };
 enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 
 /* Places of the scalars at the head of a state; vectors follow in the order of holonom_state_size.         */
@@ -250,7 +254,7 @@ HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers,
    the form rows, multipliers, quaternions (w, x, y, z) and angular velocities of the bodies, reaction forces,
    reaction torques, forces on driven nodes, then kinetic, potential, total, work, dissipated, balance, error
    (7 energies), position and velocity residuals (2), momentum dim, angular momentum 1 or 3, Newton
-   iterations, Uzawa updates, substeps, order in use, status (5).                                                          */
+   iterations, Uzawa updates, substeps, order in use, sampling, status (6).                                                          */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, const double *state, double *work);
 
 /* One step of length h from `state` (not modified), for tests of the tangent: residual r at the increment

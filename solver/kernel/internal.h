@@ -126,6 +126,7 @@ typedef struct hm_state {
     double *direction;             /* 2 n_quantities: cosine and sine of the angles, times a factor            */
     double *signal;                /* n_signals: prescribed values at the present time                        */
     double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
+    double *sampled;               /* 3 n_sampled: what is known of each sampled load, see sampling.inc.h        */
     double *derived;               /* 2 + 2 n_rows: the sections extent, row_scale, row_sigma of the numbers   */
     double *inputs;                /* n_inputs: last given                                                   */
     double *inputs_before, *inputs_slope; /* n_inputs: of ramps, at the present time, and how fast            */
@@ -145,6 +146,7 @@ typedef struct hm_work {
     double *hv, *w, *d;   /* n: h v, unknown d - h v, increment d                                           */
     double *momentum;     /* n: residual of the momentum balance                                            */
     double *handed_on;    /* n: part of it that the last half steps have left to this one                    */
+    double *sensed;       /* n: increment of which sampled loads were told                                 */
     double *rhs;          /* dim n_free + n_rows, elimination order                                         */
     double *value;        /* n_lu_values: tangent and its factors                                           */
     double *local;        /* per form of a composite: links and values, see composite.inc.h                  */

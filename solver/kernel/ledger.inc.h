@@ -28,11 +28,42 @@ static void book_composites(context *c)
     }
 }
 
+/* Works of loads over the step. */
+static double load_work(context *c, int32_t j)
+{
+    double force[DIM], du[DIM], unused[DIM];
+    load_force(c, j, force);
+    link_of(c, c->m->load_form[j], c->k.d, du, unused);
+    return dot(force, du);
+}
+
+static double moment_work(context *c, int32_t j)
+{
+    double force[DIM];
+    motion g;
+    form_motion(c, c->m->moment_form[j], &g);
+    moment_law(c, j, &g, force, NULL);
+    return dot(force, g.du);
+}
+
+static double body_moment_work(context *c, int32_t j)
+{
+    double work = 0.0;
+#if DIM == 3
+    double moment[3], dual[9], f[9];
+    body_moment_law(c, j, moment, dual, f);
+    for (int k = 0; k < 9; k++) work += f[k] * c->k.d[3 * c->m->body_moment[2 * j] + k];
+#else
+    (void)c, (void)j;
+#endif
+    return work;
+}
+
 /* Books the step: Delta T = -dPhi'mu - Delta U + work - dissipation + v'R, term by term. */
 static void book_step(context *c)
 {
     const holonom_model *m = c->m;
-    double force[DIM], du[DIM], unused[DIM];
+    double du[DIM], unused[DIM];
     motion g;
     for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
         if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);
@@ -45,23 +76,9 @@ static void book_step(context *c)
     EACH_COORDINATE(c, k) /* of driven nodes it is what moves them */
         if (k < DIM * m->n_free) book(c, S_RESIDUAL, c->k.d[k] * (c->k.momentum[k] - c->k.handed_on[k]) / c->h);
         else book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
-    for IN_ISLAND(c, j, ISLAND_LOAD) {
-        load_force(c, j, force);
-        link_of(c, m->load_form[j], c->k.d, du, unused);
-        book(c, S_WORK, dot(force, du));
-    }
-    for IN_ISLAND(c, j, ISLAND_MOMENT) {
-        form_motion(c, m->moment_form[j], &g);
-        moment_law(c, j, &g, force, NULL);
-        book(c, S_WORK, dot(force, g.du));
-    }
-#if DIM == 3
-    for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
-        double moment[3], dual[9], f[9];
-        body_moment_law(c, j, moment, dual, f);
-        for (int k = 0; k < 9; k++) book(c, S_WORK, f[k] * c->k.d[3 * m->body_moment[2 * j] + k]);
-    }
-#endif
+    for IN_ISLAND(c, j, ISLAND_LOAD) book(c, S_WORK, load_work(c, j));
+    for IN_ISLAND(c, j, ISLAND_MOMENT) book(c, S_WORK, moment_work(c, j));
+    for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) book(c, S_WORK, body_moment_work(c, j));
     book_composites(c);
 }
 
@@ -113,6 +130,8 @@ static void follow_orientation(context *c, int32_t j)
 #endif
 }
 
+#include "sampling.inc.h"
+
 /* Takes the solved step of the islands at hand over into the state. */
 static void accept_island(context *c, int parity)
 {
@@ -143,6 +162,7 @@ static void accept_island(context *c, int parity)
 static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
+    judge_sampling(c, parity);
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
         if (!is_asleep(c)) accept_island(c, parity);

@@ -161,7 +161,8 @@ void holonom_measure(const holonom_model *m, double *number, const double *state
     y[1] = head[S_UZAWA];
     y[2] = head[S_SUBSTEPS];
     y[3] = head[S_ORDER_IN_USE];
-    y[4] = head[S_STATUS];
+    y[4] = sampling(&c);
+    y[5] = head[S_STATUS];
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
     hm_run_tape(m, number, 3);
 }

@@ -89,6 +89,7 @@ def model_of(scene: Scene) -> Model:
         variables=variables,
         rules=rules,
         rows=tuple(_rows(structure)),
+        sampled=tuple(name for _, _, name in structure.sampled),
         forces={name: _type(force) for name, force in scene.forces.items()},
         settings=_settings(scene),
         experiment=Experiment(

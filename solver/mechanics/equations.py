@@ -111,6 +111,8 @@ class Element(NamedTuple):
     rest: Number = 0.0
     damping: Number = 0.0
     drive: Number = 0.0
+    sampled: str = ""
+    """What it is called in a sentence, if the drive reads the mechanism; likewise of loads."""
 
 
 class Load(NamedTuple):
@@ -119,6 +121,7 @@ class Load(NamedTuple):
     form: int
     value: Vector
     axes: int | None
+    sampled: str = ""
 
 
 class Moment(NamedTuple):
@@ -128,3 +131,4 @@ class Moment(NamedTuple):
     """Form of the link, or node of the first director."""
     value: Vector
     body_axes: bool = False
+    sampled: str = ""

@@ -107,13 +107,13 @@ def _twist(
         mechanism.rule(force.damping, ">=", part, "damping must be >= 0 N.m.s/rad")
         _element(parts, name, Element(angle, damping=compiler.sensed(force.damping)))
     else:
-        (drive,) = _value(parts, compiler, (force.value,), part)
-        _element(parts, name, Element(angle, drive=drive))
+        (drive,), sampled = _value(parts, compiler, (force.value,), part)
+        _element(parts, name, Element(angle, drive=drive, sampled=sampled))
 
 
 def _load(parts: Parts, compiler: Compiler, force: Force, part: Part) -> None:
     mechanism = parts.mechanism
-    value = _value(parts, compiler, force.value, part)
+    value, sampled = _value(parts, compiler, force.value, part)
     axes = None
     if force.axes == "body":
         body = (force.point.point or "").partition(".")[0]
@@ -123,32 +123,34 @@ def _load(parts: Parts, compiler: Compiler, force: Force, part: Part) -> None:
             parts.problems.append((f"{part[0]}.axes", text))
             return
         axes = frame.directors[0]
-    mechanism.loads.append(Load(mechanism.link(parts.place(force.point)), value, axes))
+    mechanism.loads.append(Load(mechanism.link(parts.place(force.point)), value, axes, sampled))
 
 
 def _torque(parts: Parts, compiler: Compiler, force: Torque, part: Part) -> None:
     mechanism = parts.mechanism
     number = force.value if isinstance(force.value, tuple) else (force.value,)
-    value = _value(parts, compiler, number, part)
+    value, sampled = _value(parts, compiler, number, part)
     frame = parts.frames.get(force.body)
     in_body = force.axes == "body" and mechanism.dim == 3
     if isinstance(frame, RigidFrame) and mechanism.dim == 3:
-        mechanism.body_moments.append(Moment(frame.directors[0], value, in_body))
+        mechanism.body_moments.append(Moment(frame.directors[0], value, in_body, sampled))
         return
     if in_body:
         text = "a bar between two points has no axes of its own: give the torque in global axes"
         parts.problems.append((f"{part[0]}.axes", text))
     arm = frame.along((1.0, 0.0)) if isinstance(frame, RigidFrame) else parts.links[force.body]
-    mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value))
+    mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value, sampled=sampled))
 
 
-def _value(parts: Parts, compiler: Compiler, value: tuple[Number, ...], part: Part) -> Vector:
-    """Return a value with sensors for its quantities.
+def _value(
+    parts: Parts, compiler: Compiler, value: tuple[Number, ...], part: Part
+) -> tuple[Vector, str]:
+    """Return a value with sensors for its quantities, and the name of its force if it has any.
 
     Components without quantities must be finite at the start; the others are not known before the
     first step, which fails where they are not.
     """
     sensed = tuple(compiler.sensed(number) for number in value)
-    known = (x for x in sensed if not any(name.startswith("#") for name in symbols(x)))
+    known = [x for x in sensed if not any(name.startswith("#") for name in symbols(x))]
     parts.mechanism.finite(tuple(known), part, "value")
-    return sensed
+    return sensed, part[1] if len(known) < len(sensed) else ""

@@ -98,6 +98,7 @@ def sizes_of(
         "n_lean_values": (tables["lean_lu_ptr"] or (0,))[-1],
         "n_slots": slots_for(scene.solver.order, chosen=scene.solver.tolerance > 0.0),
         "n_islands": structure.islands.count,
+        "n_sampled": len(structure.sampled),
     }
     return {name: known[name] for name in SIZES}
 

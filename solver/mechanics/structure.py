@@ -224,12 +224,24 @@ class Structure:
             "load_axes": array("i", (-1 if x.axes is None else node_of[x.axes] for x in loads)),
             "moment_form": array("i", (moment.place for moment in self.moments.items)),
             "body_moment": flat((node_of[m.place], m.body_axes) for m in self.body_moments.items),
+            "sampled_load": flat(place[:2] for place in self.sampled),
             "body_node": array("i", (node_of[body] for body in self.bodies.items)),
             "place_form": array("i", mechanism.places),
             "reaction_entry": flat(self._reactions()),
             "mass_node": flat(pair[:2] for pair in self.masses),
             "island_begin": flat(zip(*self._windows(), strict=True)),
         }
+
+    @cached_property
+    def sampled(self) -> list[tuple[int, int, str]]:
+        """Kind, place and name of the loads that read the mechanism."""
+        kinds = (self.loads, self.moments, self.body_moments, self.elements)
+        return [
+            (kind, place, load.sampled)
+            for kind, loads in enumerate(kinds)
+            for place, load in enumerate(loads.items)
+            if load.sampled
+        ]
 
     def _reactions(self) -> Iterator[tuple[int, int, int, int]]:
         """Yield joint, kind, row and sign of all entries."""

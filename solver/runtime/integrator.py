@@ -258,7 +258,7 @@ class Integrator:
         head["time"] = t + step
         self.phase = MOVING
         self.message = SENTENCE[Status.OK]
-        self._remarks.look(head, self.engine.numbers)
+        self._remarks.look(self.state, self.engine.numbers)
 
     def _fail(self, t: float, step: float, status: Status) -> None:
         self.state.head["status"] = float(status)

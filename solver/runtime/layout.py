@@ -20,7 +20,7 @@ SIZES = (
     "n_parameters", "n_inputs", "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals",
     "n_tape_outputs", "time_dependent", "variable_potential", "sensing", "n_registers",
     "n_local_forms", "n_local_nodes", "n_lu_values", "n_lean_values", "n_slots",
-    "n_islands",
+    "n_islands", "n_sampled",
 )  # fmt: skip
 """Integers of a model, each a 32-bit field."""
 
@@ -36,7 +36,7 @@ TABLES = (
     "composite_form_ptr", "composite_form", "composite_node_ptr", "composite_node",
     "composite_local_ptr", "composite_local", "leaf_ptr", "leaf", "function_ptr", "operation",
     "load_form", "load_axes", "moment_form", "body_moment", "body_node", "place_form",
-    "reaction_entry", "mass_node", "input_ramp", "tape",
+    "reaction_entry", "mass_node", "input_ramp", "sampled_load", "tape",
     *_ELIMINATION, *(f"lean_{name}" for name in _ELIMINATION),
     "load_slot_ptr", "load_slot", "moment_slot_ptr", "moment_slot", "body_moment_slot",
 )  # fmt: skip
@@ -85,14 +85,13 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first,
     mu_second`` (n_rows each): last multipliers; ``a_change, mu_change`` (n_slots of n and n_rows):
     how these changed from half to half of the last internal steps; ``mean, mean_before``: means of
-    two neighbours;
-    ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full turns of angles;
-    ``direction``: cosine and sine of each, times a factor;
-    ``signal``: prescribed values at the present time; ``quaternion``: of the bodies, of continuous
-    sign; ``derived``: what the start tells once and for all, the sections extent (2), row_scale and
-    row_sigma (n_rows each); ``inputs, parameters``; ``inputs_before, inputs_slope``: where a ramped
-    input stands at the present time, and how fast it arrived there; ``islands``: the scalars
-    `ISLAND` of each.
+    two neighbours; ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full
+    turns of angles; ``direction``: cosine and sine of each, times a factor; ``signal``: prescribed
+    values at the present time; ``quaternion``: of the bodies, of continuous sign; ``sampled``: of
+    loads that read the mechanism, see ``sampling.inc.h``; ``derived``: what the start tells once
+    and for all, the sections extent (2), row_scale and row_sigma (n_rows each); ``inputs,
+    parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at the present time,
+    and how fast it arrived there; ``islands``: the scalars `ISLAND` of each.
     """
     n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
     lengths = {
@@ -110,6 +109,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         "direction": 2 * sizes["n_quantities"],
         "signal": sizes["n_signals"],
         "quaternion": 4 * sizes["n_bodies"],
+        "sampled": 3 * sizes["n_sampled"],
         "derived": 2 + 2 * sizes["n_rows"],
         "inputs": sizes["n_inputs"],
         "inputs_before": sizes["n_inputs"],
@@ -157,7 +157,7 @@ def measured_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
         "residual": 2,
         "momentum": dim,
         "angular_momentum": turning,
-        "solver": 5,
+        "solver": 6,
     }
     return _consecutive(lengths, 0)
 

@@ -24,7 +24,7 @@ from functools import cached_property
 from .errors import UnknownNameError
 from .layout import OFFSETS, SIZES, TABLES
 
-FORMAT = 3
+FORMAT = 4
 """Version of the byte format of a model."""
 
 
@@ -108,8 +108,8 @@ class Experiment(
 class Model(
     namedtuple(
         "Model",
-        "name description sizes tables offsets numbers variables rules rows forces settings "
-        "experiment",
+        "name description sizes tables offsets numbers variables rules rows forces sampled "
+        "settings experiment",
     )
 ):
     """Structure and numbers of a mechanism; never modified.
@@ -130,6 +130,8 @@ class Model(
         What each constraint row belongs to, in the order of the multipliers.
     forces : mapping of str to str
         Type of each force of the scene, by name, such as "torsion_damper".
+    sampled : tuple of str
+        What each load that reads the mechanism is called in a sentence.
     settings : mapping of str to float, str or bool
         Of the solver, as in ``options.DEFAULTS``.
     experiment : Experiment
@@ -203,6 +205,7 @@ class Model(
         header["variables"] = tuple(Variable(*row) for row in header["variables"])
         header["rules"] = tuple(Rule(*row) for row in header["rules"])
         header["rows"] = tuple(Row(*row) for row in header["rows"])
+        header["sampled"] = tuple(header["sampled"])
         header["experiment"] = Experiment(*header["experiment"])
         return Model(**header)
 

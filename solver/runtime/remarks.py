@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from .errors import tell
 from .model import Model
 from .options import decode
+from .state import State
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
@@ -25,13 +26,16 @@ class Remarks:
         self._model, self._log = model, log
         self._said: set[str] = set()
 
-    def look(self, head: Mapping[str, float], numbers: Doubles) -> None:
-        """Look at the state's head and the numbers of the model after a step."""
+    def look(self, state: State, numbers: Doubles) -> None:
+        """Look at the state and the numbers of the model after a step."""
+        head = state.head
         if "order" not in self._said:
             sentence, lasting = order_limit(self._model, head, numbers)
             if lasting or self._log:
                 self.say("order", sentence)
         self.say("ledger", open_ledger(head))
+        if self._model.sampled:
+            self.say("sampling", missed_load(self._model, state))
 
     def say(self, about: str, sentence: str) -> None:
         """Say a sentence, if there is one and nothing was said about it."""
@@ -50,6 +54,21 @@ def open_ledger(head: Mapping[str, float]) -> str:
         f"{head['time']:g} s though steps are solved: round-off of the coordinates is too large "
         "for this mechanism; draw it closer to the origin, with sizes and masses less far apart, "
         "or take longer steps"
+    )
+
+
+def missed_load(model: Model, state: State) -> str:
+    """Return what is said after a step in which a load that reads the mechanism came too seldom."""
+    ratios = state.vectors["sampled"][2::3]
+    worst = max(range(len(ratios)), key=ratios.__getitem__)
+    if not ratios[worst] > 1.0:
+        return ""
+    name, step = model.sampled[worst], state.head["step_size"]
+    return (
+        f"{name}: its value is taken once in a half step and was {ratios[worst]:.1f} times more "
+        f"wrong in the next than right, at t = {state.head['time']:g} s: it alternates, or turns "
+        "round what it should stop; use a damper, torsion_damper or driver for it, smooth its "
+        f"formula, or take steps much shorter than solver.step_size = {step:g} s"
     )
 
 
