@@ -229,5 +229,5 @@ def write_island(tables: Tables, sizes: dict[str, int]) -> None:
         *((0, sizes[name]) for name in names), (0, sizes["n_mass"]),
         *((0, sizes[name]) for name in ("n_linked", "n_active", "n_bodies")),
     ]  # fmt: skip
-    sizes["n_islands"] = 1
+    sizes["n_islands"], sizes["n_sampled"] = 1, 0
     tables["island_begin"] = [begin for begin, _ in pieces] + [end for _, end in pieces]

@@ -227,7 +227,7 @@ class Hand:
             name="hand", description="", sizes={name: sizes[name] for name in SIZES},
             tables={name: array("i", tables[name]) for name in TABLES}, offsets=offsets,
             numbers=array("d", numbers), variables=(), rules=(),
-            rows=(Row("", "row", ""),) * sizes["n_rows"], forces={},
+            rows=(Row("", "row", ""),) * sizes["n_rows"], forces={}, sampled=(),
             settings=dict(DEFAULTS), experiment=Experiment(),
         )  # fmt: skip
 

@@ -65,10 +65,10 @@ def missed_load(model: Model, state: State) -> str:
         return ""
     name, step = model.sampled[worst], state.head["step_size"]
     return (
-        f"{name}: its value is taken once in a half step and was {ratios[worst]:.1f} times more "
-        f"wrong in the next than right, at t = {state.head['time']:g} s: it alternates, or turns "
-        "round what it should stop; use a damper, torsion_damper or driver for it, smooth its "
-        f"formula, or take steps much shorter than solver.step_size = {step:g} s"
+        f"{name} is evaluated too seldom, once in a half step: by t = {state.head['time']:g} s the "
+        f"motion that it causes has changed its work by {ratios[worst]:.1f} times that work, so "
+        "that it alternates or reverses what it should stop; use a damper or torsion_damper "
+        f"instead, smooth its formula, or take steps shorter than solver.step_size = {step:g} s"
     )
 
 

@@ -28,7 +28,10 @@ _WITH_FORCE = (
     *("point_on_line", "point_on_plane", "point_on_surface"),
 )
 _ENERGIES = ("kinetic", "potential", "total", "work", "dissipated", "balance", "error")
-_COUNTS = ("newton_iterations", "uzawa_iterations", "substeps", "order_in_use", "status")
+_COUNTS = (
+    *("newton_iterations", "uzawa_iterations", "substeps", "order_in_use"),
+    *("sampling", "status"),
+)
 _LINES = ("spring", "damper", "gravitation")
 _TWISTS = ("torsion_spring", "torsion_damper", "joint_torque")
 

@@ -1,0 +1,143 @@
+"""Loads that read the mechanism are sampled; a run says where that is too seldom."""
+
+from __future__ import annotations
+
+import random
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import solver
+from build_fmu import build
+from build_fmu.command_line import main
+from build_fmu.run import run_fmu
+
+PIN = """
+name = "pinned"
+dimension = 2
+[bodies]
+B = {{ position = [0, 0], mass = 1.0, inertia = {J}, angular_velocity = 2.0 }}
+[joints]
+pin = {{ type = "revolute", bodies = ["ground", "B"], position = [0, 0] }}
+[forces]
+law = {{ type = "joint_torque", joint = "pin", value = "{law}" }}
+[solver]
+step_size = {h}
+"""
+
+LOADS = {
+    "force": """
+dimension = 2
+[points]
+A = {{ position = [0, 0], mass = {J}, velocity = [2, 0] }}
+[forces]
+law = {{ type = "force", point = "A", value = ["-{c}*A.vx", 0] }}
+""",
+    "joint_torque": """
+dimension = 2
+[bodies]
+B = {{ position = [0, 0], mass = 1.0, inertia = {J}, angular_velocity = 2.0 }}
+[joints]
+pin = {{ type = "revolute", bodies = ["ground", "B"], position = [0, 0] }}
+[forces]
+law = {{ type = "joint_torque", joint = "pin", value = "-{c}*pin.angular_velocity" }}
+""",
+    "torque": """
+dimension = 2
+[bodies]
+B = {{ position = [0, 0], mass = 1.0, inertia = {J}, angular_velocity = 2.0 }}
+[forces]
+law = {{ type = "torque", body = "B", value = "-{c}*B.angular_velocity" }}
+""",
+    "spatial torque": """
+[bodies]
+B = {{ position = [0, 0, 0], mass = 1, inertia = [{J}, {J}, {J}], angular_velocity = [2, 0, 0] }}
+[joints.pin]
+type = "revolute"
+bodies = ["ground", "B"]
+position = [0, 0, 0]
+axis = [1, 0, 0]
+[forces]
+law = {{ type = "torque", body = "B", value = ["-{c}*pin.angular_velocity", 0, 0] }}
+""",
+}
+"""A damper of constant c on an inertia J, by each kind of load."""
+
+
+def said_of(text: str, *, stop: float = 2.0) -> tuple[list[str], float]:
+    """What a run says, and the largest sampling."""
+    said: list[str] = []
+    run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)
+    largest = 0.0
+    for _ in range(100):
+        run.advance(run.time, stop / 100)
+        largest = max(largest, float(run["solver.sampling"]))
+    return said, largest
+
+
+@pytest.mark.parametrize("kind", LOADS)
+def test_a_damper_written_as_a_load_is_reported_beyond_its_sampled_stability(kind):
+    """That is c h/J = 1 with h half a step: the velocity is then zero after it."""
+    chance = random.Random(kind)
+    for _ in range(5):
+        inertia, step = 10.0 ** chance.uniform(-3, 3), 10.0 ** chance.uniform(-4, -2)
+        limit = inertia / (0.5 * step)
+        for gain in (0.1, 0.8, 1.3, 3.0):
+            text = LOADS[kind].format(J=inertia, c=gain * limit)
+            text = f'name = "damped"{text}[solver]\nstep_size = {step}\n'
+            said, largest = said_of(text, stop=100 * step)
+            assert bool(said) == (gain > 1.0) == (largest > 1.0)
+            assert all(text.startswith("force 'law' is evaluated too seldom") for text in said)
+
+
+@pytest.mark.parametrize("damping", [5, 50, 150, 250, 500, 2000])
+def test_an_end_stop_is_reported_where_it_throws_back_faster_than_it_was_hit(damping):
+    law = f"-(1000*(pin.angle - 1) + {damping}*pin.angular_velocity) if pin.angle > 1 else 0"
+    said, _ = said_of(PIN.format(J=1.0, h=0.01, law=law))
+    assert len(said) == (damping * 0.005 > 1.0)
+
+
+@pytest.mark.parametrize("h", [0.01, 0.001, 0.0001])
+def test_friction_that_alternates_from_half_step_to_half_step_is_reported_at_any_step(h):
+    (sentence,), _ = said_of(PIN.format(J=1.0, h=h, law="-2*sign(pin.angular_velocity)"))
+    assert "it alternates or reverses what it should stop" in sentence
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        "-2*atan(pin.angular_velocity/0.05)",
+        "-3*pin.angle - 0.2*pin.angular_velocity",
+        "5*sin(40*t) - 3*pin.angle**3",
+        "-0.3*pin.angular_velocity*abs(pin.angular_velocity)",
+        "-100*(pin.angle - 1) - 2*pin.angular_velocity if pin.angle > 1 else 0",
+    ],
+)
+def test_loads_that_are_sampled_often_enough_are_not_reported(law):
+    said, largest = said_of(PIN.format(J=1.0, h=0.01, law=law), stop=6.0)
+    assert said == []
+    assert 0.0 < largest < 0.5
+
+
+@pytest.fixture
+def chattering(tmp_path) -> Path:
+    scene = tmp_path / "chattering.toml"
+    law = "-2*sign(pin.angular_velocity)"
+    scene.write_text(PIN.format(J=1.0, h=0.01, law=law) + "[experiment]\nstop_time = 2.0\n")
+    return scene
+
+
+def test_check_fails_and_says_why(chattering, capsys):
+    assert main(["check", str(chattering)]) == 1
+    shown = capsys.readouterr()
+    row = next(line for line in shown.out.splitlines() if "solver.sampling" in line)
+    assert row.split()[-1] == "NO"
+    assert "is evaluated too seldom" in shown.err
+
+
+def test_the_log_and_the_page_of_an_fmu_say_it(chattering, tmp_path):
+    fmu = build(chattering, tmp_path / "chattering.fmu")
+    assert any("is evaluated too seldom" in text for text in run_fmu(fmu).messages)
+    with zipfile.ZipFile(fmu) as archive:
+        assert "is evaluated too seldom" in archive.read("documentation/index.html").decode()
