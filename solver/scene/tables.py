@@ -20,6 +20,8 @@ else:
 
 DEEPEST = 50
 """Tables and lists within each other; no scene has so many."""
+_BITS = 4096
+"""Of an integer; no double is as large as one of a quarter of these."""
 _TUPLE, _QUOTED = re.compile(r"\(('[^']*',? ?)+\)"), re.compile(r"'([^']*)'")
 """Keys as the reader of TOML names them: ('points', 'A')."""
 _TWICE = "Cannot overwrite a value"
@@ -131,8 +133,8 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
 
 
 def _refuse_digits(source: Source) -> NoReturn:
-    """Give up on an integer that Python does not read, as that would take long."""
-    long = re.compile(r"[0-9_]{640}")
+    """Give up on an integer that Python does not read or write, as that would take long."""
+    long = re.compile(r"[0-9a-fA-F_]{640}")
     line = next((k for k, x in enumerate(source.text.split("\n"), 1) if long.search(x)), None)
     _give_up(source, Problem("", "an integer with thousands of digits", None, line))
 
@@ -144,6 +146,8 @@ def _shallow(data: Any, source: Source) -> None:
         inside = [[*x, *x.values()] if isinstance(x, dict) else x for x in level]
         if not all(is_readable(x) for items in inside for x in items if isinstance(x, str)):
             _give_up(source, Problem("", "a text with half a character, such as \\ud800"))
+        if any(type(x) is int and x.bit_length() > _BITS for items in inside for x in items):
+            _refuse_digits(source)
         level = [item for items in inside for item in items if isinstance(item, (dict, list))]
         if not level:
             return

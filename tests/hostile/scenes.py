@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 import random
 import re
@@ -193,13 +194,11 @@ def _tables(chance: random.Random, text: str) -> str:
             owner = owner[step]
         value = owner.pop(path[-1])
         key = chance.choice(WORDS) if chance.random() < 0.2 else path[-1]
-        new = chance.choice(
-            [value, chance.choice(VALUES), chance.choice(VALUES), _expression(chance)]
-        )
+        new = chance.choice([value, *chance.choices(VALUES, k=2), _expression(chance)])
         if isinstance(owner, list):
-            owner.insert(path[-1], new)
+            owner.insert(path[-1], copy.deepcopy(new))
         elif chance.random() < 0.9:
-            owner[key] = new
+            owner[key] = copy.deepcopy(new)
     return json.dumps(data)
 
 
