@@ -89,7 +89,7 @@ def _file_problem(archive: zipfile.ZipFile) -> str:
     """Say which file is damaged or missing; empty if none is."""
     damaged = archive.testzip()
     if damaged:
-        return f"the archive is damaged: {damaged} has another checksum{_AGAIN}"
+        return f"the archive is damaged: {damaged!r} has another checksum{_AGAIN}"
     names = archive.namelist()
     libraries = [name for name in names if name.startswith("binaries/")]
     if any(SLAVE_NAME.encode() in archive.read(name) for name in libraries):
@@ -98,7 +98,7 @@ def _file_problem(archive: zipfile.ZipFile) -> str:
         module = f"resources/{text.partition(chr(10))[0].strip()}.py"
         if module not in names:
             missing = module if text.strip() else named
-            return f"{missing} is missing, without which its library ends the process{_AGAIN}"
+            return f"{missing!r} is missing, without which its library ends the process{_AGAIN}"
     code: dict[str, dict[str, bytes]] = {}
     for found in filter(None, map(_PACKAGE.fullmatch, names)):
         code.setdefault(found[1], {})[found[2]] = archive.read(found[0])

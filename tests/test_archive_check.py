@@ -74,6 +74,11 @@ def packed_by_no_method() -> bytes:
     return bytes(data)
 
 
+def damaged_of_two_lines() -> bytes:
+    """A damaged file whose name has the end of a line."""
+    return with_file("resources/a\nb", b"sound").replace(b"sound", b"wrong")
+
+
 def with_damaged_bytes() -> bytes:
     data = bytearray(pendulum().read_bytes())
     data[20000:20100] = bytes(100)
@@ -87,6 +92,8 @@ KINDS = {
     "empty": lambda: b"",
     "cut": lambda: pendulum().read_bytes()[:5000],
     "damaged": with_damaged_bytes,
+    "two lines": damaged_of_two_lines,
+    "module of two lines": lambda: with_file(SLAVE, b"a\rb"),
     "encrypted": encrypted,
     "unknown method": packed_by_no_method,
     "above": lambda: with_file("resources/../../outside"),
