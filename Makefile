@@ -1,6 +1,7 @@
 # make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
 # make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
+# make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
 # make benchmark   time and accuracy, on this machine
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
 # make cofmupy     the same in cofmupy, which is large
@@ -21,7 +22,7 @@ COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h)
 
-.PHONY: demo test lint hostile benchmark importers cofmupy kernel clean
+.PHONY: demo test lint sanitize hostile benchmark importers cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m build_fmu.demo
@@ -34,7 +35,10 @@ lint: $(VENV)/installed-tools
 	$(BIN)/ruff check .
 	$(BIN)/pyright --pythonpath $(BIN)/python
 	$(BIN)/lint-imports
-	CFLAGS=-Werror $(BIN)/python -m build_kernel
+	CFLAGS="-Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion" $(BIN)/python -m build_kernel
+
+sanitize: $(VENV)/installed-tools
+	$(BIN)/python -m tests.sanitize
 
 hostile: $(VENV)/installed-tools
 	$(BIN)/python -m tests.hostile --seed $(SEED) --count $(N) $(ATTACKS)

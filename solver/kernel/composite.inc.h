@@ -136,17 +136,17 @@ static void local_gradients(const context *c, int32_t j)
     const int32_t *local = places_of(c, j);
     const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
     const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-    const local_form *motion = (const local_form *)c->k.local;
+    const local_form *form = (const local_form *)c->k.local;
     memset(c->k.gradient, 0, sizeof(double) * (size_t)(forms * size));
     memset(c->k.gradient_end, 0, sizeof(double) * (size_t)(forms * size));
-    for (int32_t i = 0; i < forms; i++, motion++) {
+    for (int32_t i = 0; i < forms; i++, form++) {
         const int32_t f = m->composite_form[m->composite_form_ptr[j] + i];
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
             const int32_t at = size * i + DIM * *local++;
             double g[DIM];
-            entry_gradient(c, f, e, motion->um, motion->wm, g);
+            entry_gradient(c, f, e, form->um, form->wm, g);
             EACH(k) c->k.gradient[at + k] += g[k];
-            entry_gradient(c, f, e, motion->u1, motion->w1, g);
+            entry_gradient(c, f, e, form->u1, form->w1, g);
             EACH(k) c->k.gradient_end[at + k] += g[k];
         }
     }

@@ -235,8 +235,8 @@ HOLONOM_API void holonom_evaluate(const holonom_model *model, double *numbers, i
 HOLONOM_API int32_t holonom_initialise(const holonom_model *model, double *numbers, double *state, double *work);
 
 /* Residuals of the rows and their rates, signals included: phi, phi_dot (n_rows each), both overwritten. Inputs, time
-   and signals among the numbers are modified.                                                                 */
-HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, const double *state,
+   and signals among the numbers are modified, `state` is not.                                                                 */
+HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, double *state,
                                    double *work, double *phi, double *phi_dot);
 
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option
@@ -249,18 +249,18 @@ HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers,
 HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers, double *state, double *work,
                                     const double *inputs, const double *parameters);
 
-/* Fills the section `measured` of `numbers` from `state` and runs the fourth tape. Sections, in order: positions
+/* Fills the section `measured` of `numbers` from `state` (not modified) and runs the fourth tape. Sections, in order: positions
    and velocities of the moving nodes, of the places, quantities, their rates, forces along elements, rod forces of
    the form rows, multipliers, quaternions (w, x, y, z) and angular velocities of the bodies, reaction forces,
    reaction torques, forces on driven nodes, then kinetic, potential, total, work, dissipated, balance, error
    (7 energies), position and velocity residuals (2), momentum dim, angular momentum 1 or 3, Newton
    iterations, Uzawa updates, substeps, order in use, sampling, status (6).                                                          */
-HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, const double *state, double *work);
+HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work);
 
 /* One step of length h from `state` (not modified), for tests of the tangent: residual r at the increment
    w = d - h v of the free nodes (dim n_free) and multipliers mu (n_rows), r (dim n_free + n_rows, overwritten), and the
    tangent times a direction x, tx (both dim n_free + n_rows; tx overwritten).                                        */
-HOLONOM_API int32_t holonom_probe(const holonom_model *model, double *numbers, const double *state,
+HOLONOM_API int32_t holonom_probe(const holonom_model *model, double *numbers, double *state,
                                   double *work, double h, const double *w, const double *mu,
                                   const double *x, double *r, double *tx);
 

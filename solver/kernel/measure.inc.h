@@ -1,11 +1,11 @@
 /* Residuals, measurements, and a look into one step. Included after seek.inc.h.           */
 
-/* The states below are not modified, but for what the header says: the mapped view has no const twin. */
-HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, const double *state, double *work, double *phi,
+/* The states below are mapped for writing, as a step's are, and not modified. */
+HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state, double *work, double *phi,
                                  double *phi_dot)
 {
     context c;
-    open_context(&c, m, number, (double *)state, work);
+    open_context(&c, m, number, state, work);
     signal_rates_at(&c, c.t, c.k.signal_rate);
     row_values(&c, phi);
     row_rates(&c, c.s.q, c.s.q_low, c.s.v, c.s.signal, c.k.signal_rate, phi_dot);
@@ -146,10 +146,10 @@ static double *measure_momenta(const context *c, double *y)
     return y + DIM + TURNING;
 }
 
-void holonom_measure(const holonom_model *m, double *number, const double *state, double *work)
+void holonom_measure(const holonom_model *m, double *number, double *state, double *work)
 {
     context c;
-    open_context(&c, m, number, (double *)state, work);
+    open_context(&c, m, number, state, work);
     const double *head = c.s.head;
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
@@ -167,12 +167,12 @@ void holonom_measure(const holonom_model *m, double *number, const double *state
     hm_run_tape(m, number, 3);
 }
 
-HM_SELDOM int32_t holonom_probe(const holonom_model *m, double *number, const double *state, double *work, double h,
+HM_SELDOM int32_t holonom_probe(const holonom_model *m, double *number, double *state, double *work, double h,
                                 const double *w, const double *mu, const double *x, double *r, double *tx)
 {
     context c;
     const int32_t n = DIM * m->n_free, size = n + m->n_rows;
-    open_context(&c, m, number, (double *)state, work);
+    open_context(&c, m, number, state, work);
     c.h = h;
     signals_at(&c, c.t + h, c.k.signal1);
     prepare_step(&c, 0);

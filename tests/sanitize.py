@@ -1,0 +1,81 @@
+"""Compiles the kernel with gcc's address and undefined behaviour sanitizers, and runs scenes in it.
+
+python -m tests.sanitize [--every N]
+
+A copy of `solver` with such a kernel is made in a temporary folder; the first fault ends the run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from build_kernel.compiler import DIMENSIONS, LIBRARIES, SOURCES, compile_library, library_name
+
+ROOT = Path(__file__).parent.parent
+OPTIONS = (
+    *("-O1", "-g", "-fno-omit-frame-pointer", "-fno-sanitize-recover=all"),
+    "-fsanitize=address,undefined,float-cast-overflow,bounds-strict",
+)
+SETTINGS = {
+    "ASAN_OPTIONS": "detect_leaks=0:halt_on_error=1",  # leaks are Python's own, at its end
+    "UBSAN_OPTIONS": "print_stacktrace=1:halt_on_error=1",
+    "PYTHONMALLOC": "malloc",  # Python's arenas hide what lies beyond a block
+}
+
+
+def can_sanitize() -> bool:
+    """Whether there is a gcc with the run-time libraries of the sanitizers."""
+    return bool(shutil.which("gcc")) and all(Path(path).is_absolute() for path in _preloaded())
+
+
+def _preloaded() -> list[str]:
+    """Libraries that must be loaded before Python; bare names where gcc has none."""
+    return [
+        subprocess.run(
+            ["gcc", f"-print-file-name={name}"], capture_output=True, text=True, check=True
+        ).stdout.strip()
+        for name in ("libasan.so", "libubsan.so")
+    ]
+
+
+def copy_with_sanitizers(folder: Path) -> None:
+    """Copy `solver` below a folder, and compile the kernel there."""
+    kept = shutil.ignore_patterns("__pycache__", "*.so")
+    shutil.copytree(ROOT / "solver", folder / "solver", ignore=kept)
+    for dimension in DIMENSIONS:
+        target = folder / LIBRARIES / library_name("Linux", dimension)
+        target.parent.mkdir(exist_ok=True)
+        compile_library(["gcc"], folder / SOURCES, dimension, target, *OPTIONS)
+
+
+def run_in(folder: Path, every: int) -> subprocess.CompletedProcess[str]:
+    """Run each `every`-th case of ``tests.sanitized_runs`` with the copy in a folder."""
+    environment = dict(os.environ) | SETTINGS
+    environment["PYTHONPATH"] = os.pathsep.join([str(folder), str(ROOT)])
+    environment["LD_PRELOAD"] = " ".join(_preloaded())
+    command = [sys.executable, "-m", "tests.sanitized_runs", str(every)]
+    return subprocess.run(command, cwd=folder, env=environment, text=True, capture_output=True)
+
+
+def main() -> int:
+    """Compile and run; 1 where a sanitizer has found something."""
+    parser = argparse.ArgumentParser(prog="python -m tests.sanitize", description=__doc__)
+    parser.add_argument("--every", type=int, default=1, help="run only each N-th case")
+    every = parser.parse_args().every
+    if not can_sanitize():
+        sys.exit("the sanitizers need gcc with libasan and libubsan")
+    with tempfile.TemporaryDirectory(prefix="sanitize-") as name:
+        copy_with_sanitizers(Path(name))
+        run = run_in(Path(name), every)
+    print(run.stdout + run.stderr[-4000:])
+    return 1 if run.returncode else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,88 @@
+"""Runs of all scenes in all formulations and orders, for a kernel that checks itself.
+
+python -m tests.sanitized_runs EVERY    runs each EVERY-th case and prints how many there were
+"""
+
+from __future__ import annotations
+
+import itertools
+import sys
+import warnings
+from pathlib import Path
+
+import solver
+from solver.runtime.options import CHOICES, ORDERS
+from tests.twins import EVERYTHING
+
+SCENES = Path(__file__).parent.parent / "scenes"
+STEPS = 8
+
+SETTINGS: list[dict[str, str | float | bool]] = [
+    {"formulation": formulation, "algorithm": algorithm, "paired": paired}
+    for formulation in CHOICES["formulation"]
+    for algorithm in CHOICES["algorithm"]
+    for paired in (True, False)
+]
+SETTINGS += [
+    {"order": order, "algorithm": algorithm}
+    for order in ORDERS
+    for algorithm in CHOICES["algorithm"]
+]
+SETTINGS += [{"tolerance": tolerance} for tolerance in (1e-1, 1e-3, 1e-8)]
+SETTINGS += [
+    {"multiplier_update": "paper"},
+    {"assemble": True},
+    {"start": "equilibrium", "assemble": True},
+    {"order": 8.0, "tolerance": 1e-6, "absolute_tolerance": 1e-9},
+    {"max_newton": 1.0, "max_uzawa": 1.0},
+    {"penalty": 1e14},
+    {"penalty": 1e-300},
+    {"newton_tolerance": 1e-300},
+    {"step_size": 1e6},
+    {"step_size": 1e-300},
+]
+"""Usual ones, and those at the ends of their ranges."""
+
+
+def _move(model: solver.Model, settings: dict[str, str | float | bool]) -> None:
+    """Take steps of two lengths with inputs that change, and go back to a saved state."""
+    run = solver.Integrator(model, log=lambda _: None)
+    for name, value in settings.items():
+        run[f"solver.{name}"] = value
+    saved = b""
+    for i in range(STEPS):
+        if i == 2:
+            saved = run.save()
+        elif i == 5:
+            run.restore(saved)
+        for variable in model.variables:
+            if variable.causality == "input" and i in (1, 4):
+                run[variable.name] = float(variable.start) + 1e-3 * i
+        run.advance(run.time, 0.0137 if i == 6 else 0.02)
+    run.get(range(len(model.variables)))
+    run.engine.residuals()
+
+
+def main(every: int) -> None:
+    """Run the cases; what ends with a sentence is as good as what goes on."""
+    warnings.simplefilter("ignore")
+    texts = [path.read_text("utf-8") for path in sorted(SCENES.glob("*.toml"))]
+    ran = ended = 0
+    model = None
+    for number, (text, settings) in enumerate(
+        itertools.product((*texts, *EVERYTHING.values()), SETTINGS)
+    ):
+        if number % len(SETTINGS) == 0:
+            model = solver.assemble(solver.loads(text))
+        if number % every or model is None:
+            continue
+        ran += 1
+        try:
+            _move(model, settings)
+        except (solver.StepError, solver.AssemblyError, solver.OptionError):
+            ended += 1
+    print(f"{ran} runs, of which {ended} ended with a sentence")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))

@@ -1,0 +1,29 @@
+"""The kernel under gcc's sanitizers, briefly; `make sanitize` runs all scenes and settings."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.sanitize import can_sanitize, copy_with_sanitizers, run_in
+
+pytestmark = pytest.mark.skipif(not can_sanitize(), reason="gcc has no sanitizers here")
+
+SOME = 97
+"""Of some 1,300 cases; no multiple of the number of settings, so that all of these occur."""
+
+
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("sanitized")
+    copy_with_sanitizers(folder)
+    return folder
+
+
+def test_no_run_reads_or_writes_beyond_its_arrays_or_is_undefined(copy):
+    run = run_in(copy, SOME)
+    assert run.returncode == 0, run.stderr[-3000:]
+    ran, ended = map(int, re.findall(r"\d+", run.stdout.splitlines()[-1]))
+    assert ran > 10
+    assert ended < ran / 2
