@@ -78,6 +78,7 @@ def spring_pendulum(stiffness: float) -> Content:
     return mechanism("stiff", 2, points=points, forces={"tie": tie})
 
 
+@pytest.mark.filterwarnings("ignore:the energy is off by")
 @pytest.mark.parametrize("h", [1e-3, 1e-2])
 @pytest.mark.parametrize("stiffness", [1.0, 1e3, 1e6, 1e9, 1e12])
 def test_a_spring_may_be_as_stiff_as_a_rod(stiffness, h):

@@ -140,6 +140,7 @@ INTERNAL = {
 }
 
 
+@pytest.mark.filterwarnings("ignore:force 'law' is evaluated too seldom")
 @DIMENSIONS
 @STEPS
 @pytest.mark.parametrize("name", INTERNAL)

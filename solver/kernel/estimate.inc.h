@@ -105,7 +105,7 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
 /* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Errors in
    the mass norm do not see light parts: their velocities show here. Rows of drivers have rates of signals, which are
    differences and tell nothing at a kink.                                                                       */
-static double velocity_defect(context *c, double h)
+HM_SELDOM static double velocity_defect(context *c, double h)
 {
     const holonom_model *m = c->m;
     const double extent = c->number[m->extent_at];

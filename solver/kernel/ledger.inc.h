@@ -138,6 +138,7 @@ static void accept_island(context *c, int parity)
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
     const int64_t n = DIM * c->n_moving;
+    const int handed = momentum_norm2(c) <= SLIGHT * SLIGHT * s->head[S_ENERGY_REFERENCE];
     book_step(c);
     EACH_COORDINATE(c, k) {
         hm_add(s->q + k, s->q_low + k, c->k.d[k]);
@@ -145,7 +146,7 @@ static void accept_island(context *c, int parity)
            change of velocity to the energy, always with one sign. */
         hm_add(s->v + k, s->v_low + k, 2.0 * c->k.w[k] / c->h);
         s->imbalance_before[k] = s->imbalance[k];
-        s->imbalance[k] = c->k.momentum[k];
+        s->imbalance[k] = handed ? c->k.momentum[k] : 0.0;
     }
     for IN_ISLAND(c, j, ISLAND_BODY) follow_orientation(c, j);
     if (!is_telling(c)) return;

@@ -9,7 +9,7 @@
 #define FORGETTING 0.8   /* of a sum, that a half step leaves */
 #define NEGLIGIBLE 1e-14 /* work, over the reference energy */
 
-static double sampled_work(context *c, int32_t kind, int32_t j)
+HM_SELDOM static double sampled_work(context *c, int32_t kind, int32_t j)
 {
     composite_result result = {0.0, 0.0, 0.0};
     if (kind == SAMPLED_LOAD) return load_work(c, j);
@@ -21,7 +21,7 @@ static double sampled_work(context *c, int32_t kind, int32_t j)
 
 /* Compares works after a half step that is solved and not yet taken over. The state keeps of each load both sums and the
    largest ratio in this communication step.                                                                     */
-static void judge_sampling(context *c, int parity)
+HM_SELDOM static void judge_sampling(context *c, int parity)
 {
     const double *a = c->s.a[parity], negligible = NEGLIGIBLE * c->s.head[S_ENERGY_REFERENCE];
     double *d = c->k.d, *kept = c->s.sampled;
@@ -41,7 +41,7 @@ static void judge_sampling(context *c, int parity)
 }
 
 /* Largest ratio of a load in this communication step. */
-static double sampling(const context *c)
+HM_SELDOM static double sampling(const context *c)
 {
     double largest = 0.0;
     for (int32_t i = 0; i < c->m->n_sampled; i++) largest = fmax(largest, c->s.sampled[3 * i + 2]);

@@ -7,6 +7,9 @@ static inline double usual_length(const context *c)
     return head[S_TOLERANCE] > 0.0 ? fmin(head[S_STEP_SIZE], head[S_WANTED]) : head[S_STEP_SIZE];
 }
 
+/* Round-off of the coordinates in the mass norm. */
+static inline double round_off_of_places(const context *c) { return 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]; }
+
 /* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
 static inline int is_telling(const context *c) { return fabs(c->h) >= 1e-5 * usual_length(c); }
@@ -133,7 +136,7 @@ static int32_t try_step(context *c, int taken_over, newton_record *r, int *effor
 /* One step of an island. Increments and updates that it takes are added to `effort`.                             */
 static int32_t solve_island(context *c, int parity, int *effort)
 {
-    newton_record r = {.theta = 1.0, .floor = 32.0 * 2.3e-16 * c->number[c->m->extent_at + 1]};
+    newton_record r = {.theta = 1.0, .floor = round_off_of_places(c)};
     prepare_step(c, parity);
     if (stands_still(c)) {
         if (stays_at_rest(c, parity)) return HOLONOM_OK;

@@ -51,9 +51,9 @@ def open_ledger(head: Mapping[str, float]) -> str:
         return ""
     return (
         f"the energy is off by {head['ledger_error']:.1e} of the reference energy at t = "
-        f"{head['time']:g} s though steps are solved: round-off of the coordinates is too large "
-        "for this mechanism; draw it closer to the origin, with sizes and masses less far apart, "
-        "or take longer steps"
+        f"{head['time']:g} s though steps are solved: round-off is too large for this mechanism; "
+        "draw it closer to the origin, with sizes, masses and stiffnesses less far apart, or take "
+        "longer steps"
     )
 
 
