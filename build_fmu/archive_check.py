@@ -100,9 +100,10 @@ def _file_problem(archive: zipfile.ZipFile) -> str:
             missing = module if text.strip() else named
             return f"{missing!r} is missing, without which its library ends the process{_AGAIN}"
     code: dict[str, dict[str, bytes]] = {}
-    for found in filter(None, map(_PACKAGE.fullmatch, names)):
+    files = (name for name in names if not name.endswith("/") and "/__pycache__/" not in name)
+    for found in filter(None, map(_PACKAGE.fullmatch, files)):
         code.setdefault(found[1], {})[found[2]] = archive.read(found[0])
-    for package, files in code.items():
-        if package_name(files) != package:
+    for package, parts in code.items():
+        if package_name(parts) != package:
             return f"the code in resources/{package} is not what it was when it was built{_AGAIN}"
     return ""

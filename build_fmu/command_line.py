@@ -32,7 +32,7 @@ EXIT_CODES = """exit codes:
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
-    **dict.fromkeys(("--dt", "--interval", "--h"), "--step"),
+    **dict.fromkeys(("--dt", "--interval"), "--step"),
 }
 """Options that other programs have, and what they are called here."""
 

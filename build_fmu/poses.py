@@ -22,7 +22,11 @@ class Poses:
         """Take the units of all outputs, by name."""
         positions = [x for x, unit in units.items() if unit == "m" and x[-2:] in (".x", ".y", ".z")]
         angles = [x for x, unit in units.items() if unit == "rad" and x.endswith(".angle")]
-        bodies = [x.removesuffix(".qw") for x, unit in units.items() if x[-3:] == ".qw" and unit]
+        bodies = [
+            x.removesuffix(".qw")
+            for x, unit in units.items()
+            if x[-3:] == ".qw" and unit and all(f"{x[:-1]}{k}" in units for k in "xyz")
+        ]
         self.names = [*positions, *angles, *(f"{body}.q{k}" for body in bodies for k in "wxyz")]
         self._positions = slice(len(positions))
         self._angles = slice(len(positions), len(positions) + len(angles))

@@ -69,7 +69,7 @@ class Inputs:
     def notes(self, start: float) -> tuple[str, ...]:
         """A sentence if the times of arrays begin after the start of the run [s]."""
         times = self.changing.get("time")
-        if times is None or not times[0] > start:
+        if times is None or callable(times) or not times[0] > start:
             return ()
         text = f"{self.where}: begins at t = {times[0]:g} s; from {start:g} s until then"
         return (f"{text} the inputs have the values of its first row",)

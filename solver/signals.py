@@ -68,6 +68,9 @@ def sampled(
     to `problems`.
     """
     at = np.asarray(times, float)
+    if callable(signals.get("time")):
+        problems.append(("'time' must be an array", "leave it out if all inputs are functions"))
+        return {}
     arrays = {name: signal for name, signal in signals.items() if not callable(signal)}
     arrays = arrays_over_time(arrays, problems) if arrays else {}
     if problems:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -193,3 +194,11 @@ def test_what_is_no_file_has_a_sentence(tmp_path):
     for path in (tmp_path, tmp_path / "missing.fmu", Path("/dev/null")):
         with pytest.raises(UsageError, match="no such file"):
             run_fmu(path)
+
+
+def test_an_archive_that_was_unpacked_and_packed_again_is_whole(tmp_path):
+    """Other programs write entries of folders too."""
+    folder = tmp_path / "unpacked"
+    with zipfile.ZipFile(pendulum()) as archive:
+        archive.extractall(folder)
+    archive_check.require_whole(shutil.make_archive(str(tmp_path / "again"), "zip", folder))

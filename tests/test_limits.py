@@ -219,3 +219,33 @@ point = "A"
 value = ["push", 0]
 """
 )
+
+
+def test_an_input_with_the_name_of_a_remark_does_not_silence_it():
+    """Nor is it said that an input is clipped where the whole change is refused."""
+    text = """
+name = "parts"
+dimension = 2
+[inputs]
+order = { start = 0.0, max = 1.0, limit = "clip" }
+other = { start = 0.0, max = 1.0 }
+[points]
+A = { position = [0, 0], mass = 1.0, velocity = [1, 0] }
+B = { position = [0, 1], mass = 1.0, velocity = [1, 0] }
+[forces]
+a = { type = "damper", points = ["A", "ground"], at = [-1, 0], damping = 1.0 }
+b = { type = "damper", points = ["B", "ground"], at = [-1, 1], damping = 1.0 }
+push = { type = "force", point = "A", value = ["order + other", 0] }
+[solver]
+order = 4
+"""
+    said: list[str] = []
+    run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)
+    with pytest.raises(solver.OptionError, match="other"):
+        run.set([run.model.index("order"), run.model.index("other")], [3.0, 4.0])
+    assert said == []
+    run["order"] = 3.0
+    run.advance(0.0, 0.1)
+    clipped, limited = said
+    assert clipped.startswith("order: 3.0 is beyond 1")
+    assert "steps are of order 2" in limited

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
-
 import pytest
 
 import solver
-from solver.runtime import Status
 
 SLIDE = """
 name = "far"
@@ -68,33 +65,16 @@ def test_nothing_is_said_where_round_off_stays_below_what_steps_are_solved_to(ar
     assert run["energy.error"] < 1e-9
 
 
-class CollapsedError(Exception):
-    """A tolerance asked for too many steps."""
-
-
-def advance(run: solver.Integrator) -> None:
-    """Take a step of 0.1 s."""
-    try:
-        run.advance(run.time, 0.1)
-    except solver.StepError as error:
-        if error.status is not Status.STEP_COLLAPSED:
-            raise
-        raise CollapsedError from error
-
-
 @pytest.mark.parametrize("light", [1.0, 1e-4, 1e-8, 1e-12])
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4])
-def test_velocities_across_the_rows_stay_below_the_tolerance_or_the_step_collapses(
-    light, tolerance
-):
+def test_velocities_across_the_rows_stay_below_the_tolerance(light, tolerance):
     """Errors in the mass norm do not see parts that are 1e12 times lighter than others."""
     run = solver.Integrator(
         solver.assemble(solver.loads(CHAIN.format(light=light, heavy=1.0, tolerance=tolerance)))
     )
-    with contextlib.suppress(CollapsedError):
-        for _ in range(20):
-            advance(run)
-            speeds = [abs(float(run[f"{name}.v{axis}"])) for name in "ABC" for axis in "xy"]
-            # A step may add ten times the tolerance of the fastest motion over the size, 3 m.
-            fastest = max(max(speeds) / 3.0, (2.0 * 9.81 / 3.0) ** 0.5)
-            assert run["constraint.velocity"] < 100.0 * tolerance * fastest
+    for _ in range(20):
+        run.advance(run.time, 0.1)
+        speeds = [abs(float(run[f"{name}.v{axis}"])) for name in "ABC" for axis in "xy"]
+        # A step may add ten times the tolerance of the fastest motion over the size, 3 m.
+        fastest = max(max(speeds) / 3.0, (2.0 * 9.81 / 3.0) ** 0.5)
+        assert run["constraint.velocity"] < 100.0 * tolerance * fastest

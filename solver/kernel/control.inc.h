@@ -6,7 +6,7 @@ enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
-#define MOST_STEPS 1e6 /* internal steps in a communication step: with more of them the length has collapsed */
+#define MOST_STEPS 1e6 /* internal steps in a communication step, at most */
 
 /* Whether something takes energy out: parts of a step that go back in time would give it. */
 static int is_dissipative(const context *c)

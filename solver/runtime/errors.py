@@ -110,8 +110,8 @@ SENTENCE = {
     ),
     Status.STEP_COLLAPSED: (
         "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this "
-        "communication step, and errors do not fall; look for masses or sizes that are many powers "
-        "of ten apart, or use a wider solver.tolerance or a shorter communication step"
+        "communication step; take shorter communication steps or a wider solver.tolerance; if "
+        "neither helps, look for masses or sizes that are many powers of ten apart"
     ),
 }
 """What each status means, and the remedy."""

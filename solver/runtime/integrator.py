@@ -134,13 +134,13 @@ class Integrator:
         OptionError
             Naming the variable, the value and the rule that it breaks.
         """
-        changes = []
+        changes, cut = [], []
         for index, value in zip(indices, values, strict=True):
             variable = self.model.variables[index]
             check_settable(variable, value, moving=self.phase == MOVING)
             value, sentence = clipped(variable, value)
-            self._remarks.say(variable.name, sentence)
             changes.append((variable, value))
+            cut.append((f"input {variable.name}", sentence))
         inputs, parameters = (list(self.state.vectors[name]) for name in ("inputs", "parameters"))
         for variable, value in changes:
             if variable.kind != "option":
@@ -158,6 +158,8 @@ class Integrator:
             if variable.kind == "option":
                 self._set_option(variable.name.removeprefix("solver."), value)
         self._measured = False
+        for about, sentence in cut:
+            self._remarks.say(about, sentence)
 
     def _turn(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
         """Change inputs and tunable parameters in motion, unless a law would break its rule."""

@@ -1,4 +1,7 @@
-"""What is said once in a run that goes on: dampers keep steps at order 2, energy goes astray."""
+"""Warnings of a run that goes on, each once.
+
+Order 2 because of dampers, energy off by round-off, loads read too seldom, clipped inputs.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +19,8 @@ if TYPE_CHECKING:
 CONSERVING = ("conserving-al", "conserving-al-beta")
 OPEN = 1e3
 """Error of the ledger, over `newton_tolerance`, that no run of solved steps comes to."""
+LONG = 1e-9
+"""Error of the ledger that round-off of a long run may come to."""
 COSTLY = "; a tight solver.tolerance takes many steps of order 2"
 
 
@@ -46,7 +51,7 @@ class Remarks:
 
 def open_ledger(head: Mapping[str, float]) -> str:
     """Return what is said after a step when energies are off the ledger though steps are solved."""
-    limit = OPEN * head["newton_tolerance"]
+    limit = max(OPEN * head["newton_tolerance"], LONG)
     if head["ledger_error"] <= limit or decode("formulation", head) not in CONSERVING:
         return ""
     return (
@@ -63,12 +68,15 @@ def missed_load(model: Model, state: State) -> str:
     worst = max(range(len(ratios)), key=ratios.__getitem__)
     if not ratios[worst] > 1.0:
         return ""
-    name, step = model.sampled[worst], state.head["step_size"]
+    name, head = model.sampled[worst], state.head
+    shorter = f"steps shorter than solver.step_size = {head['step_size']:g} s"
+    if head["tolerance"] > 0.0:
+        shorter = "a smaller solver.longest_step"
     return (
-        f"{name} is evaluated too seldom, once in a half step: by t = {state.head['time']:g} s the "
-        f"motion that it causes has changed its work by {ratios[worst]:.1f} times that work, so "
-        "that it alternates or reverses what it should stop; use a damper or torsion_damper "
-        f"instead, smooth its formula, or take steps shorter than solver.step_size = {step:g} s"
+        f"{name} is evaluated too seldom, once in a half step: until t = {head['time']:g} s the "
+        f"motion that it causes changed its work by {ratios[worst]:.1f} times the work foreseen; "
+        "it alternates or reverses what it should stop; use a damper or torsion_damper instead, "
+        f"make its formula smoother, or take {shorter}"
     )
 
 
