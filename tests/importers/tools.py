@@ -44,20 +44,20 @@ TOOLS = (
         "fmpy",
         "fmpy",
         "`fmpy validate` and `fmpy simulate` of every scene; all tests of FMUs use its `FMU2Slave`",
-        "`simulate_fmu` ends a run at a discarded step without a word; see `solver.status`",
+        "`simulate_fmu` ends a run at a discarded step without a message; see `solver.status`",
     ),
     Tool(
         "libcosimpy",
         "libcosimpy",
         "coupled, fixed step",
-        "the parallel scheme, to round-off of t, which it counts in nanoseconds",
+        "the parallel scheme; it rounds t to nanoseconds",
     ),
     Tool(
         "ecospy",
         "ecospy",
         "coupled, fixed step",
-        "the parallel scheme; needs libtbb12 of the system; adds t up, and so `step_until(1.0)` "
-        "stops at 0.99 with steps of 0.01: count steps",
+        "the parallel scheme; needs libtbb12 of the system; it sums t, so `step_until(1.0)` stops "
+        "at 0.99 with steps of 0.01: count steps",
     ),
     Tool(
         "pathsim-fmi",
@@ -69,16 +69,16 @@ TOOLS = (
         "fmu-manipulation-toolbox",
         "fmu_manipulation_toolbox",
         "`fmutool -check` of every scene; `fmucontainer` of the three coupled FMUs, run in fmpy",
-        "the parallel scheme, or with `sequential` that one, bit for bit; its log says "
-        "`[ERROR] Solver configure....` in any case",
+        "the parallel scheme, or the sequential one with `sequential`, both bit for bit; its log "
+        "always says `[ERROR] Solver configure....`",
     ),
     Tool(
         "cofmupy",
         "cofmupy",
         "coupled, `jacobi` and `gauss_seidel`",
-        "the parallel scheme, and a sequential one; sets inputs to 0 where its configuration has "
-        "no `initialization`, whatever their start values; 86 packages that go with an older fmpy: "
-        "an environment of its own",
+        "the parallel scheme, and a sequential one; it sets inputs to 0 unless its configuration "
+        "has `initialization`, and ignores their start values; its 86 packages need an older fmpy, "
+        "and so an environment of its own",
         "COFMUPY_PYTHON",
     ),
 )
