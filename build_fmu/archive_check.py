@@ -78,7 +78,7 @@ def _name_problem(archive: zipfile.ZipFile) -> str:
     for name in names:
         parts = name.removesuffix("/").split("/")
         if {"", ".", ".."} & set(parts) or re.search(r"[\\:\0]", name):
-            return f"the archive has a file {name!r}, which does not lie inside of it"
+            return f"the archive has a file {name!r}, which lies outside its folder"
         if name in seen or any(str(folder) in files for folder in PurePosixPath(name).parents):
             return f"the archive has two files in one place, {name!r}{_AGAIN}"
         seen.add(name)
@@ -98,12 +98,12 @@ def _file_problem(archive: zipfile.ZipFile) -> str:
         module = f"resources/{text.partition(chr(10))[0].strip()}.py"
         if module not in names:
             missing = module if text.strip() else named
-            return f"{missing!r} is missing, without which its library ends the process{_AGAIN}"
+            return f"{missing!r} is missing, and without it the library ends the process{_AGAIN}"
     code: dict[str, dict[str, bytes]] = {}
     files = (name for name in names if not name.endswith("/") and "/__pycache__/" not in name)
     for found in filter(None, map(_PACKAGE.fullmatch, files)):
         code.setdefault(found[1], {})[found[2]] = archive.read(found[0])
     for package, parts in code.items():
         if package_name(parts) != package:
-            return f"the code in resources/{package} is not what it was when it was built{_AGAIN}"
+            return f"the code in resources/{package} has changed since it was built{_AGAIN}"
     return ""

@@ -58,7 +58,7 @@ def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:
         mistakes.append(Mistake(where, "is empty", help))
     for number, name in enumerate(head, start=1):
         if not name or name in head[: number - 1]:
-            wrong = f"{name!r} is there twice" if name else "has no name"
+            wrong = f"{name!r} is given twice" if name else "has no name"
             help = "give each column a name of its own, separated by commas"
             mistakes.append(Mistake(where, f"column {number}: {wrong}", help))
     columns: dict[str, list[float]] = {name: [] for name in head}
@@ -107,7 +107,7 @@ def names_to_compare(
             help = nearest(next((x for x in expected if x != "time"), ""), outputs)
             refuse([Mistake(where, "no column is an output of the FMU", help)])
         if not moving:
-            message = "all columns are of those that say how exact a run is, not how it moves"
+            message = "all columns tell how exact a run is, and none how it moves"
             refuse([Mistake(where, message, "name those to compare in columns=[...]")])
         return moving
     if isinstance(columns, str) or not columns:

@@ -66,7 +66,7 @@ class Slave(SlaveWithValues):
             self._integrator.state.head["horizon"] = horizon
             if tolerance is None:
                 return
-            fixed = "this run is one of fixed steps, set by solver.step_size and solver.order"
+            fixed = "this run has fixed steps, set by solver.step_size and solver.order"
             reason = fixed if tolerance > 0.0 else "it must be > 0"
             if self._integrator["solver.tolerance"] and tolerance > 0.0:
                 self._integrator["solver.tolerance"] = tolerance

@@ -28,7 +28,7 @@ NOT_FINITE = 107
 """An output is not a finite number, and 0 was handed out for it."""
 
 LOG_CATEGORIES = {
-    "logStatusWarning": "What works, but not as one might expect.",
+    "logStatusWarning": "Effects that you may not expect. The run goes on.",
     "logStatusDiscard": "Why a communication step was discarded, and what to change.",
     "logStatusError": "Values, states and calls that were refused.",
     "logAll": "Everything.",

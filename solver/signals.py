@@ -51,7 +51,7 @@ def _wrong_times(arrays: Mapping[str, NDArray[np.float64]]) -> list[Problem]:
     if times.ndim != 1 or len(times) < 2 or len(falls):
         row = f"; row {falls[0] + 2} does not" if len(falls) else f", and there are {times.size}"
         message = f"time must ascend, from at least two rows{row}"
-        return [(message, "sort the rows, and leave out what is there twice")]
+        return [(message, "sort the rows, and leave out repeated times")]
     return [
         (f"{name}: not one value for each time", f"there are {len(times)} times")
         for name, values in arrays.items()

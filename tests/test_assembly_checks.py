@@ -93,7 +93,7 @@ def test_a_driver_that_starts_elsewhere_is_named():
         '[drivers]\nmotor = { type = "angle", joint = "fixed", value = "0.2 + t" }\n'
     )
     found = report(text)
-    assert "drivers.motor: what it moves is drawn 0.2 off its value at the start" in found
+    assert "drivers.motor: the drawing is 0.2 off its value at the start" in found
     turned = assemble(text + "[solver]\nassemble = true\n")
     assert turned["fixed.angle"] == pytest.approx(0.2, abs=1e-12)
     assert turned["fixed.angular_velocity"] == pytest.approx(1.0, abs=1e-6)
@@ -110,4 +110,4 @@ rod = { type = "distance", points = ["A", "ground"], at = [1, 0, 0] }
 [drivers]
 hand = { type = "position", point = "A", value = [0, 0, 0] }
 """
-    assert "joints.rod: nothing that it joins can move" in report(text)
+    assert "joints.rod: joins only parts that cannot move" in report(text)

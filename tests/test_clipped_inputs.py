@@ -65,7 +65,7 @@ def test_each_clipped_input_is_named_once_in_a_run():
     integrator = started(CLIPPED, said)
     run(integrator, SIGNAL)
     assert [text.split(":")[0] for text in said] == ["push", "lift"]
-    assert said[0] == "push: 6.0 N is beyond 5 N, which it is clipped to (said once)"
+    assert said[0] == "push: 6.0 N is beyond 5 N, and is clipped to this limit (reported once)"
     integrator.reset()
     run(integrator, SIGNAL)
     assert len(said) == 4

@@ -128,7 +128,7 @@ def test_fmus_of_an_earlier_study_are_not_left_unmentioned(capsys, tmp_path):
     assert code == 2
     assert err == (
         f"holonom: {tmp_path}: 1 FMU of an earlier study would stay there, double_pendulum_3.fmu;"
-        " name another folder, or remove what is of no use with --fresh\n"
+        " name another folder, or remove them with --fresh\n"
     )
     assert run(capsys, *second, "--fresh")[0] == 0
     kept = ["double_pendulum_1.fmu", "double_pendulum_2.fmu"]

@@ -71,7 +71,7 @@ def test_two_parts_with_dampers_are_of_order_2_and_that_is_said_once(kernel, tol
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_a_tolerance_that_has_no_choice_of_the_order_says_so(kernel):
     (sentence,) = said("tolerance = 1e-7", kernel)
-    assert sentence.startswith("solver.tolerance is to choose the order, but steps are of order 2")
+    assert sentence.startswith("solver.tolerance chooses the order, but steps are of order 2")
     assert "takes many steps" in sentence
 
 

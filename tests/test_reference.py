@@ -230,8 +230,8 @@ def test_the_reference_stands_in_for_a_kernel_that_is_not_there(monkeypatch, tmp
     run = Integrator(model, log=said.append)
     assert isinstance(run.engine, Reference)
     assert len(said) == 1
-    assert "NumPy reference steps in" in said[0]
-    with pytest.warns(RuntimeWarning, match="NumPy reference steps in"):
+    assert "NumPy reference replaces it" in said[0]
+    with pytest.warns(RuntimeWarning, match="NumPy reference replaces it"):
         Integrator(model)
     with pytest.raises(kernel.KernelMissingError, match="no kernel for this platform"):
         Integrator(model, kernel="c")

@@ -150,7 +150,7 @@ def test_communication_points_are_those_of_the_reference():
         ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cell, and the header has 2"),
         ("time,B.x\n0,1\n1,1\n", "no column is an output of the FMU"),
         ("", "is empty\n  = help: write names into the first line"),
-        ("time,A.x,A.x\n0,1,2\n", ":1: error: column 3: 'A.x' is there twice"),
+        ("time,A.x,A.x\n0,1,2\n", ":1: error: column 3: 'A.x' is given twice"),
         ("time,,A.x\n0,1,2\n", ":1: error: column 2: has no name"),
         ("time,A.x\n0,1\n1,\n", ":3: error: A.x: must be a finite number, got ''"),
         ("time,A.x\n0,1\n1,inf\n", ":3: error: A.x: must be a finite number, got 'inf'"),
@@ -158,7 +158,7 @@ def test_communication_points_are_those_of_the_reference():
         ('time,A.x\n0,"1\n1,1\n', ":3: error: not CSV: unexpected end of data"),
         ('time,A.x\n0,"1"2\n1,1\n', ":2: error: not CSV: "),
         ("time;A.x\n0;1\n1;1\n", "has no column 'time'\n  = help: there are time;A.x"),
-        ("time,solver.status\n0,0\n1,0\n", "all columns are of those that say how exact a run is"),
+        ("time,solver.status\n0,0\n1,0\n", "all columns tell how exact a run is"),
     ],
     ids=range(16),
 )

@@ -120,7 +120,7 @@ def _entries(values: object, where: str, mistakes: list[Mistake]) -> list[Entry]
             value if is_number(value) else repr(value)
         )  # 1 and 1.0 are one value, 1 and true are two
         if same in seen:
-            message = f"the value {shown(value)} is there twice; each may be there once"
+            message = f"the value {shown(value)} is given twice; give it once"
             mistakes.append(Mistake(where, message))
         seen.add(same)
     return [Entry(value, where) for value in found]
@@ -260,7 +260,7 @@ def _wrong_names(where: str, head: Sequence[str], mistakes: list[Mistake]) -> se
         if not name:
             message = f"column {number} has no name"
         elif name in head[: number - 1]:
-            message = f"column {number}: {name!r} is there twice"
+            message = f"column {number}: {name!r} is given twice"
         elif re.search("[;\t]", name) or _is_number(name):
             message = f"column {number}: {name!r} is not a name"
         if message:

@@ -49,6 +49,6 @@ def outputs_of(
             message = f"{description.modelName} has no variable {name!r}"
             mistakes.append(Mistake(where, message, nearest(name, outputs, kinds)))
         elif kinds[name] == "String":
-            help = "what is kept of a run are numbers"
+            help = "a sweep stores only numbers"
             mistakes.append(Mistake(where, f"{name}: is a text, not a number", help))
     return list(dict.fromkeys(names))

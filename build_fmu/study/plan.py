@@ -97,7 +97,7 @@ class Plan:
         twice = [name for name, count in Counter(names).items() if count > 1]
         if twice:
             text = f"the results would have two columns {', '.join(map(repr, twice))}: leave the "
-            raise UsageError(text + "output of this name out, or do not vary what has its name")
+            raise UsageError(text + "output of this name out, or do not vary its parameter")
 
     def record(self, result: Result, longest: int | None = None) -> tuple[Any, ...]:
         """Row of the summary; texts as bytes of at most this length, for HDF5."""

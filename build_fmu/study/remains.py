@@ -69,7 +69,7 @@ def require_room(folder: Path, stem: str, names: Collection[str], fresh: bool) -
     if left and not fresh:
         count = f"{len(left)} FMU{'s' * (len(left) > 1)} of an earlier study would stay there"
         first = left[0] if len(left) == 1 else f"{left[0]} to {left[-1]}"
-        remedy = "name another folder, or remove what is of no use with --fresh"
+        remedy = "name another folder, or remove them with --fresh"
         text = f"{folder}: {count}, {first}; {remedy}"
         raise UsageError(text)
     return Room(folder, stem, names, {path.name: _mark(path) for path in there})

@@ -82,7 +82,7 @@ def _require_the_same(path: Path, theirs: Any, ours: Mapping[str, Any]) -> None:
     except (ValueError, TypeError):
         plan = None
     if not isinstance(plan, dict):
-        raise _damaged(path, "what it says of its sweep cannot be read")
+        raise _damaged(path, "its record of the sweep cannot be read")
     different = [name for name in ours if ours[name] != plan.get(name)]
     if different:
         *others, last = different

@@ -181,7 +181,7 @@ def _add_inertia(
         return
     E = euler_tensor(body.inertia)
     for minor in minors(E):
-        text = "inertia breaks the triangle inequality J1 + J2 >= J3, which every body keeps"
+        text = "inertia breaks the triangle inequality J1 + J2 >= J3 of real bodies"
         mechanism.rule(minor, ">=", part, text)
     if max(abs(mechanism.default(x)) for row in E for x in row) == 0.0:
         least = _least_inertia(mechanism, frame, body, places, part)
@@ -210,7 +210,7 @@ def _least_inertia(
     squares = [dot(arm, arm) for arm in (*arms, body.center_of_mass)]
     largest = max(squares, key=mechanism.default)
     text = (
-        "has no inertia and nothing off its centre of mass that would tell its size; "
+        "has no inertia, and all its points lie at its centre of mass; "
         "give it an inertia, or write a point instead of a body ({value!r} m^2)"
     )
     mechanism.rule(largest, ">", part, text)

@@ -174,4 +174,4 @@ def _check_rows(parts: Parts) -> None:
             for side in (mechanism.forms[f].u, mechanism.forms[f].w)
         )
     }
-    parts.problems.extend((location, "nothing that it joins can move") for location in found)
+    parts.problems.extend((location, "joins only parts that cannot move") for location in found)

@@ -126,7 +126,7 @@ class Compiler:
 
         value = rewritten(number, replace)
         if not any(leaf.kind != SIGNAL for leaf in leaves):
-            message = "it depends on nothing that moves"
+            message = "it does not depend on the motion"
             raise ExpressionError(message)
         if not any(leaf.kind == RATE for leaf in leaves):  # velocity rows do no work
             refuse_switches(value)

@@ -31,7 +31,7 @@ COUNTERS = {
     "order_in_use": "order of the last internal step, 0 before it",
     "sampling": "for forces that read the motion: part of their work that they missed, as they "
     "are evaluated once in a half step; above 1 the step is too long",
-    "status": "0 after a step that was solved, else the reason why it was not",
+    "status": "0 after a solved step, else the code of what failed",
 }
 
 

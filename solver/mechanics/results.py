@@ -50,7 +50,7 @@ def reaction(measures: Measures, name: str, joint: Joint) -> Iterator[Named]:
         if found.row is not None:
             value = -1.0 * found.factor * measures.multiplier(found.row)
             word, unit = ("force", "N") if isinstance(joint, Rack) else ("torque", "N.m")
-            text = f"{word} of {name} on what its second part does"
+            text = f"{word} of {name} on the motion of its second part"
             yield Named(f"{name}.{word}", unit, text, value)
     elif isinstance(joint, BodyJoint):
         yield from _of_bodies(measures, name, joint)

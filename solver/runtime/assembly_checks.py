@@ -30,9 +30,9 @@ SENTENCES = {
     "height": "the centre of the disc is drawn {gap:.6g} m off its height; move it",
     "turned": "its axes{detail} are drawn {gap:.6g} rad off; turn a body",
     "angle": "the cosine of its angle is {gap:.6g} off as drawn; turn a body, or correct the value",
-    "axes": "its axes are no perpendicular unit vectors, by {gap:.6g}; correct its orientation",
+    "axes": "its axes are {gap:.6g} off perpendicular unit vectors; correct its orientation",
     "value": "its value is {gap:.6g} as drawn and must be 0; move or turn a part",
-    "driver": "what it moves is drawn {gap:.6g} off its value at the start; move a part, "
+    "driver": "the drawing is {gap:.6g} off its value at the start; move a part, "
     "correct the formula",
 }
 """What is said about the drawn positions, by the kind of the row."""
@@ -76,8 +76,8 @@ def formulation_problems(model: Model, formulation: str) -> list[str]:
         return []
     name = model.rows[sizes["n_rows"] - general].name
     return [
-        f"solver.formulation: {formulation!r} knows quadratic rows alone, and that of {name} is "
-        f"none; use {' or '.join(map(repr, GENERAL))}"
+        f"solver.formulation: {formulation!r} takes only quadratic rows, and that of {name} is "
+        f"not; use {' or '.join(map(repr, GENERAL))}"
     ]
 
 
@@ -134,7 +134,7 @@ def _fighting(
         kind = model.rows[rows[0][1]].kind
         gap = drawn.length_gap(rows[0][1]) if kind == "length" else rows[0][0]
         sizes.append(f"{name} ({gap:.3g}{UNITS.get(kind, '')})")
-    return [f"the mechanism cannot be closed: joints that fight each other: {', '.join(sizes)}"]
+    return [f"the mechanism cannot be closed: joints contradict each other: {', '.join(sizes)}"]
 
 
 class _Drawn:

@@ -34,7 +34,7 @@ def engine_for(model: Model, kernel: str, log: Callable[[str], None] | None) -> 
         except KernelMissingError as missing:
             if kernel == "c":
                 raise
-            slower = f"{missing}; the NumPy reference steps in, some hundred times slower"
+            slower = f"{missing}; the NumPy reference replaces it, some hundred times slower"
             tell(log, slower)
     from .reference import Reference  # NumPy is imported here and nowhere else
 

@@ -105,8 +105,8 @@ SENTENCE = {
         "a smaller solver.step_size is needed to tell which way it turns"
     ),
     Status.DAMPING_REVERSED: (
-        "dampers fed energy, even with the step halved 6 times: steps of an order above 2 go back "
-        "in between, too far for dampers so strong; use solver.order = 2 or a smaller step_size"
+        "dampers fed energy, even with the step halved 6 times: steps of an order above 2 also go "
+        "back, too far for such strong dampers; use solver.order = 2 or a smaller step_size"
     ),
     Status.STEP_COLLAPSED: (
         "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this "

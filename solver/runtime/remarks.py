@@ -97,7 +97,7 @@ def order_limit(model: Model, head: Mapping[str, float], numbers: Doubles) -> tu
         reason = lasting or (model.sizes["sensing"] and "a load reads the mechanism")
         if not reason or not _is_damped(model, numbers):
             return "", False
-        wanted, lasting = "solver.tolerance is to choose the order", reason
+        wanted, lasting = "solver.tolerance chooses the order", reason
     else:
         wanted = f"solver.order is {asked:g}"
         reason = lasting or "the motion changes too much in a step of this length, or not at all"
@@ -109,11 +109,11 @@ def _lasting_reason(model: Model, head: Mapping[str, float]) -> str:
     parts, formulation = model.sizes["n_islands"], decode("formulation", head)
     if parts > 1:
         return (
-            f"the mechanism has {parts} separate parts, which would exchange some of it: "
-            "export each by itself"
+            f"the mechanism has {parts} separate parts, which would exchange energy: "
+            "build an FMU of each part"
         )
     if formulation not in CONSERVING:
-        return f"solver.formulation {formulation} knows no higher order; {CONSERVING[0]} does"
+        return f"solver.formulation {formulation} has no higher order; {CONSERVING[0]} has"
     return ""
 
 

@@ -49,7 +49,7 @@ def clipped(variable: Variable, value: float | str | bool) -> tuple[float | str 
         return value, ""
     unit = f" {variable.unit}".rstrip()
     sentence = f"{variable.name}: {value!r}{unit} is beyond {limit:g}{unit}"
-    return limit, f"{sentence}, which it is clipped to (said once)"
+    return limit, f"{sentence}, and is clipped to this limit (reported once)"
 
 
 def _limit_before(variable: Variable, value: float) -> float | None:

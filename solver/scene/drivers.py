@@ -99,7 +99,7 @@ class Drivers:
         calls = any(mention.role == "function" for mention in reading.mentions)
         if level not in levels and not (level == "position" and calls):
             what = "position" if level == "position" else "velocity"
-            self.draft.error(path, f"mentions no {what} of the mechanism, which it is to constrain")
+            self.draft.error(path, f"mentions no {what} of the mechanism: it constrains nothing")
         elif level == "rate" and _degree(number, self.geometry.known.quantities) > 1:
             message = "must be linear in the velocities"
             self.draft.error(path, message, 'such as "A.vx*sin(b) - A.vy*cos(b)"')

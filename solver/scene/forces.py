@@ -60,7 +60,7 @@ class Forces:
             message = "a spring has a stiffness or an energy, not both"
             self.draft.error(energy, message, "leave out one of them")
         elif part.energy is not None and part.free_length is not None:
-            message = "the energy says already at which length the spring is free"
+            message = "the energy already defines the free length of the spring"
             self.draft.error((*path, "free_length"), message, "leave it out")
         if part.energy not in (None, BROKEN) and "length" not in _mentioned(part.energy):
             message = "mentions no 'length', the length of the spring in m"

@@ -73,7 +73,7 @@ class Solver(Part):
     )
     absolute_tolerance: Expression | None = Field(None, description="m")
     longest_step: Expression | None = Field(
-        None, description="s, longest internal step where the tolerance chooses"
+        None, description="s, longest internal step with a tolerance"
     )
     newton_tolerance: Expression | None = None
     penalty: Expression | None = None

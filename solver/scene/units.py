@@ -126,7 +126,7 @@ def not_of_si(unit: str) -> tuple[str, str]:
         return f"there is no unit {unit!r}", help
     found = base or base_unit(meant) or BaseUnit()
     if found.factor != 1.0:
-        message = f"must be a unit of SI, in which all numbers of a scene are, got {unit!r}"
+        message = f"must be an SI unit, as all numbers of a scene are in SI, got {unit!r}"
         name = _si_name(meant, found)
         return message, f"give the value in {name}: 1 {meant} is {found.factor:g} {name}"
     return ("", "") if base else (f"there is no unit {unit!r}", f"did you mean '{meant}'?")
