@@ -9,7 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.mechanics.elimination import Graph, Pattern, eliminate
+import holonom
+from solver import SceneError
+from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, eliminate
 from tests.problems import Array, assemble, chain, four_bar, free_system, observe, start, tree
 
 
@@ -210,3 +212,36 @@ def test_assembly_of_a_thousand_bodies_is_a_matter_of_counting():
         for first, last in zip(model.tables["lu_ptr"], model.tables["lu_ptr"][1:], strict=False)
     )
     assert len(model.tables["lu_target"]) == squares
+
+
+def bars(n_points: int, pairs: Sequence[tuple[int, int]]) -> str:
+    """Scene of mass points on a circle, held by rigid bars between some of them."""
+    angles = 2 * np.pi * np.arange(n_points) / n_points
+    points = (
+        f"P{k} = {{ position = [{np.cos(a):.3f}, {np.sin(a):.3f}], mass = 1 }}\n"
+        for k, a in enumerate(angles)
+    )
+    joints = (
+        f'd{k} = {{ type = "distance", points = ["P{a}", "P{b}"] }}\n'
+        for k, (a, b) in enumerate(pairs)
+    )
+    return "".join(['name = "bars"\ndimension = 2\n[points]\n', *points, "[joints]\n", *joints])
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        bars(2, [(0, 1)] * 1500),
+        bars(60, [(a, b) for a in range(60) for b in range(a)]),
+    ],
+    ids=["equal bars", "every point to every other"],
+)
+def test_constraints_that_need_too_many_products_are_refused(scene):
+    with pytest.raises(SceneError, match=r"constraint rows couple its \d+ moving .* repeat others"):
+        holonom.assemble(holonom.loads(scene))
+
+
+def test_redundant_bars_within_the_limit_are_assembled():
+    model = holonom.assemble(holonom.loads(bars(20, [(a, b) for a in range(20) for b in range(a)])))
+    assert model.sizes["n_rows"] == 190
+    assert len(model.tables["lu_target"]) <= MOST_PRODUCTS

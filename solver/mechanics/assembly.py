@@ -37,6 +37,8 @@ def assemble(scene: Scene) -> Model:
     except ExpressionError as error:
         text = f"a number of the mechanism has no finite value: {error.message}"
         scene.fail([scene.error("", f"{text}; look for a very large or small one")])
+    except AssemblyError as error:
+        scene.fail([scene.error("", str(error))])
     try:
         Integrator(model).initialise()
     except (AssemblyError, OptionError) as error:

@@ -20,10 +20,18 @@ from itertools import chain
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.runtime.errors import AssemblyError
+
 Integers = NDArray[np.integer]
 
 PAIRS_AT_ONCE = 100_000
 """Pairs whose stored entries are looked up in one go, which takes some 100 bytes a pair."""
+
+MOST_PRODUCTS = 5_000_000
+"""Products of one factorisation that every mechanism may need; a large one may need more."""
+
+MOST_PRODUCTS_AN_UNKNOWN = 5_000
+"""Products for each unknown that a large mechanism may need."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,6 +47,16 @@ class Pattern:
     """Number of later places of each pivot."""
     column: Integers
     """These places, increasing, of one pivot after the other."""
+
+    @property
+    def n_products(self) -> int:
+        """Products of one factorisation."""
+        return int(np.sum(self.counts**2))
+
+    @property
+    def n_entries(self) -> int:
+        """Stored entries of the factors."""
+        return int(self.ptr[-1])
 
     @cached_property
     def ptr(self) -> Integers:
@@ -159,8 +177,15 @@ class Carriers:
 
 
 def block_order(graph: Graph) -> list[int]:
-    """Return the blocks in their elimination order."""
+    """Return the blocks in their elimination order.
+
+    Raises
+    ------
+    AssemblyError
+        When the factorisation would need too many products.
+    """
     neighbours, weight = _neighbours(graph), graph.sizes
+    left = max(MOST_PRODUCTS, MOST_PRODUCTS_AN_UNKNOWN * sum(weight))
     degree = [sum([weight[b] for b in near]) for near in neighbours]
     done = [False] * len(weight)
     carriers, waiting = Carriers(graph), set()
@@ -180,14 +205,27 @@ def block_order(graph: Graph) -> list[int]:
                 continue
         done[block] = True
         order.append(block)
+        left -= weight[block] * degree[block] ** 2
+        if left < 0:
+            raise AssemblyError(_too_dense(graph))
+        waiting.discard(block)
         if block < graph.n_nodes:
             carriers.add(block)
+            waiting -= neighbours[block]
         _take_out(block, neighbours, degree, weight)
-        waiting -= {block, *neighbours[block]}
-        for other in neighbours[block]:
+        for other in neighbours[block] - waiting:
             heapq.heappush(heap, (degree[other], other))
     assert len(order) == len(weight)
     return order
+
+
+def _too_dense(graph: Graph) -> str:
+    moving, rows = sum(graph.sizes[: graph.n_nodes]), sum(graph.sizes[graph.n_nodes :])
+    return (
+        f"its {rows} constraint rows couple its {moving} moving coordinates too densely: each step "
+        f"would need more than {MOST_PRODUCTS:,} products, and more than "
+        f"{MOST_PRODUCTS_AN_UNKNOWN:,} for each unknown; remove constraints that repeat others"
+    )
 
 
 def _neighbours(graph: Graph) -> list[set[int]]:
@@ -206,10 +244,11 @@ def _take_out(
     near = neighbours[block]
     for other in near:
         around = neighbours[other]
-        around |= near
+        new = near - around
+        new.discard(other)
+        around |= new
         around.discard(block)
-        around.discard(other)
-        degree[other] = sum([weight[b] for b in around])
+        degree[other] += sum([weight[b] for b in new]) - weight[block]
 
 
 def eliminate(graph: Graph) -> Pattern:

@@ -16,6 +16,7 @@ from solver.mechanics.anchors import Anchors
 from solver.mechanics.elimination import Graph, Integers, Pattern, eliminate
 from solver.mechanics.islands import Ordered
 from solver.mechanics.structure import LINEAR, TURNED, Structure, flat, pointers
+from solver.runtime.layout import TABLES
 
 
 class Layout:
@@ -34,6 +35,7 @@ class Layout:
         self.row_composites = range(n_elements, n_elements + n_rows)
         self.first_coincidence = self.n_nodes + len(self.form_rows)
         self.first_function = self.first_coincidence + len(self.coincidences)
+        self.pattern: Pattern = eliminate(self.graph())
 
     # -------------------------------------------------------------------------------- the graph
 
@@ -127,7 +129,6 @@ class Layout:
 
     def tables(self) -> dict[str, array]:
         """Return the tables of the elimination."""
-        self.pattern: Pattern = eliminate(self.graph())
         position = self._position = self.pattern.position.tolist()
         self._n = len(self.pattern.counts)
         rows = position[self.n_nodes : self.first_coincidence]
@@ -258,11 +259,11 @@ def eliminations(structure: Structure) -> dict[str, array]:
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
     """
-    full = Layout(structure).tables()
-    lean = Layout(structure, lean=True).tables()
-    fits = [*lean["lean_lu_ptr"]][-1:] <= [*full["lu_ptr"]][-1:]  # both live in the same memory
-    worth = fits and 2 * len(lean["lean_lu_target"]) <= len(full["lu_target"])
-    return full | (lean if worth else {name: array("i") for name in lean})
+    full, lean = Layout(structure), Layout(structure, lean=True)
+    fits = lean.pattern.n_entries <= full.pattern.n_entries  # both live in the same memory
+    worth = fits and 2 * lean.pattern.n_products <= full.pattern.n_products
+    empty = {name: array("i") for name in TABLES if name.startswith("lean_")}
+    return full.tables() | (lean.tables() if worth else empty)
 
 
 def _table(integers: Integers) -> array:
