@@ -4,6 +4,7 @@
 
 #include "holonom.h"
 
+#include <float.h>
 #include <math.h>
 
 #if DIM != 2 && DIM != 3
@@ -140,6 +141,7 @@ typedef struct hm_work {
     double *sigma0;       /* n_active: quantities at the beginning                                          */
     double *signal1;      /* n_signals: prescribed values at the end                                        */
     double *signal_rate;  /* n_signals                                                                      */
+    double *signal_sample; /* 7 n_signals: around the time at which rates are asked for                     */
     double *phi0, *phi;   /* n_rows: rows at the beginning, and the row function that shall vanish            */
     double *lambda, *mu;  /* n_rows: multiplier held fixed, total multiplier                                */
     double *epsilon;      /* n_rows: compliance 2/alpha or 1/alpha                                          */

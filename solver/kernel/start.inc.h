@@ -169,19 +169,20 @@ static int32_t forces_at_state(context *c)
     return status;
 }
 
-/* Second derivatives of the rows at constant velocities, -G a = bias, into phi; accelerations of driven nodes in w. */
+/* Second derivatives of the rows at constant velocities, -G a = bias, into phi; accelerations of driven nodes in w.
+   Differences look forward only: drivers may have a kink at the start.                                         */
 static void row_biases(context *c)
 {
     const holonom_model *m = c->m;
-    const double tau = 1e-3 * c->s.head[S_STEP_SIZE];
+    const double tau = 1e-3 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
     double *x = c->k.pair_backup, *ahead = c->k.rhs, vu[DIM], vw[DIM];
     for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = 0.0;
-    for (int side = 1; side >= -1 && first_potential(c) > first_function(c); side -= 2) {
-        for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + side * tau * c->s.v[k];
-        signals_at(c, c->t + side * tau, c->k.signal1);
-        signal_rates_at(c, c->t + side * tau, c->k.signal_rate);
+    for (int i = 0; i < 3 && first_potential(c) > first_function(c); i++) {
+        for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + i * tau * c->s.v[k];
+        signals_at(c, c->t + i * tau, c->k.signal1);
+        signal_rates_at(c, c->t + i * tau, c->k.signal_rate);
         row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, ahead);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] += side * ahead[i] / (2.0 * tau);
+        for (int32_t k = 0; k < m->n_rows; k++) c->k.phi[k] += forward[i] * ahead[k] / tau;
     }
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_of(c, m->row_form[i], c->s.v, vu, vw);
@@ -190,10 +191,10 @@ static void row_biases(context *c)
     for (int32_t k = m->n_form_rows; k < m->n_form_rows + DIM * m->n_coincidences; k++) c->k.phi[k] = 0.0;
     if (m->n_driven) {
         const double delta = 1e-2 * c->s.head[S_STEP_SIZE];
-        for (int side = 1; side >= -1; side -= 2) {
-            signal_rates_at(c, c->t + side * delta, c->k.signal_rate);
+        for (int i = 0; i < 3; i++) {
+            signal_rates_at(c, c->t + i * delta, c->k.signal_rate);
             for (int32_t b = 0; b < DIM * m->n_driven; b++)
-                c->k.w[DIM * m->n_free + b] += side * c->k.signal_rate[b] / (2.0 * delta);
+                c->k.w[DIM * m->n_free + b] += forward[i] * c->k.signal_rate[b] / delta;
         }
     }
     memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);

@@ -118,12 +118,19 @@ class Clock:
         return numbers[start : start + count]
 
     def signal_rates(self, t: float) -> Array:
-        """Rates b'(t) by a difference quotient of order 4."""
+        """Rates b'(t) by differences of order 4: central, but forward at a kink or jump."""
         d = DELTA * self.motion.head["step_size"]
-        b = {k: self.signals(t + k * d) for k in (-2, -1, 1, 2)}
-        return (8.0 * (b[1] - b[-1]) - (b[2] - b[-2])) / (12.0 * d)
+        b = np.array([self.signals(t + k * d) for k in range(-2, 5)])
+        central = (8.0 * (b[3] - b[1]) - (b[4] - b[0])) / (12.0 * d)
+        forward = (-25.0 * b[2] + 48.0 * b[3] - 36.0 * b[4] + 16.0 * b[5] - 3.0 * b[6]) / (12.0 * d)
+        fourth = np.abs(b[0] - 4.0 * b[1] + 6.0 * b[2] - 4.0 * b[3] + b[4])
+        smooth = 1e-3 * np.ptp(b[:5], axis=0) + 64.0 * np.finfo(float).eps * np.max(
+            np.abs(b[:5]), axis=0
+        )
+        return np.where(fourth <= smooth, central, forward)
 
     def signal_accelerations(self, t: float) -> Array:
         """Second derivatives b''(t) by a difference quotient."""
         d = DELTA * self.motion.head["step_size"]
-        return (self.signal_rates(t + d) - self.signal_rates(t - d)) / (2.0 * d)
+        now, soon, later = (self.signal_rates(t + k * d) for k in range(3))
+        return (-1.5 * now + 2.0 * soon - 0.5 * later) / d

@@ -149,15 +149,18 @@ def along(
     tau: float,
     rate: Callable[[Mechanism, Motion, Array], Array],
 ) -> Array:
-    """Central difference of `rate` at q + tau v and q - tau v, with the signals of these times."""
+    """Forward difference of `rate` at q, q + tau v and q + 2 tau v, with the signals then.
+
+    Drivers may have a kink at the start, so nothing before it counts.
+    """
     q_low, signal = motion.q_low.copy(), motion.signal.copy()
     values = []
-    for step in (tau, -tau):
+    for step in (0.0, tau, 2.0 * tau):
         motion.q_low[:] = q_low + step * motion.v
         motion.signal[:] = clock.signals(t + step)
         values.append(rate(mechanism, motion, clock.signal_rates(t + step)))
     motion.q_low[:], motion.signal[:] = q_low, signal
-    return (values[0] - values[1]) / (2.0 * tau)
+    return (-1.5 * values[0] + 2.0 * values[1] - 0.5 * values[2]) / tau
 
 
 def first_multipliers(
