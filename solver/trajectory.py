@@ -100,7 +100,8 @@ def simulate(
     inputs : mapping, optional
         By name numbers, functions of the time in s, and arrays, with their times as "time" [s].
         Between the times inputs go in straight lines, before and after them they stay. They are set
-        at communication points: hence a short `step_size`.
+        at communication points: hence a short `step_size`. The trajectory has them as given, also
+        where ``limit = "clip"`` changes what acts.
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
     kernel : {"auto", "c", "numpy"}
@@ -156,6 +157,8 @@ def _rows(
             integrator.set(driven, values[k])
         integrator.advance(t, h)
         rows.append(integrator.get(indices))
+    if driven:
+        integrator.set(driven, values[-1])  # checks the last value too, which moves nothing
     return rows
 
 
@@ -181,8 +184,9 @@ def _times(
     if not (math.isfinite(stop) and stop > start):
         message = f"stop_time: must be > start_time = {start!r} s and finite, got {stop!r}"
         raise OptionError(message)
-    if not (math.isfinite(step) and step > 0.0):
-        message = f"step_size: must be > 0 s and finite, got {step!r}"
+    longest = stop - start if step_size is not None else math.inf
+    if not (math.isfinite(step) and 0.0 < step <= longest * (1.0 + 1e-9)):
+        message = f"step_size: must be > 0 s and at most the run of {stop - start:g} s, got {step!r}"
         raise OptionError(message)
     return start, stop, step
 

@@ -162,3 +162,10 @@ def test_a_file_of_inputs_that_begins_late_is_noted(capsys, tmp_path, command, f
     assert code == 0
     note = f"{file}: begins at t = 0.5 s; from 0 s until then the inputs have the values of its"
     assert err == (f"{note} first row\n" if late else "")
+
+
+@pytest.mark.parametrize("largest", [0.0, 0.5, 0.995])
+def test_every_value_of_a_changing_input_is_checked_the_last_one_too(largest):
+    scene = solver.loads(CART.replace("start = 0.5", f"start = 0, max = {largest}"))
+    with pytest.raises(solver.OptionError, match=f"push: must be <= {largest:g} N"):
+        solver.simulate(scene, inputs={"push": lambda t: t})

@@ -52,7 +52,7 @@ def test_what_is_asked_for_is_collected_in_that_order():
     assert trajectory["A.x"][0] == 0.6
 
 
-@pytest.mark.parametrize("step_size", [0.0, -0.1, math.nan, math.inf])
+@pytest.mark.parametrize("step_size", [0.0, -0.1, math.nan, math.inf, 1.01])
 def test_a_step_that_leads_nowhere_is_refused(step_size):
     with pytest.raises(OptionError, match=r"^step_size: must be > 0 s"):
         run(step_size=step_size)
