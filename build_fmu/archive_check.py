@@ -14,6 +14,7 @@ import zlib
 from lzma import LZMAError
 from os import PathLike, fspath
 from pathlib import Path, PurePosixPath
+from xml.etree import ElementTree
 
 from build_fmu.errors import UsageError
 from build_fmu.payload import SLAVE_NAME, package_name
@@ -90,6 +91,8 @@ def _file_problem(archive: zipfile.ZipFile) -> str:
     damaged = archive.testzip()
     if damaged:
         return f"the archive is damaged: {damaged!r} has another checksum{_AGAIN}"
+    if not _has_description_root(archive):
+        return f"{_DESCRIPTION} does not begin with <fmiModelDescription fmiVersion=...>"
     names = archive.namelist()
     libraries = [name for name in names if name.startswith("binaries/")]
     if any(SLAVE_NAME.encode() in archive.read(name) for name in libraries):
@@ -107,3 +110,12 @@ def _file_problem(archive: zipfile.ZipFile) -> str:
         if package_name(parts) != package:
             return f"the code in resources/{package} has changed since it was built{_AGAIN}"
     return ""
+
+
+def _has_description_root(archive: zipfile.ZipFile) -> bool:
+    with archive.open(_DESCRIPTION) as text:
+        try:
+            _, root = next(ElementTree.iterparse(text, events=("start",)))
+        except ElementTree.ParseError:
+            return True  # fmpy says where it is no XML
+    return root.tag == "fmiModelDescription" and "fmiVersion" in root.attrib

@@ -186,7 +186,9 @@ def _times(
         raise OptionError(message)
     longest = stop - start if step_size is not None else math.inf
     if not (math.isfinite(step) and 0.0 < step <= longest * (1.0 + 1e-9)):
-        message = f"step_size: must be > 0 s and at most the run of {stop - start:g} s, got {step!r}"
+        message = (
+            f"step_size: must be > 0 s and at most the run of {stop - start:g} s, got {step!r}"
+        )
         raise OptionError(message)
     return start, stop, step
 

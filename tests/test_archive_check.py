@@ -105,6 +105,8 @@ KINDS = {
     "twice": twice,
     "file as folder": lambda: with_file("resources/model.bin/a"),
     "no description": lambda: without("modelDescription.xml"),
+    "no version": lambda: described('fmiVersion="2.0"', ""),
+    "another root": lambda: with_file("modelDescription.xml", b'<html fmiVersion="2.0"/>'),
     "no slave module": lambda: without(named("_slave.py")),
     "no name of a slave module": lambda: without(SLAVE),
     "another slave module": lambda: with_file(SLAVE, b"json\n"),
@@ -119,7 +121,6 @@ DESCRIPTIONS = {
     "binary": lambda: with_file("modelDescription.xml", bytes(range(256))),
     "FMI 1": lambda: described('fmiVersion="2.0"', 'fmiVersion="1.0"'),
     "FMI 3": lambda: described('fmiVersion="2.0"', 'fmiVersion="3.0"'),
-    "no version": lambda: described('fmiVersion="2.0"', ""),
     "reference": lambda: described('valueReference="1"', 'valueReference="x"'),
     "time": lambda: described('stopTime="1.0"', 'stopTime="soon"'),
 }
