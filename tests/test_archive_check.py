@@ -80,6 +80,14 @@ def damaged_of_two_lines() -> bytes:
     return with_file("resources/a\nb", b"sound").replace(b"sound", b"wrong")
 
 
+def of_larger_files() -> bytes:
+    """The directory says that a file, though whole, is packed into a gigabyte."""
+    data = bytearray(pendulum().read_bytes())
+    entry = data.rindex(b"PK\x01\x02")
+    data[entry + 23] = 0x3C  # the highest byte of the packed size
+    return bytes(data)
+
+
 def with_damaged_bytes() -> bytes:
     data = bytearray(pendulum().read_bytes())
     data[20000:20100] = bytes(100)
@@ -89,6 +97,7 @@ def with_damaged_bytes() -> bytes:
 COMMANDS = ("info", "simulate", "check", "sweep")
 ARGUMENTS = {"sweep": ("--grid", "length=1:2:2")}
 KINDS = {
+    "files larger than the archive": of_larger_files,
     "text": lambda: b"not a zip",
     "empty": lambda: b"",
     "cut": lambda: pendulum().read_bytes()[:5000],
