@@ -71,8 +71,8 @@ def case(seed: str, number: int, folder: Path) -> str | None:
     said = err.getvalue()
     if code not in CODES or "Traceback" in said:
         return f"{command} ended with {code}: {said[-200:]}"
-    if code == 2 and (said.count("\n") != 1 or not said.startswith("holonom: ")):
-        return f"{command} has no single sentence: {said[:300]!r}"
+    if code == 2 and not re.fullmatch(r"holonom: .+\n|(.+: error: .+\n( += help: .+\n)?)+", said):
+        return f"{command} has no sentence: {said[:300]!r}"
     return None
 
 
