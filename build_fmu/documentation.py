@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import importlib.metadata
+import sysconfig
 from collections.abc import Iterable, Iterator
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.payload import package_folder
+from build_fmu.report import as_text
 from solver.runtime.options import TINY
 
 if TYPE_CHECKING:
@@ -35,7 +37,8 @@ td.number {{ font-variant-numeric: tabular-nums }}
 method; its outputs <code>energy.error</code> and <code>constraint.position</code> say how well
 energy and constraints are kept, and <code>solver.status</code> is 0 as long as every communication
 step succeeded. Where it is not 0 the last step was discarded and the log has the reason.</p>
-<p>Default experiment: {experiment}. {needs}</p>
+<p>Default experiment: {experiment}.</p>
+<p>{needs}</p>
 <h2>How it is solved</h2>
 <p>{solved}</p>
 <h2>How exact it is</h2>
@@ -45,13 +48,21 @@ step succeeded. Where it is not 0 the last step was discarded and the log has th
 </html>
 """
 _PICTURE = '<img src="../model.png" alt="the mechanism as drawn" width="480" height="360">\n'
-_NEEDS = "Needs Python 3.10 or newer on the machine that runs it, and no package."
+_NEEDS = (
+    "It needs Python 3.10 or newer on the machine that runs it, and no package. A host that is not "
+    "a Python program must find libpython there; on Linux preload it: "
+    "LD_PRELOAD=libpython3.x.so.1.0 host. The compiled kernel inside is for "
+    f"{sysconfig.get_platform()}; on another platform the FMU computes with NumPy, which must be "
+    "installed there and is some hundred times slower."
+)
+_SETTINGS = "Settings of the solver"
 _SECTIONS = {
+    "input": "Inputs",
     "parameter": "Parameters",
     "calculatedParameter": "Calculated parameters",
-    "input": "Inputs",
     "output": "Outputs",
     "local": "Local variables",
+    _SETTINGS: _SETTINGS,
 }
 
 
@@ -70,8 +81,8 @@ def documentation(model: Model, seen: Trial, *, pictured: bool) -> dict[str, byt
 def page(model: Model, seen: Trial, *, pictured: bool) -> str:
     """HTML page with a table of variables per causality."""
     tables = [
-        _table(title, [v for v in model.variables if v.causality == causality])
-        for causality, title in _SECTIONS.items()
+        _table(title, [v for v in model.variables if _section(v) == section])
+        for section, title in _SECTIONS.items()
     ]
     experiment = model.experiment
     return _PAGE.format(
@@ -87,6 +98,10 @@ def page(model: Model, seen: Trial, *, pictured: bool) -> str:
         accuracy=escape(accuracy(model, seen)),
         tables="\n".join(filter(None, tables)),
     )
+
+
+def _section(variable: Variable) -> str:
+    return _SETTINGS if variable.kind == "option" else variable.causality
 
 
 def solved(model: Model) -> str:
@@ -150,11 +165,8 @@ def _table(title: str, variables: Iterable[Variable]) -> str:
 
 
 def _row(variable: Variable) -> str:
-    start = "" if variable.start is None else str(variable.start)
-    limits = (variable.minimum, variable.maximum)
-    texts = ["" if limit is None else _limit(limit) for limit in limits]
-    span = " to ".join(texts) if any(texts) else ""
-    cells = (variable.name, variable.unit, start, span, variable.description)
+    span = _range(variable.minimum, variable.maximum)
+    cells = (variable.name, variable.unit, as_text(variable.start), span, variable.description)
     name, unit, value, limits_text, meaning = (escape(cell or "") for cell in cells)
     return (
         f'<tr><td><code>{name}</code></td><td>{unit}</td><td class="number">{value}</td>'
@@ -162,9 +174,14 @@ def _row(variable: Variable) -> str:
     )
 
 
-def _limit(value: float) -> str:
-    """A limit; what must be greater than 0 has the least normal number as its minimum."""
-    return "above 0" if value == TINY else repr(value).removesuffix(".0")
+def _range(least: float | None, most: float | None) -> str:
+    """Range in words; what must be greater than 0 has the least normal number as its minimum."""
+    if least is None:
+        return "" if most is None else f"at most {as_text(most)}"
+    low = "above 0" if least == TINY else as_text(least)
+    if most is None:
+        return low if least == TINY else f"at least {low}"
+    return f"{low} to {as_text(most)}"
 
 
 def _licence(distribution: str, source_tree: Path) -> str:

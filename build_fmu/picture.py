@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from build_fmu import symbols
 from build_fmu.canvas import Canvas, Colour, Pixel
+from build_fmu.symbols import DARK
 from solver.mechanics.collect import collect
 from solver.scene import (
     Bar,
@@ -32,6 +34,7 @@ from solver.scene import (
     Rolling,
     Spring,
 )
+from solver.scene.quantities import WITH_DISPLACEMENT
 
 if TYPE_CHECKING:
     from solver.mechanics.combination import Combination
@@ -44,7 +47,7 @@ WIDTH, HEIGHT, MARGIN = 480, 360, 40
 MOST = 2000
 """Parts of a kind that are drawn; of more, each second, third, ..."""
 AZIMUTH, ELEVATION = math.radians(-55.0), math.radians(22.0)
-DARK, STEEL, GREY = (0.13, 0.15, 0.18), (0.35, 0.40, 0.47), (0.72, 0.74, 0.77)
+STEEL: Colour = (0.35, 0.40, 0.47)
 SPRING, DAMPER, DRIVER = (0.10, 0.50, 0.35), (0.62, 0.42, 0.10), (0.80, 0.16, 0.16)
 BODIES: tuple[Colour, ...] = (
     (0.16, 0.42, 0.70), (0.85, 0.45, 0.12), (0.35, 0.58, 0.24), (0.58, 0.33, 0.62),
@@ -140,7 +143,8 @@ class _Drawing:
                 self._joint(joint)
             elif isinstance(joint, PointOn):
                 (place,) = self._ends((joint.point,))
-                self._pin(place, ground=joint.body is None)
+                axis = joint.axis if joint.type == "point_on_line" else None
+                self._pin(place, ground=joint.body is None, axis=axis)
             elif isinstance(joint, Rolling):
                 self._disc(joint)
 
@@ -155,19 +159,33 @@ class _Drawing:
                 self._held[body].append(place)
         else:
             return
-        self._pin(place, ground=ground)
+        axis = joint.axis if joint.type in WITH_DISPLACEMENT else None
+        self._pin(place, ground=ground, axis=axis, turns=joint.type != "prismatic")
 
-    def _pin(self, place: Array, *, ground: bool) -> None:
-        """Draw a joint; on the ground with hatching below it."""
-        canvas = self.canvas
+    def _pin(
+        self, place: Array, *, ground: bool, axis: Sequence | None = None, turns: bool = True
+    ) -> None:
+        """Draw a joint: on the ground with hatching below it, and on a rail if it has an axis."""
+        canvas, direction = self.canvas, None if axis is None else self._direction(axis)
 
         def draw(p: Pixel) -> None:
             if ground:
-                _hatch(canvas, p)
-            canvas.disc(p, 4.5, DARK)
-            canvas.disc(p, 2.6, (1.0, 1.0, 1.0))
+                symbols.hatch(canvas, p)
+            if direction is not None:
+                symbols.rail(canvas, p, direction)
+            if turns or direction is None:
+                symbols.pin(canvas, p)
+            else:
+                symbols.block(canvas, p, direction)
 
         self._stroke(4, (place,), draw)
+
+    def _direction(self, axis: Sequence) -> Pixel | None:
+        """Direction of an axis in the picture, of length 1; None if it points at the eye."""
+        along = self._drawn(axis)
+        x, y = float(along @ self._right), -float(along @ self._up)
+        length = math.hypot(x, y)
+        return (x / length, y / length) if length > 1e-6 * np.linalg.norm(along) else None
 
     def _disc(self, joint: Rolling) -> None:
         """Draw the rim of a rolling disc."""
@@ -188,7 +206,7 @@ class _Drawing:
         for force in _some(self.scene.forces.values()):
             if isinstance(force, Spring):
                 ends = self._ends(force.points)
-                self._stroke(3, ends, lambda p, q: canvas.path(_coil(p, q), 1.6, SPRING))
+                self._stroke(3, ends, lambda p, q: canvas.path(symbols.coil(p, q), 1.6, SPRING))
             elif isinstance(force, Damper):
                 a, b = self._two(force.points)
                 self._line(3, a, b, 1.4, DAMPER)
@@ -270,29 +288,3 @@ def _view(scene: Scene, parts: Parts) -> tuple[Array, Array, Array]:
     towards = math.cos(ELEVATION) * level + math.sin(ELEVATION) * up
     right = np.cross(up, level)
     return towards, right, np.cross(towards, right)
-
-
-def _coil(a: Pixel, b: Pixel, turns: int = 7, half: float = 5.0) -> list[Pixel]:
-    """Zigzag between two pixels."""
-    length = math.hypot(b[0] - a[0], b[1] - a[1])
-    if length < 1.0:
-        return [a, b]
-    along = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
-    knots = [(0.0, 0.0), (0.15, 0.0)]
-    for k in range(2 * turns):
-        knots.append((0.15 + 0.7 * (k + 0.5) / (2 * turns), half if k % 2 else -half))
-    knots += [(0.85, 0.0), (1.0, 0.0)]
-    return [
-        (a[0] + s * length * along[0] - w * along[1], a[1] + s * length * along[1] + w * along[0])
-        for s, w in knots
-    ]
-
-
-def _hatch(canvas: Canvas, p: Pixel) -> None:
-    """Draw the sign of the ground below a pixel."""
-    x, y = p
-    canvas.path([(x, y), (x - 8.0, y + 12.0), (x + 8.0, y + 12.0), (x, y)], 1.6, DARK)
-    canvas.line((x - 13.0, y + 12.0), (x + 13.0, y + 12.0), 1.6, DARK)
-    for k in range(5):
-        left = x - 12.0 + 5.6 * k
-        canvas.line((left, y + 12.5), (left - 4.0, y + 17.5), 1.2, GREY)

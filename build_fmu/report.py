@@ -72,6 +72,15 @@ def number(value: float) -> str:
     return f"{value: .6g}"
 
 
+def as_text(value: object) -> str:
+    """Value of a variable as a person writes it: 20 for 20.0, true for True, nothing for None."""
+    if value is None:
+        return ""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return str(value).removesuffix(".0") if isinstance(value, float) else str(value)
+
+
 @contextlib.contextmanager
 def progress_bar(title: str) -> Iterator[Callable[[float], object] | None]:
     """Bar on stderr if that is a terminal; yields what to call with the part done."""

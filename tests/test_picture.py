@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import struct
+import sysconfig
 import zipfile
 import zlib
 
@@ -11,8 +13,9 @@ import pytest
 
 import solver
 from build_fmu.canvas import Canvas
+from build_fmu.documentation import documentation, page
 from build_fmu.export import compile_scene
-from build_fmu.picture import HEIGHT, MARGIN, WIDTH, picture
+from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
 from build_fmu.trial import trial
 from tests.fmu_instance import SCENES, scene_fmu
 
@@ -110,3 +113,82 @@ def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
     assert f"{seen.position_error:.1e} m" in page
     assert "conserving-al" in page
     assert 'src="../model.png"' in page
+
+
+SLIDE = """
+name = "slide"
+dimension = 2
+[bodies]
+box = {{ position = [1, 1], mass = 1.0, inertia = 1.0 }}
+[joints]
+guide = {{ type = "{type}", bodies = ["ground", "box"], position = [1, 1]{axis} }}
+"""
+
+
+def drawn_beside_the_middle(text: str) -> tuple[bool, bool]:
+    """Whether there is ink 20 pixels left or right of the middle, and as far above it."""
+    dark = pixels(picture(solver.loads(text))).max(axis=2) < 100
+    y, x = HEIGHT // 2, WIDTH // 2
+    beside = dark[y - 10 : y + 10, [x - 20, x + 20]].any()
+    return bool(beside), bool(dark[y - 20, x - 10 : x + 10].any())
+
+
+@pytest.mark.parametrize(
+    ("axis", "beside", "above"), [([3, 0], True, False), ([0, 0.1], False, True)]
+)
+def test_a_prismatic_joint_is_drawn_as_a_rail_along_its_axis(axis, beside, above):
+    text = SLIDE.format(type="prismatic", axis=f", axis = {axis}")
+    assert drawn_beside_the_middle(text) == (beside, above)
+
+
+def test_a_hinge_has_no_rail():
+    assert drawn_beside_the_middle(SLIDE.format(type="revolute", axis="")) == (False, False)
+
+
+@pytest.mark.parametrize("kind", ["prismatic", "cylindrical"])
+def test_a_rail_towards_the_eye_is_a_point(kind):
+    level = math.cos(ELEVATION)
+    eye = [level * math.cos(AZIMUTH), level * math.sin(AZIMUTH), math.sin(ELEVATION)]
+    text = SLIDE.format(type=kind, axis=f", axis = {eye}").replace("dimension = 2", "")
+    text = text.replace("[1, 1]", "[1, 1, 1]").replace("inertia = 1.0", "inertia = [1, 1, 1]")
+    assert drawn_beside_the_middle(text) == (False, False)
+
+
+RANGED = """
+name = "ranged"
+dimension = 2
+[parameters]
+whole = { value = 20, unit = "1" }
+[inputs]
+low = { unit = "N", min = 0.01, start = 1 }
+high = { unit = "N", max = 3 }
+both = { unit = "N", min = -1, max = 3 }
+[points]
+A = { position = [0, 0], mass = "1 + 0*whole" }
+[forces]
+push = { type = "force", point = "A", value = ["low + high", "both"] }
+"""
+
+
+def test_the_page_has_the_mechanism_first_ranges_in_words_and_whole_numbers_without_a_point():
+    model = solver.assemble(solver.loads(RANGED))
+    text = page(model, trial(model), pictured=False)
+    places = [
+        text.index(f"<h2>{title}") for title in ("Inputs", "Parameters", "Outputs", "Settings")
+    ]
+    assert places == sorted(places)
+    assert text.index("<code>whole") < places[2]
+    assert text.index("<code>solver.max_newton") > places[3]
+    for cell in ("at least 0.01", "at most 3", "-1 to 3", "1 to 1000"):
+        assert f"<td>{cell}</td>" in text
+    assert 'class="number">20</td>' in text
+    assert ".0</td>" not in text
+
+
+def test_page_and_dependencies_name_libpython_and_the_platform_of_the_kernel():
+    model = solver.assemble(solver.loads(RANGED))
+    files = documentation(model, trial(model), pictured=False)
+    needs = files["documentation/externalDependencies.txt"].decode().strip()
+    assert "libpython" in needs
+    assert sysconfig.get_platform() in needs
+    assert needs in files["documentation/index.html"].decode()
