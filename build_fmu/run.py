@@ -6,7 +6,6 @@ the FMU logs on its way. Here both are facts of the result, with the sentence th
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -28,6 +27,7 @@ from build_fmu.poses import Poses
 from build_fmu.reference import Reference
 from build_fmu.signals import inputs_of
 from build_fmu.study.settings import Source, entries_of, fmu_settings
+from build_fmu.study.values import is_finite, shown
 
 if TYPE_CHECKING:
     from fmpy.fmi2 import FMU2Slave
@@ -68,7 +68,7 @@ class Run:
     @property
     def steps(self) -> int:
         """Number of communication steps that succeeded."""
-        return len({float(t) for t in self.values["time"]}) - 1
+        return len(self.values) - 1
 
     @property
     def failure(self) -> str:
@@ -142,6 +142,7 @@ def run_fmu(
         raise UsageError(log.reason(failed))
     if signals is not None:
         _record(values, signals, given.changing.keys() - {"time"})
+    values = _last_of_each_time(values)
     finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
     reason = log.error if finished else log.reason()
     messages = (*given.notes(start), *log.messages)
@@ -156,6 +157,13 @@ def _times(start: float, stop: float, step: float) -> ndarray:
     from solver.trajectory import communication_points
 
     return np.array([*(t for t, _ in communication_points(start, stop, step)), stop])
+
+
+def _last_of_each_time(values: ndarray) -> ndarray:
+    """Rows at different times; fmpy records the end of the last good step again if one fails."""
+    import numpy as np
+
+    return values[np.append(np.diff(values["time"]) != 0.0, True)]
 
 
 def _record(values: ndarray, signals: ndarray, names: Iterable[str]) -> None:
@@ -221,14 +229,14 @@ def experiment_times(
     start = start_time_of(description)
     if stop_time is None:
         stop_time = float(getattr(experiment, "stopTime", None) or start + 1.0)
-    if not (math.isfinite(stop_time) and stop_time > start):
-        text = f"the stop time must be after the start time {start!r} s, got {stop_time!r}"
+    if not (is_finite(stop_time) and stop_time > start):
+        text = f"the stop time must be after the start time {start!r} s, got {shown(stop_time)}"
         raise UsageError(text)
     given = step_size is not None
     if step_size is None:
         step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
-    if not (math.isfinite(step_size) and step_size > 0.0):
-        text = f"the communication step must be > 0 s, got {step_size!r}"
+    if not (is_finite(step_size) and step_size > 0.0):
+        text = f"the communication step must be > 0 s, got {shown(step_size)}"
         raise UsageError(text)
     if given and step_size > (stop_time - start) * (1.0 + 1e-9):
         text = (

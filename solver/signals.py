@@ -30,6 +30,8 @@ def arrays_over_time(
     for name, values in columns.items():
         try:
             arrays[name] = np.asarray(values, float)
+        except OverflowError:  # an integer that no double can hold
+            arrays[name] = np.array(np.inf)
         except (TypeError, ValueError) as error:
             problems.append((f"{name}: not numbers: {error}", "give one number for each time"))
             continue
@@ -45,15 +47,15 @@ def _wrong_times(arrays: Mapping[str, NDArray[np.float64]]) -> list[Problem]:
     times = arrays.get("time")
     if times is None:
         help = "one must be named 'time'; names in a file are separated by commas"
-        help = f"there are {', '.join(arrays)}; {help}"
+        help = f"columns: {', '.join(arrays)}; {help}"
         return [("has no column 'time'", help)]
     falls = np.flatnonzero(~(np.diff(times) > 0.0)) if times.ndim == 1 else np.empty(0)
     if times.ndim != 1 or len(times) < 2 or len(falls):
-        row = f"; row {falls[0] + 2} does not" if len(falls) else f", and there are {times.size}"
+        row = f"; row {falls[0] + 2} does not" if len(falls) else f", got {times.size}"
         message = f"time must ascend, from at least two rows{row}"
         return [(message, "sort the rows, and leave out repeated times")]
     return [
-        (f"{name}: not one value for each time", f"there are {len(times)} times")
+        (f"{name}: not one value for each time", f"give {len(times)} values")
         for name, values in arrays.items()
         if values.shape != times.shape
     ]

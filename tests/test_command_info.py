@@ -184,7 +184,14 @@ def test_what_is_fixed_names_the_places_that_no_table_of_points_has(capsys, tmp_
     scene = tmp_path / "hung.toml"
     scene.write_text(HUNG)
     _, out, _ = run(capsys, "info", scene)
-    assert "points 2 moving, 3 fixed, places on the ground among them" in " ".join(out.split())
+    points = "points 2 moving (origins of bodies count), 3 fixed (fixed points, and places where"
+    assert points in " ".join(out.split())
+
+
+def test_formulas_of_constraints_and_rows_of_the_mechanism_are_told_apart(capsys):
+    table = lines(capsys, SCENES / "four_bar.toml")
+    assert table["constraint formulas"] == "0"
+    assert table["constraint rows"].endswith("of bodies, joints, drivers and formulas")
 
 
 # -------------------------------------------------------------------------------------- forces

@@ -27,6 +27,12 @@ PENDULUM = str(SCENES / "double_pendulum.toml")
 # ------------------------------------------------------------------------------------ build
 
 
+def test_build_names_the_fmu_on_stdout_and_the_parameter_set_beside_it(capsys, tmp_path):
+    code, out, err = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
+    assert (code, out) == (0, f"{tmp_path / 'a.fmu'}\n")
+    assert err.endswith(f"its parameter set is in {tmp_path / 'a.ssv'}\n")
+
+
 def test_build_writes_what_the_python_function_writes(capsys, tmp_path):
     code, out, _ = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
     assert (code, out) == (0, f"{tmp_path / 'a.fmu'}\n")
@@ -124,7 +130,7 @@ def test_validate_lists_the_findings(capsys, tmp_path):
     assert run(capsys, "validate", scene_fmu("four_bar")) == (0, "no finding\n", "")
     broken = tmp_path / "broken.fmu"
     with zipfile.ZipFile(broken, "w") as archive:
-        archive.writestr("modelDescription.xml", "<fmiModelDescription/>")
+        archive.writestr("modelDescription.xml", '<fmiModelDescription fmiVersion="2.0"/>')
     code, out, _ = run(capsys, "validate", broken, "--json")
     assert code == 1
     assert json.loads(out)["findings"]

@@ -10,6 +10,8 @@ import pytest
 
 import solver
 from build_fmu import build
+from build_fmu.errors import UsageError
+from build_fmu.run import run_fmu
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 
@@ -78,7 +80,7 @@ FIXED = "fields of a scene are fixed in its FMU: declare a parameter for it in t
             "four_bar has no parameter or input 'solver.ordr'",
             "did you mean 'solver.o",
         ),
-        ("B0.x", "B0.x: is an output and cannot be set", "settable are drive, "),
+        ("B0.x", "B0.x: is an output and cannot be set", "settable: drive, "),
     ],
 )
 def test_what_an_fmu_has_not_to_be_set_is_told_with_the_reason(capsys, name, message, help):
@@ -93,7 +95,10 @@ def test_what_an_fmu_has_not_to_be_set_is_told_with_the_reason(capsys, name, mes
         ("drive=abc", "drive: must be a number in N.m, got 'abc'"),
         ("drive=[1,2]", "drive: must be a number in N.m, got [1, 2]"),
         ("drive=true", "drive: must be a number in N.m, got True"),
-        (f"drive=1{'0' * 400}", "drive: must be a finite number in N.m, got 1000"),
+        (
+            f"drive=1{'0' * 400}",
+            "drive: must be a finite number in N.m, got an integer of 401 digits",
+        ),
         ("drive=nan", "drive: must be a finite number in N.m, got nan"),
         ("solver.paired=1", "solver.paired: must be true or false, got 1"),
         ("solver.formulation=7", "solver.formulation: must be a text, got 7"),
@@ -237,3 +242,44 @@ def test_what_is_at_rest_is_said_not_to_have_moved(capsys, tmp_path, start, spee
     assert code == 0
     assert out.count("nothing moved") == (0 if moves else 2)
     assert json.loads(run(capsys, "check", *arguments, "--json")[1])["moved"] is moves
+
+
+PUSHED = """
+name = "pushed"
+dimension = 2
+[inputs]
+push = { unit = "N", max = 3 }
+[points]
+A = { position = [0, 0], mass = 1 }
+[forces]
+f = { type = "force", point = "A", value = ["push", 0] }
+"""
+
+
+def test_a_run_that_stops_early_has_one_row_for_each_time(capsys, tmp_path):
+    scene, inputs, out = (tmp_path / name for name in ("a.toml", "in.csv", "out.csv"))
+    scene.write_text(PUSHED)
+    inputs.write_text("time,push\n0,0\n0.5,4\n1,4\n")
+    times = ("--stop", "1", "--step", "0.125")
+    assert run(capsys, "simulate", scene, "--inputs", inputs, *times, "--csv", out)[0] == 3
+    assert trajectory(out)["time"] == [0.0, 0.125, 0.25, 0.375, 0.5]
+
+
+@pytest.mark.parametrize("count", [400, 5000])
+@pytest.mark.parametrize("form", ["push={}", "push=[{}]"])
+def test_an_integer_of_very_many_digits_is_refused_in_one_short_sentence(
+    capsys, tmp_path, count, form
+):
+    scene = tmp_path / "a.toml"
+    scene.write_text(PUSHED)
+    code, _, err = run(capsys, "simulate", scene, "--set", form.format("1" + "0" * count))
+    assert code == 2
+    assert "set_int_max_str_digits" not in err
+    assert len(err.splitlines()[0]) < 700
+
+
+@pytest.mark.parametrize("name", ["stop_time", "step_size"])
+@pytest.mark.parametrize("value", [10**400, 10**5000], ids=["400", "5000"])
+def test_a_time_that_no_double_can_hold_is_refused(name, value):
+    with pytest.raises(UsageError, match="got an integer of"):
+        run_fmu(scene_fmu("double_pendulum"), **{name: value})

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from solver.scene import SceneError, loads, parse
+from solver.scene.fields import shown
 from tests.short_scene import SHORT
 
 
@@ -112,3 +113,23 @@ def test_an_override_can_correct_a_mistake_of_the_file():
     with pytest.raises(SceneError):
         loads(wrong)
     assert loads(wrong, overrides={"points.A.mass": 2}) == loads(SHORT)
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("stop_time", "'experiment.stop_time'"),
+        ("penalty", "'solver.penalty'"),
+        ("step_size", "'experiment.step_size' or 'solver.step_size'"),
+    ],
+)
+def test_a_field_of_solver_or_experiment_without_its_table_is_suggested_with_it(name, meant):
+    with pytest.raises(SceneError) as caught:
+        loads(SHORT, overrides={name: 3})
+    assert f"did you mean {meant}?" in str(caught.value)
+
+
+@pytest.mark.parametrize("power", [20, 21, 29, 300, 309, 5000])
+def test_the_digits_of_a_long_integer_are_counted_exactly(power):
+    assert shown(10**power) == f"an integer of {power + 1} digits"
+    assert shown(1 - 10 ** (power + 1)) == f"an integer of {power + 1} digits"

@@ -64,7 +64,7 @@ def test_a_file_of_inputs_drives_a_run_of_the_command_line(capsys, tmp_path):
         ({"time": [0, 1], "pusch": [0, 1]}, {}, "cart has no input 'pusch'\n  = help: did you"),
         ({"time": [0, 1], "A.x": [0, 1]}, {}, "cart has no input 'A.x'"),
         ({"time": [0, 1], "push": [0, 1]}, {"push": 1.0}, "push: there is a value for the whole"),
-        ({"time": [0, 1]}, {}, "has no column of an input\n  = help: there are push, lift"),
+        ({"time": [0, 1]}, {}, "has no column of an input\n  = help: known: push, lift"),
         ({"time": [1, 0], "push": [0, 1]}, {}, "time must ascend"),
         ({"time": [0, 1], "push": [0, float("nan")]}, {}, "push: must be finite numbers"),
     ],
@@ -132,17 +132,19 @@ def test_the_file_of_a_run_has_the_inputs_as_columns(capsys, tmp_path):
 @pytest.mark.parametrize(
     ("inputs", "words"),
     [
-        ({"push": [0, 1]}, "inputs: has no column 'time'; there are push"),
+        ({"push": [0, 1]}, "inputs: has no column 'time'; columns: push"),
         ({"time": [1, 0], "push": [0, 1]}, "inputs: time must ascend"),
         ({"time": [0, 1], "push": [0, 1, 2]}, "inputs: push: not one value for each time"),
         ({"time": [0, 1], "push": [0, "a"]}, "inputs: push: not numbers"),
         ({"push": lambda _: math.nan}, "inputs: push: must be finite numbers"),
         ({"push": lambda _: None}, "inputs: push: must be finite numbers"),
+        ({"push": lambda _: 10**400}, "inputs: push: must be finite numbers"),
+        ({"time": [0, 1], "push": [0, 10**5000]}, "inputs: push: must be finite numbers"),
         ({"time": [0, 1], "pusch": [0, 1]}, "'pusch'; did you mean 'push'"),
         ({"A.x": lambda t: t}, "A.x: is calculated"),
         ({"push": "a"}, "push: must be a finite number in N"),
     ],
-    ids=range(9),
+    ids=range(11),
 )
 def test_mistakes_of_inputs_in_python_are_sentences(inputs, words):
     with pytest.raises(solver.OptionError, match=words):

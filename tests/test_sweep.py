@@ -86,7 +86,7 @@ def test_the_command_writes_a_summary_and_prints_the_extremes(capsys, tmp_path):
     assert document["outputs"]["A.x"]["min"] == found["A.x.min"].min()
     code, out, _ = run(capsys, "sweep", pendulum(), *grids, "-o", file)
     assert code == 0
-    assert "6 runs, 0 failed, 0 in" in out
+    assert "6 runs, none failed; all of them were there from before" in out
 
 
 def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
@@ -132,7 +132,7 @@ def test_pandas_and_xarray_have_the_same_numbers():
             ["must be >= 1, got 0", "must be <= 1000, got 2000", "did you mean 'length'?"],
         ),
         (("--grid", "mass=1", "--output", "A.z"), ["output A.z: error", "did you mean 'A."]),
-        (("--grid", "mass=1", "--output", "speed"), ["no variable 'speed'", "there are clock, "]),
+        (("--grid", "mass=1", "--output", "speed"), ["no variable 'speed'", "known: clock, "]),
         (
             ("--grid", "mass=1", "--output", "solver.formulation"),
             ["output solver.formulation: error: solver.formulation: is a text, not a number"],
@@ -190,7 +190,7 @@ def test_the_form_of_a_sweep_has_the_plan_and_every_result():
         ({"grid": {"mass": [object()]}}, "mass: must be a number, got <object"),
         ({"grid": {"mass": [None]}}, "mass: must be a number, got None"),
         ({"grid": {"mass": [float("inf")]}}, "mass: must be a finite number, got inf"),
-        ({"grid": {"mass": [10**400]}}, "mass: must be a finite number, got 1000"),
+        ({"grid": {"mass": [10**400]}}, "mass: must be a finite number, got an integer of 401"),
         ({"grid": GRID, "parameters": {"push": float("nan")}}, "finite number in N, got nan"),
         ({"grid": GRID, "parameters": {"mas": 1}}, "parameters['mas']=1: error: "),
         ({"grid": {"mas": [1, 2]}}, "grid['mas']=[1, 2]: error: "),

@@ -143,9 +143,9 @@ def test_communication_points_are_those_of_the_reference():
 @pytest.mark.parametrize(
     ("text", "report"),
     [
-        ("t,A.x\n0,1\n1,1\n", "has no column 'time'\n  = help: there are t, A.x"),
+        ("t,A.x\n0,1\n1,1\n", "has no column 'time'\n  = help: columns: t, A.x"),
         ("time,A.x\n0,1\n0,1\n", "time must ascend, from at least two rows; row 2 does not"),
-        ("time,A.x\n0,1\n", "time must ascend, from at least two rows, and there are 1"),
+        ("time,A.x\n0,1\n", "time must ascend, from at least two rows, got 1"),
         ("time,A.x\n0,1\n1,one\n2\n", ":3: error: A.x: must be a finite number, got 'one'"),
         ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cell, and the header has 2"),
         ("time,B.x\n0,1\n1,1\n", "no column is an output of the FMU"),
@@ -157,7 +157,7 @@ def test_communication_points_are_those_of_the_reference():
         ("time,A.x\n0,1\n1,nan\n", ":3: error: A.x: must be a finite number, got 'nan'"),
         ('time,A.x\n0,"1\n1,1\n', ":3: error: not CSV: unexpected end of data"),
         ('time,A.x\n0,"1"2\n1,1\n', ":2: error: not CSV: "),
-        ("time;A.x\n0;1\n1;1\n", "has no column 'time'\n  = help: there are time;A.x"),
+        ("time;A.x\n0;1\n1;1\n", "has no column 'time'\n  = help: columns: time;A.x"),
         ("time,solver.status\n0,0\n1,0\n", "all columns tell how exact a run is"),
     ],
     ids=range(16),

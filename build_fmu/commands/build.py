@@ -27,12 +27,14 @@ def run(arguments: argparse.Namespace) -> int:
 
     path = fmu_path(arguments.output, Path(arguments.scene).stem)
     write_fmu_and_set(model, path, scene, tell)
-    size = path.stat().st_size
+    size, beside = path.stat().st_size, str(path.with_suffix(".ssv"))
     if arguments.json:
-        document = {"fmu": str(path), "name": model.name, "bytes": size}
-        beside = {"parameters": str(path.with_suffix(".ssv"))}
-        print_json(document | beside | {"warnings": arguments.warnings})
+        document = {"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside}
+        print_json(document | {"warnings": arguments.warnings})
     else:
         sys.stdout.write(f"{path}\n")
-        sys.stderr.write(f"{model.name}: {len(model.variables)} variables, {size / 1e3:.0f} kB\n")
+        sys.stderr.write(
+            f"{model.name}: {len(model.variables)} variables, {size / 1e3:.0f} kB; "
+            f"its parameter set is in {beside}\n"
+        )
     return 0

@@ -16,7 +16,7 @@ from build_fmu.equilibrium import (
     find_equilibrium,
 )
 from build_fmu.errors import UsageError
-from build_fmu.report import number, print_json, print_table
+from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, scene_model
 
@@ -86,12 +86,12 @@ def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
     return [
         ("bodies", _names(_parts(model, "bodies"))),
         ("joints", _names(_parts(model, "joints"))),
-        ("constraints", _names(_parts(model, "constraints"))),
+        ("constraint formulas", _names(_parts(model, "constraints"))),
         ("drivers", _names(driver_names(model))),
         ("points", _points(counts)),
         *((kind, _names(_of_types(counts, types))) for kind, types in FORCES.items()),
         ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per point or axis)"),
-        ("constraint rows", str(counts.rows)),
+        ("constraint rows", f"{counts.rows}  of bodies, joints, drivers and formulas"),
         ("redundant rows", _redundancy(counts)),
         ("non-holonomic rows", f"{model.sizes['n_velocity_rows']}  {', '.join(rolling)}".rstrip()),
         ("mobility", _mobility(counts)),
@@ -106,8 +106,8 @@ def _of_types(counts: Survey, types: Sequence[str]) -> list[str]:
 
 def _points(counts: Survey) -> str:
     # A model does not say which of its fixed places were points, and which ends of springs.
-    note = ", places on the ground among them" if counts.supports else ""
-    return f"{counts.moving_points} moving, {counts.supports} fixed{note}"
+    note = " (fixed points, and places where parts meet the ground)" if counts.supports else ""
+    return f"{counts.moving_points} moving (origins of bodies count), {counts.supports} fixed{note}"
 
 
 def _redundancy(counts: Survey) -> str:
@@ -152,11 +152,10 @@ def _names(names: Sequence[str], most: int = 8) -> str:
 
 
 def _row(variable: Variable) -> tuple[str, ...]:
-    start = "" if variable.start is None else str(variable.start)
     kind = variable.causality
     if kind == "parameter":
         kind = f"{variable.variability} {kind}"
-    return variable.name, variable.unit, kind, start, variable.description
+    return variable.name, variable.unit, kind, as_text(variable.start), variable.description
 
 
 def _document(model: Model, counts: Survey) -> dict[str, object]:

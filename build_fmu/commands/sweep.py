@@ -86,13 +86,26 @@ def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
 
 
 def _print(found: Sweep, path: Path, spent: float) -> None:
-    new = found.plan.count - found.resumed
-    title = f"{path}: {found.plan.count} runs, {len(found.failed)} failed, {new} in {spent:.1f} s"
+    failed = f"{len(found.failed) or 'none'} failed"
+    title = f"{path}: {_runs(found.plan.count)}, {failed}; {_duration(found, spent)}"
     rows = [
         (name, number(low), _values(found, low_run), number(high), _values(found, high_run))
         for name, low, low_run, high, high_run in _extremes(found)
     ]
     print_table(title, ("output", "smallest", "with", "largest", "with"), rows)
+
+
+def _duration(found: Sweep, spent: float) -> str:
+    """What was computed now, and in how many seconds."""
+    new = found.plan.count - found.resumed
+    if not new:
+        return "all of them were there from before"
+    before = f"{_runs(found.resumed)} from before, {_runs(new)} computed" if found.resumed else ""
+    return f"{before or 'computed'} in {spent:.1f} s"
+
+
+def _runs(count: int) -> str:
+    return "1 run" if count == 1 else f"{count} runs"
 
 
 def _values(found: Sweep, run: int) -> str:

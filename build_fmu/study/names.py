@@ -21,7 +21,7 @@ def not_settable(where: str, name: str, description: ModelDescription) -> Mistak
     settable = [each for each, kind in causality.items() if kind in SETTABLE]
     if name in causality:
         kind = "an output" if causality[name] == "output" else f"a variable ({causality[name]})"
-        help = f"settable are {listed(settable)}" if settable else "it has no parameters and inputs"
+        help = f"settable: {listed(settable)}" if settable else "it has no parameters and inputs"
         return Mistake(where, f"{name}: is {kind} and cannot be set", help)
     message = f"{description.modelName} has no parameter or input {name!r}"
     table, dot, part = str(name).partition(".")

@@ -51,7 +51,10 @@ def given_on_the_command_line(
     files: Sequence[str], settings: Iterable[tuple[str, object]]
 ) -> dict[str, Entry]:
     """Values of `--parameters` and `--set`, of which the latter count."""
-    given = {name: Entry(value, f"--set {name}={value}") for name, value in settings}
+    given = {
+        name: Entry(value, f"--set {name}={shown(value) if type(value) is int else value}")
+        for name, value in settings
+    }
     return entries_of_files(files) | given
 
 

@@ -22,7 +22,15 @@ MOST_MISTAKES = 30
 MOST_NAMES = 20
 _LONG_NAME = re.compile(r"parameters\.(\w+)(?:\.value)?|inputs\.(\w+)(?:\.start)?")
 
-_SHORT = reprlib.Repr()
+
+class _Short(reprlib.Repr):
+    def repr_int(self, x: int, level: int) -> str:  # noqa: ARG002
+        from solver.scene.fields import shown as as_in_scenes
+
+        return as_in_scenes(x)
+
+
+_SHORT = _Short()
 _SHORT.maxstring = _SHORT.maxother = 80
 
 
@@ -94,7 +102,7 @@ def read_value(text: str) -> object:
     if not text.startswith(("[", "{")):
         return text
     try:
-        return json.loads(text)
+        return json.loads(text, parse_int=read_value)
     except RecursionError:
         message = "nested too deeply"
         raise ValueError(message) from None
@@ -153,7 +161,7 @@ def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> 
     near = [x for each in (names, others) for x in difflib.get_close_matches(str(wrong), each, 1)]
     if near:
         return f"did you mean {near[0]!r}?"
-    return f"there are {listed(names)}" if names else ""
+    return f"known: {listed(names)}" if names else ""
 
 
 def listed(names: Sequence[str]) -> str:

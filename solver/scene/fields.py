@@ -30,7 +30,8 @@ def shown(value: object) -> str:
     if isinstance(value, dict):
         return "a table"
     if isinstance(value, int) and abs(value) >= 10**20:  # Python refuses to write long ones
-        return f"an integer of {int(math.log10(abs(value))) + 1} digits"
+        power = round(math.log10(abs(value)))
+        return f"an integer of {power + (abs(value) >= 10**power)} digits"
     return repr(value) if isinstance(value, (str, int, float)) else str(value)
 
 

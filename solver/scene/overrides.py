@@ -13,13 +13,17 @@ from typing import Any
 from solver.scene.fields import shown
 from solver.scene.grammar import is_readable
 from solver.scene.report import Given, Path, Problem, location_of, path_of
-from solver.scene.schema import Heading
+from solver.scene.schema import Experiment, Heading, Solver
 from solver.scene.words import did_you_mean
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
+
+
+SECTIONS = (("experiment", Experiment), ("solver", Solver))
+"""Tables of which each field is one of the scene's own."""
 
 
 def apply_overrides(
@@ -44,7 +48,9 @@ def apply_overrides(
         if not is_readable(text):
             problems.append(Problem("", "not a readable text", override=where))
         elif path is None or not _replace(data, path, value):
-            help = did_you_mean(name, _known(data))
+            tables = [table for table, part in SECTIONS if name in part.model_fields]
+            meant = " or ".join(f"'{table}.{name}'" for table in tables)
+            help = f"did you mean {meant}?" if meant else did_you_mean(name, _known(data))
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
             named = override.named if isinstance(override, Given) else ""
             problems.append(Problem(name, message, help, override=named or where))
