@@ -152,13 +152,6 @@ def report(text: str) -> str:
     return str(caught.value)
 
 
-def test_a_body_without_inertia_and_size_is_refused_with_the_remedy():
-    text = report("[bodies.b]\nposition = [0, 0, 0]\nmass = 1.0\ninertia = [0, 0, 0]\n")
-    assert "bodies.b" in text
-    assert "no inertia" in text
-    assert "write a point" in text
-
-
 def test_parameters_that_break_the_triangle_inequality_are_named():
     text = (
         "[parameters]\nJ = 0.3\n[bodies.b]\nposition = [0, 0, 0]\nmass = 1.0\n"

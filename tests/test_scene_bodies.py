@@ -5,6 +5,7 @@ import random
 
 import pytest
 
+from solver import assemble
 from solver.scene import Expr, Rigid, SceneError, evaluate, loads
 from solver.scene.weight import principal_moments
 
@@ -199,3 +200,12 @@ def test_whether_a_velocity_was_given_is_kept():
     ).points
     assert not points["A"].velocity_given
     assert points["B"].velocity_given
+
+
+@pytest.mark.parametrize(("head", "inertia"), [(PLANE, "0.0"), (HEAD, "[0, 0, 0]")])
+def test_a_lone_body_without_inertia_is_told_part_rule_and_remedy(head, inertia):
+    with pytest.raises(SceneError) as caught:
+        assemble(loads(f"{head}mass = 2.0\ninertia = {inertia}\n"))
+    report = str(caught.value)
+    assert "bodies.b: inertia must be > 0 kg.m2, got 0" in report
+    assert "write an inertia, or a point instead of the body" in report

@@ -8,6 +8,7 @@ import solver
 from solver.mechanics.collect import collect
 from solver.mechanics.measures import Measures
 from solver.mechanics.outputs import named
+from solver.scene import Distance
 from tests.scene_quantities import quantities_of
 
 SCENES = sorted((Path(__file__).parents[1] / "scenes").glob("*.toml"))
@@ -41,3 +42,22 @@ def test_two_names_of_a_model_never_agree():
     for path in SCENES:
         names = [variable.name for variable in solver.assemble(solver.load(path)).variables]
         assert len(names) == len(set(names)), path.stem
+
+
+def test_the_sign_of_every_force_along_a_line_and_torque_about_an_axis_is_described():
+    """Components have the sign of their axis; one number alone must say what makes it positive."""
+    for path in SCENES:
+        scene = solver.load(path)
+        elements = {*scene.forces, *scene.drivers}
+        elements |= {name for name, x in scene.joints.items() if isinstance(x, Distance)}
+        for variable in solver.assemble(scene).variables:
+            name, _, quantity = variable.name.rpartition(".")
+            if name in elements and quantity in ("force", "torque"):
+                assert "positive" in variable.description, variable.name
+
+
+def test_the_rate_of_constraints_is_described_as_an_error_of_the_step():
+    scene = solver.assemble(solver.load(SCENES[0]))
+    meaning = next(v.description for v in scene.variables if v.name == "constraint.velocity")
+    assert "discretization error" in meaning
+    assert "square of the step" in meaning

@@ -210,8 +210,8 @@ def _least_inertia(
     squares = [dot(arm, arm) for arm in (*arms, body.center_of_mass)]
     largest = max(squares, key=mechanism.default)
     text = (
-        "has no inertia, and all its points lie at its centre of mass; "
-        "give it an inertia, or write a point instead of a body ({value!r} m^2)"
+        "inertia must be > 0 kg.m2, got 0, since all points of the body lie at its centre of mass "
+        "(largest squared distance {value!r} m^2); write an inertia, or a point instead of the body"
     )
     mechanism.rule(largest, ">", part, text)
     return FLOOR * body.mass * largest

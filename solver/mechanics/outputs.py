@@ -108,7 +108,10 @@ def _whole(dim: int) -> Iterator[Named]:
         yield Named(f"energy.{name}", "1" if name == "error" else "J", text, Ref("energy", k))
     text = "largest constraint residual over the size of its row"
     yield Named("constraint.position", "1", text, Ref("residual", 0))
-    text = "largest rate of a constraint residual over the size of its row"
+    text = (
+        "largest rate of a constraint residual over the size of its row; a discretization error, "
+        "which falls with the square of the step"
+    )
     yield Named("constraint.velocity", "1/s", text, Ref("residual", 1))
     momentum = [Ref("momentum", k) for k in range(dim)]
     yield from components("momentum.", "kg.m/s", "linear momentum", momentum)

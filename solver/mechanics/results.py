@@ -44,7 +44,7 @@ def reaction(measures: Measures, name: str, joint: Joint) -> Iterator[Named]:
     found = measures.parts.joints[name]
     if isinstance(joint, Distance):
         assert found.row is not None
-        text = f"force in joint '{name}', positive in tension"
+        text = f"force in joint '{name}', positive in tension: it pulls its points together"
         yield Named(f"{name}.force", "N", text, Ref("rod_force", found.row[1]))
     elif isinstance(joint, ConstantAngle | Gear | Rack):
         if found.row is not None:
@@ -93,14 +93,14 @@ def of_a_force(measures: Measures, name: str, force: ForceElement) -> Iterator[N
     if name in parts.links:
         length = Ref("quantity", parts.mechanism.length(parts.links[name]))
         yield Named(f"{name}.length", "m", f"length of {name}", length)
-        text = f"force in {name}, positive in tension"
+        text = f"force in {name}, positive in tension: it pulls its ends together"
         yield Named(f"{name}.force", "N", text, _tension(measures, name, force, length))
     elif isinstance(force, TorsionSpring | TorsionDamper) and name in parts.elements:
-        text = f"torque of {name} against the angle of {force.joint}"
+        text = f"torque of {name}, positive against the angle of {force.joint}: it turns it back"
         value = Ref("element_force", parts.elements[name])
         yield Named(f"{name}.torque", "N.m", text, value)
     elif isinstance(force, JointTorque) and name in parts.elements:
-        text = f"torque of {name} on the second body of {force.joint}"
+        text = f"torque of {name}, positive along the angle of {force.joint}"
         value = -1.0 * measures.value(Ref("element_force", parts.elements[name]))
         yield Named(f"{name}.torque", "N.m", text, value)
     elif isinstance(force, Potential):
@@ -141,7 +141,8 @@ def of_a_driver(measures: Measures, name: str, driver: Driver) -> Iterator[Named
     word, unit = ("torque", "N.m") if torque else ("force", "N")
     value = -1.0 * measures.multiplier(found.row)
     what = "distance" if not isinstance(driver, JointDriver) else driver.type
-    yield Named(f"{name}.{word}", unit, f"{word} of {name} along its {what}", value)
+    text = f"{word} of {name}, positive along its {what}"
+    yield Named(f"{name}.{word}", unit, text, value)
     rate = measures.value(Ref("quantity_rate", parts.driven[name]))
     yield Named(f"{name}.power", "W", f"power of {name}", value * rate)
 
