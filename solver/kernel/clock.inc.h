@@ -60,7 +60,7 @@ static void signals_at(context *c, double t, double *signal)
 
 /* Whether five samples, n apart in memory, are not smooth: their fourth difference is large beside their range, which
    it is not even for a signal of a radian a step (5e-5), and beside round-off. A value that is no number bends.  */
-static int bends(const double *y, size_t n)
+HM_SELDOM static int bends(const double *y, size_t n)
 {
     double low = y[0], high = y[0];
     for (size_t i = 1; i < 5; i++) low = fmin(low, y[i * n]), high = fmax(high, y[i * n]);
@@ -70,7 +70,7 @@ static int bends(const double *y, size_t n)
 
 /* Rates of the signals at time t (n_signals, overwritten) by differences of fourth order. They are central unless the
    samples bend as at a kink or a jump, such as that of 2 max(t, 0) at 0: there the rate is that of what follows.  */
-static void signal_rates_at(context *c, double t, double *rate)
+HM_SELDOM static void signal_rates_at(context *c, double t, double *rate)
 {
     const size_t n = (size_t)c->m->n_signals;
     const double delta = 1e-2 * c->s.head[S_STEP_SIZE];

@@ -11,7 +11,7 @@
 #error "-DDIM= must say whether the library is for the plane, 2, or for space, 3"
 #endif
 
-/* Entry points that no step calls, and with them what only they call, are compiled small. */
+/* What no step of most mechanisms calls is compiled small, and with it what only that calls. */
 #if defined(__GNUC__)
 #define HM_SELDOM __attribute__((cold))
 #else
