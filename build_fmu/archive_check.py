@@ -1,7 +1,7 @@
-"""Check of an archive before anything of it is unpacked or loaded.
+"""Check of an FMU before a file of it is unpacked or loaded.
 
-A library that is cut off, or code that is missing, ends the process without a word; files that are
-packed by a thousand fill the disk. What is no FMU, or not whole, is refused with a sentence.
+A library that is cut off ends the process without a message, and so does missing code. A small
+archive can unpack to so much that the disk is full. Such files are refused with a sentence.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _DESCRIPTION = "modelDescription.xml"
 _AGAIN = "; build it again, or fetch it again from where it came"
 _DAMAGE = (
     *(zipfile.BadZipFile, zlib.error, LZMAError, struct.error, EOFError, OSError),
-    *(ValueError, RuntimeError),  # text that is none; a method or a password that is not known
+    *(ValueError, RuntimeError),  # names that are not text; unknown compression; a password
 )
 _PACKAGE = re.compile(r"resources/(holonom_[0-9a-f]{12})/(.+)")
 

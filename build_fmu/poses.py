@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from numpy import ndarray
 
 STILL = 1e-9
-"""Part of the largest coordinate, and rad, below which a motion is the round-off of a rest."""
+"""Motions below this are round-off: over the largest coordinate, or in rad."""
 
 
 class Poses:

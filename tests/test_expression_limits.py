@@ -10,7 +10,7 @@ import pytest
 
 import solver
 from solver.scene import ExpressionError, SceneError, evaluate, parse
-from solver.scene.grammar import DEEPEST, LARGEST
+from solver.scene.grammar import MOST_NESTED, MOST_OPERATIONS
 
 SCENE = {
     "name": "long",
@@ -96,14 +96,14 @@ def random_tree(chance, operations, depth, leaves):
 @pytest.mark.parametrize("place", PLACES)
 def test_a_random_expression_of_the_largest_size_works(place, seed):
     chance = Random(f"{place}/{seed}")
-    text = random_tree(chance, LARGEST - AROUND, DEEPEST - AROUND, PLACES[place][2])
+    text = random_tree(chance, MOST_OPERATIONS - AROUND, MOST_NESTED - AROUND, PLACES[place][2])
     run(place, text)
 
 
 @pytest.mark.parametrize("place", PLACES)
 def test_sums_and_functions_of_many_terms_work(place):
     names = PLACES[place][2]
-    terms = [names[k % len(names)] for k in range(LARGEST - AROUND)]
+    terms = [names[k % len(names)] for k in range(MOST_OPERATIONS - AROUND)]
     for text in (" + ".join(terms), " - ".join(terms), f"max({', '.join(terms)})"):
         run(place, text)
 
@@ -117,14 +117,16 @@ NESTS = [
 @pytest.mark.parametrize("nest", NESTS, ids=lambda nest: nest[0])
 @pytest.mark.parametrize("place", ["parameter", "force", "output"])
 def test_the_deepest_expression_works_and_a_deeper_one_is_refused(place, nest):
-    levels = DEEPEST // 2 if nest[0].startswith("0.5*(") else DEEPEST - nest[0].count(">")
+    levels = MOST_NESTED // 2 if nest[0].startswith("0.5*(") else MOST_NESTED - nest[0].count(">")
     run(place, nest[0] * levels + "p" + nest[1] * levels)
-    with pytest.raises(SceneError, match=f"more than {LARGEST} operations, or {DEEPEST} within"):
+    with pytest.raises(
+        SceneError, match=f"more than {MOST_OPERATIONS} operations, or {MOST_NESTED} within"
+    ):
         run(place, nest[0] * (levels + 1) + "p" + nest[1] * (levels + 1))
 
 
 @pytest.mark.parametrize("text", [
-    " + ".join(["p"] * (LARGEST + 2)), f"max({', '.join(['p'] * (LARGEST + 2))})",
+    " + ".join(["p"] * (MOST_OPERATIONS + 2)), f"max({', '.join(['p'] * (MOST_OPERATIONS + 2))})",
     "-" * 50_000 + "1", "+".join(["p"] * 30_000), "p" + ".p" * 30_000,
     " if p else ".join(["p"] * 999),
     "(" * 5_000 + "1" + ")" * 5_000, "1" * 5_000, "\ud800", "'\ud800'",
@@ -159,4 +161,6 @@ def test_parameters_may_be_calculated_from_each_other_in_a_long_chain():
 
 def test_the_guide_states_the_limits():
     guide = (Path(__file__).parent.parent / "docs" / "scene.md").read_text(encoding="utf-8")
-    assert f"at most {LARGEST} operations, and at most {DEEPEST} of them within" in guide
+    assert (
+        f"at most {MOST_OPERATIONS} operations, and at most {MOST_NESTED} of them within" in guide
+    )

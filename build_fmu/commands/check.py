@@ -8,9 +8,7 @@ from collections.abc import Mapping
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.report import print_json, print_table
-
-SAMPLING = 1.0
-"""Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
+from solver.runtime.remarks import MOST_SAMPLING
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -23,7 +21,7 @@ def run(arguments: argparse.Namespace) -> int:
         text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of holonom"
         raise UsageError(text)
     if "solver.sampling" in outputs and result.largest("solver.sampling") > 0.0:
-        limits["solver.sampling"] = SAMPLING
+        limits["solver.sampling"] = MOST_SAMPLING
     checks = [
         {"name": name, "largest": largest, "limit": limit, "holds": largest <= limit}
         for name, limit in limits.items()
@@ -54,7 +52,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _largest(check: Mapping[str, object], moved: bool) -> str:
-    """The number; of what was at rest it would say nothing."""
+    """Text of a largest error; that of a mechanism at rest says nothing about the solver."""
     return f"{check['largest']:.2e}" if moved or not check["holds"] else "nothing moved"
 
 

@@ -72,9 +72,8 @@ def run(arguments: argparse.Namespace) -> int:
 def _print_counts(model: Model, counts: Survey) -> None:
     print_table(_title(model), ("", ""), _rows(model, counts))
     columns = ("variable", "unit", "kind", "start", "meaning")
-    of_the_solver = [v.name.startswith("solver.") for v in model.variables]
-    order = sorted(range(len(of_the_solver)), key=of_the_solver.__getitem__)
-    print_table("variables", columns, [_row(model.variables[i]) for i in order])
+    variables = sorted(model.variables, key=lambda v: v.name.startswith("solver."))
+    print_table("variables", columns, map(_row, variables))
 
 
 def _title(model: Model) -> str:

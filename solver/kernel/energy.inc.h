@@ -72,7 +72,7 @@ static double kinetic_energy(const context *c, double *p)
     return sum;
 }
 
-/* What energies are off the ledger by. */
+/* Kinetic and potential energy gained, minus the work of loads and drivers, plus what dampers took: 0 if exact. */
 static double ledger_balance(const context *c, double kinetic, double potential)
 {
     const double *head = c->s.head;

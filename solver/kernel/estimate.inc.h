@@ -97,8 +97,9 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     return 1;
 }
 
-/* What a step may add to velocities across the rows, against the fastest motion: so many times the tolerance, and what is
-   not looked at. They alternate from half step to half step, so that shorter steps do not undo them.             */
+/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS times the tolerance, and
+   UNSEEN, below which nothing is done. Such velocities alternate from half step to half step: shorter steps that follow
+   do not undo them.                                                                                              */
 #define ACROSS 10.0
 #define UNSEEN 1e-6
 

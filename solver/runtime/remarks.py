@@ -21,6 +21,8 @@ OPEN = 1e3
 """Error of the ledger, over `newton_tolerance`, that no run of solved steps comes to."""
 LONG = 1e-9
 """Error of the ledger that round-off of a long run may come to."""
+MOST_SAMPLING = 1.0
+"""Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
 COSTLY = "; a tight solver.tolerance takes many steps of order 2"
 
 
@@ -66,7 +68,7 @@ def missed_load(model: Model, state: State) -> str:
     """Return what is said after a step in which a load that reads the mechanism came too seldom."""
     ratios = state.vectors["sampled"][2::3]
     worst = max(range(len(ratios)), key=ratios.__getitem__)
-    if not ratios[worst] > 1.0:
+    if not ratios[worst] > MOST_SAMPLING:
         return ""
     name, head = model.sampled[worst], state.head
     shorter = f"steps shorter than solver.step_size = {head['step_size']:g} s"

@@ -60,7 +60,10 @@ class Draft:
     def error(
         self, path: Path, message: str, help: str | None = None, mark: tuple[str, int] = ("", 1)
     ) -> None:
-        """Note a mistake at a place of the file; so many that others hide behind them end it."""
+        """Note a mistake at a place of the file.
+
+        Raises ``SceneError`` after ``MOST`` mistakes: a reader would not look at more.
+        """
         self.problems.append(self.source.problem(path, message, help, mark))
         if len(self.problems) > MOST:
             message = f"more than {MOST} mistakes; not all are listed"

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from solver.scene.expression import ExpressionError, Number
 from solver.scene.fields import BROKEN
-from solver.scene.numbers import GEOMETRY, LARGEST, Numbers, Place
+from solver.scene.numbers import GEOMETRY, LARGEST_NUMBER, Numbers, Place
 from solver.scene.report import Path
 from solver.scene.vocabulary_parts import Vector
 
@@ -44,7 +44,7 @@ class Geometry:
         """Read the numbers of a list."""
         if all([reading.is_constant for reading in readings]):
             numbers = tuple([reading.number for reading in readings])
-            if all([-LARGEST <= number <= LARGEST for number in numbers]):
+            if all([-LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in numbers]):
                 return numbers
         return tuple(
             self.numbers.number((*path, i), reading, place) for i, reading in enumerate(readings)
@@ -66,13 +66,13 @@ class Geometry:
         """Report a vector whose length is zero, or too small or large for its square."""
         values = self.values(vector)
         size = 1.0 if values is None else max(map(abs, values))
-        if not 1.0 / LARGEST <= size <= LARGEST:
+        if not 1.0 / LARGEST_NUMBER <= size <= LARGEST_NUMBER:
             length = f"{size:.3g}" if size else "zero"
             help = "any other length will do"
             if size:
-                help = f"any length from {1.0 / LARGEST:g} to {LARGEST:g} will do"
+                help = f"any length from {1.0 / LARGEST_NUMBER:g} to {LARGEST_NUMBER:g} will do"
             self.draft.error(path, f"{what} of length {length}", help)
-        return values is not None and 1.0 / LARGEST <= size <= LARGEST
+        return values is not None and 1.0 / LARGEST_NUMBER <= size <= LARGEST_NUMBER
 
     def values(self, vector: Vector) -> list[float] | None:
         """Values with the default parameters; None where one of them has none."""

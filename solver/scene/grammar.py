@@ -29,10 +29,10 @@ _CHAINS = {"add": "sub", "sub": "add", "mul": "div", "div": "mul"}
 _MANY = ("and", "or", "min", "max", "add", "mul")
 """Operations whose operands may be grouped in any way."""
 
-LARGEST, DEEPEST = 1000, 50
+MOST_OPERATIONS, MOST_NESTED = 1000, 50
 """Operations of an expression, and how many of them within each other; sums, products and the
 arguments of a function count once for the depth, however many there are."""
-_TOO_LARGE = f"more than {LARGEST} operations, or {DEEPEST} within each other"
+_TOO_LARGE = f"more than {MOST_OPERATIONS} operations, or {MOST_NESTED} within each other"
 _SHORT = 16
 """Terms that are added one after the other; longer sums are halved, so that they are not deep."""
 
@@ -100,7 +100,7 @@ def read(text: str) -> Reading:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # Python's remarks on style, such as '1if x else 2'
             tree = ast.parse(stripped, mode="eval")
-        if len(stripped) > DEEPEST and not _is_of_size(tree.body):
+        if len(stripped) > MOST_NESTED and not _is_of_size(tree.body):
             raise RecursionError
         number = reader.number(tree.body)
     except SyntaxError as error:
@@ -140,12 +140,12 @@ def _operands(node: ast.expr) -> list[ast.expr]:
 def _is_of_size(node: ast.expr) -> bool:
     """Whether an expression keeps the limits of size and depth."""
     level, size = [node], 0
-    for _ in range(DEEPEST + 1):
+    for _ in range(MOST_NESTED + 1):
         operands = [found for each in level if (found := _operands(each))]
         size += sum(max(len(found) - 1, 1) for found in operands)
         level = [operand for found in operands for operand in found]
-        if not level or size > LARGEST:
-            return size <= LARGEST
+        if not level or size > MOST_OPERATIONS:
+            return size <= MOST_OPERATIONS
     return False
 
 

@@ -22,7 +22,7 @@ from solver.scene.report import Path
 from solver.scene.units import in_si
 from solver.scene.words import a, did_you_mean
 
-LARGEST = 1e100
+LARGEST_NUMBER = 1e100
 """Largest size of a number of a mechanism: products of three of them are finite."""
 
 
@@ -119,8 +119,8 @@ class Numbers:
             value = self.default(path, reading)
         else:
             return 0.0
-        if value is not None and abs(value) > LARGEST and place is not SETTING:
-            self.draft.error(path, f"must be at most {LARGEST:g} in size, got {value:.6g}")
+        if value is not None and abs(value) > LARGEST_NUMBER and place is not SETTING:
+            self.draft.error(path, f"must be at most {LARGEST_NUMBER:g} in size, got {value:.6g}")
         elif value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
             how = "" if isinstance(reading.number, float) else f" (= {reading.text})"

@@ -31,8 +31,8 @@ RANGES = {
 }
 """Settings that are numbers; the ranges are those of ``solver.runtime.options``."""
 
-ROWS, MOST_STEPS = 100, 10
-"""Communication steps of a run, enough to draw it, and the internal steps that one has at most."""
+ROWS, MOST_INTERNAL_STEPS = 100, 10
+"""Communication steps of a default run, and the most internal steps in one of them."""
 
 _UNITS = {"absolute_tolerance": "m", "longest_step": "s", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
@@ -97,7 +97,7 @@ def _experiment(numbers: Numbers, experiment: Any, inner: float, outer: float) -
     tolerance = experiment.tolerance
     given = numbers.constant(("experiment", "tolerance"), tolerance, 0.0, TOLERANCE)
     # Whole internal steps, so that the communication step does not change the motion.
-    counts, whole = range(1, MOST_STEPS + 1), (stop - start) * (1.0 + 1e-9)
+    counts, whole = range(1, MOST_INTERNAL_STEPS + 1), (stop - start) * (1.0 + 1e-9)
     usual = max((k for k in counts if ROWS * k * inner <= whole), default=1)
     return Experiment(
         start_time=start, stop_time=stop, step_size=outer or usual * inner, tolerance=given or None

@@ -18,10 +18,10 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
-DEEPEST = 50
-"""Tables and lists within each other; no scene has so many."""
+MOST_LEVELS = 50
+"""Levels of tables and lists within each other; scenes have 4."""
 _BITS = 4096
-"""Of an integer; no double is as large as one of a quarter of these."""
+"""Digits of an integer; the largest double has 309."""
 _TUPLE, _QUOTED = re.compile(r"\(('[^']*',? ?)+\)"), re.compile(r"'([^']*)'")
 """Keys as the reader of TOML names them: ('points', 'A')."""
 _TWICE = "Cannot overwrite a value"
@@ -142,7 +142,7 @@ def _refuse_digits(source: Source) -> NoReturn:
 def _shallow(data: Any, source: Source) -> None:
     """Give up on nesting and texts that no scene has, before anything descends into them."""
     level = [data]
-    for _ in range(DEEPEST):
+    for _ in range(MOST_LEVELS):
         inside = [[*x, *x.values()] if isinstance(x, dict) else x for x in level]
         if not all(is_readable(x) for items in inside for x in items if isinstance(x, str)):
             _give_up(source, Problem("", "a text with half a character, such as \\ud800"))

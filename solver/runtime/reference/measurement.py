@@ -170,6 +170,6 @@ class Measurement:
         return np.cross(x, p).sum(axis=0)
 
     def solver(self) -> list[float]:
-        """Return iterations, updates, substeps, order, no sampling, and status."""
+        """Return iterations, updates, substeps, order, 0 (it measures no sampling), and status."""
         names = ("newton_iterations", "uzawa_iterations", "substeps", "order_in_use")
         return [*(self.motion.head[name] for name in names), 0.0, self.motion.head["status"]]
