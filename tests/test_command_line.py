@@ -218,3 +218,11 @@ def test_an_option_that_resembles_none_suggests_none(capsys):
     with pytest.raises(SystemExit, match="2"):
         main(["build", PENDULUM, "--zzz"])
     assert "did you mean" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["build", "simulate", "check", "info", "validate", "sweep"])
+def test_an_abbreviated_help_shows_the_help(capsys, command):
+    with pytest.raises(SystemExit) as end:
+        main([command, "--h"])
+    assert end.value.code == 0
+    assert capsys.readouterr().out.startswith(f"usage: holonom {command}")

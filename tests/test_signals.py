@@ -142,9 +142,10 @@ def test_the_file_of_a_run_has_the_inputs_as_columns(capsys, tmp_path):
         ({"time": [0, 1], "push": [0, 10**5000]}, "inputs: push: must be finite numbers"),
         ({"time": [0, 1], "pusch": [0, 1]}, "'pusch'; did you mean 'push'"),
         ({"A.x": lambda t: t}, "A.x: is calculated"),
+        ({"time": lambda t: t, "push": [0, 1]}, "inputs: 'time' must be an array"),
         ({"push": "a"}, "push: must be a finite number in N"),
     ],
-    ids=range(11),
+    ids=range(12),
 )
 def test_mistakes_of_inputs_in_python_are_sentences(inputs, words):
     with pytest.raises(solver.OptionError, match=words):

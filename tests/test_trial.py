@@ -141,3 +141,10 @@ def test_sentences_on_size_have_the_right_plural(bodies):
     assert "(s)" not in sentences
     assert ("parts" in sentences) == (bodies > 1)
     assert sentences.startswith(f"{2 * bodies} coordinates and 0 constraint rows")
+
+
+def test_outputs_named_as_parts_of_a_quaternion_are_one_only_if_all_four_are_there():
+    four = {f"a.q{k}": "1" for k in "wxyz"}
+    assert Poses(four).turn
+    for name in four:
+        assert not Poses({other: unit for other, unit in four.items() if other != name}).turn
