@@ -119,6 +119,6 @@ def _has_description_root(archive: zipfile.ZipFile) -> bool:
     with archive.open(_DESCRIPTION) as text:
         try:
             _, root = next(ElementTree.iterparse(text, events=("start",)))
-        except ElementTree.ParseError:
-            return True  # fmpy says where it is no XML
+        except (ElementTree.ParseError, LookupError, ValueError):
+            return True  # fmpy says where it is no XML, or what its encoding is
     return root.tag == "fmiModelDescription" and "fmiVersion" in root.attrib

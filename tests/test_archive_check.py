@@ -126,6 +126,7 @@ KINDS = {
     "cut kernel": lambda: with_file(named("planar.so"), files()[named("planar.so")][:20000]),
 }
 DESCRIPTIONS = {
+    "unknown encoding": lambda: described("encoding='UTF-8'", "encoding='foo'"),
     "empty": lambda: with_file("modelDescription.xml", b""),
     "binary": lambda: with_file("modelDescription.xml", bytes(range(256))),
     "FMI 1": lambda: described('fmiVersion="2.0"', 'fmiVersion="1.0"'),

@@ -237,7 +237,9 @@ def bars(n_points: int, pairs: Sequence[tuple[int, int]]) -> str:
     ids=["equal bars", "every point to every other"],
 )
 def test_constraints_that_need_too_many_products_are_refused(scene):
-    with pytest.raises(SceneError, match=r"constraint rows couple its \d+ moving .* repeat others"):
+    with pytest.raises(
+        SceneError, match=r"\d+ moving coordinates are coupled too densely, .* repeat others"
+    ):
         holonom.assemble(holonom.loads(scene))
 
 
@@ -245,3 +247,21 @@ def test_redundant_bars_within_the_limit_are_assembled():
     model = holonom.assemble(holonom.loads(bars(20, [(a, b) for a in range(20) for b in range(a)])))
     assert model.sizes["n_rows"] == 190
     assert len(model.tables["lu_target"]) <= MOST_PRODUCTS
+
+
+def test_a_square_net_of_springs_is_below_the_limit_of_products():
+    size = 35
+    points = [
+        f"P{i}x{k} = {{ position = [{i}, {k}], mass = 1 }}\n"
+        for i in range(size)
+        for k in range(size)
+    ]
+    springs = [
+        f's{i}x{k}{i + a}x{k + b} = {{ type = "spring", points = ["P{i}x{k}", "P{i + a}x{k + b}"], '
+        "stiffness = 1 }\n"
+        for i in range(size - 1)
+        for k in range(size - 1)
+        for a, b in ((1, 0), (0, 1), (1, 1))
+    ]
+    text = "".join(['name = "net"\ndimension = 2\n[points]\n', *points, "[forces]\n", *springs])
+    assert holonom.assemble(holonom.loads(text)).sizes["n_free"] == size**2

@@ -147,3 +147,40 @@ def test_with_a_tolerance_the_remedy_is_a_shorter_longest_step():
     text = PIN.format(J=1.0, h=0.01, law="-300*pin.angular_velocity") + "tolerance = 1e-6\n"
     (sentence,), _ = said_of(text)
     assert sentence.endswith("take a smaller solver.longest_step")
+
+
+MOTOR = """
+name = "motor"
+dimension = 2
+[inputs]
+u = {{ unit = "1", start = 0.0 }}
+[bodies.rotor]
+position = [0, 0]
+mass = 1.0
+inertia = 1.0
+[joints]
+shaft = {{ type = "revolute", bodies = ["ground", "rotor"], position = [0, 0] }}
+[forces]
+motor = {{ type = "joint_torque", joint = "shaft", value = "{law}" }}
+[experiment]
+stop_time = 2
+"""
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        "u - 0.1*shaft.angular_velocity", "5*sin(t) - 2*shaft.angular_velocity",
+        "max(t - 0.5, 0) - 0.1*shaft.angular_velocity",
+        "20*(u - shaft.angle) - 6*shaft.angular_velocity",
+        "sin(9*t) - 0.1*shaft.angular_velocity", "floor(3*t) - shaft.angular_velocity",
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("order", [2.0, 0.0])
+def test_a_motor_that_starts_from_rest_is_sampled_well(law, order, recwarn):
+    """Its damping is far below the limit 2 J/h = 400 N.m.s, its stiffness below 4 J/h^2."""
+    inputs = {"time": [0, 0.5, 1, 2], "u": [0, 0, 1, 1]}
+    scene = solver.loads(MOTOR.format(law=law))
+    trajectory = solver.simulate(scene, inputs=inputs, order=order)
+    assert trajectory["solver.sampling"].max() <= 1.0
+    assert not [w for w in recwarn if "too seldom" in str(w.message)]

@@ -58,34 +58,18 @@ static void signals_at(context *c, double t, double *signal)
     memcpy(signal, c->number + m->signal_at, sizeof(double) * (size_t)m->n_signals);
 }
 
-/* Whether five samples, n apart in memory, are not smooth: their fourth difference is large beside their range, which
-   it is not even for a signal of a radian a step (5e-5), and beside round-off. A value that is no number bends.  */
-HM_SELDOM static int bends(const double *y, size_t n)
-{
-    double low = y[0], high = y[0];
-    for (size_t i = 1; i < 5; i++) low = fmin(low, y[i * n]), high = fmax(high, y[i * n]);
-    const double fourth = y[0] - 4.0 * y[n] + 6.0 * y[2 * n] - 4.0 * y[3 * n] + y[4 * n];
-    return !(fabs(fourth) <= 1e-3 * (high - low) + 64.0 * DBL_EPSILON * fmax(fabs(low), fabs(high)));
-}
-
-/* Rates of the signals at time t (n_signals, overwritten) by differences of fourth order. They are central unless the
-   samples bend as at a kink or a jump, such as that of 2 max(t, 0) at 0: there the rate is that of what follows.  */
+/* Rates of the signals at time t (n_signals, overwritten): forward differences of fourth order, so that what a formula is
+   before t does not matter. At a kink or a jump, such as that of 2 max(t, 0) at 0, the rate is that of what follows.  */
 HM_SELDOM static void signal_rates_at(context *c, double t, double *rate)
 {
-    const size_t n = (size_t)c->m->n_signals;
+    static const double weight[5] = {0.0, 48.0, -36.0, 16.0, -3.0}; /* of differences: constants have the rate 0 */
+    const int32_t n = c->m->n_signals;
     const double delta = 1e-2 * c->s.head[S_STEP_SIZE];
-    double *y = c->k.signal_sample;
-    int bent = 0;
-    for (int i = 0; i < 5 && n; i++) signals_at(c, t + (i - 2) * delta, y + (size_t)i * n);
-    for (size_t b = 0; b < n; b++) {
-        rate[b] = (8.0 * (y[b + 3 * n] - y[b + n]) - (y[b + 4 * n] - y[b])) / (12.0 * delta);
-        bent |= bends(y + b, n);
-    }
-    if (!bent) return;
-    for (int i = 5; i < 7; i++) signals_at(c, t + (i - 2) * delta, y + (size_t)i * n);
-    for (size_t b = 0; b < n; b++) {
-        const double *at = y + b + 2 * n;
-        if (bends(y + b, n))
-            rate[b] = (-25.0 * at[0] + 48.0 * at[n] - 36.0 * at[2 * n] + 16.0 * at[3 * n] - 3.0 * at[4 * n]) / (12.0 * delta);
+    double *now = c->k.signal_sample, *soon = now + n;
+    signals_at(c, t, now);
+    for (int32_t b = 0; b < n; b++) rate[b] = 0.0;
+    for (int i = 1; i < 5 && n; i++) {
+        signals_at(c, t + i * delta, soon);
+        for (int32_t b = 0; b < n; b++) rate[b] += weight[i] / (12.0 * delta) * (soon[b] - now[b]);
     }
 }

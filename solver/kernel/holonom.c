@@ -79,7 +79,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->sigma0 = take(block, &used, m->n_active);
     k->signal1 = take(block, &used, m->n_signals);
     k->signal_rate = take(block, &used, m->n_signals);
-    k->signal_sample = take(block, &used, 7 * (int64_t)m->n_signals);
+    k->signal_sample = take(block, &used, 2 * (int64_t)m->n_signals);
     k->phi0 = take(block, &used, m->n_rows);
     k->phi = take(block, &used, m->n_rows);
     k->lambda = take(block, &used, m->n_rows);

@@ -11,7 +11,7 @@
 #error "-DDIM= must say whether the library is for the plane, 2, or for space, 3"
 #endif
 
-/* What no step of most mechanisms calls is compiled small, and with it what only that calls. */
+/* Functions outside the usual step: they, and what only they call, are compiled for size. */
 #if defined(__GNUC__)
 #define HM_SELDOM __attribute__((cold))
 #else
@@ -141,7 +141,7 @@ typedef struct hm_work {
     double *sigma0;       /* n_active: quantities at the beginning                                          */
     double *signal1;      /* n_signals: prescribed values at the end                                        */
     double *signal_rate;  /* n_signals                                                                      */
-    double *signal_sample; /* 7 n_signals: around the time at which rates are asked for                     */
+    double *signal_sample; /* 2 n_signals: at the time at which rates are asked for, and next to it          */
     double *phi0, *phi;   /* n_rows: rows at the beginning, and the row function that shall vanish            */
     double *lambda, *mu;  /* n_rows: multiplier held fixed, total multiplier                                */
     double *epsilon;      /* n_rows: compliance 2/alpha or 1/alpha                                          */

@@ -1,10 +1,11 @@
 /* Whether loads that read the mechanism are sampled often enough (theory 5.6). Included by ledger.inc.h.
 
    Such a load is evaluated once a half step, at the motion that is foreseen for its middle, and acts over all of it. The
-   work that it would do along the foreseen increment, |x|, is compared with what it does along the one that it brought
-   about, y: for a damper c on a mass m that is new in a half step h, |y - x| is |x| c h/(2 m), and beyond 1 it pushes the
-   mass back faster than it came. Sums of |x| and |y - x| over the last half steps give the ratio, so that a motion which
-   passes through rest does not count, but a load that alternates from half step to half step does.               */
+   work that it would do along the foreseen increment, x, is compared with what it does along the one that it brought
+   about, y: a damper c on a mass m that is new in a half step h takes |x| c h/(2 m) off |x|, and beyond 1 it pushes the
+   mass back faster than it came. Sums of |x| and of what y takes off it over the last half steps give the ratio, so that
+   a motion which passes through rest does not count, but a load that alternates from half step to half step does. A
+   motor that does more work than foreseen, as where it starts, is no error of sampling.                          */
 
 #define FORGETTING 0.8   /* of a sum, that a half step leaves */
 #define NEGLIGIBLE 1e-14 /* work, over the reference energy */
@@ -23,7 +24,7 @@ HM_SELDOM static double sampled_work(context *c, int32_t kind, int32_t j)
    largest ratio in this communication step.                                                                     */
 HM_SELDOM static void judge_sampling(context *c, int parity)
 {
-    const double *a = c->s.a[parity], negligible = NEGLIGIBLE * c->s.head[S_ENERGY_REFERENCE];
+    const double *a = c->s.a[parity], negligible = NEGLIGIBLE * c->s.head[S_ENERGY_REFERENCE] + DBL_MIN;
     double *d = c->k.d, *kept = c->s.sampled;
     if (!c->m->n_sampled) return;
     for (int32_t k = 0; k < DIM * c->n_moving; k++)
@@ -35,7 +36,7 @@ HM_SELDOM static void judge_sampling(context *c, int parity)
         const double foreseen = sampled_work(c, load[0], load[1]);
         c->k.d = d;
         kept[0] = FORGETTING * kept[0] + fabs(foreseen);
-        kept[1] = FORGETTING * kept[1] + fabs(done - foreseen);
+        kept[1] = FORGETTING * kept[1] + fmax(foreseen < 0.0 ? done - foreseen : foreseen - done, 0.0);
         kept[2] = fmax(kept[2], kept[1] / (kept[0] + negligible));
     }
 }

@@ -28,10 +28,9 @@ PAIRS_AT_ONCE = 100_000
 """Pairs whose stored entries are looked up in one go, which takes some 100 bytes a pair."""
 
 MOST_PRODUCTS = 5_000_000
-"""Products of one factorisation that every mechanism may need; a large one may need more."""
-
-MOST_PRODUCTS_AN_UNKNOWN = 5_000
-"""Products for each unknown that a large mechanism may need."""
+"""Products of one factorisation that every mechanism may need."""
+MOST_OF_A_NET = 150
+"""Products over n^1.5, of n unknowns, that a large one may need; nets of springs need 110."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -185,7 +184,7 @@ def block_order(graph: Graph) -> list[int]:
         When the factorisation would need too many products.
     """
     neighbours, weight = _neighbours(graph), graph.sizes
-    left = max(MOST_PRODUCTS, MOST_PRODUCTS_AN_UNKNOWN * sum(weight))
+    most = left = max(MOST_PRODUCTS, MOST_OF_A_NET * sum(weight) ** 1.5)
     degree = [sum([weight[b] for b in near]) for near in neighbours]
     done = [False] * len(weight)
     carriers, waiting = Carriers(graph), set()
@@ -207,7 +206,7 @@ def block_order(graph: Graph) -> list[int]:
         order.append(block)
         left -= weight[block] * degree[block] ** 2
         if left < 0:
-            raise AssemblyError(_too_dense(graph))
+            raise AssemblyError(_too_dense(graph, most))
         waiting.discard(block)
         if block < graph.n_nodes:
             carriers.add(block)
@@ -219,12 +218,12 @@ def block_order(graph: Graph) -> list[int]:
     return order
 
 
-def _too_dense(graph: Graph) -> str:
+def _too_dense(graph: Graph, most: float) -> str:
     moving, rows = sum(graph.sizes[: graph.n_nodes]), sum(graph.sizes[graph.n_nodes :])
+    remedy = "constraints that repeat others" if rows > moving else "forces between distant parts"
     return (
-        f"its {rows} constraint rows couple its {moving} moving coordinates too densely: each step "
-        f"would need more than {MOST_PRODUCTS:,} products, and more than "
-        f"{MOST_PRODUCTS_AN_UNKNOWN:,} for each unknown; remove constraints that repeat others"
+        f"the {moving} moving coordinates are coupled too densely, by {rows} constraint rows and "
+        f"by forces: one factorisation would take more than {most:,.0f} products; remove {remedy}"
     )
 
 

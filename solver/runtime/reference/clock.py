@@ -118,16 +118,11 @@ class Clock:
         return numbers[start : start + count]
 
     def signal_rates(self, t: float) -> Array:
-        """Rates b'(t) by differences of order 4: central, but forward at a kink or jump."""
+        """Rates b'(t) by forward differences of order 4: what b is before t does not matter."""
         d = DELTA * self.motion.head["step_size"]
-        b = np.array([self.signals(t + k * d) for k in range(-2, 5)])
-        central = (8.0 * (b[3] - b[1]) - (b[4] - b[0])) / (12.0 * d)
-        forward = (-25.0 * b[2] + 48.0 * b[3] - 36.0 * b[4] + 16.0 * b[5] - 3.0 * b[6]) / (12.0 * d)
-        fourth = np.abs(b[0] - 4.0 * b[1] + 6.0 * b[2] - 4.0 * b[3] + b[4])
-        smooth = 1e-3 * np.ptp(b[:5], axis=0) + 64.0 * np.finfo(float).eps * np.max(
-            np.abs(b[:5]), axis=0
-        )
-        return np.where(fourth <= smooth, central, forward)
+        now = self.signals(t)
+        b = [self.signals(t + k * d) - now for k in range(5)]
+        return (48.0 * b[1] - 36.0 * b[2] + 16.0 * b[3] - 3.0 * b[4]) / (12.0 * d)
 
     def signal_accelerations(self, t: float) -> Array:
         """Second derivatives b''(t) by a difference quotient."""
