@@ -64,7 +64,7 @@ def _size_problem(archive: zipfile.ZipFile) -> str:
     """Say why the sizes of the files cannot be those of an FMU; empty if they can."""
     entries = archive.infolist()
     if any(entry.header_offset + entry.compress_size > archive.start_dir for entry in entries):
-        return f"the archive is damaged: a file of it ends behind its end{_AGAIN}"
+        return f"the archive is damaged: its directory lists a file that does not fit in it{_AGAIN}"
     size = sum(entry.file_size for entry in entries)
     if size > MOST_BYTES or len(entries) > MOST_FILES:
         return (

@@ -68,11 +68,14 @@ def find_equilibrium(model: Model) -> Equilibrium:
     try:
         integrator.initialise()
     except AssemblyError as error:
-        text = (
-            f"{model.name}: no static equilibrium was found next to the drawn configuration; "
-            f"perhaps there is none, as where a torque turns a free shaft or nothing holds a body "
-            f"against gravity ({in_one_line(error)})"
-        )
+        reason = in_one_line(error)
+        if not model.sizes["sensing"]:
+            reason = (
+                "no static equilibrium was found next to the drawn configuration; perhaps there is "
+                "none, as where a torque turns a free shaft or nothing holds a body against "
+                f"gravity ({reason})"
+            )
+        text = f"{model.name}: {reason}"
         raise UnfinishedError(text) from None
     outputs = [(i, v) for i, v in enumerate(model.variables) if v.causality == "output"]
     values = integrator.get([i for i, _ in outputs])

@@ -13,6 +13,7 @@ import numpy as np
 from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.errors import UnknownNameError
+from solver.runtime.value_checks import check_is_double
 from solver.scene import Scene, load
 from solver.signals import Problem, changes, sampled
 
@@ -100,8 +101,8 @@ def simulate(
     inputs : mapping, optional
         By name numbers, functions of the time in s, and arrays, with their times as "time" [s].
         Between the times inputs go in straight lines, before and after them they stay. They are set
-        at communication points: hence a short `step_size`. The trajectory has them as given, also
-        where ``limit = "clip"`` changes what acts.
+        at communication points: hence a short `step_size`. The trajectory has arrays and functions
+        as given, also where ``limit = "clip"`` changes what acts.
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
     kernel : {"auto", "c", "numpy"}
@@ -181,14 +182,18 @@ def _times(
     start = model.experiment.start_time
     stop = model.experiment.stop_time if stop_time is None else stop_time
     step = model.experiment.step_size if step_size is None else step_size
+    for name, value in (("stop_time", stop), ("step_size", step)):
+        check_is_double(name, value)
+        if not isinstance(value, int | float):
+            message = f"{name}: must be a number in s, got {value!r}"
+            raise OptionError(message)
     if not (math.isfinite(stop) and stop > start):
         message = f"stop_time: must be > start_time = {start!r} s and finite, got {stop!r}"
         raise OptionError(message)
     longest = stop - start if step_size is not None else math.inf
     if not (math.isfinite(step) and 0.0 < step <= longest * (1.0 + 1e-9)):
-        message = (
-            f"step_size: must be > 0 s and at most the run of {stop - start:g} s, got {step!r}"
-        )
+        rule = f"must be > 0 s and at most the length of the run, {stop - start:g} s"
+        message = f"step_size: {rule}, got {step!r}"
         raise OptionError(message)
     return start, stop, step
 

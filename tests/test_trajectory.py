@@ -115,3 +115,24 @@ def test_a_trajectory_becomes_a_data_frame():
 def test_dir_lists_the_names_for_users(package):
     assert dir(package) == sorted(package.__all__)
     assert all(hasattr(package, name) for name in dir(package))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"),
+    [
+        ({"stop_time": 10**400}, "stop_time"), ({"step_size": -(10**5000)}, "step_size"),
+        ({"tolerance": 10**400}, "solver.tolerance"), ({"order": 10**400}, "solver.order"),
+        ({"parameters": {"solver.penalty": 10**5000}}, "solver.penalty"),
+    ],
+    ids=range(5),
+)  # fmt: skip
+def test_an_integer_that_no_double_holds_is_refused(arguments, name):
+    with pytest.raises(OptionError, match=f"^{name}: must be a finite number, got an integer of"):
+        run(**arguments)
+
+
+@pytest.mark.parametrize("value", ["1", 1j, (1.0,)])
+@pytest.mark.parametrize("name", ["stop_time", "step_size"])
+def test_a_time_that_is_no_number_is_refused(name, value):
+    with pytest.raises(OptionError, match=f"^{name}: must be a number in s"):
+        run(**{name: value})

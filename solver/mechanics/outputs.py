@@ -110,7 +110,7 @@ def _whole(dim: int) -> Iterator[Named]:
     yield Named("constraint.position", "1", text, Ref("residual", 0))
     text = (
         "largest rate of a constraint residual over the size of its row; a discretization error, "
-        "which falls with the square of the step"
+        "which at order 2 falls with the square of the step"
     )
     yield Named("constraint.velocity", "1/s", text, Ref("residual", 1))
     momentum = [Ref("momentum", k) for k in range(dim)]

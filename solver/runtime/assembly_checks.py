@@ -85,10 +85,10 @@ def equilibrium_problems(model: Model, equilibrium: float) -> list[str]:
     """Return a sentence if an equilibrium is sought of loads that would be held as drawn."""
     if not (equilibrium and model.sizes["sensing"]):
         return []
+    names = ", ".join(dict.fromkeys(model.sampled)) or "a force"
     return [
-        "solver.start: an equilibrium is sought with the loads as drawn, and a force or torque of "
-        "this mechanism reads its motion; write it as a spring, torsion_spring or potential, or "
-        "begin as drawn"
+        f"solver.start: no equilibrium is sought, because {names} reads the motion; write it as a "
+        "spring, damper, torsion_spring, torsion_damper or potential, or begin as drawn"
     ]
 
 

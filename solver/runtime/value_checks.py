@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 
 from .errors import OptionError
 from .options import encode
@@ -10,6 +11,19 @@ from .options import encode
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
     from .model import Variable
+
+
+def check_is_double(name: str, value: object) -> None:
+    """Check that a value, if it is an integer, is one that a double can hold.
+
+    Raises
+    ------
+    OptionError
+        Naming the variable; such an integer has too many digits to be shown.
+    """
+    if isinstance(value, int) and abs(value) > sys.float_info.max:
+        message = f"{name}: must be a finite number, got an integer of more than 308 digits"
+        raise OptionError(message)
 
 
 def check_settable(variable: Variable, value: float | str | bool, *, moving: bool) -> None:
@@ -21,6 +35,7 @@ def check_settable(variable: Variable, value: float | str | bool, *, moving: boo
         Naming the variable, the value and the rule that it breaks.
     """
     name, unit = variable.name, f" {variable.unit}".rstrip()
+    check_is_double(name, value)
     if variable.causality not in ("parameter", "input"):
         message = f"{name}: is calculated and cannot be set"
         raise OptionError(message)
