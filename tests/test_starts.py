@@ -139,7 +139,7 @@ s = { type = "joint_torque", joint = "h", value = "-20*h.angle" }
 [solver]
 start = "equilibrium"
 """
-    with pytest.raises(solver.SceneError, match="because force .s. reads the motion; write it as"):
+    with pytest.raises(solver.SceneError, match=r"because force .s. reads the motion; write it as"):
         solver.assemble(solver.loads(text))
 
 
