@@ -153,7 +153,8 @@ def test_scene_equations_and_numbers_have_the_same_start_and_energy(key):
     our_q, our_v = work_precision_ours.watched(problem, integrator)
     # 1e-13: Andrews' scene is closed by a Newton iteration.
     assert our_q == pytest.approx(q, abs=1e-13)
-    assert our_v == pytest.approx(v, abs=1e-13)
+    # The car's wheel is driven, and its rate a difference quotient: round-off over 1e-2 steps.
+    assert our_v == pytest.approx(v, abs=1e-12 if key == "car_axis" else 1e-13)
     # Our scene of the car also has the wheel that is moved, with 1 m/s.
     wheel = 0.5 * work_precision_ours.WHEEL if key == "car_axis" else 0.0
     assert integrator["energy.total"] - wheel == pytest.approx(energy, rel=1e-12, abs=1e-14)
