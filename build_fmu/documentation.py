@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from build_fmu.payload import package_folder
 from build_fmu.report import as_text
+from build_fmu.study.values import counted
 from solver.runtime.options import TINY
 
 if TYPE_CHECKING:
@@ -107,11 +108,11 @@ def _section(variable: Variable) -> str:
 def solved(model: Model) -> str:
     """Sentences on size and method."""
     sizes, settings = model.sizes, model.settings
-    coordinates = _count(sizes["dim"] * sizes["n_free"], "coordinate")
+    coordinates = counted(sizes["dim"] * sizes["n_free"], "coordinate")
     islands = sizes["n_islands"]
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     text = (
-        f"{coordinates} and {_count(sizes['n_rows'], 'constraint row')}{apart}, solved by "
+        f"{coordinates} and {counted(sizes['n_rows'], 'constraint row')}{apart}, solved by "
         f"{settings['formulation']}"
     )
     if settings["tolerance"]:
@@ -120,10 +121,6 @@ def solved(model: Model) -> str:
         )
     order = float(settings["order"]) or 2.0
     return f"{text}, in internal steps of at most {settings['step_size']:g} s, of order {order:g}."
-
-
-def _count(count: int, word: str) -> str:
-    return f"{count} {word}" if count == 1 else f"{count} {word}s"
 
 
 def accuracy(model: Model, seen: Trial) -> str:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import io
 import tempfile
-from collections.abc import Iterator
+import zipfile
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import fmpy
@@ -53,6 +55,15 @@ reach = {{ value = "length" }}
 stop_time = 1.0
 step_size = 0.1
 """
+
+
+def packed(content: Mapping[str, bytes]) -> bytes:
+    """Archive with these files."""
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as archive:
+        for name, text in content.items():
+            archive.writestr(zipfile.ZipInfo(name), text)
+    return data.getvalue()
 
 
 def scene_fmu(name: str) -> Path:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 import struct
@@ -18,7 +17,7 @@ from build_fmu.errors import UsageError
 from build_fmu.instance import description_of
 from build_fmu.run import run_fmu
 from tests.commands import run
-from tests.fmu_instance import pendulum
+from tests.fmu_instance import packed, pendulum
 
 ROOT = Path(__file__).parent.parent
 SLAVE = "resources/slavemodule.txt"
@@ -32,14 +31,6 @@ def files() -> dict[str, bytes]:
 def named(end: str) -> str:
     """Path of the first file in the archive whose name ends so."""
     return next(name for name in files() if name.endswith(end))
-
-
-def packed(content: dict[str, bytes]) -> bytes:
-    data = io.BytesIO()
-    with zipfile.ZipFile(data, "w") as archive:
-        for name, text in content.items():
-            archive.writestr(zipfile.ZipInfo(name), text)
-    return data.getvalue()
 
 
 def with_file(name: str, text: bytes = b"x") -> bytes:

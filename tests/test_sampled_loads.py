@@ -13,8 +13,7 @@ from build_fmu import build
 from build_fmu.command_line import main
 from build_fmu.run import run_fmu
 
-PIN = """
-name = "pinned"
+PINNED = """
 dimension = 2
 [bodies]
 B = {{ position = [0, 0], mass = 1.0, inertia = {J}, angular_velocity = 2.0 }}
@@ -22,9 +21,8 @@ B = {{ position = [0, 0], mass = 1.0, inertia = {J}, angular_velocity = 2.0 }}
 pin = {{ type = "revolute", bodies = ["ground", "B"], position = [0, 0] }}
 [forces]
 law = {{ type = "joint_torque", joint = "pin", value = "{law}" }}
-[solver]
-step_size = {h}
 """
+PIN = f'name = "pinned"{PINNED}[solver]\nstep_size = {{h}}\n'
 
 LOADS = {
     "force": """
@@ -34,15 +32,7 @@ A = {{ position = [0, 0], mass = {J}, velocity = [2, 0] }}
 [forces]
 law = {{ type = "force", point = "A", value = ["-{c}*A.vx", 0] }}
 """,
-    "joint_torque": """
-dimension = 2
-[bodies]
-B = {{ position = [0, 0], mass = 1.0, inertia = {J}, angular_velocity = 2.0 }}
-[joints]
-pin = {{ type = "revolute", bodies = ["ground", "B"], position = [0, 0] }}
-[forces]
-law = {{ type = "joint_torque", joint = "pin", value = "-{c}*pin.angular_velocity" }}
-""",
+    "joint_torque": PINNED.replace("{law}", "-{c}*pin.angular_velocity"),
     "torque": """
 dimension = 2
 [bodies]

@@ -13,6 +13,7 @@ from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.report import count_bar, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.study.sweep import Sweep, sweep
+from build_fmu.study.values import counted
 
 MOST_TOLD = 10
 
@@ -87,7 +88,7 @@ def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
 
 def _print(found: Sweep, path: Path, spent: float) -> None:
     failed = f"{len(found.failed) or 'none'} failed"
-    title = f"{path}: {_runs(found.plan.count)}, {failed}; {_duration(found, spent)}"
+    title = f"{path}: {counted(found.plan.count, 'run')}, {failed}; {_duration(found, spent)}"
     rows = [
         (name, number(low), _values(found, low_run), number(high), _values(found, high_run))
         for name, low, low_run, high, high_run in _extremes(found)
@@ -100,12 +101,12 @@ def _duration(found: Sweep, spent: float) -> str:
     new = found.plan.count - found.resumed
     if not new:
         return "all of them were there from before"
-    before = f"{_runs(found.resumed)} from before, {_runs(new)} computed" if found.resumed else ""
+    before = (
+        f"{counted(found.resumed, 'run')} from before, {counted(new, 'run')} computed"
+        if found.resumed
+        else ""
+    )
     return f"{before or 'computed'} in {spent:.1f} s"
-
-
-def _runs(count: int) -> str:
-    return "1 run" if count == 1 else f"{count} runs"
 
 
 def _values(found: Sweep, run: int) -> str:

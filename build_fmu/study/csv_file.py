@@ -7,7 +7,7 @@ import io
 from collections.abc import Iterator
 from pathlib import Path
 
-from build_fmu.study.values import Mistake
+from build_fmu.study.values import Mistake, counted
 
 
 def csv_rows(path: Path, mistakes: list[Mistake]) -> Iterator[tuple[str, list[str]]]:
@@ -26,14 +26,10 @@ def csv_rows(path: Path, mistakes: list[Mistake]) -> Iterator[tuple[str, list[st
             if len(cells) == head:
                 yield where, cells
             else:
-                message = f"has {_cells(len(cells))}, and the header has {head}"
+                message = f"has {counted(len(cells), 'cell')}, and the header has {head}"
                 mistakes.append(Mistake(where, message, "put a text with a comma into quotes"))
     except csv.Error as error:
         mistakes.append(Mistake(f"{path}:{reader.line_num}", *_words(str(error))))
-
-
-def _cells(count: int) -> str:
-    return "1 cell" if count == 1 else f"{count} cells"
 
 
 def _words(error: str) -> tuple[str, str]:

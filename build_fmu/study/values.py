@@ -164,6 +164,11 @@ def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> 
     return f"known: {listed(names)}" if names else ""
 
 
+def counted(count: int, word: str) -> str:
+    """Number of things in words: 1 run, 2 runs."""
+    return f"{count} {word}" if count == 1 else f"{count} {word}s"
+
+
 def listed(names: Sequence[str]) -> str:
     """Names in one line, the first of them where there are many."""
     return ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from array import array
 from collections.abc import Iterable, Sequence
 
@@ -19,8 +18,12 @@ from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionE
 from solver.runtime.layout import TABLES, measured_sections
 from solver.runtime.model import Row, Rule, Variable
 from solver.runtime.options import DEFAULTS
-from solver.scene import Expr, ExpressionError, ForceElement, Scene
+from solver.scene import Expr, ExpressionError, Scene
 from solver.scene.collector import collector_paused
+from solver.scene.schema import TYPES
+
+FORCE_TYPES = {part.__name__: word for word, part in TYPES["forces"].items()}
+"""Type of a force as a scene has it, by the name of its class."""
 
 
 def assemble(scene: Scene) -> Model:
@@ -92,7 +95,7 @@ def model_of(scene: Scene) -> Model:
         rules=rules,
         rows=tuple(_rows(structure)),
         sampled=tuple(name for _, _, name in structure.sampled),
-        forces={name: _type(force) for name, force in scene.forces.items()},
+        forces={name: FORCE_TYPES[type(force).__name__] for name, force in scene.forces.items()},
         settings=_settings(scene),
         experiment=Experiment(
             start_time=scene.experiment.start_time,
@@ -101,11 +104,6 @@ def model_of(scene: Scene) -> Model:
             tolerance=scene.experiment.tolerance or scene.solver.tolerance or None,
         ),
     )
-
-
-def _type(force: ForceElement) -> str:
-    """Type of a force as a scene has it: "joint_torque" of a JointTorque."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", type(force).__name__).lower()
 
 
 def _settings(scene: Scene) -> dict[str, float | str | bool]:

@@ -23,7 +23,7 @@ else:
 
 
 SECTIONS = (("experiment", Experiment), ("solver", Solver))
-"""Tables of which each field is one of the scene's own."""
+"""Tables whose fields are the same in all scenes."""
 
 
 def apply_overrides(

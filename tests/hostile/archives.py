@@ -13,6 +13,7 @@ from pathlib import Path
 import solver
 from build_fmu import build
 from build_fmu.command_line import main
+from tests.fmu_instance import packed
 
 CPU_LIMIT = 5.0
 SCENE = """
@@ -98,7 +99,7 @@ def _damaged(chance: random.Random, good: bytes, files: dict[str, bytes]) -> byt
     else:
         prefix = chance.choice(["resources/", "binaries/", "binaries/linux64", "documentation/"])
         content = {name: text for name, text in files.items() if not name.startswith(prefix)}
-    return _packed(content)
+    return packed(content)
 
 
 def _damaged_bytes(chance: random.Random, good: bytes) -> bytes:
@@ -128,11 +129,3 @@ def _damaged_description(chance: random.Random, text: str) -> str:
     found = chance.choice(list(re.finditer(r'(\w+)="([^"]*)"', text)))
     attribute = chance.choice(["", f'{found[1]}="{chance.choice(WORDS)}"', f'odd="{found[2]}"'])
     return text[: found.start()] + attribute + text[found.end() :]
-
-
-def _packed(content: dict[str, bytes]) -> bytes:
-    data = io.BytesIO()
-    with zipfile.ZipFile(data, "w") as archive:
-        for name, text in content.items():
-            archive.writestr(zipfile.ZipInfo(name), text)
-    return data.getvalue()
