@@ -17,7 +17,7 @@ static int32_t set_leaf_at(const context *c, const int32_t *entry, double beta, 
         const double c0 = dot(c->k.u0 + DIM * forms[0], c->k.w0 + DIM * forms[0]);
         const double s0 = dot(c->k.u0 + DIM * forms[1], c->k.w0 + DIM * forms[1]);
         const double cb = local[entry[2]].s1, sb = local[entry[3]].s1;
-        leaf->x1 = c->k.sigma0[entry[1]] + atan2(c0 * sb - s0 * cb, c0 * cb + s0 * sb);
+        leaf->x1 = c->k.sigma0[entry[1]] + hm_atan2(c0 * sb - s0 * cb, c0 * cb + s0 * sb);
     }
     *value = leaf->x1;
     return status;

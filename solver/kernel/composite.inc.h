@@ -87,7 +87,7 @@ static int32_t set_angle(const double *first, const double *change, double theta
     const double g_c = -bend * x * s0 - c0 / radius2, g_s = bend * x * c0 - s0 / radius2, end2 = c1 * c1 + s1 * s1;
     leaf->dx = g * x;
     leaf->x0 = theta0;
-    if (point) leaf->x0 += atan2(first[0] * s1 - first[1] * c1, first[0] * c1 + first[1] * s1);
+    if (point) leaf->x0 += hm_atan2(first[0] * s1 - first[1] * c1, first[0] * c1 + first[1] * s1);
     leaf->x1 = leaf->x0 + leaf->dx;
     leaf->p[0] = -g * sm;
     leaf->p[1] = g * cm;
@@ -193,7 +193,7 @@ static double quantity_of(const context *c, int32_t j, const double *s)
     const int32_t kind = c->m->quantity_kind[j];
     if (kind == QUANTITY_FORM) return s[0];
     if (kind == QUANTITY_LENGTH) return sqrt(s[0]);
-    return atan2(s[1] + 0.0, s[0]) + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
+    return hm_atan2(s[1] + 0.0, s[0]) + 6.283185307179586477 * c->s.turns[j]; /* + 0.0: no negative zero */
 }
 
 /* Quantity j at the configuration (x, x_low) and, if wanted, its rate with velocities v. One whose direction is

@@ -34,7 +34,7 @@ static double length_for(const context *c, int p, double rate)
 {
     const method *x = method_of(c, p);
     const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, p) * rate * c->s.head[S_HORIZON]);
-    return fmin(pow(may, 1.0 / ORDERS[p]), x->fastest) / rate;
+    return fmin(hm_pow(may, 1.0 / ORDERS[p]), x->fastest) / rate;
 }
 
 /* Order and length of the steps to come, for the least number of iterations in a communication step of length `step`. */
@@ -81,7 +81,7 @@ static void begin_control(context *c)
     else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
     else if (head[S_ORDER_IN_USE] == 0.0) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     if (head[S_WANTED] > 0.0) return;
-    const double part = (c->damped ? 0.25 : 0.5) * pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
+    const double part = (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
     head[S_WANTED] = rate > 0.0 ? part / rate : INFINITY;
 }
 
@@ -100,7 +100,7 @@ static int is_rejected(context *c, double t, double h, double law_time, double s
     if (judged) share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(share, across);
-    const double change = pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
+    const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     head[S_WANTED] = h * fmin(fmax(change, 0.2), 2.0);
     if (share > REJECTED) return 1;
     if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);

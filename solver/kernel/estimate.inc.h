@@ -59,7 +59,7 @@ static double speed_scale(const context *c)
 static double relative_size(const context *c, double of_q, double of_v)
 {
     const double speed = speed_scale(c);
-    return hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
+    return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
 }
 
 /* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
@@ -89,9 +89,9 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     double difference;
     if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
-    const double turned = used->rate * pow(difference, 1.0 / (used->lower + 1.0));
+    const double turned = used->rate * hm_pow(difference, 1.0 / (used->lower + 1.0));
     e->rate = c->unweighted ? 0.0 : turned / h; /* the end that was not taken tells the error of the one that was */
-    e->mean = c->unweighted ? difference : used->mean * pow(turned, order + 1);
+    e->mean = c->unweighted ? difference : used->mean * hm_pow(turned, order + 1);
     /* Velocities are only known to round-off of places over h: shorter steps would show more of it, not less error. */
     e->is_noise = difference <= used->round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
     return 1;
@@ -127,7 +127,7 @@ HM_SELDOM static double velocity_defect(context *c, double h)
 }
 
 /* How many times larger than in the mean the mechanism's errors are at an order. */
-static double times_mean(const context *c, int p) { return p > 0 ? exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0; }
+static double times_mean(const context *c, int p) { return p > 0 ? hm_exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0; }
 
 /* Number of checks before that of the n-th step of an order, which is the 2nd, 8th, 32nd, 128th and every 256th; -1 for
    any other step.                                                                                               */
@@ -177,7 +177,7 @@ static void learn(context *c, int order, double t, double h, double law_time, co
     if (checks < 0 || e->is_noise || c->m->sensing) return;
     const double error = method_of(c, p)->remains * difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
-    const double found = log(fmin(fmax(error / e->mean, LEAST), c->damped ? MOST * MOST : MOST));
+    const double found = hm_log(fmin(fmax(error / e->mean, LEAST), c->damped ? MOST * MOST : MOST));
     double *learned = c->s.head + S_LEARNED_4 + p - 1;
     *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
 }

@@ -8,26 +8,26 @@
 static double sinc(double x)
 {
     const double x2 = x * x;
-    return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : sin(x) / x;
+    return x2 < 1e-4 ? 1.0 - x2 / 6.0 * (1.0 - x2 / 20.0 * (1.0 - x2 / 42.0)) : hm_sin(x) / x;
 }
 
 static double sinhc(double x)
 {
     const double x2 = x * x;
-    return x2 < 1e-4 ? 1.0 + x2 / 6.0 * (1.0 + x2 / 20.0 * (1.0 + x2 / 42.0)) : sinh(x) / x;
+    return x2 < 1e-4 ? 1.0 + x2 / 6.0 * (1.0 + x2 / 20.0 * (1.0 + x2 / 42.0)) : hm_sinh(x) / x;
 }
 
 /* (tanh x1 - tanh x0)/(x1 - x0) = sinhc(dx)/(cosh x0 cosh x1); a long step loses no digits by the difference. */
 static double tanh_slope(double x0, double x1, double dx)
 {
-    return fabs(dx) > 1.0 ? (tanh(x1) - tanh(x0)) / dx : 2.0 * sinhc(dx) / (cosh(x0 + x1) + cosh(dx));
+    return fabs(dx) > 1.0 ? (hm_tanh(x1) - hm_tanh(x0)) / dx : 2.0 * sinhc(dx) / (hm_cosh(x0 + x1) + hm_cosh(dx));
 }
 
 /* (log x1 - log x0)/(x1 - x0), both positive: 2 atanh(z)/dx with z = dx/(x0 + x1). */
 static double log_slope(double x0, double x1, double dx)
 {
     const double sum = x0 + x1, z = dx / sum, z2 = z * z;
-    const double ratio = z2 < 1e-4 ? 1.0 + z2 * (1.0 / 3.0 + z2 * (0.2 + z2 / 7.0)) : atanh(z) / z;
+    const double ratio = z2 < 1e-4 ? 1.0 + z2 * (1.0 / 3.0 + z2 * (0.2 + z2 / 7.0)) : hm_atanh(z) / z;
     return 2.0 * ratio / sum;
 }
 
@@ -43,7 +43,7 @@ static double asin_slope(double x0, double x1, double dx)
 /* (x1^n - x0^n)/(x1 - x0) for a whole number n: a sum of products, or of 1/x. */
 static double whole_power_slope(double x0, double x1, int n)
 {
-    if (n < 0) return -whole_power_slope(x0, x1, -n) / (pow(x0, -n) * pow(x1, -n));
+    if (n < 0) return -whole_power_slope(x0, x1, -n) / (hm_pow(x0, -n) * hm_pow(x1, -n));
     double sum = 0.0, power = 1.0; /* Horner's rule for sum_k x1^k x0^(n-1-k) */
     for (int k = 0; k < n; k++) {
         sum = sum * x1 + power;
@@ -57,12 +57,12 @@ static void power_slopes(double x0, double x1, double dx, double y0, double y1, 
 {
     if (dy == 0.0 && y0 == floor(y0) && fabs(y0) <= 16.0) {
         slope[0] = whole_power_slope(x0, x1, (int)y0);
-        slope[1] = x0 > 0.0 ? pow(x0, y0) * log(x0) : 0.0;
+        slope[1] = x0 > 0.0 ? hm_pow(x0, y0) * hm_log(x0) : 0.0;
         return;
     }
-    const double l0 = log(x0), l1 = log(x1), per_x = log_slope(x0, x1, dx), dl = per_x * dx;
+    const double l0 = hm_log(x0), l1 = hm_log(x1), per_x = log_slope(x0, x1, dx), dl = per_x * dx;
     const double middle = 0.5 * (y0 * l0 + y1 * l1), change = 0.5 * ((y0 + y1) * dl + (l0 + l1) * dy);
-    const double outer = exp(middle) * sinhc(0.5 * change);
+    const double outer = hm_exp(middle) * sinhc(0.5 * change);
     slope[0] = outer * 0.5 * (y0 + y1) * per_x;
     slope[1] = outer * 0.5 * (l0 + l1);
 }
@@ -96,9 +96,9 @@ static void operation_slopes(int32_t code, argument a, argument b, double f0, do
     case T_MUL: slope[0] = b.mean; slope[1] = a.mean; break;
     case T_DIV: slope[0] = b.mean / (b.x0 * b.x1); slope[1] = -a.mean / (b.x0 * b.x1); break;
     case T_POW: power_slopes(a.x0, a.x1, a.dx, b.x0, b.x1, b.dx, slope); break;
-    case T_SIN: slope[0] = cos(a.mean) * sinc(0.5 * a.dx); break;
-    case T_COS: slope[0] = -sin(a.mean) * sinc(0.5 * a.dx); break;
-    case T_TAN: slope[0] = sinc(a.dx) / (cos(a.x0) * cos(a.x1)); break;
+    case T_SIN: slope[0] = hm_cos(a.mean) * sinc(0.5 * a.dx); break;
+    case T_COS: slope[0] = -hm_sin(a.mean) * sinc(0.5 * a.dx); break;
+    case T_TAN: slope[0] = sinc(a.dx) / (hm_cos(a.x0) * hm_cos(a.x1)); break;
     case T_ASIN: slope[0] = asin_slope(a.x0, a.x1, a.dx); break;
     case T_ACOS: slope[0] = -asin_slope(a.x0, a.x1, a.dx); break;
     case T_ATAN: slope[0] = hm_angle_over(a.dx, 1.0 + a.x0 * a.x1); break;
@@ -109,10 +109,10 @@ static void operation_slopes(int32_t code, argument a, argument b, double f0, do
         break;
     }
     case T_SQRT: slope[0] = 1.0 / (f0 + f1); break;
-    case T_EXP: slope[0] = exp(a.mean) * sinhc(0.5 * a.dx); break;
+    case T_EXP: slope[0] = hm_exp(a.mean) * sinhc(0.5 * a.dx); break;
     case T_LOG: slope[0] = log_slope(a.x0, a.x1, a.dx); break;
-    case T_SINH: slope[0] = cosh(a.mean) * sinhc(0.5 * a.dx); break;
-    case T_COSH: slope[0] = sinh(a.mean) * sinhc(0.5 * a.dx); break;
+    case T_SINH: slope[0] = hm_cosh(a.mean) * sinhc(0.5 * a.dx); break;
+    case T_COSH: slope[0] = hm_sinh(a.mean) * sinhc(0.5 * a.dx); break;
     case T_TANH: slope[0] = tanh_slope(a.x0, a.x1, a.dx); break;
     case T_ABS: slope[0] = abs_slope(a.x0, a.x1); break;
     case T_MIN: case T_MAX: {

@@ -129,4 +129,6 @@ int64_t holonom_measured_size(const holonom_model *m)
     return motion + forces + 7 * (int64_t)m->n_bodies + reactions + 9 + m->dim + turning + 6;
 }
 
+double holonom_operate(int32_t code, double a, double b, double c) { return hm_operate(code, a, b, c); }
+
 void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }

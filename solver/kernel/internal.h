@@ -2,6 +2,7 @@
 #ifndef HOLONOM_INTERNAL_H
 #define HOLONOM_INTERNAL_H
 
+#include "elementary.h"
 #include "holonom.h"
 
 #include <float.h>
@@ -80,12 +81,14 @@ static inline void hm_add_product(double *high, double *low, double a, double b)
     *low += ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
+static inline double hm_square(double x) { return x * x; }
+
 /* atan2(x, y)/x, whose 0/0 is removable for y > 0, and its derivative with respect to x over x; with respect to y it
    is -1/(x^2 + y^2).                                                                                          */
 static inline double hm_angle_over(double x, double y)
 {
     const double z2 = x * x / (y * y);
-    return y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y : atan2(x, y) / x;
+    return y > 0.0 && z2 < 1e-4 ? (1.0 - z2 * (1.0 / 3.0 - z2 * (0.2 - z2 / 7.0))) / y : hm_atan2(x, y) / x;
 }
 
 static inline double hm_angle_over_bend(double x, double y, double angle_over)

@@ -38,7 +38,7 @@ static void derive_extent(context *c)
         EACH(k) low[k] = fmin(low[k], x[k]);
         EACH(k) high[k] = fmax(high[k], x[k]);
     }
-    EACH(k) extent2 += high[k] > low[k] ? pow(high[k] - low[k], 2) : 0.0;
+    EACH(k) extent2 += high[k] > low[k] ? hm_square(high[k] - low[k]) : 0.0;
     if (mass > 0.0) extent2 += gyration / mass;
     else if (gyration > 0.0) mass = gyration; /* pivoted bodies alone: their inertia, with unit arms */
     if (!(extent2 > 0.0)) extent2 = 1.0; /* all in one place: nothing tells a size */
@@ -82,8 +82,8 @@ static int32_t derive_scales(context *c)
         const int32_t j = i - m->n_form_rows, f = j < 0 ? m->row_form[i] : m->coincidence_form[j];
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
             const double inverse = 1.0 / node_mass[m->form_node[e]];
-            double g[DIM], square = pow(c->number[m->alpha_at + e], 2);
-            if (m->form_kind[f] & FORM_TURNED) square += pow(c->number[m->alpha_turn_at + e], 2);
+            double g[DIM], square = hm_square(c->number[m->alpha_at + e]);
+            if (m->form_kind[f] & FORM_TURNED) square += hm_square(c->number[m->alpha_turn_at + e]);
             entry_gradient(c, f, e, c->k.u0 + DIM * f, c->k.w0 + DIM * f, g);
             if (j < 0) sigma[i] += dot(g, g) * inverse;
             else EACH(k) sigma[m->n_form_rows + DIM * j + k] += square * inverse;
@@ -93,7 +93,7 @@ static int32_t derive_scales(context *c)
     if (status) return status;
     for (int32_t i = 0; i < m->n_rows; i++)
         if (!(sigma[i] > 0.0)) { /* a gradient that vanishes here need not do so later */
-            const double size2 = pow(c->number[m->extent_at + 1], 2);
+            const double size2 = hm_square(c->number[m->extent_at + 1]);
             sigma[i] = scale[i] * scale[i] / (size2 > 0.0 ? size2 : 1.0);
         }
     return HOLONOM_OK;

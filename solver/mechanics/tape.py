@@ -11,14 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import IntEnum
 
+from solver.runtime.operations import CODES
 from solver.scene import Expr, Number
-
-CODES = (
-    "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
-    "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
-    "and", "or", "not", "select", "sinh", "cosh", "tanh", "floor", "ceil", "mod",
-)  # fmt: skip
-"""Operation codes in the order of ``tape_code`` in ``solver/kernel/internal.h``."""
 
 CODE = {name: code for code, name in enumerate(CODES)}
 

@@ -60,6 +60,7 @@ def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
         ("state_size", ctypes.c_int64, [pointer]),
         ("work_size", ctypes.c_int64, [pointer]),
         ("measured_size", ctypes.c_int64, [pointer]),
+        ("operate", real, [integer, real, real, real]),
         ("evaluate", None, [pointer, pointer, integer]),
         ("initialise", integer, [pointer] * 4),
         ("residuals", None, [pointer] * 6),

@@ -9,6 +9,8 @@ import math
 import operator
 from collections.abc import Callable
 
+from solver.runtime.operations import in_core
+
 
 class ExpressionError(ValueError):
     """An expression that cannot be read or has no value.
@@ -51,26 +53,32 @@ def _maximum(x: float, y: float) -> float:
     return y if y > x else x
 
 
+def _in_core(function: Callable[..., float]) -> Callable[..., float]:
+    """Let the core calculate an elementary function: every machine then builds the same model."""
+    name = function.__name__
+    return lambda *values: in_core(name, function)(*values)
+
+
 OPERATIONS: dict[str, Callable[..., float]] = {
     "add": operator.add,
     "sub": operator.sub,
     "mul": operator.mul,
     "div": operator.truediv,
-    "pow": math.pow,
+    "pow": _in_core(math.pow),
     "neg": lambda x: -x,
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "atan": math.atan,
-    "atan2": math.atan2,
+    "sin": _in_core(math.sin),
+    "cos": _in_core(math.cos),
+    "tan": _in_core(math.tan),
+    "asin": _in_core(math.asin),
+    "acos": _in_core(math.acos),
+    "atan": _in_core(math.atan),
+    "atan2": _in_core(math.atan2),
     "sqrt": math.sqrt,
-    "exp": math.exp,
-    "log": math.log,
-    "sinh": math.sinh,
-    "cosh": math.cosh,
-    "tanh": math.tanh,
+    "exp": _in_core(math.exp),
+    "log": _in_core(math.log),
+    "sinh": _in_core(math.sinh),
+    "cosh": _in_core(math.cosh),
+    "tanh": _in_core(math.tanh),
     "abs": math.fabs,
     "floor": _whole(math.floor),
     "ceil": _whole(math.ceil),
@@ -140,7 +148,12 @@ def apply(op: str, *values: float) -> float:
     except ValueError:
         value, reason = math.nan, "no real value"
     else:
-        reason = "larger than any floating-point number"
+        pole = op == "log" or (op == "pow" and values[0] == 0.0)
+        reason = (
+            "no real value"
+            if pole or math.isnan(value)
+            else "larger than any floating-point number"
+        )
     if not math.isfinite(value):
         text = written(
             op, tuple(f"({v:g})" if v < 0.0 and op in INFIX else f"{v:g}" for v in values)

@@ -1,0 +1,29 @@
+"""Operations of the core, one at a time: what is calculated here has the bits of what runs there."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+
+from .kernel import KernelMissingError, load_library
+
+CODES = (
+    "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
+    "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
+    "and", "or", "not", "select", "sinh", "cosh", "tanh", "floor", "ceil", "mod",
+)  # fmt: skip
+"""Operation codes in the order of ``tape_code`` in ``solver/kernel/internal.h``."""
+
+
+@functools.cache
+def in_core(name: str, fallback: Callable[..., float]) -> Callable[..., float]:
+    """Return an operation on floats; `fallback` where there is no compiled kernel.
+
+    It returns NaN where there is no real value, and an infinity where the result is too large.
+    """
+    try:
+        operate = load_library(2).holonom_operate
+    except KernelMissingError:  # whoever runs the model says so
+        return fallback
+    code = CODES.index(name)
+    return lambda a, b=0.0: operate(code, a, b, 0.0)
