@@ -1,4 +1,4 @@
-/* Tables of elementary.c. Written by build_kernel/elementary_tables.py; do not edit. */
+/* Tables of elementary.c, written by build_kernel/elementary_tables.py. */
 
 /* 2^(j/64) */
 static const pair ROOTS_OF_TWO[64] = {
@@ -36,7 +36,7 @@ static const pair ROOTS_OF_TWO[64] = {
     {0x1.f50765b6e4540p+0, 0x1.9d3e12dd8a18bp-54}, {0x1.fa7c1819e90d8p+0, 0x1.74853f3a5931ep-55}
 };
 
-/* of nine bits: 1/c for the class j of mantissas from 0.6875 */
+/* 1/c for the class j of mantissas from 0.6875 on */
 static const double RECIPROCALS[128] = {
     0x1.7380000000000p+0, 0x1.7100000000000p+0, 0x1.6f00000000000p+0, 0x1.6d00000000000p+0, 0x1.6b00000000000p+0, 0x1.6900000000000p+0, 0x1.6700000000000p+0, 0x1.6500000000000p+0,
     0x1.6300000000000p+0, 0x1.6180000000000p+0, 0x1.5f80000000000p+0, 0x1.5d80000000000p+0, 0x1.5b80000000000p+0, 0x1.5a00000000000p+0, 0x1.5800000000000p+0, 0x1.5600000000000p+0,
@@ -56,7 +56,7 @@ static const double RECIPROCALS[128] = {
     0x1.8500000000000p-1, 0x1.8300000000000p-1, 0x1.8000000000000p-1, 0x1.7e00000000000p-1, 0x1.7c00000000000p-1, 0x1.7a00000000000p-1, 0x1.7800000000000p-1, 0x1.7500000000000p-1
 };
 
-/* log c, the first part a multiple of 2^-42 */
+/* log c, its first part a multiple of 2^-42 */
 static const pair LOGARITHMS[128] = {
     {-0x1.7d4eeef5ef000p-2, 0x1.c9018f8f27d8fp-45}, {-0x1.7664e1239e000p-2, 0x1.0c4fb6aeb27afp-44},
     {-0x1.70d42e2789000p-2, -0x1.1aead337ee287p-45}, {-0x1.6b3bb22359000p-2, -0x1.0f6257a933268p-44},

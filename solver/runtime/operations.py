@@ -1,4 +1,4 @@
-"""Operations of the core, one at a time: what is calculated here has the bits of what runs there."""
+"""Operations of the core, one at a time: a value from here has the bits of one from a run."""
 
 from __future__ import annotations
 
