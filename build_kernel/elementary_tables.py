@@ -42,7 +42,7 @@ def parts(x: Any, bits: int, count: int) -> list[str]:
 
 
 def reciprocal(j: int) -> Any:
-    """1/c of nine bits after the point, c in the middle of the class j of mantissas from 0.6875 on."""
+    """1/c of nine bits after the point, c in the middle of the class j of mantissas."""
     if j in (79, 80):  # on either side of 1, so that logarithms near 0 keep their digits
         return mpf(1)
     low, width = (mpf(176 + j) / 256, 256) if j < 80 else (mpf(48 + j) / 128, 128)

@@ -1,17 +1,11 @@
 /* Elementary functions. Systems' own differ in the last bit, and with them the motion; these use IEEE additions,
    multiplications, divisions and square roots alone, and carry what rounding leaves as a second number (Dekker 1971). */
 #include "elementary.h"
+#include "rounding.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
-
-#ifdef __FAST_MATH__
-#error "elementary.c needs IEEE arithmetic: compile it without -ffast-math"
-#endif
-#ifdef __clang__
-#pragma STDC FP_CONTRACT OFF
-#endif
 
 /* An unevaluated sum; the second number is at most an ulp of the first. */
 typedef struct { double hi, lo; } pair;

@@ -4,6 +4,7 @@
 
 #include "elementary.h"
 #include "holonom.h"
+#include "rounding.h"
 
 #include <float.h>
 #include <math.h>

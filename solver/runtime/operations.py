@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 
-from .kernel import KernelMissingError, load_library
+from .kernel import load_library
 
 CODES = (
     "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
@@ -16,14 +16,15 @@ CODES = (
 
 
 @functools.cache
-def in_core(name: str, fallback: Callable[..., float]) -> Callable[..., float]:
-    """Return an operation on floats; `fallback` where there is no compiled kernel.
+def in_core(name: str) -> Callable[..., float]:
+    """Return an operation on floats.
 
-    It returns NaN where there is no real value, and an infinity where the result is too large.
+    Its value is NaN where there is no real one, and an infinity where the result is too large.
+
+    Raises
+    ------
+    KernelMissingError
+        When there is no compiled kernel.
     """
-    try:
-        operate = load_library(2).holonom_operate
-    except KernelMissingError:  # whoever runs the model says so
-        return fallback
-    code = CODES.index(name)
+    operate, code = load_library(2).holonom_operate, CODES.index(name)
     return lambda a, b=0.0: operate(code, a, b, 0.0)

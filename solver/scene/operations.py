@@ -53,10 +53,9 @@ def _maximum(x: float, y: float) -> float:
     return y if y > x else x
 
 
-def _in_core(function: Callable[..., float]) -> Callable[..., float]:
+def _in_core(name: str) -> Callable[..., float]:
     """Let the core calculate an elementary function: every machine then builds the same model."""
-    name = function.__name__
-    return lambda *values: in_core(name, function)(*values)
+    return lambda *values: in_core(name)(*values)
 
 
 OPERATIONS: dict[str, Callable[..., float]] = {
@@ -64,21 +63,21 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "sub": operator.sub,
     "mul": operator.mul,
     "div": operator.truediv,
-    "pow": _in_core(math.pow),
+    "pow": _in_core("pow"),
     "neg": lambda x: -x,
-    "sin": _in_core(math.sin),
-    "cos": _in_core(math.cos),
-    "tan": _in_core(math.tan),
-    "asin": _in_core(math.asin),
-    "acos": _in_core(math.acos),
-    "atan": _in_core(math.atan),
-    "atan2": _in_core(math.atan2),
+    "sin": _in_core("sin"),
+    "cos": _in_core("cos"),
+    "tan": _in_core("tan"),
+    "asin": _in_core("asin"),
+    "acos": _in_core("acos"),
+    "atan": _in_core("atan"),
+    "atan2": _in_core("atan2"),
     "sqrt": math.sqrt,
-    "exp": _in_core(math.exp),
-    "log": _in_core(math.log),
-    "sinh": _in_core(math.sinh),
-    "cosh": _in_core(math.cosh),
-    "tanh": _in_core(math.tanh),
+    "exp": _in_core("exp"),
+    "log": _in_core("log"),
+    "sinh": _in_core("sinh"),
+    "cosh": _in_core("cosh"),
+    "tanh": _in_core("tanh"),
     "abs": math.fabs,
     "floor": _whole(math.floor),
     "ceil": _whole(math.ceil),
