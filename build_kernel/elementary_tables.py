@@ -1,4 +1,4 @@
-"""Write solver/kernel/elementary_tables.h from its definitions; needs mpmath.
+"""Write the tables of the core's elementary functions from their definitions; needs mpmath.
 
 python -m build_kernel.elementary_tables
 """
@@ -10,7 +10,7 @@ from typing import Any
 
 from mpmath import asin, atan, chebyfit, floor, log, mp, mpf, nint, pi, sqrt
 
-HEADER = Path(__file__).parent.parent / "solver" / "kernel" / "elementary_tables.h"
+KERNEL = Path(__file__).parent.parent / "solver" / "kernel"
 WORDS = 40
 """Of 32 bits of 2/pi: those that the largest double needs."""
 
@@ -65,47 +65,64 @@ def array(kind: str, name: str, comment: str, items: list[str], per_line: int) -
     return f"/* {comment} */\nstatic const {kind} {name}[{len(items)}] = {{\n    {body}\n}};\n"
 
 
-def header() -> str:
-    """Return the text of the header."""
-    with mp.workprec(300):
-        roots = [pair(mpf(2) ** (mpf(j) / 64)) for j in range(64)]
-        logs = [-log(reciprocal(j)) for j in range(128)]
-        tables = [
-            array("pair", "ROOTS_OF_TWO", "2^(j/64)", roots, 2),
-            array(
-                *("double", "RECIPROCALS", "1/c for the class j of mantissas from 0.6875 on"),
-                *([text(reciprocal(j)) for j in range(128)], 8),
-            ),
-            array(
-                *("pair", "LOGARITHMS", "log c, its first part a multiple of 2^-42"),
-                *([pair(x, rounded(x, 42)) for x in logs], 2),
-            ),
-            array("pair", "ANGLES", "atan(j/32)", [pair(atan(mpf(j) / 32)) for j in range(33)], 2),
-            array(
-                *("pair", "LN2", "the first part a multiple of 2^-42"),
-                *([pair(log(2), rounded(log(2), 42))], 1),
-            ),
-            array(
-                *("double", "LN2_OVER_64", "the first part of 32 bits"),
-                *(parts(log(2) / 64, 32, 2), 2),
-            ),
-            array(
-                *("double", "HALF_PI", "three parts of 33 bits, and the rest"),
-                *(parts(pi / 2, 33, 4), 4),
-            ),
-            array("pair", "PI", "pi/2 and pi", [pair(pi / 2), pair(pi)], 2),
-            array(
-                *("double", "ARCSINE", "(asin s/s - 1)/s^2 in powers of s^2 up to 1/4"),
-                *(arcsine(13), 4),
-            ),
-        ]
+def exponential() -> list[str]:
+    """Tables of exponential.c."""
+    roots = [pair(mpf(2) ** (mpf(j) / 64)) for j in range(64)]
+    logs = [-log(reciprocal(j)) for j in range(128)]
+    return [
+        array("pair", "ROOTS_OF_TWO", "2^(j/64)", roots, 2),
+        array(
+            *("double", "RECIPROCALS", "1/c for the class j of mantissas from 0.6875 on"),
+            *([text(reciprocal(j)) for j in range(128)], 8),
+        ),
+        array(
+            *("pair", "LOGARITHMS", "log c, its first part a multiple of 2^-42"),
+            *([pair(x, rounded(x, 42)) for x in logs], 2),
+        ),
+        array(
+            *("pair", "LN2", "the first part a multiple of 2^-42"),
+            *([pair(log(2), rounded(log(2), 42))], 1),
+        ),
+        array(
+            *("double", "LN2_OVER_64", "the first part of 32 bits"),
+            *(parts(log(2) / 64, 32, 2), 2),
+        ),
+    ]
+
+
+def trigonometric() -> list[str]:
+    """Tables of trigonometric.c."""
     with mp.workprec(32 * WORDS + 64):
         bits = int(floor(2 / pi * mpf(2) ** (32 * WORDS)))
-        words = [f"0x{bits >> 32 * k & 0xFFFFFFFF:08x}" for k in reversed(range(WORDS))]
-        tables.append(array("uint32_t", "TWO_OVER_PI", "bits of 2/pi", words, 8))
-    first = "/* Tables of elementary.c, written by build_kernel/elementary_tables.py. */\n"
-    return "\n".join([first, *tables])
+    words = [f"0x{bits >> 32 * k & 0xFFFFFFFF:08x}" for k in reversed(range(WORDS))]
+    return [
+        array("pair", "ANGLES", "atan(j/32)", [pair(atan(mpf(j) / 32)) for j in range(33)], 2),
+        array(
+            *("double", "HALF_PI", "three parts of 33 bits, and the rest"),
+            *(parts(pi / 2, 33, 4), 4),
+        ),
+        array("pair", "PI", "pi/2 and pi", [pair(pi / 2), pair(pi)], 2),
+        array(
+            *("double", "ARCSINE", "(asin s/s - 1)/s^2 in powers of s^2 up to 1/4"),
+            *(arcsine(13), 4),
+        ),
+        array("uint32_t", "TWO_OVER_PI", "bits of 2/pi", words, 8),
+    ]
+
+
+def headers() -> dict[Path, str]:
+    """Return the text of each header."""
+    found = {}
+    with mp.workprec(300):
+        for tables in (exponential, trigonometric):
+            name = f"{tables.__name__}_tables"
+            guard = f"HOLONOM_{name.upper()}_H"
+            first = f"/* Written by build_kernel/elementary_tables.py. */\n#ifndef {guard}\n"
+            first += f'#define {guard}\n\n#include "double_double.h"\n'
+            found[KERNEL / f"{name}.h"] = "\n".join([first, *tables(), "#endif\n"])
+    return found
 
 
 if __name__ == "__main__":
-    HEADER.write_text(header(), "utf-8")
+    for path, content in headers().items():
+        path.write_text(content, "utf-8")

@@ -20,7 +20,8 @@ import mpmath
 
 from build_kernel.compiler import system_compiler, zig_compiler
 
-SOURCES = Path(__file__).parent.parent / "solver" / "kernel"
+KERNEL = Path(__file__).parent.parent / "solver" / "kernel"
+SOURCES = [str(KERNEL / name) for name in ("exponential.c", "trigonometric.c")]
 ONE = (
     "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "atanh",
 )  # fmt: skip
@@ -34,7 +35,7 @@ def library() -> ctypes.CDLL:
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "elementary.so")
         flags = ["-std=c99", "-O3", "-ffp-contract=off", "-fPIC", "-shared"]
-        command = [*compiler, *flags, "-o", str(target), str(SOURCES / "elementary.c"), "-lm"]
+        command = [*compiler, *flags, "-o", str(target), *SOURCES, "-lm"]
         subprocess.run(command, check=True)
         return ctypes.CDLL(str(target))
 

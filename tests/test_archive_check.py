@@ -157,10 +157,10 @@ def test_an_archive_of_too_much_is_refused_before_it_is_unpacked(tmp_path, monke
             archive.writestr(name, text)
     archive_check.require_whole(bomb)
     monkeypatch.setattr(archive_check, "MOST_BYTES", 10**7)
-    with pytest.raises(UsageError, match=r"unpacked it has \d+ bytes in 40 files; an FMU has at"):
+    with pytest.raises(UsageError, match=r"unpacked it has \d+ bytes in \d+ files; an FMU has at"):
         run_fmu(bomb)
     monkeypatch.setattr(archive_check, "MOST_FILES", 39)
-    with pytest.raises(UsageError, match="in 40 files"):
+    with pytest.raises(UsageError, match=r"in \d+ files"):
         description_of(bomb)
 
 
