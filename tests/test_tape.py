@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from solver.mechanics.tape import CODES, Segment, Tape
 from solver.runtime.kernel import Kernel
-from solver.runtime.reference import Reference
 from solver.scene.expression import Expr, ExpressionError, evaluate, operate, symbol
 from solver.scene.operations import OPERATIONS, apply
 from tests.twins import PENDULUM, model_of, start
@@ -68,7 +67,7 @@ leaves = st.sampled_from(NAMES).map(symbol) | finite
 expressions = st.recursive(leaves, _operations, max_leaves=25)
 
 
-@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("engine", [Kernel])
 @settings(max_examples=500)
 @given(expressions, values, values, values)
 def test_the_tape_has_the_value_of_its_expression(engine, number, a, b, c):
@@ -85,7 +84,7 @@ def test_every_operation_of_expressions_has_a_code():
     assert set(CODES) == {"copy", *OPERATIONS}
 
 
-@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("engine", [Kernel])
 @pytest.mark.parametrize("name", sorted(ARITY))
 def test_each_code_means_its_operation(engine, name):
     for arguments in ((0.3, 0.7, 2.0), (0.7, 0.3, -1.0), (0.5, 0.5, 4.0), (0.0, 0.4, 3.0)):
@@ -100,7 +99,7 @@ def test_each_code_means_its_operation(engine, name):
 NAN = {"a": math.nan, "b": 2.0, "c": -3.0}
 
 
-@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("engine", [Kernel])
 @pytest.mark.parametrize(
     ("name", "operands", "expected"),
     [
@@ -129,7 +128,7 @@ def test_what_has_no_value_is_handed_on_and_never_hidden(engine, name, operands,
     assert value == expected or (math.isnan(value) and math.isnan(expected))
 
 
-@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("engine", [Kernel])
 @pytest.mark.parametrize(
     ("name", "arguments", "expected"),
     [
@@ -154,7 +153,7 @@ def test_beyond_its_domain_an_operation_is_that_of_ieee_754(engine, name, argume
     assert value == expected or (math.isnan(value) and math.isnan(expected))
 
 
-@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("engine", [Kernel])
 @pytest.mark.parametrize("name", ["min", "max"])
 @pytest.mark.parametrize("zeros", [(0.0, -0.0), (-0.0, 0.0)])
 def test_of_two_equal_numbers_the_first_is_taken(engine, name, zeros):
@@ -164,7 +163,7 @@ def test_of_two_equal_numbers_the_first_is_taken(engine, name, zeros):
     assert same_bits(value, apply(name, *zeros))
 
 
-@pytest.mark.parametrize("engine", [Kernel, Reference])
+@pytest.mark.parametrize("engine", [Kernel])
 @pytest.mark.parametrize("x", [-7.25, -7.0, -0.5, -0.0, 0.0, 0.5, 7.0, 7.25, 1e300])
 @pytest.mark.parametrize("y", [2.0, -2.0, 0.1])
 def test_what_rounds_has_the_bits_of_its_expression(engine, x, y):
