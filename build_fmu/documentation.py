@@ -53,8 +53,7 @@ _NEEDS = (
     "It needs Python 3.10 or newer on the machine that runs it, and no package. A host that is not "
     "a Python program must find libpython there; on Linux preload it: "
     "LD_PRELOAD=libpython3.x.so.1.0 host. The compiled kernel inside is for "
-    f"{sysconfig.get_platform()}; on another platform the FMU computes with NumPy, which must be "
-    "installed there and is some hundred times slower."
+    f"{sysconfig.get_platform()}; on another platform no instance can be made: build it there."
 )
 _SETTINGS = "Settings of the solver"
 _SECTIONS = {

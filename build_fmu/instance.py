@@ -168,8 +168,8 @@ def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Sl
     except Exception as error:  # fmpy raises a bare Exception
         reason = " ".join(log.reason(str(error)).split())
         text = (
-            f"{unit.modelIdentifier} cannot be instantiated: is the archive damaged? Build it "
-            f"again ({reason})"
+            f"{unit.modelIdentifier} cannot be instantiated: {reason}; if the archive is damaged, "
+            "build it again"
         )
         raise UsageError(text) from None
     return fmu

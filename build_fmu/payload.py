@@ -3,7 +3,6 @@
     holonom_<12 hex digits>_slave.py    names the class for pythonfmu's library
     holonom_<12 hex digits>/            slave.py, status.py, ... of fmu_src
         runtime/                        solver.runtime
-        runtime/reference.zip           its NumPy reference, which few platforms ever open
         runtime/_kernel/                the kernel for the mechanism's dimension
         pythonfmu/                      what a running Fmi2Slave needs of pythonfmu
 
@@ -24,7 +23,6 @@ import importlib.util
 import io
 import re
 import tokenize
-import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -51,13 +49,6 @@ from {package}.slave import Slave as Slave
 # pythonfmu's library runs this file once per instance and then releases a reference to the module's
 # dictionary that it does not own; without this one the second instance reads freed memory.
 ctypes.pythonapi.Py_IncRef(ctypes.py_object(globals()))
-"""
-_REFERENCE = "runtime/reference"
-_REFERENCE_MODULE = """import os
-
-__path__ = [os.path.join(os.path.dirname(__file__), "reference.zip")]
-
-from .reference.engine import Reference as Reference
 """
 _DESTINATION = {"solver.runtime": "runtime", "pythonfmu": "pythonfmu"}
 
@@ -121,19 +112,10 @@ def _fmu_src() -> dict[str, bytes]:
     return _modules(package_folder("fmu_src"), "")
 
 
-@functools.cache
 def _runtime() -> dict[str, bytes]:
     files = _modules(package_folder("solver") / "runtime", "runtime/")
-    inner = {path: data for path, data in files.items() if path.startswith(f"{_REFERENCE}/")}
-    files = {path: data for path, data in files.items() if path not in inner}
-    # Small files compress badly; these are stored side by side, and deflated as one.
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w") as archive:
-        for path, data in inner.items():
-            archive.writestr(zipfile.ZipInfo(path.removeprefix(f"{_REFERENCE}/")), data)
-    files[f"{_REFERENCE}.zip"] = packed.getvalue()
-    files[f"{_REFERENCE}.py"] = _REFERENCE_MODULE.encode()
-    return files
+    # The NumPy reference is for tests alone.
+    return {path: data for path, data in files.items() if "/reference/" not in path}
 
 
 def _kernels(dimension: int) -> dict[str, bytes]:

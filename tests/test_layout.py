@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+import sysconfig
 from pathlib import Path
 
 import pytest
 
-from solver.runtime import kernel
+from solver.runtime import Integrator, kernel
 from solver.runtime.errors import Status
 from solver.runtime.layout import ABI, HEAD, OFFSETS, SIZES, TABLES
 from solver.runtime.options import CHOICES
+from tests.twins import PENDULUM, model_of
 
 HEADER = (Path(__file__).parents[1] / "solver" / "kernel" / "holonom.h").read_text("utf-8")
 CODE = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)
@@ -71,3 +73,28 @@ def test_a_kernel_of_another_version_is_not_taken(monkeypatch):
 def test_a_kernel_for_the_plane_is_not_taken_for_space():
     with pytest.raises(kernel.KernelMissingError, match="another version"):
         kernel.load_library(3, kernel.library_path(2))
+
+
+@pytest.mark.parametrize(
+    ("head", "expected"),
+    [
+        (b"\x7fELF\x02\x01\x01".ljust(18, b"\0") + b"\xb7\0", "linux-aarch64"),
+        (b"MZ".ljust(60, b"\0") + b"\x80".ljust(68, b"\0") + b"PE\0\0\x64\x86", "win-amd64"),
+        (b"\xcf\xfa\xed\xfe\x0c\0\0\x01", "macosx-arm64"),
+        (b"text", "another machine (libholonom.so)"),
+    ],
+)
+def test_the_platform_of_a_library_is_read_from_its_first_bytes(tmp_path, head, expected):
+    path = tmp_path / "libholonom.so"
+    path.write_bytes(head)
+    assert kernel.library_platform(str(path)) == expected
+
+
+def test_a_missing_kernel_is_reported_with_platform_and_remedy(monkeypatch, tmp_path):
+    monkeypatch.setattr(kernel, "library_path", lambda _: str(tmp_path / "libholonom_planar.so"))
+    with pytest.raises(kernel.KernelMissingError) as missing:
+        Integrator(model_of(PENDULUM))
+    assert str(missing.value) == (
+        f"no kernel for this platform, {sysconfig.get_platform()}: the folder {tmp_path} has no "
+        "kernel; build the FMU on this platform, or compile the kernel: python -m build_kernel"
+    )

@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 import solver
-from solver.runtime import Integrator, kernel
-from solver.runtime.reference import Reference
 from solver.runtime.reference.course import Course, Present
 from solver.runtime.reference.forces import couple
 from solver.runtime.reference.laws import elements, tangent
@@ -221,20 +219,6 @@ def test_sums_keep_what_rounding_leaves_over():
     for _ in range(1000):
         add(high, low, np.array([0.1]))
     assert high[0] - 1e16 + low[0] == pytest.approx(100.0, rel=1e-13)
-
-
-def test_the_reference_stands_in_for_a_kernel_that_is_not_there(monkeypatch, tmp_path):
-    model = model_of(PENDULUM)
-    monkeypatch.setattr(kernel, "library_path", lambda _: tmp_path / "libholonom.so")
-    said: list[str] = []
-    run = Integrator(model, log=said.append)
-    assert isinstance(run.engine, Reference)
-    assert len(said) == 1
-    assert "NumPy reference replaces it" in said[0]
-    with pytest.warns(RuntimeWarning, match="NumPy reference replaces it"):
-        Integrator(model)
-    with pytest.raises(kernel.KernelMissingError, match="no kernel for this platform"):
-        Integrator(model, kernel="c")
 
 
 def test_a_whole_run_on_the_reference_keeps_energy_and_constraints():

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from .errors import OptionError, tell
-from .kernel import Kernel, KernelMissingError
+from .errors import OptionError
+from .kernel import Kernel
 from .model import Model
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
@@ -13,29 +11,21 @@ if TYPE_CHECKING:
     from .engine import Engine
 
 
-def engine_for(model: Model, kernel: str, log: Callable[[str], None] | None) -> Engine:
-    """Bind a model to the compiled kernel, or to the NumPy reference.
-
-    That the reference steps in is said in the log, or in a warning if there is none.
+def engine_for(model: Model, kernel: str) -> Engine:
+    """Bind a model to the compiled kernel, or, in tests, to the NumPy reference.
 
     Raises
     ------
     OptionError
         When there is no such kernel.
     KernelMissingError
-        When `kernel` is "c" and it was not built, or belongs to another version.
+        When no compiled kernel fits this platform, or it belongs to another version.
     """
     if kernel not in ("auto", "c", "numpy"):
         message = f"kernel: must be auto, c or numpy, got {kernel!r}"
         raise OptionError(message)
     if kernel != "numpy":
-        try:
-            return Kernel(model)
-        except KernelMissingError as missing:
-            if kernel == "c":
-                raise
-            slower = f"{missing}; the NumPy reference replaces it, some hundred times slower"
-            tell(log, slower)
-    from .reference import Reference  # NumPy is imported here and nowhere else
+        return Kernel(model)
+    from .reference import Reference  # no part of an archive; NumPy is imported here alone
 
     return Reference(model)

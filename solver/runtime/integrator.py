@@ -36,7 +36,7 @@ class Integrator:
     model : Model
         What to move.
     kernel : {"auto", "c", "numpy"}
-        The compiled kernel, its NumPy reference, or the first if there is one.
+        The compiled kernel ("auto" and "c"), or its NumPy reference.
     log : callable, optional
         Receives one sentence whenever something happens that a user should know; without it such a
         sentence is a RuntimeWarning.
@@ -46,7 +46,7 @@ class Integrator:
         self, model: Model, *, kernel: str = "auto", log: Callable[[str], None] | None = None
     ) -> None:
         self.model, self._log = model, log
-        self.engine = engine_for(model, kernel, log)
+        self.engine = engine_for(model, kernel)
         self.state = State(model, self.engine.state)
         self._base = model.offsets["measured"]
         self._rules_of_laws = rules_of_laws(model)
