@@ -1,4 +1,4 @@
-"""Runs of models written by hand, on the kernel or on the reference."""
+"""Runs of models written by hand."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from solver.runtime import State, Status
 from solver.runtime.kernel import Kernel
 from solver.runtime.layout import measured_sections
 from solver.runtime.options import DEFAULTS, encode
-from solver.runtime.reference import Reference
 from tests.hand_models import Hand
 
 Array = NDArray[np.float64]
@@ -20,9 +19,9 @@ Array = NDArray[np.float64]
 class Run:
     """A model in motion; the integrator's checks of scenes are left out."""
 
-    def __init__(self, hand: Hand, engine="numpy", **settings: float | str | bool) -> None:
+    def __init__(self, hand: Hand, **settings: float | str | bool) -> None:
         self.model = hand.model()
-        self.engine = Kernel(self.model) if engine == "c" else Reference(self.model)
+        self.engine = Kernel(self.model)
         self.state = State(self.model, self.engine.state)
         self.head, self.vectors = self.state.head, self.state.vectors
         for name, default in (DEFAULTS | {"assemble": False}).items():

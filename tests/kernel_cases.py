@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from tests.twins import EVERYTHING, FORMULATIONS, SCENES, model_of
+from tests.zoo import PLANE, SPACE
 
 SOURCES = {path.stem: path for path in SCENES}
 SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}
+ZOO = {"zoo in the plane": PLANE, "zoo in space": SPACE}
 
 LADDER = (
     *(f"{formulation} nested" for formulation in FORMULATIONS),

@@ -1,0 +1,236 @@
+"""One half step of García Orden & Ortega, with w = d - h v and mu as unknowns.
+
+With d = q_n1 - q_n and v_n1 = 2 d/h - v_n the momentum balance is
+
+    R = (2/h) M w + h [ G_bar' mu - Q ] = 0,                                               (5, 15)
+
+and in every formulation the total multiplier is mu = lam + alpha C,
+
+    conserving-al, conserving-penalty    C = (Phi_n + Phi_n1)/2                            (15, 9)
+    midpoint-al, midpoint-penalty        C = Phi(q_mid)                                    (5, 7)
+    penalty-velocity                     C = Phi'' + 2 xi omega Phi' + omega^2 Phi at q_mid (3)
+
+with lam = 0 in the penalty formulations. The augmented ones update lam (Uzawa) until the rows hold.
+Driven nodes have d = b(t_n1) - q_n; R there, over h, is the force that moves them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tests.oracle.forces import applied, laws, stored_energy
+from tests.oracle.mechanism import TURN, Array, Mechanism
+from tests.oracle.path import Path
+
+HALVES = ("first", "second")
+TINY = 1e-30
+"""Imaginary step of a derivative: neither truncation nor cancellation."""
+
+
+class Residual:
+    """Residual of momentum balance and rows of a half step of length h at time t."""
+
+    def __init__(self, mechanism: Mechanism, h: float, t: float | None = None) -> None:
+        self.mechanism, self.h = mechanism, h
+        head = mechanism.head
+        self.signal_n1 = mechanism.signals((head["time"] if t is None else t) + h)
+        self.h_v = h * mechanism.vectors["v"] + h * mechanism.vectors["v_low"]
+        n, driven = mechanism.n_free, mechanism.n - mechanism.n_free
+        q, q_low = mechanism.vectors["q"], mechanism.vectors["q_low"]
+        self.d_driven = (self.signal_n1[:driven] - q[n:]) - q_low[n:]
+        self.phi_n = rows_now(mechanism)
+        self.alpha = penalties(mechanism, h)
+        self.conserving = mechanism.formulation.startswith("conserving")
+        self.augmented = "-al" in mechanism.formulation
+        self._beta: dict[int, float] = {}
+
+    def d(self, w: Array) -> Array:
+        """Increment q_n1 - q_n of all moving nodes."""
+        return np.concatenate([self.h_v[: len(w)] + w, self.d_driven])
+
+    def path(self, w: Array) -> Path:
+        """Half step by w."""
+        return Path(self.mechanism, self.d(w), self.signal_n1, self.h)
+
+    def rows(self, path: Path) -> tuple[Array, Array, Array]:
+        """Changes Phi_n1 - Phi_n (r,) of the rows, G_bar (r, n), and the signals' parts (r,)."""
+        mechanism, view = self.mechanism, path.over_step()
+        forms, coincidences, functions, velocities = mechanism.row_kinds
+        change = np.zeros(mechanism.n_rows, dtype=path.d.dtype)
+        by_signals, G_bar = change.copy(), np.zeros((len(change), mechanism.n), path.d.dtype)
+        change[forms] = view.ds[mechanism.row_form]
+        G_bar[forms] = view.gradients[mechanism.row_form]
+        G_bar[coincidences] = mechanism.U[mechanism.coincidence_form].reshape(-1, mechanism.n)
+        change[coincidences] = G_bar[coincidences] @ path.d
+        for row, function in enumerate(mechanism.function_rows, functions.start):
+            value, G_bar[row], slopes = view.function(function)
+            change[row] = value.d
+            if mechanism.formulation == "conserving-al-beta":  # beta itself is held fixed
+                if np.isrealobj(path.d):
+                    scale = mechanism.section["row_scale"][row]
+                    self._beta[row] = path.beta(function, value.d, scale)
+                _, G_bar[row], slopes = path.at(self._beta[row]).function(function)
+            by_signals[row] = slopes @ path.dsignal
+        for row, function in enumerate(mechanism.velocity_rows, velocities.start):
+            change[row], G_bar[row], by_signals[row] = view.rolling(function)
+        return change, G_bar, by_signals
+
+    def measure(self, path: Path, change: Array, G_bar: Array) -> Array:
+        """Measure C (r,) of the rows that makes the multipliers."""
+        if self.conserving:
+            return self.phi_n + 0.5 * change
+        form = self.mechanism.row_form
+        bend = 0.0 * change  # d' H d of quadratic rows
+        bend[: len(form)] = 2.0 * np.sum(path.du[form] * path.dw[form], axis=1)
+        phi_mid = self.phi_n + 0.5 * change - 0.125 * bend
+        if self.augmented or not self.mechanism.formulation.endswith("velocity"):
+            return phi_mid
+        xi, omega, h = self.mechanism.head["xi"], self.mechanism.head["omega"], self.h
+        acceleration = 2.0 / h**2 * (path.d - self.h_v)
+        rate2 = G_bar @ acceleration + bend / h**2
+        return rate2 + 2.0 * xi * omega * change / h + omega**2 * phi_mid
+
+    def balance(self, path: Path, G_bar: Array, mu: Array) -> Array:
+        """Residual R (n,) of the momentum balance of all moving nodes [N s]."""
+        mechanism, h = self.mechanism, self.h
+        Q = mechanism.weight + applied(mechanism, path) + sum(laws(mechanism, path.over_step()))
+        return 2.0 / h * mechanism.M @ (path.d - self.h_v) + h * (G_bar.T @ mu - Q)
+
+    def residual(self, w: Array, mu: Array, lam: Array) -> Array:
+        """Residual (n_free + r,) of momentum balance and rows, C - (mu - lam)/alpha."""
+        path = self.path(w)
+        change, G_bar, _ = self.rows(path)
+        R = self.balance(path, G_bar, mu)[: len(w)]
+        return np.concatenate([R, self.measure(path, change, G_bar) - (mu - lam) / self.alpha])
+
+    def tangent(self, w: Array, mu: Array, lam: Array) -> Array:
+        """Derivative of the residual in (w, mu), by complex step in w."""
+        _, G_bar, _ = self.rows(self.path(w))
+        by_mu = np.vstack([self.h * G_bar[:, : len(w)].T, -np.diag(1.0 / self.alpha)])
+        columns = [self.residual(w + 1j * TINY * e, mu, lam).imag / TINY for e in np.eye(len(w))]
+        by_w = np.array(columns).reshape(len(w), -1).T
+        return np.hstack([by_w, by_mu])
+
+    def held(self, path: Path, change: Array, G_bar: Array) -> Array:
+        """What an Uzawa update drives to zero: "end" Phi_n1, "paper" and midpoint C (theory 3)."""
+        if self.conserving and not self.mechanism.head["paper_update"]:
+            return self.phi_n + change
+        return self.measure(path, change, G_bar)
+
+
+def rows_now(mechanism: Mechanism) -> Array:
+    """Rows Phi (r,) at the present; velocity rows have none."""
+    phi, view = np.zeros(mechanism.n_rows), Path(mechanism).over_step()
+    _, _, functions, _ = mechanism.row_kinds
+    phi[: functions.start] = mechanism.exact_rows()
+    phi[functions] = [view.function(f)[0].n for f in mechanism.function_rows]
+    return phi
+
+
+def penalties(mechanism: Mechanism, h: float) -> Array:
+    """Penalty alpha of each row, from the dimensionless penalty chi = alpha h^2 sigma/4.
+
+    A penalty formulation stores the energy alpha Phi^2/2: its alpha must not follow h, and is that
+    of the configured step. That of penalty-velocity has the dimension of a mass, chi/sigma.
+    """
+    chi, sigma = mechanism.head["penalty"], mechanism.section["row_sigma"][: mechanism.n_rows]
+    if mechanism.formulation == "penalty-velocity":
+        return chi / sigma
+    if mechanism.formulation.endswith("-penalty"):
+        h = mechanism.head["step_size"] * (0.5 if mechanism.head["paired"] else 1.0)
+    return 4.0 * chi / (h**2 * sigma)
+
+
+class HalfStep:
+    """The solved half step of length h from time t: w, mu, and `end`, the mechanism after it."""
+
+    def __init__(
+        self, mechanism: Mechanism, h: float, t: float | None = None, half: int = 0
+    ) -> None:
+        self.mechanism, self.h, self.half = mechanism, h, half
+        t = mechanism.head["time"] if t is None else t
+        stored = stored_energy(mechanism)
+        mechanism.forces_at(t, h, half)
+        self.work_of_laws = stored_energy(mechanism) - stored
+        self.equations = Residual(mechanism, h, t)
+        # A long step has several roots; the one meant is next to the last acceleration.
+        a = mechanism.vectors[f"a_{HALVES[half]}"]
+        self.w = 0.5 * h**2 * a[: mechanism.n_free]
+        self.mu = self.mechanism.vectors[f"mu_{HALVES[half]}"].copy()
+        self.mu *= float(self.equations.augmented)
+        self.uzawa()
+
+    def uzawa(self) -> None:
+        """Update lam until the rows hold to round-off, which then no longer shrinks."""
+        equations, lam = self.equations, self.mu.copy()
+        last, scale = np.inf, self.mechanism.section["row_scale"][: len(lam)]
+        for _ in range(200):
+            self.newton(lam)
+            path = equations.path(self.w)
+            change, G_bar, _ = equations.rows(path)
+            phi = equations.held(path, change, G_bar)
+            defect = np.max(np.abs(phi) / scale, initial=0.0)
+            if not equations.augmented or defect < 1e-17 or 0.5 * last < defect < 1e-12:
+                return
+            # Eq 16 adds alpha C. With "end" C = Phi_n1/2, to which it is equal where Phi_n = 0.
+            half = 0.5 if equations.conserving and not self.mechanism.head["paper_update"] else 1.0
+            lam, last = lam + half * equations.alpha * phi, defect
+        message = f"Uzawa's iteration does not converge: {defect:.1e}"
+        raise ArithmeticError(message)
+
+    def newton(self, lam: Array) -> None:
+        """Add increments to w and mu until they are round-off, and no longer shrink."""
+        last, n, norm = np.inf, len(self.w), np.sqrt(self.mechanism.m_node[: len(self.w)])
+        for _ in range(60):
+            residual = self.equations.residual(self.w, self.mu, lam)
+            x = np.linalg.solve(self.equations.tangent(self.w, self.mu, lam), -residual)
+            self.w, self.mu = self.w + x[:n], self.mu + x[n:]
+            size = np.linalg.norm(norm * x[:n])
+            moved = np.linalg.norm(norm * self.equations.d(self.w)[:n])
+            floor = 1e-10 * moved + 1e-13 * self.mechanism.section["extent"][1]
+            if size == 0.0 or 0.5 * last < size <= floor:
+                return
+            last = size
+        message = f"Newton's iteration does not converge: {size:.1e}"
+        raise ArithmeticError(message)
+
+    def end(self) -> Mechanism:
+        """Mechanism after the half step, with work and dissipation booked."""
+        mechanism, h, path = self.mechanism, self.h, self.equations.path(self.w)
+        _, G_bar, by_signals = self.equations.rows(path)
+        balance = self.equations.balance(path, G_bar, self.mu)
+        _, damping, drives = laws(mechanism, path.over_step())
+        n, d, w = mechanism.n_free, path.d, path.d - self.equations.h_v
+        vectors, head = dict(mechanism.vectors), dict(mechanism.head)
+        for name, x in (("q", d), ("v", 2.0 * w / h)):
+            vectors[name], vectors[f"{name}_low"] = added(vectors[name], vectors[f"{name}_low"], x)
+        here = HALVES[self.half]
+        vectors[f"mu_{here}"], vectors[f"a_{here}"] = self.mu, 2.0 / h**2 * w
+        vectors[f"driven_{here}"], vectors["signal"] = balance[n:] / h, self.equations.signal_n1
+        head["parity"] = 1.0 - self.half
+        head["work"] += float(self.work_of_laws + self.mu @ by_signals)
+        head["work"] += float((applied(mechanism, path) + drives) @ d + d[n:] @ balance[n:] / h)
+        head["dissipated"] -= float(damping @ d)
+        after = Mechanism(mechanism.model, head, vectors)
+        sigma = [path.over_step().quantity(i)[0].n1 for i in range(len(mechanism.quantities))]
+        turned = np.round((np.array(sigma) - after.sigma()) / TURN)
+        angles = np.array([kind == 2 for kind, _ in mechanism.quantities], dtype=bool)
+        after.vectors["turns"] += np.where(angles, turned, 0.0)
+        return after
+
+
+def added(high: Array, low: Array, x: Array) -> tuple[Array, Array]:
+    """Sum high + low + x, with what rounding leaves over (Knuth)."""
+    y = x + low
+    s = high + y
+    t = s - high
+    return s, (high - (s - t)) + (y - t)
+
+
+def internal_step(mechanism: Mechanism, h: float) -> Mechanism:
+    """Mechanism after a pair of half steps, or after one plain step."""
+    t, half = mechanism.head["time"], int(mechanism.head["parity"])
+    if not mechanism.head["paired"]:
+        return HalfStep(mechanism, h, t, half).end()
+    middle = HalfStep(mechanism, 0.5 * h, t, 0).end()
+    return HalfStep(middle, 0.5 * h, t + 0.5 * h, 1).end()
