@@ -59,7 +59,7 @@ def steps(
     model: Model, algorithm: str, count: int, repetitions: int
 ) -> dict[str, float | str | None]:
     """Seconds and Newton iterations of a step; or why there is none."""
-    integrator = Integrator(model, kernel="c")
+    integrator = Integrator(model)
     integrator["solver.algorithm"] = algorithm
     integrator.initialise()
     repeated = Repeated(integrator, STEP, count, WARM_UP)

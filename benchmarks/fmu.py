@@ -171,7 +171,7 @@ def _steps(name: str, folder: Path, effort: Effort) -> dict[str, Value]:
 
 def _entries(running: Running, scene: Scene, count: int) -> dict[str, Entry]:
     """Loops over the same communication steps on the three levels, and over reading outputs."""
-    integrator = Integrator(solver.assemble(scene), kernel="c")
+    integrator = Integrator(solver.assemble(scene))
     h = INTERNAL * STEP
     times = [i * h for i in range(1, count + 1)]
     integrator.advance(0.0, h)

@@ -15,7 +15,7 @@ from solver.runtime import Integrator, Model
 def run(path: str, steps: int) -> int:
     """Take internal steps in one call of the kernel; return the number of implicit solves."""
     model = Model.from_bytes(Path(path).read_bytes())
-    integrator = Integrator(model, kernel="c")
+    integrator = Integrator(model)
     integrator.initialise()
     integrator.advance(integrator.time, steps * float(integrator["solver.step_size"]))
     return round(float(integrator["solver.substeps"]))

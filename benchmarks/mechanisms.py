@@ -129,6 +129,6 @@ def start(content: Content, **settings: Any) -> Integrator:
 
 def start_scene(drawn: solver.Scene) -> Integrator:
     """Integrator of a scene, ready for the first step; always with the compiled kernel."""
-    integrator = Integrator(solver.assemble(drawn), kernel="c")
+    integrator = Integrator(solver.assemble(drawn))
     integrator.initialise()
     return integrator

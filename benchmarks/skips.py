@@ -102,7 +102,7 @@ def variants(bits: Iterable[int], optimisation: str = "-O3") -> dict[tuple[int, 
 
 def bound(model: Model, library: ctypes.CDLL) -> Integrator:
     """Integrator of a model on a kernel of one's own, ready for the first step."""
-    integrator = Integrator(model, kernel="c")
+    integrator = Integrator(model)
     integrator.engine = Kernel(model, library)
     integrator.state = State(model, integrator.engine.state)
     integrator.reset()

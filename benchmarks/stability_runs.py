@@ -39,7 +39,7 @@ def prepare(case: Case, stop: float) -> Ready:
 
 
 def _started(model: Model, settings: dict[str, Any]) -> Integrator:
-    integrator = Integrator(model, kernel="c", log=lambda _: None)  # errors are measured below
+    integrator = Integrator(model, log=lambda _: None)  # errors are measured below
     for name, value in settings.items():
         integrator[f"solver.{name}"] = value
     integrator.initialise()

@@ -38,7 +38,7 @@ def run(text: str, h: float, count: int) -> Found:
     """Take `count` pairs of half steps of a scene, h [s] each, and look after every one."""
     form = "json" if text.startswith("{") else "toml"
     model = solver.assemble(solver.loads(text, format=form))
-    integrator = Integrator(model, kernel="c", log=lambda _: None)  # errors are measured below
+    integrator = Integrator(model, log=lambda _: None)  # errors are measured below
     integrator["solver.step_size"] = h
     found, solves, iterations, taken = Found(), 0.0, 0.0, 0
     try:

@@ -163,7 +163,7 @@ class _Runs:
         )
 
     def _start(self, settings: Mapping[str, Value]) -> Integrator:
-        integrator = Integrator(self._model, kernel="c")
+        integrator = Integrator(self._model)
         for name, value in settings.items():
             integrator[f"solver.{name}"] = value
         integrator.initialise()

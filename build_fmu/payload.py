@@ -113,9 +113,7 @@ def _fmu_src() -> dict[str, bytes]:
 
 
 def _runtime() -> dict[str, bytes]:
-    files = _modules(package_folder("solver") / "runtime", "runtime/")
-    # The NumPy reference is for tests alone.
-    return {path: data for path, data in files.items() if "/reference/" not in path}
+    return _modules(package_folder("solver") / "runtime", "runtime/")
 
 
 def _kernels(dimension: int) -> dict[str, bytes]:

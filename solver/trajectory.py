@@ -84,7 +84,6 @@ def simulate(
     parameters: Mapping[str, float] | None = None,
     inputs: Mapping[str, Any] | None = None,
     outputs: Sequence[str] | None = None,
-    kernel: str = "auto",
     **options: float | str | bool,
 ) -> Trajectory:
     """Run a mechanism and return its trajectory.
@@ -105,8 +104,6 @@ def simulate(
         as given, also where ``limit = "clip"`` changes what acts.
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
-    kernel : {"auto", "c", "numpy"}
-        Compiled kernel or NumPy reference.
     **options
         Settings of the solver, such as ``formulation="midpoint-al"``; the internal step is
         ``internal_step``.
@@ -119,10 +116,10 @@ def simulate(
     Warns
     -----
     RuntimeWarning
-        Where dampers keep all steps at order 2, or there is no compiled kernel.
+        Where dampers keep all steps at order 2.
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
-    integrator = Integrator(model, kernel=kernel)
+    integrator = Integrator(model)
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
     settings = {f"solver.{name}": value for name, value in options.items()}

@@ -37,8 +37,8 @@ def driven(content: dict, *numbers: int) -> dict:
     return content
 
 
-def started(model: Model, kernel: str = "c") -> Integrator:
-    integrator = Integrator(model, kernel=kernel)
+def started(model: Model) -> Integrator:
+    integrator = Integrator(model)
     integrator.initialise()
     return integrator
 

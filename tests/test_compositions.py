@@ -19,7 +19,7 @@ from tests.mechanism_runs import run, scene, vector
 from tests.problems import Array, double_pendulum, observed_order
 from tests.problems import scene as scene_of
 from tests.test_linkages import ANDREWS, ANDREWS_AT_30_MS, angles_of_the_test_set
-from tests.twins import KERNELS, PENDULUM
+from tests.twins import PENDULUM
 
 STAGES = {2: 1, 4: 5, 6: 9, 8: 15}
 QUIET = ["energy.error", "constraint.position"]
@@ -129,9 +129,8 @@ def test_every_order_keeps_energy_and_constraints(name, order):
     assert gap.max() < 1e-12
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("tolerance", [0.0, 1e-3])
-def test_dampers_limit_the_order_of_some_methods_to_two_and_that_is_said_once(tolerance, kernel):
+def test_dampers_limit_the_order_of_some_methods_to_two_and_that_is_said_once(tolerance):
     # Stages that go back in time would give back what a damper takes; weighted covers need a method
     # that conserves.
     text = f"""{PENDULUM}[forces.brake]
@@ -142,7 +141,7 @@ damping = 0.2
 """
     said: list[str] = []
     damped = solver.assemble(solver.loads(text))
-    limited, second = (Integrator(damped, kernel=kernel, log=said.append) for _ in range(2))
+    limited, second = (Integrator(damped, log=said.append) for _ in range(2))
     for run_ in (limited, second):
         run_["solver.formulation"], run_["solver.tolerance"] = "midpoint-al", tolerance
     limited["solver.order"], second["solver.order"] = 6.0, 2.0

@@ -17,9 +17,9 @@ import solver
 from solver.runtime import Integrator
 from tests.mechanism_runs import scene
 from tests.problems import Array
-from tests.test_extrapolation import DRIVEN, FLYING, OSCILLATOR, RESTLESS, coordinates
+from tests.test_extrapolation import DRIVEN, FLYING, OSCILLATOR, RESTLESS
 from tests.test_tolerance import PUSHED, pushed
-from tests.twins import KERNELS, block, vector
+from tests.twins import block, vector
 
 TEXTS = {"driven": DRIVEN, "flying": FLYING, "restless": RESTLESS, "oscillator": OSCILLATOR}
 STOPS = {"flyball_governor": 1.0, "spring_pendulum": 5.0, "double_wishbone": 1.0}
@@ -40,10 +40,10 @@ brake = { type = "damper", points = ["A", "ground"], at = [2, 0], damping = 5 }
 """A pendulum that comes to rest within a few seconds."""
 
 
-def prepared(name: str, kernel: str = "c", stop: float = 0.0, **settings: float) -> Integrator:
+def prepared(name: str, stop: float = 0.0, **settings: float) -> Integrator:
     """Scene that is about to run for `stop` s, and as long as in `STOPS` if that is 0."""
     drawn = solver.loads(TEXTS[name]) if name in TEXTS else solver.load(scene(name))
-    run = Integrator(solver.assemble(drawn), kernel=kernel)
+    run = Integrator(solver.assemble(drawn))
     for setting, value in ({"longest_step": 1e6, "order": 0.0} | settings).items():
         run[f"solver.{setting}"] = value
     run.initialise()
@@ -132,24 +132,9 @@ def test_ledger_and_constraints_hold_under_a_tolerance_and_no_step_gives_energy(
     assert lost[-1] > 0.0
 
 
-@pytest.mark.parametrize("order", [0, 4, 6, 8])
-@pytest.mark.parametrize("name", ["driven", "flying", "restless"])
-def test_kernel_and_reference_choose_alike_with_dampers(name, order):
-    ours, theirs = (
-        prepared(name, kernel, stop=1.0, tolerance=1e-5, order=order) for kernel in KERNELS
-    )
-    for step in (0.02, 0.1):
-        for run in (ours, theirs):
-            run.advance(run.time, step)
-        for number in ("substeps", "order_in_use", "wanted"):
-            assert ours.state.head[number] == pytest.approx(theirs.state.head[number], rel=1e-3)
-    assert coordinates(ours) == pytest.approx(coordinates(theirs), abs=1e-10)
-
-
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-5])
-def test_a_saved_state_with_dampers_chooses_the_same_to_the_last_bit(kernel, tolerance):
-    first, second = (prepared("driven", kernel, tolerance=tolerance) for _ in range(2))
+def test_a_saved_state_with_dampers_chooses_the_same_to_the_last_bit(tolerance):
+    first, second = (prepared("driven", tolerance=tolerance) for _ in range(2))
     for _ in range(3):
         first.advance(first.time, 0.1)
     second.restore(first.save())
@@ -159,18 +144,17 @@ def test_a_saved_state_with_dampers_chooses_the_same_to_the_last_bit(kernel, tol
     assert np.array_equal(block(first), block(second))
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_an_end_whose_weighted_one_is_not_taken_is_judged_by_its_own_order(kernel):
+def test_an_end_whose_weighted_one_is_not_taken_is_judged_by_its_own_order():
     # Under so wide a tolerance a step of half a second is taken for good, though weights change it
     # by more than is sure: it is of order 2, and said to be so.
-    run = prepared("oscillator", kernel, stop=10.0, tolerance=0.1, order=4.0)
+    run = prepared("oscillator", stop=10.0, tolerance=0.1, order=4.0)
     orders: list[float] = []
     for _ in parts_of(run):
         orders.append(float(run["solver.order_in_use"]))
         assert abs(float(run["energy.balance"])) < 1e-13
     assert 2.0 in orders
     # Under a narrow one it is repeated by shorter ones, whose weighted ends are taken.
-    narrow = prepared("oscillator", kernel, stop=10.0, tolerance=1e-5, order=4.0)
+    narrow = prepared("oscillator", stop=10.0, tolerance=1e-5, order=4.0)
     narrow.advance(0.0, 1.0)
     assert narrow["solver.order_in_use"] == 4.0
     # x'' + x' + 9 x = 0 from (0.5, 0.5)

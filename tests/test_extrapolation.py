@@ -16,7 +16,6 @@ from solver.runtime import Integrator
 from tests.mechanism_runs import scene
 from tests.problems import Array, observed_order
 from tests.test_compositions import MANIPULATOR
-from tests.twins import KERNELS
 
 ORDERS = (4, 6, 8)
 BRAKE = '[forces.brake]\ntype = "torsion_damper"\njoint = "elbow"\ndamping = 0.2\n'
@@ -84,9 +83,9 @@ pull = { type = "force", point = "B", value = ["sin(2*t)", 0] }
 """Laws of spring and damper, and a load, that follow the time."""
 
 
-def moved(text: str, order: int, n: int, stop: float, kernel: str = "c") -> Integrator:
+def moved(text: str, order: int, n: int, stop: float) -> Integrator:
     """Run of n steps."""
-    run = Integrator(solver.assemble(solver.loads(text)), kernel=kernel)
+    run = Integrator(solver.assemble(solver.loads(text)))
     run["solver.step_size"], run["solver.order"] = stop / n, float(order)
     run.advance(0.0, stop)
     return run
@@ -153,10 +152,9 @@ def test_ledger_and_constraints_hold_and_no_step_gives_energy(name, order):
     assert lost[-1] > 0.0
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("order", ORDERS)
-def test_momenta_stay_where_nothing_external_acts(order, kernel):
-    run = Integrator(solver.assemble(solver.loads(FLYING)), kernel=kernel)
+def test_momenta_stay_where_nothing_external_acts(order):
+    run = Integrator(solver.assemble(solver.loads(FLYING)))
     run["solver.step_size"], run["solver.order"] = 0.05, float(order)
     names = [v.name for v in run.model.variables if "momentum" in v.name]
     assert len(names) == 6
@@ -177,18 +175,10 @@ def test_about_the_vertical_the_angular_momentum_stays_under_gravity(order):
     assert float(run["angular_momentum.z"]) == pytest.approx(before, abs=1e-13)
 
 
-@pytest.mark.parametrize("order", ORDERS)
-@pytest.mark.parametrize("text", [DRIVEN, FLYING, RESTLESS], ids=["driven", "flying", "restless"])
-def test_kernel_and_reference_take_the_same_steps(text, order):
-    ends = [coordinates(moved(text, order, 5, 0.25, kernel)) for kernel in KERNELS]
-    assert ends[0] == pytest.approx(ends[1], abs=1e-10)
-
-
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_steps_too_long_for_weights_are_left_of_order_two_and_that_is_said(kernel):
+def test_steps_too_long_for_weights_are_left_of_order_two_and_that_is_said():
     # Half a period of the spring in a step: the ends of covers do not tell powers of their length.
     said: list[str] = []
-    run = Integrator(solver.assemble(solver.loads(OSCILLATOR)), kernel=kernel, log=said.append)
+    run = Integrator(solver.assemble(solver.loads(OSCILLATOR)), log=said.append)
     run["solver.step_size"], run["solver.order"] = 1.0, 4.0
     run.advance(0.0, 2.0)
     assert run["solver.order_in_use"] == 2.0
@@ -208,7 +198,7 @@ def test_a_run_goes_on_bit_for_bit_from_a_saved_state():
 def test_a_damper_that_cannot_move_leaves_the_order():
     # It lies along a rod: its weighted losses are round-off, of either sign.
     model = solver.assemble(solver.loads(LOCKED))
-    mechanism = Integrator(model, kernel="c")
+    mechanism = Integrator(model)
     mechanism.initialise()
     for _ in range(40):
         mechanism.advance(mechanism.time, 0.025)

@@ -190,12 +190,11 @@ def test_a_formula_that_switches_with_what_moves_is_refused(part):
     assert "abs, min or max" in text
 
 
-@pytest.mark.parametrize("kernel", ["c", "numpy"])
-def test_hyperbolic_potentials_and_loads_that_round_keep_the_ledger_closed(kernel):
+def test_hyperbolic_potentials_and_loads_that_round_keep_the_ledger_closed():
     value = "3*cosh(A.x) + sinh(0.1*A.y) - tanh(distance(A, B))"
     text = f'[forces]\nv = {{ type = "potential", value = "{value}" }}\nw = {{ type = "force", '
     text += 'point = "A", value = ["floor(3*A.x) + ceil(A.vy)", "mod(t, 0.03)*A.x"] }\n'
-    moved = solver.Integrator(solver.assemble(solver.loads(POINTS + text)), kernel=kernel)
+    moved = solver.Integrator(solver.assemble(solver.loads(POINTS + text)))
     for k in range(100):
         moved.advance(k * 0.01, 0.01)
     assert moved["energy.work"] != 0.0

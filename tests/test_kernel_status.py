@@ -10,7 +10,7 @@ import pytest
 from solver.runtime import AssemblyError, Integrator, Status, StepError
 from solver.runtime.errors import SENTENCE
 from solver.runtime.layout import PLACE
-from tests.twins import KERNELS, PENDULUM, advance, block, internal_step, model_of, start
+from tests.twins import PENDULUM, advance, block, internal_step, model_of, start
 
 SPRUNG = """
 name = "sprung"
@@ -100,10 +100,10 @@ FAILURES = {
 """What provokes each status: scene, settings, inputs, communication step."""
 
 
-def provoked(status, kernel):
+def provoked(status):
     """Integrator about to fail, and the step with which it does."""
     source, settings, inputs, step = FAILURES[status]
-    run = start(source, kernel, **settings)
+    run = start(source, **settings)
     if inputs:
         internal_step(run)  # before the first step, inputs are part of the assembly
     for name, value in inputs.items():
@@ -116,10 +116,9 @@ def test_every_status_has_a_sentence_and_is_provoked_below():
     assert {Status.OK, *FAILURES} == set(Status)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("status", FAILURES, ids=lambda status: status.name)
-def test_a_step_that_fails_says_why_and_leaves_the_state_as_before(status, kernel):
-    run, step = provoked(status, kernel)
+def test_a_step_that_fails_says_why_and_leaves_the_state_as_before(status):
+    run, step = provoked(status)
     before = run.save()
     with pytest.raises(StepError) as caught:
         run.advance(run.time, step)
@@ -141,10 +140,9 @@ def test_a_step_that_is_no_length_of_time_is_refused(step):
     assert run.save() == before
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_failure_late_in_a_communication_step_leaves_no_trace(kernel):
+def test_a_failure_late_in_a_communication_step_leaves_no_trace():
     """Five internal steps are solved, the sixth meets a force beyond all bounds."""
-    failed, never = (start(SPRUNG, kernel, step_size=0.01) for _ in range(2))
+    failed, never = (start(SPRUNG, step_size=0.01) for _ in range(2))
     for run in (failed, never):
         advance(run, 2)
         run["push"] = 1.0
@@ -161,19 +159,18 @@ def test_a_failure_late_in_a_communication_step_leaves_no_trace(kernel):
     assert bytes(failed.engine.state) == bytes(never.engine.state)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("paired", [True, False])
-def test_a_step_that_does_not_converge_is_halved_until_it_does(kernel, paired):
+def test_a_step_that_does_not_converge_is_halved_until_it_does(paired):
     """A second of a pendulum that turns by 10 rad in it, in one internal step."""
     text = PENDULUM.replace("[0.8, 0.6]", "[8.0, 6.0]")
-    run = start(text, kernel, step_size=1.0, max_newton=8, paired=paired)
+    run = start(text, step_size=1.0, max_newton=8, paired=paired)
     internal_step(run)
     assert run.status is Status.OK
     assert run.time == 1.0
     assert run.state.head["substeps"] > (2 if paired else 1)
     assert run["constraint.position"] < 1e-14
     assert run["energy.error"] < 1e-13
-    with_all = start(text, kernel, step_size=1.0, max_newton=1, paired=paired)
+    with_all = start(text, step_size=1.0, max_newton=1, paired=paired)
     with pytest.raises(StepError, match="even with the step halved 6 times"):
         internal_step(with_all)
 
@@ -191,10 +188,9 @@ free_length = 1.0
 )
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("paired", [True, False])
-def test_the_work_of_changing_a_spring_is_booked_once_however_a_step_is_halved(kernel, paired):
-    run = start(DRIVEN, kernel, step_size=0.25, max_newton=5, paired=paired)
+def test_the_work_of_changing_a_spring_is_booked_once_however_a_step_is_halved(paired):
+    run = start(DRIVEN, step_size=0.25, max_newton=5, paired=paired)
     pieces = 0
     for _ in range(4):
         internal_step(run)
@@ -204,12 +200,11 @@ def test_the_work_of_changing_a_spring_is_booked_once_however_a_step_is_halved(k
     assert run["energy.error"] < 1e-12
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_length_that_fixed_ends_do_not_allow_is_a_sentence_and_no_crash(kernel):
+def test_a_length_that_fixed_ends_do_not_allow_is_a_sentence_and_no_crash():
     text = PENDULUM.replace("[joints]", "[parameters]\nlength = 1.0\n[joints]").replace(
         'points = ["O", "A"] }', 'points = ["O", "A"], length = "length" }'
     )
-    run = Integrator(model_of(text), kernel=kernel)
+    run = Integrator(model_of(text))
     run["length"] = 1.5
     with pytest.raises(AssemblyError, match=r"length is 1\.5 m, but its points"):
         run.initialise()

@@ -24,7 +24,7 @@ def assembled(content, **settings) -> Model:
 
 def moved(model: Model, steps: int) -> tuple[np.ndarray, dict[str, float], float]:
     """Coordinates after some internal steps, memory of the island, Newton iterations a half."""
-    integrator = Integrator(model, kernel="c")
+    integrator = Integrator(model)
     integrator.initialise()
     h = float(integrator["solver.step_size"])
     iterations, halves = 0.0, 0.0

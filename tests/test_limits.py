@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import solver
-from tests.twins import KERNELS, PENDULUM, model_of, start
+from tests.twins import PENDULUM, model_of, start
 
 ROD = """
 name = "rod"
@@ -38,13 +38,12 @@ PRESTRESSED = ROD.format(
 )
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("paired", [True, False], ids=["pairs", "plain"])
 @pytest.mark.parametrize("source", [PULLED, SWITCHED, PRESTRESSED], ids=["pull", "jump", "spring"])
-def test_a_mechanism_at_rest_without_weight_stays_at_rest(source, paired, kernel):
+def test_a_mechanism_at_rest_without_weight_stays_at_rest(source, paired):
     # No energy is there to measure round-off against: positions are known to 1e-16 of a metre.
-    run = start(source, kernel, paired=paired)
-    for i in range(60 if kernel == "c" else 10):
+    run = start(source, paired=paired)
+    for i in range(60):
         run["pull"] = 10.0 if i > 3 else 0.0
         run.advance(i * 0.05, 0.05)
         assert run["A.x"] == pytest.approx(0.0, abs=1e-13)
@@ -54,11 +53,10 @@ def test_a_mechanism_at_rest_without_weight_stays_at_rest(source, paired, kernel
     assert run["energy.error"] < 1e-9
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("tiny", [1e-7, 1e-9, 1e-10, 1e-11, 1e-12])
-def test_a_step_of_almost_no_length_changes_almost_nothing(tiny, kernel):
+def test_a_step_of_almost_no_length_changes_almost_nothing(tiny):
     # Rounding errors enter accelerations and multipliers over h^2; the state must not keep them.
-    run = start(PENDULUM, kernel)
+    run = start(PENDULUM)
     run.advance(0.0, 0.1)
     before, energy = run["rod.force"], run["energy.total"]
     for i in range(5):
@@ -114,12 +112,11 @@ second = { type = "distance", points = ["A", "B"] }
 """
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("scale", [1.0, 2.0, 3.0])
-def test_rows_of_two_links_move_as_rows_of_one(scale, kernel):
+def test_rows_of_two_links_move_as_rows_of_one(scale):
     # u . w is the same number: to the bit if the scale is a power of two, else up to its rounding.
     plain = solver.Integrator(two_links(1.0)._replace(tables=model_of_double().tables))
-    linked = solver.Integrator(two_links(scale), kernel=kernel)
+    linked = solver.Integrator(two_links(scale))
     for run in (plain, linked):
         run.advance(0.0, 0.2)
     assert linked["B.x"] == pytest.approx(plain["B.x"], abs=1e-13)
@@ -197,10 +194,9 @@ def test_the_tangent_of_a_product_of_two_vectors_is_its_derivative():
     assert tx == pytest.approx((ahead - behind) / (2 * step), abs=1e-8)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_an_input_that_is_set_to_what_it_is_changes_nothing(kernel):
+def test_an_input_that_is_set_to_what_it_is_changes_nothing():
     # Importers set inputs before every step, changed or not: no jump, so reactions stay as sharp.
-    left, told = (start(MOVING, kernel) for _ in range(2))
+    left, told = (start(MOVING) for _ in range(2))
     for i in range(5):
         for run in (left, told):
             run.advance(i * 0.01, 0.01)

@@ -15,7 +15,43 @@ from pathlib import Path
 
 import pytest
 
-from solver.runtime.reference.composition import EMBEDDED, FIRST_PARTS, embedded, stages
+TEXT = (Path(__file__).parents[1] / "solver" / "kernel" / "composition.inc.h").read_text("utf-8")
+"""Where the kernel has them."""
+
+
+def _numbers(text: str) -> tuple[float, ...]:
+    return tuple(float(x) for x in text.split(","))
+
+
+_ARRAYS = dict(re.findall(r"static const double (\w+)\[\] = \{(.*?)\};", TEXT, re.DOTALL))
+_WEIGHTS = re.findall(r"weights\[3\]\[8\] = \{(.*?)\};", TEXT, re.DOTALL)[0]
+
+FIRST_PARTS = {
+    order: _numbers(_ARRAYS[name])
+    for order, name in {2: "whole", 4: "fourth", 6: "sixth", 8: "eighth"}.items()
+}
+"""Parts of a step up to the middle one, by order."""
+EMBEDDED = {
+    order: (lower, _numbers(row))
+    for (order, lower), row in zip(
+        {4: 3, 6: 4, 8: 6}.items(), re.findall(r"\{(.*?)\}", _WEIGHTS, re.DOTALL), strict=True
+    )
+}
+"""By order, the difference from a solution of lower order: that order, and the first half of the
+weights of the outputs 0 ... s after each stage."""
+
+
+def stages(order: int) -> tuple[float, ...]:
+    """Parts of a step, each taken by a pair of half steps."""
+    first = FIRST_PARTS[order]
+    return (*first, *first[-2::-1])
+
+
+def embedded(order: int) -> tuple[float, ...]:
+    """Weights of the outputs 0 ... s."""
+    lower, first = EMBEDDED[order]
+    return (*first, *(x if lower % 2 else -x for x in reversed(first)))
+
 
 Series = dict[tuple[int, ...], Fraction]
 """Coefficients of words in the letters 1, 3, 5, ... for D1, D3, D5, ...; a letter is its weight."""
@@ -81,16 +117,6 @@ def test_odd_powers_of_the_parts_sum_to_zero_below_the_order(order):
         assert sum(part**power for part in parts) == pytest.approx(0.0, abs=1e-15)
 
 
-def test_kernel_and_reference_hold_the_same_digits():
-    text = (Path(__file__).parents[1] / "solver" / "kernel" / "composition.inc.h").read_text(
-        "utf-8"
-    )
-    arrays = re.findall(r"static const double (\w+)\[\] = \{(.*?)\};", text, re.DOTALL)
-    names = {2: "whole", 4: "fourth", 6: "sixth", 8: "eighth"}
-    found = {name: tuple(float(x) for x in values.split(",")) for name, values in arrays}
-    assert {order: found[name] for order, name in names.items()} == FIRST_PARTS
-
-
 @pytest.mark.parametrize("order", EMBEDDED)
 def test_the_weights_of_the_outputs_vanish_to_their_order_with_a_unit_error_of_the_next(order):
     outputs = [dict(ONE)]
@@ -109,12 +135,3 @@ def test_the_weights_of_the_outputs_vanish_to_their_order_with_a_unit_error_of_t
     for weight in range(lower + 1):
         assert max(map(abs, summed(weight))) < 2e-16 * sum(map(abs, weights))
     assert sum(x**2 for x in summed(lower + 1)) == pytest.approx(1.0, abs=1e-12)
-
-
-def test_the_kernel_weighs_outputs_as_the_reference_does():
-    kernel = Path(__file__).parents[1] / "solver" / "kernel"
-    text = (kernel / "composition.inc.h").read_text("utf-8")
-    (table,) = re.findall(r"weights\[3\]\[8\] = \{(.*?)\};", text, re.DOTALL)
-    found = re.findall(r"\{(.*?)\}", table, re.DOTALL)
-    rows = [tuple(float(x) for x in row.split(",")) for row in found]
-    assert rows == [first for _, first in EMBEDDED.values()]

@@ -13,7 +13,6 @@ from build_fmu.command_line import main
 from build_fmu.run import run_fmu
 from fmu_src.status import LOGGER
 from tests.fmu_instance import instance, text_fmu
-from tests.twins import KERNELS
 
 PART = """
 [points.{name}]
@@ -49,28 +48,26 @@ def text(setting: str, parts: int = 2, damping: float = 0.3) -> str:
     return "".join([HEAD.format(setting=setting), *shown])
 
 
-def said(setting: str, kernel: str = "auto", **options) -> list[str]:
+def said(setting: str, **options) -> list[str]:
     """Sentences of three steps."""
     model = solver.assemble(solver.loads(text(setting, **options)))
     sentences: list[str] = []
-    run = solver.Integrator(model, kernel=kernel, log=sentences.append)
+    run = solver.Integrator(model, log=sentences.append)
     for _ in range(3):
         run.advance(run.time, 0.1)
     return sentences
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("tolerance", ["", "tolerance = 1e-7"])
-def test_two_parts_with_dampers_are_of_order_2_and_that_is_said_once(kernel, tolerance):
-    (sentence,) = said(f"order = 4\n{tolerance}", kernel)
+def test_two_parts_with_dampers_are_of_order_2_and_that_is_said_once(tolerance):
+    (sentence,) = said(f"order = 4\n{tolerance}")
     assert sentence.startswith("solver.order is 4, but steps are of order 2")
     assert "2 separate parts" in sentence
     assert ("takes many steps" in sentence) == bool(tolerance)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_tolerance_that_has_no_choice_of_the_order_says_so(kernel):
-    (sentence,) = said("tolerance = 1e-7", kernel)
+def test_a_tolerance_that_has_no_choice_of_the_order_says_so():
+    (sentence,) = said("tolerance = 1e-7")
     assert sentence.startswith("solver.tolerance chooses the order, but steps are of order 2")
     assert "takes many steps" in sentence
 

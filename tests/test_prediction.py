@@ -9,19 +9,19 @@ import pytest
 
 from solver.runtime import Integrator
 from tests.problems import assemble, double_pendulum
-from tests.twins import KERNELS, block, vector
+from tests.twins import block, vector
 
 SWING = double_pendulum(math.pi / 6)
 SLOTS = {2: 4, 4: 10, 6: 18, 8: 30}
 
 
-def swinging(order: int, h: float, *, slots: bool = True, kernel: str = "auto") -> Integrator:
+def swinging(order: int, h: float, *, slots: bool = True) -> Integrator:
     """Double pendulum from 30 degrees; without slots, the values of the last pair are the guess."""
     model = assemble(SWING, order=order, step_size=h)
     assert model.sizes["n_slots"] == SLOTS[order]
     if not slots:
         model = model._replace(sizes={**model.sizes, "n_slots": 0})
-    return Integrator(model, kernel=kernel)
+    return Integrator(model)
 
 
 @pytest.mark.parametrize(
@@ -37,11 +37,10 @@ def test_changes_of_the_last_step_save_iterations_and_move_nothing(order, h, sav
     assert ends[0] == pytest.approx(ends[1], abs=1e-12)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_parabola_leads_to_the_fourth_order_of_what_a_half_step_moves(kernel):
+def test_a_parabola_leads_to_the_fourth_order_of_what_a_half_step_moves():
     # The guess of w = h^2/2 a misses by h^2/2 times h^3 a'''. Without slots it is h^2/2 times h a'.
     def missed(h: float, *, slots: bool) -> float:
-        run = swinging(2, h, slots=slots, kernel=kernel)
+        run = swinging(2, h, slots=slots)
         run.advance(0.0, 0.4)
         last, same, change = (vector(run, name) for name in ("a_second", "a_first", "a_change"))
         run.advance(run.time, h)
@@ -57,19 +56,17 @@ def test_a_parabola_leads_to_the_fourth_order_of_what_a_half_step_moves(kernel):
         assert math.log2(coarse / fine) == pytest.approx(power, abs=0.2)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_an_order_with_too_few_slots_takes_the_values_of_the_last_pair(kernel):
-    small, large = swinging(2, 0.05, kernel=kernel), swinging(8, 0.05, kernel=kernel)
+def test_an_order_with_too_few_slots_takes_the_values_of_the_last_pair():
+    small, large = swinging(2, 0.05), swinging(8, 0.05)
     small["solver.order"] = 8.0
     for run in (small, large):
         run.advance(0.0, 0.5)
     assert vector(small, "q") == pytest.approx(vector(large, "q"), abs=1e-13)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
 @pytest.mark.parametrize("order", SLOTS)
-def test_a_saved_state_goes_on_to_the_last_bit_with_its_changes(order, kernel):
-    first, second = (swinging(order, 0.05, kernel=kernel) for _ in range(2))
+def test_a_saved_state_goes_on_to_the_last_bit_with_its_changes(order):
+    first, second = (swinging(order, 0.05) for _ in range(2))
     first.advance(0.0, 0.2)
     second.restore(first.save())
     for run in (first, second):

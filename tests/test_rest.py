@@ -18,7 +18,11 @@ from tests.island_scenes import (
     resting,
     started,
 )
+from tests.kernels_without_skips import integrator_without, needs_compiler
 from tests.problems import chain, pendulum
+
+REST = 256
+"""Bit of the skip, `SKIP_REST` of internal.h."""
 
 
 def test_an_island_at_rest_is_left_alone_to_the_last_bit():
@@ -41,12 +45,13 @@ def test_a_mechanism_that_hangs_at_rest_takes_no_iteration():
     assert mechanism["energy.error"] == 0.0
 
 
+@needs_compiler
 def test_a_force_that_begins_wakes_an_island():
-    # The kernel's island has slept for a second; the oracle knows no sleep.
+    # The island has slept for a second; a kernel without the skip knows no sleep.
     push = {"type": "force", "point": "A_1", "value": ["push", 0.0]}
     content = beside(SWINGING, HANGING, inputs={"push": {"unit": "N"}}, forces={"pushed": push})
     model = assembled(content)
-    twins = [started(model, kernel) for kernel in ("c", "numpy")]
+    twins = started(model), integrator_without(REST, model, step_size=H)
     for mechanism in twins:
         mechanism.advance(0.0, 1.0)
     assert resting(twins[0])[1] > 0.0
@@ -139,6 +144,7 @@ FOLLOWERS = {
 }
 
 
+@needs_compiler
 @pytest.mark.parametrize("late", ["max(0, t - 0.3)**2", "max(0, u - 0.3)**2"])
 @pytest.mark.parametrize("case", FOLLOWERS)
 def test_what_follows_time_or_a_ramp_never_sleeps(case, late):
@@ -150,7 +156,7 @@ def test_what_follows_time_or_a_ramp_never_sleeps(case, late):
     content["inputs"] = {"u": {"interpolation": "ramp"}}
     model = assembled(content)
     for steps in (1, 8):
-        twins = [started(model, kernel) for kernel in ("c", "numpy")]
+        twins = started(model), integrator_without(REST, model, step_size=H)
         for mechanism in twins:
             for k in range(steps):
                 mechanism["u"] = 0.8 * (k + 1) / steps

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from solver.mechanics.tape import CODE
-from solver.runtime.reference.slopes import discrete_gradient, moving, still
+from tests.oracle.slopes import discrete_gradient, moving, still
 
 RANDOM = np.random.default_rng(5)
 

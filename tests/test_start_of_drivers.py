@@ -21,7 +21,7 @@ stop_time = 0.1
 """
 
 
-def run(dimension: int, value: str, kernel: str) -> holonom.Trajectory:
+def run(dimension: int, value: str) -> holonom.Trajectory:
     spatial = dimension == 3
     scene = SCENE.format(
         dimension=dimension,
@@ -30,10 +30,9 @@ def run(dimension: int, value: str, kernel: str) -> holonom.Trajectory:
         axis=", axis = [0, 0, 1]" if spatial else "",
         value=value,
     )
-    return holonom.simulate(holonom.loads(scene), kernel=kernel)
+    return holonom.simulate(holonom.loads(scene))
 
 
-@pytest.mark.parametrize("kernel", ["c", "numpy"])
 @pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize(
     ("value", "same"),
@@ -48,8 +47,8 @@ def run(dimension: int, value: str, kernel: str) -> holonom.Trajectory:
         ("0.8 - 0.5*cos(max(t, 0))", "0.8 - 0.5*cos(t)"),
     ],
 )
-def test_what_a_formula_is_before_the_start_does_not_matter(dimension, value, same, kernel):
-    smooth, bent = run(dimension, same, kernel), run(dimension, value, kernel)
+def test_what_a_formula_is_before_the_start_does_not_matter(dimension, value, same):
+    smooth, bent = run(dimension, same), run(dimension, value)
     for name in (name for name in smooth if not name.startswith("solver.")):
         # Torques at the start are second differences over 1e-4 s: round-off of 10 eps / 1e-8 s^2.
         scale = max(1.0, float(np.max(np.abs(smooth[name]))))
@@ -58,8 +57,7 @@ def test_what_a_formula_is_before_the_start_does_not_matter(dimension, value, sa
         )
 
 
-@pytest.mark.parametrize("kernel", ["c", "numpy"])
-def test_a_driver_starts_with_the_rate_and_the_torque_of_its_formula(kernel):
-    trajectory = run(2, "0.3 + 2*max(t, 0) + 3*max(t, 0)**2", kernel)
+def test_a_driver_starts_with_the_rate_and_the_torque_of_its_formula():
+    trajectory = run(2, "0.3 + 2*max(t, 0) + 3*max(t, 0)**2")
     assert trajectory["pin.angular_velocity"][0] == pytest.approx(2.0, rel=1e-9)
     assert trajectory["motor.torque"][0] == pytest.approx(6.0, rel=1e-6)

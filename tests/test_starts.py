@@ -29,11 +29,10 @@ def advanced(run: solver.Integrator, steps: int) -> solver.Integrator:
     return run
 
 
-@pytest.mark.parametrize("kernel", ["c", "numpy"])
-def test_a_restored_run_goes_on_bit_for_bit_though_its_points_have_moved(kernel):
+def test_a_restored_run_goes_on_bit_for_bit_though_its_points_have_moved():
     model = solver.assemble(solver.loads(MOVED))
-    whole = advanced(solver.Integrator(model, kernel=kernel), 21)
-    fresh = solver.Integrator(model, kernel=kernel)
+    whole = advanced(solver.Integrator(model), 21)
+    fresh = solver.Integrator(model)
     fresh.restore(whole.save())
     assert advanced(fresh, 20).save() == advanced(whole, 20).save()
 
@@ -143,13 +142,12 @@ start = "equilibrium"
         solver.assemble(solver.loads(text))
 
 
-@pytest.mark.parametrize("kernel", ["c", "numpy"])
-def test_a_velocity_that_is_given_stays_and_all_others_follow(kernel):
+def test_a_velocity_that_is_given_stays_and_all_others_follow():
     wishbone = (SCENES / "double_wishbone.toml").read_text(encoding="utf-8")
     car = "[bodies.car]\nposition = [0, 0, 0.5]\n"
     assert car in wishbone
     given = wishbone.replace(car, f"{car}velocity = [0, 0, -0.1]\n")
-    run = solver.Integrator(solver.assemble(solver.loads(given)), kernel=kernel)
+    run = solver.Integrator(solver.assemble(solver.loads(given)))
     run.initialise()
     # Given velocities weigh 1e8 times, thrice: 1e-24 of what the others would have them give way.
     assert run["car.vz"] == pytest.approx(-0.1, abs=1e-12)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.runtime import Integrator, Model, layout
+from solver.runtime import Model, layout
 from solver.runtime.layout import TABLES
 from tests.zoo import PLANE, SPACE
 
@@ -153,17 +153,3 @@ def test_a_model_with_a_damaged_bit_or_cut_off_is_refused():
         for damaged in (bytes(flipped), data[:place]):
             with pytest.raises(ValueError, match="damaged"):
                 Model.from_bytes(damaged)
-
-
-@BOTH
-def test_kernel_and_reference_measure_the_same_after_some_steps(text):
-    # Both solve to round-off; forces are the multipliers of 1e8 times the rounding of lengths.
-    runs = [Integrator(model_of(text), kernel=kernel) for kernel in ("c", "numpy")]
-    for integrator in runs:
-        for _ in range(4):
-            integrator.advance(integrator.time, 0.01)
-    for variable in model_of(text).variables:
-        if variable.causality == "output" and not variable.name.startswith("solver."):
-            first, second = (float(integrator[variable.name]) for integrator in runs)
-            assert first == pytest.approx(second, rel=1e-7, abs=1e-7), variable.name
-    assert float(runs[0]["energy.error"]) < 1e-13

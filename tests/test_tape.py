@@ -201,8 +201,7 @@ def test_what_parameters_do_not_fix_runs_when_it_is_needed():
     }
 
 
-@pytest.mark.parametrize("kernel", ["c", "numpy"])
-def test_parameters_inputs_and_measurements_reach_the_outputs_of_a_scene(kernel):
+def test_parameters_inputs_and_measurements_reach_the_outputs_of_a_scene():
     text = """
     name = "outputs"
     dimension = 2
@@ -222,7 +221,7 @@ def test_parameters_inputs_and_measurements_reach_the_outputs_of_a_scene(kernel)
     driven = { value = "gain*drive if drive > length else -1" }
     moving = { value = "distance(O, A)*atan2(A.y, A.x) + t" }
     """
-    run = start(text, kernel)
+    run = start(text)
     assert [run[name] for name in ("fixed", "driven")] == [0.5, 6.0]
     assert run["moving"] == pytest.approx(math.pi / 3.0, rel=1e-15)
     run["length"] = 2.0

@@ -13,16 +13,16 @@ from solver.runtime import Integrator
 from tests.exact_motions import double_pendulum_motion
 from tests.mechanism_runs import scene
 from tests.problems import Array, assemble, double_pendulum
-from tests.twins import KERNELS, block, vector
+from tests.twins import block, vector
 
 SWING = double_pendulum(math.pi / 6)
 POINTS = [f"{point}.{part}" for part in "xy" for point in "AB"]
 RELATIVE = math.sqrt(2.0 * (2.0 * math.sin(math.pi / 6)) ** 2)
 
 
-def swinging(tolerance: float, *, kernel: str = "auto", **settings: float) -> Integrator:
+def swinging(tolerance: float, **settings: float) -> Integrator:
     """Double pendulum from 30 degrees over 10 s."""
-    return Integrator(assemble(SWING, tolerance=tolerance, **settings), kernel=kernel)
+    return Integrator(assemble(SWING, tolerance=tolerance, **settings))
 
 
 def error_at_the_end(integrator: Integrator, step: float = 10.0) -> float:
@@ -83,9 +83,8 @@ def test_energy_and_constraints_stay_at_round_off_for_any_sequence_of_steps(name
     assert float(run["constraint.position"]) < 1e-12
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_saved_state_chooses_the_same_to_the_last_bit(kernel):
-    first, second = (swinging(1e-5, kernel=kernel) for _ in range(2))
+def test_a_saved_state_chooses_the_same_to_the_last_bit():
+    first, second = (swinging(1e-5) for _ in range(2))
     for _ in range(3):
         first.advance(first.time, 0.1)
     second.restore(first.save())
@@ -93,20 +92,6 @@ def test_a_saved_state_chooses_the_same_to_the_last_bit(kernel):
         for _ in range(3):
             run.advance(run.time, 0.1)
     assert np.array_equal(block(first), block(second))
-
-
-@pytest.mark.parametrize("settings", [{}, {"order": 2}, {"order": 6}], ids=str)
-def test_kernel_and_reference_choose_alike(settings):
-    ours, theirs = (swinging(1e-5, kernel=kernel, **settings) for kernel in KERNELS)
-    for step in (0.1, 0.1, 0.02, 0.02, 0.3):
-        for run in (ours, theirs):
-            run.advance(run.time, step)
-        for name in ("substeps", "order_in_use", "wanted", "judged_4", "judged_6"):
-            assert ours.state.head[name] == pytest.approx(theirs.state.head[name], rel=1e-4)
-    # Of a measured difference of 1e-8, round-off of 1e-13.
-    for name in ("learned_4", "learned_6"):
-        assert ours.state.head[name] == pytest.approx(theirs.state.head[name], abs=1e-4)
-    assert vector(ours, "q") == pytest.approx(vector(theirs, "q"), abs=1e-11)
 
 
 def test_an_absolute_tolerance_is_a_floor_under_the_relative_one():
@@ -227,8 +212,7 @@ def test_measuring_the_error_of_a_step_leaves_the_motion_as_it_is(order):
     assert np.array_equal(*ends)
 
 
-@pytest.mark.parametrize("kernel", KERNELS)
-def test_a_mechanism_of_nanometres_moves_like_one_of_metres(kernel):
+def test_a_mechanism_of_nanometres_moves_like_one_of_metres():
     # Periods go with the root of the length: all steps are then shorter than 1e-5 of `step_size`,
     # which under a tolerance says nothing about them. Forces are the same, places in proportion.
     places: list[Array] = []
@@ -249,7 +233,7 @@ def test_a_mechanism_of_nanometres_moves_like_one_of_metres(kernel):
             [solver]
             tolerance = 1e-6
         """
-        run = Integrator(solver.assemble(solver.loads(text)), kernel=kernel)
+        run = Integrator(solver.assemble(solver.loads(text)))
         run.initialise()
         run.state.head["horizon"] = math.sqrt(size)
         run.advance(0.0, math.sqrt(size))

@@ -1,4 +1,4 @@
-"""Integrators on the compiled kernel and on the NumPy reference, and mechanisms to try them on."""
+"""Integrators at the start of a run, their memory as arrays, and mechanisms to try them on."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ Array = NDArray[np.float64]
 
 SCENES = sorted((Path(__file__).parent.parent / "scenes").glob("*.toml"))
 FORMULATIONS = CHOICES["formulation"]
-KERNELS = ("c", "numpy")
 
 PENDULUM = """
 name = "pendulum"
@@ -104,11 +103,9 @@ def model_of(source: str | Path | Model) -> Model:
     return source if isinstance(source, Model) else _assembled(source)
 
 
-def start(
-    source: str | Path | Model, kernel: str = "c", **settings: float | str | bool
-) -> Integrator:
+def start(source: str | Path | Model, **settings: float | str | bool) -> Integrator:
     """Integrator at the start of its run; `settings` are those of the solver."""
-    integrator = Integrator(model_of(source), kernel=kernel)
+    integrator = Integrator(model_of(source))
     for name, value in settings.items():
         integrator[f"solver.{name}"] = value
     integrator.initialise()

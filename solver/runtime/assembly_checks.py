@@ -10,7 +10,7 @@ from .options import GENERAL
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
-    from .engine import Doubles, Engine
+    from .kernel import Doubles, Kernel
     from .model import Model, Rule
 
 DRAWN = 1e-9
@@ -92,7 +92,7 @@ def equilibrium_problems(model: Model, equilibrium: float) -> list[str]:
     ]
 
 
-def contradicted_rows(model: Model, engine: Engine) -> list[str]:
+def contradicted_rows(model: Model, engine: Kernel) -> list[str]:
     """Return one sentence for each part whose rows the drawn mechanism contradicts.
 
     With the setting `assemble` positions and velocities have been made consistent, so that a row
@@ -140,7 +140,7 @@ def _fighting(
 class _Drawn:
     """Residuals of the rows of a mechanism at its start."""
 
-    def __init__(self, model: Model, engine: Engine) -> None:
+    def __init__(self, model: Model, engine: Kernel) -> None:
         self.model, self.numbers, self.state = model, engine.numbers, engine.state
         self.phi, self.rate = engine.residuals()
         self.sections = state_sections(model.sizes)

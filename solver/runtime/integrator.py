@@ -14,8 +14,8 @@ from .assembly_checks import (
     formulation_problems,
     rules_of_laws,
 )
-from .engine_choice import engine_for
 from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
+from .kernel import Kernel
 from .model import Model, Variable
 from .options import DEFAULTS, decode, encode
 from .remarks import Remarks
@@ -35,18 +35,19 @@ class Integrator:
     ----------
     model : Model
         What to move.
-    kernel : {"auto", "c", "numpy"}
-        The compiled kernel ("auto" and "c"), or its NumPy reference.
     log : callable, optional
         Receives one sentence whenever something happens that a user should know; without it such a
         sentence is a RuntimeWarning.
+
+    Raises
+    ------
+    KernelMissingError
+        When no compiled kernel fits this platform, or it belongs to another version.
     """
 
-    def __init__(
-        self, model: Model, *, kernel: str = "auto", log: Callable[[str], None] | None = None
-    ) -> None:
+    def __init__(self, model: Model, *, log: Callable[[str], None] | None = None) -> None:
         self.model, self._log = model, log
-        self.engine = engine_for(model, kernel)
+        self.engine = Kernel(model)
         self.state = State(model, self.engine.state)
         self._base = model.offsets["measured"]
         self._rules_of_laws = rules_of_laws(model)

@@ -12,6 +12,8 @@ from collections.abc import Sequence
 from .layout import ABI, OFFSETS, SIZES, TABLES, measured_size, state_size
 from .model import Model
 
+Doubles = ctypes.Array[ctypes.c_double]
+
 
 class KernelMissingError(Exception):
     """There is no compiled kernel for this platform, or it does not load."""
@@ -120,7 +122,7 @@ def _shared_library(dimension: int, path: str) -> ctypes.CDLL:
     return load_library(dimension, path)
 
 
-def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
+def _doubles(values: Sequence[float]) -> Doubles:
     content = array("d", values) or array("d", [0.0])
     return (ctypes.c_double * len(content)).from_buffer_copy(content)
 
@@ -130,8 +132,6 @@ class Kernel:
 
     `numbers`, `state` and `work` are ctypes arrays of doubles; nothing in `work` survives a step.
     """
-
-    name = "c"
 
     def __init__(self, model: Model, library: ctypes.CDLL | None = None) -> None:
         self.model = model

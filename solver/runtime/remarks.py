@@ -14,7 +14,7 @@ from .state import State
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
-    from .engine import Doubles
+    from .kernel import Doubles
 
 CONSERVING = ("conserving-al", "conserving-al-beta")
 OPEN = 1e3

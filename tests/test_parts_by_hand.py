@@ -1,4 +1,4 @@
-"""The reference on bodies, quantities, functions and drivers, against closed forms."""
+"""Bodies, quantities, functions and drivers of models written by hand, against closed forms."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_a_body_that_would_turn_too_far_in_a_step_is_refused():
         hand = Hand(3)
         hand.body([0, 0, 0], [0.5] * 3, rate=[0.0, 0.0, speed])
         run = Run(hand, step_size=0.2)
-        assert run.engine.advance(0.2) is status
+        assert Status(run.engine.advance(0.2)) is status
     assert run.vector("q")[:3] == pytest.approx([0.0] * 3)
 
 
