@@ -97,6 +97,26 @@ def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
         ("state_size", ctypes.c_int64, [pointer]),
         ("work_size", ctypes.c_int64, [pointer]),
         ("measured_size", ctypes.c_int64, [pointer]),
+        ("instance_size", ctypes.c_int64, [pointer, ctypes.c_int64, pointer, ctypes.c_int64]),
+        ("make", pointer, [pointer, ctypes.c_int64, pointer, integer]),
+        ("reset", None, [pointer]),
+        ("message", ctypes.c_char_p, [pointer]),
+        ("remarks", ctypes.c_char_p, [pointer]),
+        ("get", integer, [pointer, pointer, integer, pointer]),
+        ("set", integer, [pointer, pointer, integer, pointer, pointer]),
+        ("word", ctypes.c_char_p, [pointer, integer, real]),
+        ("number_of_word", real, [pointer, integer, ctypes.c_char_p]),
+        ("assemble", integer, [pointer]),
+        ("begin", None, [pointer]),
+        ("move", integer, [pointer, real, real]),
+        ("saved_size", ctypes.c_int64, [pointer]),
+        ("save", None, [pointer, pointer]),
+        ("restore", integer, [pointer, ctypes.c_char_p, ctypes.c_int64]),
+        ("phase_of", integer, [pointer]),
+        ("model_of", pointer, [pointer]),
+        ("numbers_of", pointer, [pointer]),
+        ("state_of", pointer, [pointer]),
+        ("work_of", pointer, [pointer]),
         ("operate", real, [integer, real, real, real]),
         ("evaluate", None, [pointer, pointer, integer]),
         ("initialise", integer, [pointer] * 4),
@@ -117,7 +137,7 @@ def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
 
 
 @functools.cache
-def _shared_library(dimension: int, path: str) -> ctypes.CDLL:
+def shared_library(dimension: int, path: str) -> ctypes.CDLL:
     """Load a kernel once: ctypes keeps some 1.4 kB for every time that a library is loaded."""
     return load_library(dimension, path)
 
@@ -136,7 +156,7 @@ class Kernel:
     def __init__(self, model: Model, library: ctypes.CDLL | None = None) -> None:
         self.model = model
         dimension = model.sizes["dim"]
-        self._library = library or _shared_library(dimension, library_path(dimension))
+        self._library = library or shared_library(dimension, library_path(dimension))
         self.numbers = _doubles(model.numbers)
         self.state = (ctypes.c_double * state_size(model.sizes))()
         self._struct = _ModelStruct(

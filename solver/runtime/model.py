@@ -14,18 +14,12 @@ Records are named tuples: `dataclasses` and `typing` would double the time to im
 
 from __future__ import annotations
 
-import json
-import sys
-import zlib
-from array import array
+import ctypes
 from collections import namedtuple
 from functools import cached_property
 
-from .errors import UnknownNameError
-from .layout import OFFSETS, SIZES, TABLES
-
-FORMAT = 4
-"""Version of the byte format of a model."""
+from .errors import OptionError, UnknownNameError
+from .model_file import fingerprint, from_bytes, to_bytes
 
 
 class Variable(
@@ -137,12 +131,12 @@ class Model(
     experiment : Experiment
     """
 
-    @cached_property
+    _checked: tuple[ctypes.Array[ctypes.c_double], int] | None = None
+
+    @property
     def fingerprint(self) -> str:
         """Hash of all that a run depends on."""
-        import hashlib  # only where states are saved or archives built: it loads OpenSSL
-
-        return hashlib.sha256(self.to_bytes()).hexdigest()[:32]
+        return fingerprint(self.file)
 
     @property
     def row_names(self) -> tuple[str, ...]:
@@ -159,24 +153,12 @@ class Model(
             raise UnknownNameError(name, self._places)
         return self._places[name]
 
-    def to_bytes(self) -> bytes:
-        """Return the model as bytes: a JSON header, the raw arrays, CRC-32; little-endian.
+    def to_bytes(self, guid: str = "") -> bytes:
+        """Return the model as bytes (``model_file``); the same model gives the same ones.
 
-        The same model gives the same bytes.
+        `guid` is that of the FMU which carries it.
         """
-        assert tuple(self.sizes) == SIZES
-        assert tuple(self.tables) == TABLES
-        assert tuple(self.offsets) == OFFSETS
-        header = {
-            "format": FORMAT,
-            **{name: value for name, value in self._asdict().items() if name != "numbers"},
-            "tables": {name: len(table) for name, table in self.tables.items()},
-            "numbers": len(self.numbers),
-        }
-        text = json.dumps(header, separators=(",", ":")).encode()
-        blocks = [_little_endian(table) for table in (*self.tables.values(), self.numbers)]
-        data = b"".join([len(text).to_bytes(8, "little"), text, *blocks])
-        return data + zlib.crc32(data).to_bytes(4, "little")
+        return to_bytes(self, guid)
 
     @staticmethod
     def from_bytes(data: bytes) -> Model:
@@ -187,40 +169,29 @@ class Model(
         ValueError
             When the bytes are of another format version, or damaged.
         """
-        # Indices of the tables steer the kernel, which does not check them.
-        data, checksum = data[:-4], data[-4:]
-        if zlib.crc32(data).to_bytes(4, "little") != checksum:
-            message = "the model is damaged, or of an earlier version; build it again"
-            raise ValueError(message)
-        length = int.from_bytes(data[:8], "little")
-        header = json.loads(data[8 : 8 + length])
-        names = [tuple(header[group]) for group in ("sizes", "tables", "offsets")]
-        if header.pop("format") != FORMAT or names != [SIZES, TABLES, OFFSETS]:
-            message = "the model is of another version of holonom; build it again"
-            raise ValueError(message)
-        position = 8 + length
-        for name, count in header["tables"].items():
-            header["tables"][name], position = _from_little_endian("i", count, data, position)
-        header["numbers"], _ = _from_little_endian("d", header["numbers"], data, position)
-        header["variables"] = tuple(Variable(*row) for row in header["variables"])
-        header["rules"] = tuple(Rule(*row) for row in header["rules"])
-        header["rows"] = tuple(Row(*row) for row in header["rows"])
-        header["sampled"] = tuple(header["sampled"])
-        header["experiment"] = Experiment(*header["experiment"])
-        return Model(**header)
+        model = Model(**from_bytes(data))
+        model.__dict__["file"] = data
+        return model
 
+    @cached_property
+    def file(self) -> bytes:
+        """The bytes that the core reads."""
+        return self.to_bytes()
 
-def _little_endian(values: array) -> bytes:
-    if sys.byteorder == "big":
-        values = array(values.typecode, values)
-        values.byteswap()
-    return values.tobytes()
+    def checked_file(self, library: ctypes.CDLL) -> tuple[ctypes.Array[ctypes.c_double], int]:
+        """Return the bytes that the core reads, aligned, and the memory of an instance [bytes].
 
-
-def _from_little_endian(code: str, count: int, data: bytes, position: int) -> tuple[array, int]:
-    values = array(code)
-    end = position + count * values.itemsize
-    values.frombytes(data[position:end])
-    if sys.byteorder == "big":
-        values.byteswap()
-    return values, end
+        Raises
+        ------
+        OptionError
+            When the core finds an index in them that leads beyond what it points into.
+        """
+        if self._checked is None:
+            content = (ctypes.c_double * (len(self.file) // 8)).from_buffer_copy(self.file)
+            why = ctypes.create_string_buffer(200)
+            address = ctypes.addressof(content)
+            size = library.holonom_instance_size(address, len(self.file), why, len(why))
+            if not size:
+                raise OptionError(why.value.decode())
+            self.__dict__["_checked"] = content, size
+        return self._checked

@@ -1,0 +1,315 @@
+/* What is said of a mechanism when its parameters have arrived: numbers, drawn places, velocities. */
+#include "sentences.h"
+
+#include <string.h>
+
+static const double DRAWN = 1e-9;      /* largest residual of a drawn mechanism against the size of its row: the first step would turn
+                                          a larger one into a jolt */
+static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
+                                          differences, which leaves of a signal at rest what rounding makes, less than DRAWN in a second */
+static const double ROUNDING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion */
+
+#define ASSEMBLE ", or set [solver] assemble = true"
+
+static const struct { const char *sentence, *unit; } KIND[ROW_KINDS] = { /* detail, gap */
+    [ROW_LENGTH] = {"", " m"},
+    [ROW_APART] = {"its places%s are drawn %6g m apart; move one", " m"},
+    [ROW_OFF] = {"its places%s are drawn %6g m off its line or plane; move one", " m"},
+    [ROW_HEIGHT] = {"the centre of the disc%s is drawn %6g m off its height; move it", " m"},
+    [ROW_TURNED] = {"its axes%s are drawn %6g rad off; turn a body", " rad"},
+    [ROW_ANGLE] = {"the cosine of its angle%s is %6g off as drawn; turn a body, or correct the value", ""},
+    [ROW_AXES] = {"its axes%s are %6g off perpendicular unit vectors; correct its orientation", ""},
+    [ROW_VALUE] = {"its value%s is %6g as drawn and must be 0; move or turn a part", ""},
+    [ROW_DRIVER] = {"the drawing%s is %6g off its value at the start; move a part, correct the formula", ""},
+    [ROW_VELOCITY] = {"its velocities%s are %6g off", ""},
+};
+
+/* A message with {value}, however formatted. */
+static void say_filled(hm_text *text, const char *message, double value)
+{
+    char one[2] = "";
+    while (*message) {
+        if (strncmp(message, "{value", 6)) {
+            one[0] = *message++;
+            hm_say(text, "%s", one);
+            continue;
+        }
+        hm_say(text, "%r", value);
+        while (*message && *message != '}') message++;
+        message += *message == '}';
+    }
+}
+
+static int holds(const hm_rule *rule, double value)
+{
+    const int relation = rule->relation & ~OF_A_LAW;
+    if (relation == IS_FINITE) return fabs(value) < INFINITY;
+    return relation == IS_ABOVE ? value > rule->bound : value >= rule->bound;
+}
+
+int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers, int only_laws)
+{
+    int broken = 0;
+    for (uint32_t k = 0; k < f->header->n_rules; k++) {
+        const hm_rule *rule = f->rule + k;
+        if ((only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
+        hm_say(text, "%s%s: ", broken++ ? "\n" : "", f->text + rule->name);
+        say_filled(text, f->text + rule->message, numbers[rule->number]);
+    }
+    return broken;
+}
+
+static int knows_all_rows(int formulation)
+{
+    return formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA;
+}
+
+/* Words of the setting formulation: the one with this number. */
+static const char *formulation_word(const hm_model_file *f, double number)
+{
+    for (uint32_t k = 0; k < f->header->n_variables; k++)
+        if (f->variable[k].kind == AN_OPTION && f->variable[k].place == S_FORMULATION) return hm_word(f, f->variable + k, number);
+    return NULL;
+}
+
+/* Names of the sampled loads, each once. */
+static void say_sampled(hm_text *text, const hm_model_file *f)
+{
+    if (!f->header->n_sampled) hm_say(text, "a force");
+    for (uint32_t k = 0; k < f->header->n_sampled; k++) {
+        uint32_t before = 0;
+        while (before < k && strcmp(f->text + f->sampled[before], f->text + f->sampled[k])) before++;
+        if (before == k) hm_say(text, "%s%s", k ? ", " : "", f->text + f->sampled[k]);
+    }
+}
+
+int hm_unknown_to_method(hm_text *text, const hm_model_file *f, const double *head)
+{
+    const holonom_model *m = &f->model;
+    const int32_t general = m->n_function_rows + m->n_velocity_rows;
+    int problems = 0;
+    if (general && !knows_all_rows((int)head[S_FORMULATION])) {
+        hm_say(text, "solver.formulation: '%s' takes only quadratic rows, and that of %s is not; use '%s' or '%s'",
+               formulation_word(f, head[S_FORMULATION]), f->text + f->row[m->n_rows - general].name,
+               formulation_word(f, HOLONOM_CONSERVING_AL), formulation_word(f, HOLONOM_CONSERVING_AL_BETA));
+        problems++;
+    }
+    if (head[S_EQUILIBRIUM] != 0.0 && m->sensing) {
+        hm_say(text, "%ssolver.start: no equilibrium is sought, because ", problems++ ? "\n" : "");
+        say_sampled(text, f);
+        hm_say(text, " reads the motion; write it as a spring, damper, torsion_spring, torsion_damper or potential, or begin as drawn");
+    }
+    return problems;
+}
+
+/* ----------------------------------------------------------------------------------------------------- drawn rows */
+
+typedef struct drawing {
+    const hm_model_file *f;
+    const holonom_model *m;
+    const double *numbers, *phi, *rate;
+    const hm_state *s;
+    double fastest; /* largest angular velocity, and speed over the size of the mechanism [1/s] */
+} drawing;
+
+static double length_of(const double *x)
+{
+    return DIM == 2 ? hm_hypot(x[0], x[1]) : hm_hypot(hm_hypot(x[0], x[1]), x[DIM - 1]);
+}
+
+static int32_t n_moving(const drawing *d) { return d->m->n_free + d->m->n_driven; }
+
+static const double *place_of(const drawing *d, int32_t node)
+{
+    return node < n_moving(d) ? d->s->q + DIM * node : d->numbers + d->m->support_at + DIM * (node - n_moving(d));
+}
+
+static const double *velocity_of(const drawing *d, int32_t node)
+{
+    static const double rest[DIM] = {0.0};
+    return node < n_moving(d) ? d->s->v + DIM * node : rest;
+}
+
+static double fastest(const drawing *d)
+{
+    double largest = 0.0;
+    for (int32_t node = 0; node < n_moving(d); node++) {
+        const double speed = length_of(velocity_of(d, node));
+        largest = fmax(largest, d->m->node_kind[node] ? speed : speed / d->numbers[d->m->extent_at]);
+    }
+    return largest;
+}
+
+/* How far a row is from what it demands; 0 where rounding explains it. */
+static double gap_of(const drawing *d, int32_t row)
+{
+    const double size = d->numbers[d->m->row_scale_at + row], gap = fabs(d->phi[row]);
+    const double twice = d->f->row[row].kind == ROW_LENGTH ? 2.0 : 1.0; /* of squared lengths */
+    return gap <= twice * DRAWN * size ? 0.0 : gap;
+}
+
+/* What the rate of u . w, or of u alone, would be if nothing cancelled. */
+static double bound_of_rate(const drawing *d, int32_t form)
+{
+    const holonom_model *m = d->m;
+    const double *alpha = d->numbers + m->alpha_at, *beta = d->numbers + m->beta_at;
+    const int turned = m->beta_turn_at > m->alpha_turn_at;
+    double u[DIM] = {0.0}, w[DIM] = {0.0}, sum = 0.0;
+    int alone = 1;
+    for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
+        const double *x = place_of(d, m->form_node[e]);
+        for (int k = 0; k < DIM; k++) u[k] += alpha[e] * x[k], w[k] += beta[e] * x[k];
+        alone &= beta[e] == 0.0 && !(turned && d->numbers[m->beta_turn_at + e] != 0.0);
+    }
+    const double arm = alone ? 1.0 : length_of(w), other = length_of(u);
+    for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
+        double a = fabs(alpha[e]), b = fabs(beta[e]);
+        if (turned) a += fabs(d->numbers[m->alpha_turn_at + e]), b += fabs(d->numbers[m->beta_turn_at + e]);
+        sum += (a * arm + b * other) * length_of(velocity_of(d, m->form_node[e]));
+    }
+    return sum;
+}
+
+/* Rate of a row; 0 where rounding explains it. */
+static double speed_of(const drawing *d, int32_t row)
+{
+    const holonom_model *m = d->m;
+    const double scale = d->numbers[m->row_scale_at + row], rate = fabs(d->rate[row]);
+    const int32_t coincidence = row - m->n_form_rows;
+    double size = ROUNDING * scale * d->fastest; /* of velocities that were made consistent */
+    if (rate <= size) return 0.0; /* then its bound, which takes long, need not be known */
+    if (coincidence < 0) size += DRAWN * bound_of_rate(d, m->row_form[row]);
+    else if (coincidence < DIM * m->n_coincidences) size += DRAWN * bound_of_rate(d, m->coincidence_form[coincidence / DIM]);
+    else size = scale * (PRESCRIBED * d->fastest + DRAWN);
+    return rate <= size ? 0.0 : rate;
+}
+
+/* Length that a rod must have, and the one that it has. */
+static void lengths_of(const drawing *d, int32_t row, double *length, double *drawn)
+{
+    const double length2 = d->numbers[d->m->row_constant_at + row], drawn2 = length2 + d->phi[row];
+    *length = sqrt(length2);
+    *drawn = sqrt(drawn2 > 0.0 ? drawn2 : 0.0);
+}
+
+/* Velocities of the two points of a rod along it; 0 if it has not two. */
+static int speeds_along(const drawing *d, int32_t row, double *speed)
+{
+    const holonom_model *m = d->m;
+    const int32_t begin = m->form_ptr[m->row_form[row]], first = d->numbers[m->alpha_at + begin] < 0.0 ? begin : begin + 1;
+    if (m->form_ptr[m->row_form[row] + 1] - begin != 2) return 0;
+    const int32_t second = 2 * begin + 1 - first;
+    if (d->numbers[m->alpha_at + first] != -1.0 || d->numbers[m->alpha_at + second] != 1.0) return 0;
+    const int32_t node[2] = {m->form_node[first], m->form_node[second]};
+    double link[DIM], length;
+    for (int k = 0; k < DIM; k++) link[k] = place_of(d, node[1])[k] - place_of(d, node[0])[k];
+    length = length_of(link);
+    for (int i = 0; i < 2; i++) {
+        speed[i] = 0.0;
+        for (int k = 0; k < DIM; k++) speed[i] += velocity_of(d, node[i])[k] * link[k];
+        speed[i] /= length != 0.0 ? length : 1.0;
+    }
+    return 1;
+}
+
+/* Of the rows with the name of `row`, from it on, by `value`: the one with the largest, and the root of the sum of squares, of
+   those alike if asked; 0 if one before it has the name. */
+typedef double (*row_value)(const drawing *d, int32_t row);
+
+static int gather(const drawing *d, int32_t row, row_value value, int alike, int32_t *worst, double *whole)
+{
+    const uint32_t name = d->f->row[row].name;
+    double largest = -1.0, sum = 0.0;
+    for (int32_t i = 0; i < row; i++)
+        if (d->f->row[i].name == name && value(d, i) != 0.0) return 0;
+    for (int32_t i = row; i < d->m->n_rows; i++) {
+        if (d->f->row[i].name != name) continue;
+        const double x = value(d, i);
+        if (x == 0.0) continue;
+        if (!(x < largest)) largest = x, *worst = i;
+    }
+    for (int32_t i = row; i < d->m->n_rows; i++)
+        if (d->f->row[i].name == name && (!alike || d->f->row[i].kind == d->f->row[*worst].kind)) {
+            const double x = value(d, i) / largest;
+            sum += x * x;
+        }
+    *whole = largest * sqrt(sum);
+    return 1;
+}
+
+static void say_position(hm_text *text, const drawing *d, int32_t row, double gap)
+{
+    const hm_row *record = d->f->row + row;
+    hm_say(text, "%s: ", d->f->text + record->name);
+    if (record->kind == ROW_LENGTH) {
+        double length, drawn;
+        lengths_of(d, row, &length, &drawn);
+        hm_say(text, "length is %12g m, but its points are drawn %12g m apart; move a point, correct the length, or leave it out to "
+                     "take it as drawn", length, drawn);
+    } else
+        hm_say(text, KIND[record->kind].sentence, d->f->text + record->detail, gap);
+    hm_say(text, ASSEMBLE);
+}
+
+static void say_velocity(hm_text *text, const drawing *d, int32_t row, double rate)
+{
+    const hm_row *record = d->f->row + row;
+    const char *unit = KIND[record->kind].unit;
+    double speed[2];
+    hm_say(text, "%s: ", d->f->text + record->name);
+    if (record->kind == ROW_LENGTH && speeds_along(d, row, speed))
+        hm_say(text, "the velocities of its points contradict it: along it they are %12g m/s and %12g m/s, and must be equal" ASSEMBLE,
+               speed[0], speed[1]);
+    else
+        hm_say(text, "the velocities of its parts contradict it, by %6g%s%s; correct the velocities" ASSEMBLE, rate,
+               *unit ? unit : " per second", *unit ? "/s" : "");
+}
+
+/* With the setting `assemble` positions and velocities have been made consistent, so that a row which is still violated
+   cannot be met at all: one sentence names the parts that fight, each with what is missing. */
+static int say_fighting(hm_text *text, const drawing *d)
+{
+    int problems = 0;
+    for (int32_t row = 0; row < d->m->n_rows; row++) {
+        int32_t worst = row;
+        double gap, length, drawn;
+        if (gap_of(d, row) == 0.0 || !gather(d, row, gap_of, 1, &worst, &gap)) continue;
+        gap = gap_of(d, worst);
+        if (d->f->row[worst].kind == ROW_LENGTH) {
+            lengths_of(d, worst, &length, &drawn);
+            gap = fabs(length - drawn);
+        }
+        hm_say(text, "%s%s (%3g%s)", problems++ ? ", " : "the mechanism cannot be closed: joints contradict each other: ",
+               d->f->text + d->f->row[worst].name, gap, KIND[d->f->row[worst].kind].unit);
+    }
+    return problems > 0;
+}
+
+static int has_gap(const drawing *d, uint32_t name)
+{
+    for (int32_t i = 0; i < d->m->n_rows; i++)
+        if (d->f->row[i].name == name && gap_of(d, i) != 0.0) return 1;
+    return 0;
+}
+
+int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, const double *phi,
+                         const double *rate)
+{
+    drawing drawn = {f, &f->model, numbers, phi, rate, s, 0.0};
+    const drawing *d = &drawn;
+    int problems = 0;
+    drawn.fastest = fastest(d);
+    if (s->head[S_ASSEMBLE] != 0.0) return say_fighting(text, d);
+    for (int pass = 0; pass < 2; pass++) {
+        const row_value value = pass ? speed_of : gap_of;
+        for (int32_t row = 0; row < f->model.n_rows; row++) {
+            int32_t worst = row;
+            double whole;
+            if (value(d, row) == 0.0 || !gather(d, row, value, !pass, &worst, &whole)) continue;
+            if (pass && has_gap(d, f->row[row].name)) continue;
+            if (problems++) hm_say(text, "\n");
+            (pass ? say_velocity : say_position)(text, d, worst, whole);
+        }
+    }
+    return problems;
+}

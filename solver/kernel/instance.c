@@ -1,0 +1,436 @@
+#include "instance.h"
+#include "sentences.h"
+
+#include <string.h>
+
+struct holonom_instance {
+    hm_model_file file;
+    hm_state s;
+    double *numbers, *state, *work;
+    double *before;              /* state and numbers, while a change of inputs is tried                  */
+    double *inputs, *parameters; /* those to come                                                         */
+    double *phi, *rate;          /* n_rows each                                                           */
+    char *clipped;               /* of each variable: whether it was said that it is clipped               */
+    hm_text message, remarks;
+    int64_t state_size;
+    int32_t phase, is_measured, heard, has_rules_of_laws, said, has_remarks;
+};
+
+enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
+static const double ROUNDING = 8.0, STEP_SLACK = 1e-6; /* a step begins at the present time, up to so many last digits and this part of it */
+
+static const char *text_of(const holonom_instance *i, uint32_t at) { return i->file.text + at; }
+
+/* ------------------------------------------------------------------------------------------------------ memory */
+
+static size_t up(size_t bytes) { return (bytes + 15) & ~(size_t)15; }
+
+static size_t message_room(const hm_model_file *f)
+{
+    const size_t rows = (size_t)f->header->n_rows + f->header->n_rules;
+    return MESSAGE_ROOM + ROOM_PER_ROW * (rows < MOST_ROWS ? rows : MOST_ROWS);
+}
+
+/* Lays an instance over `memory`, or only measures it; returns its bytes. */
+static size_t lay_out(const hm_model_file *f, char *memory, holonom_instance *i)
+{
+    const holonom_model *m = &f->model;
+    const size_t state = (size_t)holonom_state_size(m), rows = (size_t)m->n_rows;
+    size_t used = up(sizeof *i);
+    struct { double **vector; size_t length; } part[] = {
+        {&i->numbers, (size_t)m->n_numbers}, {&i->state, state}, {&i->work, (size_t)holonom_work_size(m)},
+        {&i->before, state + (size_t)m->n_numbers}, {&i->inputs, (size_t)m->n_inputs}, {&i->parameters, (size_t)m->n_parameters},
+        {&i->phi, rows}, {&i->rate, rows},
+    };
+    for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
+        if (memory) *part[k].vector = (double *)(void *)(memory + used);
+        used += up(sizeof(double) * part[k].length);
+    }
+    if (memory) {
+        i->state_size = (int64_t)state;
+        i->clipped = memory + used;
+        i->message = (hm_text){i->clipped + up(f->header->n_variables + 1), message_room(f), 0};
+        i->remarks = (hm_text){i->message.begin + up(i->message.room), REMARK_ROOM, 0};
+    }
+    return used + up(f->header->n_variables + 1) + up(message_room(f)) + REMARK_ROOM;
+}
+
+int64_t holonom_instance_size(const void *model, int64_t length, char *why, int64_t room)
+{
+    hm_model_file f;
+    holonom_instance none;
+    hm_text text = {why, (size_t)room, 0};
+    const char *flaw = hm_bind(model, length, &f);
+    for (uint32_t k = 0; !flaw && k < f.header->n_variables; k++) /* the settings that a run begins with are allowed */
+        if (f.variable[k].kind == AN_OPTION && hm_objects(&text, &f, f.variable + k, f.settings[f.variable[k].place], NULL, 0))
+            flaw = "a setting is not allowed";
+    hm_clear(&text);
+    if (!flaw) return (int64_t)lay_out(&f, NULL, &none);
+    hm_say(&text, "the model cannot be used: %s; build it again", flaw);
+    return 0;
+}
+
+holonom_instance *holonom_make(const void *model, int64_t length, void *memory, int32_t heard)
+{
+    holonom_instance *i = memory;
+    memset(i, 0, sizeof *i);
+    if (hm_bind(model, length, &i->file)) return NULL;
+    memset(i, 0, lay_out(&i->file, memory, i));
+    hm_bind(model, length, &i->file);
+    lay_out(&i->file, memory, i);
+    hm_map_state(&i->file.model, i->state, &i->s);
+    i->heard = heard;
+    for (uint32_t k = 0; k < i->file.header->n_rules; k++) i->has_rules_of_laws |= i->file.rule[k].relation & OF_A_LAW;
+    holonom_reset(i);
+    return i;
+}
+
+void holonom_reset(holonom_instance *i)
+{
+    const hm_model_file *f = &i->file;
+    memset(i->state, 0, sizeof(double) * (size_t)i->state_size);
+    memcpy(i->numbers, f->numbers, sizeof(double) * (size_t)f->model.n_numbers);
+    memcpy(i->state, f->settings, sizeof(double) * S_HEAD);
+    for (uint32_t k = 0; k < f->header->n_variables; k++) {
+        const hm_variable *v = f->variable + k;
+        if (v->kind == A_PARAMETER) i->s.parameters[v->place] = v->start;
+        if (v->kind == AN_INPUT) i->s.inputs[v->place] = v->start;
+    }
+    memset(i->clipped, 0, f->header->n_variables);
+    hm_clear(&i->message);
+    hm_clear(&i->remarks);
+    i->phase = HOLONOM_CONFIGURED;
+    i->is_measured = i->said = i->has_remarks = 0;
+}
+
+const char *holonom_message(const holonom_instance *i) { return i->message.begin; }
+
+const char *holonom_remarks(holonom_instance *i)
+{
+    i->has_remarks = 0;
+    return i->remarks.begin;
+}
+
+/* Begins a line of the remarks. */
+static void begin_remark(holonom_instance *i)
+{
+    if (!i->has_remarks) hm_clear(&i->remarks);
+    else hm_say(&i->remarks, "\n");
+    i->has_remarks = 1;
+}
+
+static int32_t done(const holonom_instance *i) { return i->has_remarks ? HOLONOM_REMARKED : HOLONOM_DONE; }
+
+/* ------------------------------------------------------------------------------------------------------ values */
+
+const char *holonom_word(const holonom_instance *i, int32_t index, double value)
+{
+    return hm_word(&i->file, i->file.variable + index, value);
+}
+
+double holonom_number_of_word(const holonom_instance *i, int32_t index, const char *word)
+{
+    for (double k = 0.0;; k++) {
+        const char *known = holonom_word(i, index, k);
+        if (!known) return NAN;
+        if (!strcmp(known, word)) return k;
+    }
+}
+
+static int32_t refuse_index(holonom_instance *i, int32_t index)
+{
+    hm_clear(&i->message);
+    hm_say(&i->message, "no variable has the index %d", index);
+    return HOLONOM_REFUSED;
+}
+
+static int32_t measure(holonom_instance *i)
+{
+    if (i->phase == HOLONOM_CONFIGURED) {
+        const int32_t result = holonom_assemble(i);
+        if (result) return result;
+    }
+    holonom_measure(&i->file.model, i->numbers, i->state, i->work);
+    i->is_measured = 1;
+    return HOLONOM_DONE;
+}
+
+int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, double *value)
+{
+    for (int32_t k = 0; k < count; k++) {
+        if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
+        const hm_variable *v = i->file.variable + index[k];
+        switch (v->kind) {
+        case A_PARAMETER: value[k] = i->s.parameters[v->place]; continue;
+        case AN_INPUT: value[k] = i->s.inputs[v->place]; continue;
+        case AN_OPTION: value[k] = i->state[v->place]; continue;
+        default: break;
+        }
+        if (!i->is_measured) {
+            const int32_t result = measure(i);
+            if (result) return result;
+        }
+        value[k] = i->numbers[v->place + (v->kind == A_MEASUREMENT ? i->file.model.measured_at : 0)];
+        if (!(fabs(value[k]) < INFINITY)) {
+            hm_clear(&i->message);
+            hm_say(&i->message, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
+            return HOLONOM_UNTRIED;
+        }
+    }
+    return HOLONOM_DONE;
+}
+
+/* Changes inputs and tunable parameters in motion, unless a law would break its rule. */
+static int32_t change_in_motion(holonom_instance *i)
+{
+    const holonom_model *m = &i->file.model;
+    const size_t state = sizeof(double) * (size_t)i->state_size, numbers = sizeof(double) * (size_t)m->n_numbers;
+    const int may_break = i->has_rules_of_laws || m->variable_potential;
+    if (may_break) {
+        memcpy(i->before, i->state, state);
+        memcpy(i->before + i->state_size, i->numbers, numbers);
+    }
+    holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters);
+    if (!may_break) return HOLONOM_DONE;
+    hm_clear(&i->message);
+    int problems = hm_broken_rules(&i->message, &i->file, i->numbers, 1);
+    if (!(fabs(i->s.head[S_WORK]) < INFINITY))
+        hm_say(&i->message, "%swith these values a spring or potential has no finite energy", problems++ ? "\n" : "");
+    if (!problems) return HOLONOM_DONE;
+    memcpy(i->state, i->before, state);
+    memcpy(i->numbers, i->before + i->state_size, numbers);
+    return HOLONOM_REFUSED;
+}
+
+static int32_t check_values(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
+{
+    hm_clear(&i->message);
+    for (int32_t k = 0; k < count; k++) {
+        if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
+        const hm_variable *v = i->file.variable + index[k];
+        if (hm_objects(&i->message, &i->file, v, value[k], shown ? shown[k] : NULL, i->phase == HOLONOM_MOVING)) return HOLONOM_REFUSED;
+    }
+    return HOLONOM_DONE;
+}
+
+/* Value to take; that an input is clipped to a limit is said once. */
+static double clipped(holonom_instance *i, int32_t index, double value, const char *shown)
+{
+    const hm_variable *v = i->file.variable + index;
+    const double limit = v->flags & CLIPS ? hm_limit_before(v, value) : NAN;
+    const char *unit = text_of(i, v->unit), *gap = *unit ? " " : "";
+    if (limit != limit) return value;
+    if (i->clipped[index]) return limit;
+    i->clipped[index] = 1;
+    begin_remark(i);
+    hm_say(&i->remarks, "%s: ", text_of(i, v->name));
+    if (shown) hm_say(&i->remarks, "%s", shown);
+    else hm_say(&i->remarks, "%r", value);
+    hm_say(&i->remarks, "%s%s is beyond %6g%s%s, and is clipped to this limit (reported once)", gap, unit, limit, gap, unit);
+    return limit;
+}
+
+int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
+{
+    const holonom_model *m = &i->file.model;
+    int32_t result = check_values(i, index, count, value, shown), arriving = 1;
+    if (result) return result;
+    memcpy(i->inputs, i->s.inputs, sizeof(double) * (size_t)m->n_inputs);
+    memcpy(i->parameters, i->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+    for (int32_t k = 0; k < count; k++) {
+        const hm_variable *v = i->file.variable + index[k];
+        const double limit = v->flags & CLIPS ? hm_limit_before(v, value[k]) : NAN, taken = limit == limit ? limit : value[k];
+        arriving &= v->kind == AN_INPUT;
+        if (v->kind == AN_INPUT) i->inputs[v->place] = taken;
+        if (v->kind == A_PARAMETER) i->parameters[v->place] = taken;
+    }
+    /* An input that arrives after the start is one for the step to come, not for the start. */
+    if (i->phase == HOLONOM_MOVING || (i->phase == HOLONOM_ASSEMBLED && arriving)) {
+        if ((result = change_in_motion(i))) return result;
+    } else {
+        memcpy(i->s.inputs, i->inputs, sizeof(double) * (size_t)m->n_inputs);
+        memcpy(i->s.parameters, i->parameters, sizeof(double) * (size_t)m->n_parameters);
+        i->phase = HOLONOM_CONFIGURED;
+    }
+    for (int32_t k = 0; k < count; k++) {
+        const hm_variable *v = i->file.variable + index[k];
+        if (v->kind == AN_OPTION) i->state[v->place] = value[k];
+        clipped(i, index[k], value[k], shown ? shown[k] : NULL);
+    }
+    i->is_measured = 0;
+    return done(i);
+}
+
+/* ------------------------------------------------------------------------------------------------------ motion */
+
+/* All numbers that depend on parameters, inputs and the time. */
+static void evaluate(holonom_instance *i)
+{
+    const holonom_model *m = &i->file.model;
+    memcpy(i->numbers + m->input_at, i->s.inputs, sizeof(double) * (size_t)m->n_inputs);
+    memcpy(i->numbers + m->parameter_at, i->s.parameters, sizeof(double) * (size_t)m->n_parameters);
+    i->numbers[m->time_at] = i->s.head[S_TIME];
+    holonom_evaluate(m, i->numbers, 0);
+    holonom_evaluate(m, i->numbers, 1);
+}
+
+int32_t holonom_assemble(holonom_instance *i)
+{
+    const holonom_model *m = &i->file.model;
+    hm_text *message = &i->message;
+    evaluate(i);
+    hm_clear(message);
+    int problems = hm_broken_rules(message, &i->file, i->numbers, 0);
+    hm_say(message, "%s", problems ? "\n" : "");
+    const size_t end = message->used;
+    if (hm_unknown_to_method(message, &i->file, i->state)) return HOLONOM_UNASSEMBLED;
+    if (problems) {
+        message->used = end - 1; /* without the line break */
+        message->begin[message->used] = 0;
+        return HOLONOM_UNASSEMBLED;
+    }
+    const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
+    if (status) {
+        hm_say(message, "the mechanism cannot be assembled: %s", hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
+        return HOLONOM_UNASSEMBLED;
+    }
+    i->is_measured = 0;
+    holonom_residuals(m, i->numbers, i->state, i->work, i->phi, i->rate);
+    problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
+    i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
+    return problems ? HOLONOM_UNASSEMBLED : HOLONOM_DONE;
+}
+
+void holonom_begin(holonom_instance *i)
+{
+    if (i->phase == HOLONOM_ASSEMBLED) i->phase = HOLONOM_MOVING;
+}
+
+static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
+{
+    double *head = i->s.head;
+    const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
+    head[S_STATUS] = status;
+    i->is_measured = 0;
+    hm_clear(&i->message);
+    hm_say(&i->message, "step from t = %6g s with h = %6g s: %s", t, step > longest ? longest : step, hm_about_step(status));
+    return HOLONOM_FAILED;
+}
+
+int32_t holonom_move(holonom_instance *i, double t, double step)
+{
+    double *head = i->s.head;
+    const double last_digit = nextafter(fabs(t), INFINITY) - fabs(t);
+    const double slack = fabs(t + step) < INFINITY ? ROUNDING * last_digit + STEP_SLACK * fabs(step) : 0.0;
+    if (!(fabs(t - head[S_TIME]) <= slack)) {
+        hm_clear(&i->message);
+        hm_say(&i->message, "step from t = %r s asked for, but the mechanism is at %r s", t, head[S_TIME]);
+        return HOLONOM_UNTRIED;
+    }
+    if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);
+    if (i->phase == HOLONOM_CONFIGURED) {
+        const int32_t result = holonom_assemble(i);
+        if (result) return result;
+    }
+    /* A last digit of t that differs from the own time must not add up over many steps. */
+    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step);
+    i->is_measured = 0;
+    if (status) return fail(i, t, step, status);
+    head[S_TIME] = t + step;
+    i->phase = HOLONOM_MOVING;
+    const int said = i->said;
+    hm_text seen = i->remarks; /* behind those not yet fetched */
+    if (!i->has_remarks) hm_clear(&seen);
+    const size_t begin = seen.used;
+    i->said = hm_remark(&seen, &i->file, i->numbers, &i->s, said, i->heard);
+    if (seen.used > begin) i->remarks = seen, i->has_remarks = 1;
+    return done(i);
+}
+
+/* ------------------------------------------------------------------------------------------------------ states */
+
+typedef struct saved_state {
+    char magic[8], fingerprint[32];
+    int64_t phase, length;
+    uint32_t checksum, unused;
+} saved_state;
+
+static const char SAVED[8] = "holonom5"; /* the digit is the version of the format */
+
+static uint32_t checksum_of(saved_state head, const void *block)
+{
+    head.checksum = 0;
+    return hm_checksum(hm_checksum(0, &head, sizeof head), block, sizeof(double) * (size_t)head.length);
+}
+
+int64_t holonom_saved_size(const holonom_instance *i) { return (int64_t)sizeof(saved_state) + 8 * i->state_size; }
+
+void holonom_save(const holonom_instance *i, void *bytes)
+{
+    saved_state head;
+    memset(&head, 0, sizeof head);
+    memcpy(head.magic, SAVED, sizeof SAVED);
+    memcpy(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint);
+    head.phase = i->phase;
+    head.length = i->state_size;
+    head.checksum = checksum_of(head, i->state);
+    memcpy(bytes, &head, sizeof head);
+    memcpy((char *)bytes + sizeof head, i->state, sizeof(double) * (size_t)i->state_size);
+}
+
+static int32_t refuse_state(holonom_instance *i, const char *why)
+{
+    hm_clear(&i->message);
+    hm_say(&i->message, "the saved state %s", why);
+    return HOLONOM_REFUSED;
+}
+
+/* Whether a saved block has only numbers that a run can come to; they steer what is not checked again. */
+static const char *flaw_of_block(holonom_instance *i, const double *block)
+{
+    const hm_model_file *f = &i->file;
+    for (int64_t k = 0; k < i->state_size; k++) {
+        const int endless = k == S_MEAN_TIME || k == S_MEAN_TIME_BEFORE || k == S_WANTED;
+        if (!(fabs(block[k]) < INFINITY) && !(endless && block[k] == INFINITY)) return "has a number that is not finite; save it again";
+    }
+    for (uint32_t k = 0; k < f->header->n_variables; k++) {
+        const hm_variable *v = f->variable + k;
+        if (v->kind == AN_OPTION && hm_objects(&i->message, f, v, block[v->place], NULL, 0))
+            return "has a setting that is not allowed; save it again";
+    }
+    return NULL;
+}
+
+int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
+{
+    saved_state head;
+    const char *block = (const char *)bytes + sizeof head;
+    if (length < (int64_t)sizeof head || memcmp(bytes, SAVED, sizeof SAVED))
+        return refuse_state(i, "is not one of this format; save it again with this FMU");
+    memcpy(&head, bytes, sizeof head);
+    if (memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
+        return refuse_state(i, "belongs to another model; restore it where it was saved");
+    if (length != holonom_saved_size(i) || head.length != i->state_size) {
+        hm_clear(&i->message);
+        hm_say(&i->message, "the saved state is %d bytes long, not what its header says", (int)length);
+        return HOLONOM_REFUSED;
+    }
+    if (head.checksum != checksum_of(head, block) || head.phase < HOLONOM_CONFIGURED || head.phase > HOLONOM_MOVING)
+        return refuse_state(i, "is damaged: its checksum does not fit; save it again");
+    memcpy(i->before, block, sizeof(double) * (size_t)i->state_size);
+    const char *flaw = flaw_of_block(i, i->before);
+    if (flaw) return refuse_state(i, flaw);
+    memcpy(i->state, i->before, sizeof(double) * (size_t)i->state_size);
+    i->phase = (int32_t)head.phase;
+    i->is_measured = 0;
+    /* Numbers are no part of the state: those of parameters follow from it, nothing else is asked again. */
+    if (i->phase != HOLONOM_CONFIGURED) evaluate(i);
+    return HOLONOM_DONE;
+}
+
+int32_t holonom_phase_of(const holonom_instance *i) { return i->phase; }
+const char *holonom_fingerprint(const holonom_instance *i) { return i->file.header->fingerprint; }
+const holonom_model *holonom_model_of(const holonom_instance *i) { return &i->file.model; }
+double *holonom_numbers_of(holonom_instance *i) { return i->numbers; }
+double *holonom_state_of(holonom_instance *i) { return i->state; }
+double *holonom_work_of(holonom_instance *i) { return i->work; }

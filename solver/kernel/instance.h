@@ -1,0 +1,72 @@
+/* One mechanism in motion: parameters in, steps, values and sentences out. Nothing else moves a model: Python and an FMU call
+   these. Values are doubles, words their place in a list. The caller lends all memory; no I/O, no globals, no allocation. */
+#ifndef HOLONOM_INSTANCE_H
+#define HOLONOM_INSTANCE_H
+
+#include "holonom.h"
+
+typedef struct holonom_instance holonom_instance;
+
+enum holonom_result {
+    HOLONOM_DONE = 0,
+    HOLONOM_REFUSED = 1,     /* a value or a saved state that no rule allows; nothing was changed          */
+    HOLONOM_UNASSEMBLED = 2, /* the parameters break rules                                                 */
+    HOLONOM_FAILED = 3,      /* a step that cannot be solved; the state is as before, but for its status   */
+    HOLONOM_UNTRIED = 4,     /* a step that begins at another time, or a value that is not finite          */
+    HOLONOM_REMARKED = 256   /* added where there are remarks to fetch                                     */
+};
+
+enum holonom_phase { HOLONOM_CONFIGURED, HOLONOM_ASSEMBLED, HOLONOM_MOVING }; /* values may change; start taken; after a step */
+
+/* Bytes of memory for an instance of a model file, after all of it was checked; 0 if it cannot be used, and why (room bytes). */
+HOLONOM_API int64_t holonom_instance_size(const void *model, int64_t length, char *why, int64_t room);
+
+/* Makes an instance in `memory` (16-aligned, holonom_instance_size bytes). The model must outlive it. `heard`: somebody reads all
+   remarks; otherwise only those are made that hold for a whole run. */
+HOLONOM_API holonom_instance *holonom_make(const void *model, int64_t length, void *memory, int32_t heard);
+
+/* Returns to the condition after holonom_make. */
+HOLONOM_API void holonom_reset(holonom_instance *instance);
+
+/* Sentences of the last call that returned neither HOLONOM_DONE nor HOLONOM_REMARKED, one a line; UTF-8. */
+HOLONOM_API const char *holonom_message(const holonom_instance *instance);
+
+/* What was noticed and not yet fetched, one sentence a line, each once; overwritten by the next call. */
+HOLONOM_API const char *holonom_remarks(holonom_instance *instance);
+
+/* Values of variables by their index. One that is not finite is refused (HOLONOM_UNTRIED), the mechanism is assembled first
+   where an output is asked for. */
+HOLONOM_API int32_t holonom_get(holonom_instance *instance, const int32_t *index, int32_t count, double *value);
+
+/* Sets parameters, inputs and settings: all or none. `shown`, if given, has for each value how a sentence shows it, or NULL. */
+HOLONOM_API int32_t holonom_set(holonom_instance *instance, const int32_t *index, int32_t count, const double *value,
+                                const char *const *shown);
+
+/* Word number `value` of a variable that has words, and the number of a word; NULL or NaN if there is none. */
+HOLONOM_API const char *holonom_word(const holonom_instance *instance, int32_t index, double value);
+HOLONOM_API double holonom_number_of_word(const holonom_instance *instance, int32_t index, const char *word);
+
+/* Assembles the mechanism with the present parameters at the present time (its state's S_TIME). */
+HOLONOM_API int32_t holonom_assemble(holonom_instance *instance);
+
+/* Ends the start: what is set from now on is for the step to come, as after a step. */
+HOLONOM_API void holonom_begin(holonom_instance *instance);
+
+/* Advances from time t, which must be the present time, by `step`, both in s. */
+HOLONOM_API int32_t holonom_move(holonom_instance *instance, double t, double step);
+
+/* The whole state as bytes: motion, multipliers, ledger, inputs, parameters, settings and phase, under one checksum. */
+HOLONOM_API int64_t holonom_saved_size(const holonom_instance *instance);
+HOLONOM_API void holonom_save(const holonom_instance *instance, void *bytes);
+HOLONOM_API int32_t holonom_restore(holonom_instance *instance, const void *bytes, int64_t length);
+
+HOLONOM_API int32_t holonom_phase_of(const holonom_instance *instance);
+HOLONOM_API const char *holonom_fingerprint(const holonom_instance *instance);
+
+/* The memory of an instance: what the functions of holonom.h take. */
+HOLONOM_API const holonom_model *holonom_model_of(const holonom_instance *instance);
+HOLONOM_API double *holonom_numbers_of(holonom_instance *instance);
+HOLONOM_API double *holonom_state_of(holonom_instance *instance);
+HOLONOM_API double *holonom_work_of(holonom_instance *instance);
+
+#endif

@@ -1,0 +1,149 @@
+/* What is said of steps that fail, and of what a run shows though it goes on. */
+#include "sentences.h"
+
+#define HALVED "even with the step halved 6 times; "
+#define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, usually helps"
+
+static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
+static const double LEDGER_LONG = 1e-9; /* error of the ledger that round-off of a long run may come to */
+static const double MOST_SAMPLING = 1.0; /* beyond it loads that read the mechanism drive it by their delay */
+
+const char *hm_about_step(int32_t status)
+{
+    switch (status) {
+    case HOLONOM_OK: return "done";
+    case HOLONOM_NEWTON_DIVERGED: return "Newton's iteration did not converge, " HALVED SMALLER;
+    case HOLONOM_UZAWA_DIVERGED:
+        return "the constraints could not be met, " HALVED "check that the lengths can be closed, or use a larger solver.penalty or "
+               "solver.max_uzawa";
+    case HOLONOM_SINGULAR_TANGENT:
+        return "the tangent matrix is singular, " HALVED "look for a force that pushes without bound, or use a smaller solver.penalty";
+    case HOLONOM_NOT_FINITE: return "a number grew beyond all bounds, " HALVED SMALLER;
+    case HOLONOM_ZERO_LENGTH:
+        return "a spring, damper, torque, driver or formula acts along two points that coincide, or by an angle of a vector of "
+               "length zero, so that its direction is undefined; move the points apart, or use a spring with free_length = 0";
+    case HOLONOM_BAD_STEP:
+        return "the step must be a finite number > 0 s and at most 1e9 internal steps long; use a shorter communication step or a "
+               "larger solver.step_size";
+    case HOLONOM_BAD_LAW:
+        return "a stiffness, free length or damping became negative, or a spring, damper or potential not a number; look at their "
+               "expressions at this time and with these inputs";
+    case HOLONOM_TURN_TOO_LARGE:
+        return "a body turns by more than 2.5 rad within a half step, even halved 6 times; a smaller solver.step_size is needed to "
+               "tell which way it turns";
+    case HOLONOM_DAMPING_REVERSED:
+        return "dampers fed energy, even with the step halved 6 times: steps of an order above 2 also go back, too far for such "
+               "strong dampers; use solver.order = 2 or a smaller step_size";
+    default:
+        return "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this communication step; take "
+               "shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
+               "powers of ten apart";
+    }
+}
+
+const char *hm_about_start(int32_t status, int seeks_equilibrium)
+{
+    if (status == HOLONOM_NEWTON_DIVERGED && seeks_equilibrium)
+        return "no static equilibrium was found from the drawn configuration; look for a part that nothing holds, or draw it closer "
+               "to where it comes to rest";
+    if (status == HOLONOM_SINGULAR_TANGENT)
+        return "its equations have no unique solution as drawn; look for a part that nothing holds against its constraints, or use "
+               "a smaller solver.penalty";
+    if (status == HOLONOM_NOT_FINITE)
+        return "a number of it is not finite; look at the expressions of positions, forces and drivers at the start";
+    return hm_about_step(status);
+}
+
+static int is_conserving_method(const double *head)
+{
+    return head[S_FORMULATION] == HOLONOM_CONSERVING_AL || head[S_FORMULATION] == HOLONOM_CONSERVING_AL_BETA;
+}
+
+static const hm_variable *formulation(const hm_model_file *f)
+{
+    const hm_variable *v = f->variable;
+    while (v->kind != AN_OPTION || v->place != S_FORMULATION) v++;
+    return v;
+}
+
+/* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
+static void say_lasting_reason(hm_text *text, const hm_model_file *f, const double *head)
+{
+    if (f->model.n_islands > 1)
+        hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
+    else if (!is_conserving_method(head))
+        hm_say(text, "solver.formulation %s has no higher order; %s has", hm_word(f, formulation(f), head[S_FORMULATION]),
+               hm_word(f, formulation(f), HOLONOM_CONSERVING_AL));
+}
+
+static int is_damped(const hm_model_file *f, const double *numbers)
+{
+    for (int32_t j = 0; j < f->model.n_elements; j++)
+        if (numbers[f->model.damping_at + j] != 0.0) return 1;
+    return 0;
+}
+
+/* Says that dampers kept a step at order 2; nothing where none is due. Returns whether it is so for all steps, by what the
+   mechanism is and its settings, and not for one that was too long, or at rest. */
+static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
+{
+    char room[256];
+    hm_text reason = {room, sizeof room, 0};
+    const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
+    if (!chosen && !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
+    hm_clear(&reason);
+    say_lasting_reason(&reason, f, head);
+    if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
+    /* Order 2 may be the choice of the tolerance, unless it has none. */
+    if (chosen && (!reason.used || !is_damped(f, numbers))) return 0;
+    const int lasting = reason.used > 0;
+    if (!lasting) hm_say(&reason, "the motion changes too much in a step of this length, or not at all");
+    if (chosen) hm_say(text, "solver.tolerance chooses the order");
+    else hm_say(text, "solver.order is %6g", head[S_ORDER]);
+    hm_say(text, ", but steps are of order 2: dampers take energy out, and %s%s", room,
+           tight ? "; a tight solver.tolerance takes many steps of order 2" : "");
+    return lasting;
+}
+
+/* Says that energies are off the ledger though steps are solved. */
+static void say_open_ledger(hm_text *text, const double *head)
+{
+    const double limit = fmax(LEDGER_OPEN * head[S_NEWTON_TOLERANCE], LEDGER_LONG);
+    if (head[S_LEDGER_ERROR] <= limit || !is_conserving_method(head)) return;
+    hm_say(text, "the energy is off by %1e of the reference energy at t = %6g s though steps are solved: round-off is too large for this "
+                 "mechanism; draw it closer to the origin, with sizes, masses and stiffnesses less far apart, or take longer steps",
+           head[S_LEDGER_ERROR], head[S_TIME]);
+}
+
+/* Says that a load that reads the mechanism came too seldom. */
+static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_state *s)
+{
+    const double *head = s->head;
+    int32_t worst = 0;
+    for (int32_t i = 1; i < f->model.n_sampled; i++)
+        if (s->sampled[3 * i + 2] > s->sampled[3 * worst + 2]) worst = i;
+    if (!f->model.n_sampled || !(s->sampled[3 * worst + 2] > MOST_SAMPLING)) return;
+    hm_say(text, "%s is evaluated too seldom, once in a half step: until t = %6g s the motion that it causes changed its work by %1f "
+                 "times the work foreseen; it alternates or reverses what it should stop; use a damper or torsion_damper instead, make "
+                 "its formula smoother, or take ",
+           f->text + f->sampled[worst], head[S_TIME], s->sampled[3 * worst + 2]);
+    if (head[S_TOLERANCE] > 0.0) hm_say(text, "a smaller solver.longest_step");
+    else hm_say(text, "steps shorter than solver.step_size = %6g s", head[S_STEP_SIZE]);
+}
+
+int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, int said, int heard)
+{
+    for (int what = REMARK_ORDER; what <= REMARK_SAMPLING; what *= 2) {
+        const size_t begin = text->used;
+        if (said & what) continue;
+        if (begin) hm_say(text, "\n");
+        const size_t first = text->used;
+        int lasting = 1;
+        if (what == REMARK_ORDER) lasting = say_order_limit(text, f, numbers, s->head);
+        else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
+        else say_missed_load(text, f, s);
+        if (text->used > first && (lasting || heard)) said |= what;
+        else text->used = begin, text->begin[begin] = 0;
+    }
+    return said;
+}

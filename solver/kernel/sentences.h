@@ -1,0 +1,40 @@
+/* What is said to users: about values, drawings, and runs that go on. */
+#ifndef HOLONOM_SENTENCES_H
+#define HOLONOM_SENTENCES_H
+
+#include "internal.h"
+#include "model_file.h"
+#include "text.h"
+
+/* Says what keeps a step from being solved, or a mechanism from being assembled. */
+const char *hm_about_step(int32_t status);
+const char *hm_about_start(int32_t status, int seeks_equilibrium);
+
+/* Says which rule a value breaks, "name: rule, got value", and returns 1; 0 if it keeps all. `shown`: the value as it was given,
+   or NULL. */
+int hm_objects(hm_text *text, const hm_model_file *file, const hm_variable *variable, double value, const char *shown, int moving);
+
+/* Limit that a value is beyond; NaN if it is within both. */
+double hm_limit_before(const hm_variable *variable, double value);
+
+/* Words of a String option: number `value`, or NULL; how many there are. */
+const char *hm_word(const hm_model_file *file, const hm_variable *variable, double value);
+
+/* Says a sentence for each rule that the numbers break, and returns how many. */
+int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
+
+/* Says what the formulation or the search for an equilibrium does not know of this mechanism; returns how many sentences. */
+int hm_unknown_to_method(hm_text *text, const hm_model_file *file, const double *head);
+
+/* Says a sentence for each part whose rows the drawn mechanism contradicts, by their residuals phi and rates (n_rows each), and
+   returns how many. */
+int hm_contradicted_rows(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state,
+                         const double *phi, const double *rate);
+
+/* Remarks on a run that goes on, each once. */
+enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4 };
+
+/* Says what a step showed that was not said before; returns what was said until now. */
+int hm_remark(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state, int said, int heard);
+
+#endif

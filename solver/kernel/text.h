@@ -1,0 +1,18 @@
+/* Sentences in memory of a fixed size, with numbers written as Python writes them: no locale, no printf. */
+#ifndef HOLONOM_TEXT_H
+#define HOLONOM_TEXT_H
+
+#include <stddef.h>
+
+typedef struct hm_text {
+    char *begin; /* ends with 0 */
+    size_t room, used;
+} hm_text;
+
+void hm_clear(hm_text *text);
+
+/* Appends; what has no room is cut off. In `format`: %s a text, %d an int, %r a double with the fewest digits that give it
+   back, %6g one of at most 6 significant digits, %1e of 1 and %1f of 1 decimal. */
+void hm_say(hm_text *text, const char *format, ...);
+
+#endif
