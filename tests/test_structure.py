@@ -140,7 +140,7 @@ def test_every_table_and_row_is_there_and_travels(text):
 @pytest.mark.parametrize("group", ["SIZES", "TABLES", "OFFSETS"])
 def test_a_model_of_another_version_is_refused(group, monkeypatch):
     data = model_of(PLANE).to_bytes()
-    monkeypatch.setattr(f"solver.runtime.model.{group}", ("more", *getattr(layout, group)))
+    monkeypatch.setattr(f"solver.runtime.model_file.{group}", ("more", *getattr(layout, group)))
     with pytest.raises(ValueError, match="another version of holonom"):
         Model.from_bytes(data)
 

@@ -153,7 +153,7 @@ static double bound_of_rate(const drawing *d, int32_t form)
 {
     const holonom_model *m = d->m;
     const double *alpha = d->numbers + m->alpha_at, *beta = d->numbers + m->beta_at;
-    const int turned = m->beta_turn_at > m->alpha_turn_at;
+    const int turned = m->form_kind[form] & FORM_TURNED;
     double u[DIM] = {0.0}, w[DIM] = {0.0}, sum = 0.0;
     int alone = 1;
     for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {

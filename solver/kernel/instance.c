@@ -393,6 +393,9 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
         const int endless = k == S_MEAN_TIME || k == S_MEAN_TIME_BEFORE || k == S_WANTED;
         if (!(fabs(block[k]) < INFINITY) && !(endless && block[k] == INFINITY)) return "has a number that is not finite; save it again";
     }
+    const double parity = block[S_PARITY], order = block[S_ORDER_IN_USE];
+    if ((parity != 0.0 && parity != 1.0) || !(order >= 0.0 && order <= 8.0 && order == 2.0 * floor(0.5 * order)))
+        return "has a number that no run comes to; save it again";
     for (uint32_t k = 0; k < f->header->n_variables; k++) {
         const hm_variable *v = f->variable + k;
         if (v->kind == AN_OPTION && hm_objects(&i->message, f, v, block[v->place], NULL, 0))

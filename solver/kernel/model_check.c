@@ -6,6 +6,8 @@
 /* Place of a table among the lengths. */
 #define TABLE(name) ((offsetof(holonom_model, name) - offsetof(holonom_model, island_begin)) / sizeof(const int32_t *))
 
+enum { LARGEST_SIZE = 1 << 26 }; /* so that no sum of a few overflows */
+
 typedef struct checker {
     const holonom_model *m;
     const int32_t *length;
@@ -42,7 +44,7 @@ static int has_sizes(const checker *c)
     const holonom_model *m = c->m;
     const int32_t *size = &m->dim;
     for (size_t i = 0; i <= (size_t)(&m->n_sampled - &m->dim); i++)
-        if (size[i] < 0) return 0;
+        if (size[i] < 0 || size[i] > LARGEST_SIZE) return 0;
     const int64_t rows = (int64_t)m->n_form_rows + DIM * (int64_t)m->n_coincidences + m->n_function_rows + m->n_velocity_rows;
     return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass && m->n_slots >= 1 &&
            m->n_slots <= 64 && m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && m->n_driven * (int64_t)DIM <= m->n_signals;

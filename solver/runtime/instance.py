@@ -142,13 +142,13 @@ class Instance:
             Naming the variable, the value and the rule that it breaks.
         """
         key = tuple(indices)
-        index, count, address, numbers, *_ = self._plans.get(key) or self._plan(key)
+        index, count, address, numbers, words, _ = self._plans.get(key) or self._plan(key)
         shown = None
         if len(values) != count:
             message = f"set: {count} variables and {len(values)} values"
             raise ValueError(message)
         for k, value in enumerate(values):
-            if type(value) is float:
+            if type(value) is float and not words:
                 numbers[k] = value
             else:
                 shown = shown or (ctypes.c_char_p * count)()

@@ -28,6 +28,8 @@ HEADER = struct.Struct("<8sI13I40s32sQ")
 _BEFORE_CHECKED = struct.calcsize("<8sI")
 VARIABLE, RULE, ROW = struct.Struct("<IIBBBBidddd2I"), struct.Struct("<iidII"), struct.Struct("<4I")
 
+DAMAGED = "the model is damaged, or of an earlier version; build it again"
+
 TYPES = ("Real", "Boolean", "String")
 CAUSALITIES = ("parameter", "input", "output", "calculatedParameter")
 VARIABILITIES = ("fixed", "tunable", "continuous")
@@ -243,8 +245,7 @@ def _counts(data: bytes) -> Sequence[int]:
         _, checksum, *counts, _, _, length = HEADER.unpack_from(data)
         damaged = length != len(data) or checksum != zlib.crc32(data[_BEFORE_CHECKED:])
     if damaged:
-        message = "the model is damaged, or of an earlier version; build it again"
-        raise ValueError(message)
+        raise ValueError(DAMAGED)
     version = (VERSION, ABI, len(SIZES), len(OFFSETS), len(TABLES), len(HEAD))
     if tuple(counts[: len(version)]) != version:
         message = "the model is of another version of holonom; build it again"
@@ -260,9 +261,19 @@ def from_bytes(data: bytes) -> dict[str, Any]:
     ValueError
         When the bytes are of another version, or damaged.
     """
+    counts = _counts(data)
+    try:
+        return _fields(data, *counts)
+    except (ArithmeticError, LookupError, TypeError, ValueError, struct.error) as error:
+        raise ValueError(DAMAGED) from error  # with a good checksum: made so
+
+
+def _fields(
+    data: bytes, n_ints: int, n_numbers: int, n_variables: int, n_rules: int, n_rows: int,
+    n_sampled: int, n_text: int,
+) -> dict[str, Any]:  # fmt: skip
     from .model import Experiment, Row, Rule
 
-    n_ints, n_numbers, n_variables, n_rules, n_rows, n_sampled, n_text = _counts(data)
     reader = _Reader(data)
     ints, head = reader.numbers("i", n_ints), reader.numbers("d", len(HEAD))
     numbers = reader.numbers("d", n_numbers)
@@ -271,13 +282,13 @@ def from_bytes(data: bytes) -> dict[str, Any]:
     sampled = reader.numbers("I", n_sampled)
     reader.texts(n_text)
     rest, text = reader.rest(), reader.text
-    sizes, offsets, *lengths = _split(ints, len(SIZES), len(OFFSETS), len(TABLES))
+    sizes, offsets, lengths, tables = _split(ints, len(SIZES), len(OFFSETS), len(TABLES))
     scalars = dict(zip(HEAD, head, strict=True))
     return {
         "name": rest["name"],
         "description": rest["description"],
         "sizes": dict(zip(SIZES, sizes, strict=True)),
-        "tables": dict(zip(TABLES, _split(lengths[1], *lengths[0]), strict=False)),
+        "tables": dict(zip(TABLES, _split(tables, *lengths)[:-1], strict=True)),
         "offsets": dict(zip(OFFSETS, offsets, strict=True)),
         "numbers": numbers,
         "variables": tuple(map(reader.variable, variables, rest["variables"])),
