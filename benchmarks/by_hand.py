@@ -14,6 +14,7 @@ from array import array
 from pathlib import Path
 
 from solver.runtime import Integrator
+from tests.kernel_calls import kernel_of
 
 FOLDER = Path(__file__).resolve().parent / "handwritten"
 FIRST = ("mass", "length", "gravity", "penalty", "tolerance", "reference", "floor")
@@ -41,7 +42,7 @@ def build(name: str, folder: Path) -> Path:
 def block_of(integrator: Integrator, mass: float, length: float, gravity: float) -> array[float]:
     """Numbers and motion of a chain, as `handwritten/point_chain.h` lays them out."""
     head, vectors, model = integrator.state.head, integrator.state.vectors, integrator.model
-    extent = integrator.engine.numbers[model.offsets["extent"] + 1]
+    extent = kernel_of(integrator).numbers[model.offsets["extent"] + 1]
     settings = (head["penalty"], head["newton_tolerance"], head["energy_reference"])
     block = array("d", (mass, length, gravity, *settings, ROUND_OFF * extent, 0.0, 0.0, 0.0))
     for vector in ("q", "q_low", "v", "v_low", "a_first", "a_second", "mu_first", "mu_second"):

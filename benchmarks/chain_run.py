@@ -18,6 +18,7 @@ from benchmarks.stepping import Repeated
 from benchmarks.timing import interleave
 from scenes.generate import rigid_chain
 from solver.runtime import Integrator, Model
+from tests.kernel_calls import kernel_of
 
 STEP = 1e-3
 WARM_UP = 5
@@ -40,7 +41,7 @@ def run(kind: str, n: int, count: int, repetitions: int) -> list[dict[str, float
     read = time.process_time()
     integrator = start_scene(drawn)
     assembled = time.process_time()
-    model, engine = integrator.model, integrator.engine
+    model, engine = integrator.model, kernel_of(integrator)
     doubles = len(engine.numbers) + len(engine.state) + len(engine.work)
     integers = sum(len(table) for table in model.tables.values())
     after = peak_bytes()

@@ -38,8 +38,8 @@ from build_kernel.compiler import (
 )
 from scenes.generate import rigid_chain
 from solver.runtime import Integrator, Model
-from solver.runtime.kernel import Kernel, load_library
-from solver.runtime.state import State
+from solver.runtime.kernel import load_library
+from tests.kernel_calls import kernel_of
 
 ROOT = Path(__file__).resolve().parents[1]
 STEP = 1e-3
@@ -102,10 +102,7 @@ def variants(bits: Iterable[int], optimisation: str = "-O3") -> dict[tuple[int, 
 
 def bound(model: Model, library: ctypes.CDLL) -> Integrator:
     """Integrator of a model on a kernel of one's own, ready for the first step."""
-    integrator = Integrator(model)
-    integrator.engine = Kernel(model, library)
-    integrator.state = State(model, integrator.engine.state)
-    integrator.reset()
+    integrator = Integrator(model, library=library)
     integrator.initialise()
     return integrator
 
@@ -273,7 +270,7 @@ def _measuring(effort: Effort) -> dict[str, Value]:
     prepare = case.entry.prepare
     entries = {
         "with": Entry(steps(lambda: None), prepare),
-        "without": Entry(steps(integrator.engine.measure), prepare),
+        "without": Entry(steps(kernel_of(integrator).measure), prepare),
     }
     return _pair(f"measurements: spatial point chain, N = {n}", entries, case, effort)
 

@@ -14,6 +14,7 @@ from benchmarks.effort import Effort
 from benchmarks.report import Section, Table, Value
 from benchmarks.timing import Entry, interleave
 from solver.runtime import Integrator, Model
+from tests.kernel_calls import kernel_of
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
 STOP = 5.0
@@ -94,7 +95,7 @@ def course_of(name: str, tolerance: float, stop: float, *, each: int = 1) -> Cou
     """Where a run of a scene is at its communication points; `each` times as many are taken."""
     model, integrator, length = prepared(name, tolerance, stop)
     dim, free, at = model.sizes["dim"], model.sizes["n_free"], model.offsets["node_mass"]
-    root = np.sqrt(np.repeat(np.array(integrator.engine.numbers[at : at + free]), dim))
+    root = np.sqrt(np.repeat(np.array(kernel_of(integrator).numbers[at : at + free]), dim))
     vectors, head = integrator.state.vectors, integrator.state.head
     halves, found = 0.0, []
     for k, solved in enumerate(move(integrator, length, each * POINTS), 1):

@@ -12,8 +12,7 @@ import numpy as np
 
 from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
-from solver.runtime.errors import UnknownNameError
-from solver.runtime.value_checks import check_is_double
+from solver.runtime.errors import UnknownNameError, is_double, shown
 from solver.scene import Scene, load
 from solver.signals import Problem, changes, sampled
 
@@ -180,9 +179,8 @@ def _times(
     stop = model.experiment.stop_time if stop_time is None else stop_time
     step = model.experiment.step_size if step_size is None else step_size
     for name, value in (("stop_time", stop), ("step_size", step)):
-        check_is_double(name, value)
-        if not isinstance(value, int | float):
-            message = f"{name}: must be a number in s, got {value!r}"
+        if not is_double(value):
+            message = f"{name}: must be a finite number in s, got {shown(value)}"
             raise OptionError(message)
     if not (math.isfinite(stop) and stop > start):
         message = f"stop_time: must be > start_time = {start!r} s and finite, got {stop!r}"

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.runtime import State, Status
-from solver.runtime.kernel import Kernel
 from solver.runtime.layout import measured_sections
 from solver.runtime.options import DEFAULTS, encode
 from tests.hand_models import Hand
+from tests.kernel_calls import Kernel
 
 Array = NDArray[np.float64]
 
@@ -21,21 +21,21 @@ class Run:
 
     def __init__(self, hand: Hand, **settings: float | str | bool) -> None:
         self.model = hand.model()
-        self.engine = Kernel(self.model)
-        self.state = State(self.model, self.engine.state)
+        self.kernel = Kernel(self.model)
+        self.state = State(self.model.sizes, self.kernel.state)
         self.head, self.vectors = self.state.head, self.state.vectors
         for name, default in (DEFAULTS | {"assemble": False}).items():
             place, number = encode(name, settings.get(name, default))
             self.head[place] = number
         self.vectors["inputs"][:] = array("d", hand.inputs)
         for segment in (0, 1):
-            self.engine.evaluate(segment)
-        self.status = Status(self.engine.initialise())
+            self.kernel.evaluate(segment)
+        self.status = Status(self.kernel.initialise())
 
     def advance(self, count: int, step: float | None = None) -> None:
         """Advance by a number of communication steps, by default of one internal step each."""
         for _ in range(count):
-            status = Status(self.engine.advance(step or self.head["step_size"]))
+            status = Status(self.kernel.advance(step or self.head["step_size"]))
             assert status is Status.OK, status.name
 
     def vector(self, *names: str) -> Array:
@@ -44,14 +44,14 @@ class Run:
 
     def __getitem__(self, name: str) -> Array:
         """Return a section of the measurements."""
-        self.engine.measure()
+        self.kernel.measure()
         start, count = measured_sections(self.model.sizes)[name]
         start += self.model.offsets["measured"]
-        return np.array(self.engine.numbers[start : start + count])
+        return np.array(self.kernel.numbers[start : start + count])
 
     def set_inputs(self, *values: float) -> None:
         """Change the inputs."""
-        self.engine.set_inputs(values, [])
+        self.kernel.set_inputs(values, [])
 
     @property
     def balance(self) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import solver
-from solver.runtime import Integrator, Model, State
+from solver.runtime import Integrator, Model
 from solver.runtime.layout import ISLAND
 from tests.problems import double_pendulum, pendulum
 
@@ -45,7 +45,7 @@ def started(model: Model) -> Integrator:
 
 def resting(integrator: Integrator) -> list[float]:
     """How many half steps each island has rested."""
-    values = State(integrator.model, integrator.engine.state).vectors["islands"]
+    values = integrator.state.vectors["islands"]
     return list(values[ISLAND.index("resting") :: len(ISLAND)])
 
 

@@ -1,4 +1,4 @@
-"""Kernels without some of the skips of docs/skips.md: compiled once for all tests, kept in files."""
+"""Kernels without some of the skips of docs/skips.md: compiled once, kept in files."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ import pytest
 
 from build_kernel.compiler import SOURCES, compile_library, flags, system_compiler, zig_compiler
 from solver.runtime import Integrator, Model
-from solver.runtime.kernel import Kernel, load_library
-from solver.runtime.state import State
+from solver.runtime.kernel import load_library
 
 FOLDER = Path(__file__).resolve().parents[1] / SOURCES
 OPTIMISATION = "-O1"
@@ -51,10 +50,8 @@ def kernel_without(bits: int, dimension: int) -> ctypes.CDLL:
 
 def integrator_without(bits: int, model: Model, **settings: float | str | bool) -> Integrator:
     """Integrator without the skips of these bits, at the start of its run."""
-    integrator = Integrator(model, log=lambda _: None)
-    integrator.engine = Kernel(model, kernel_without(bits, model.sizes["dim"]))
-    integrator.state = State(model, integrator.engine.state)
-    integrator.reset()
+    library = kernel_without(bits, model.sizes["dim"])
+    integrator = Integrator(model, log=lambda _: None, library=library)
     for name, value in settings.items():
         integrator[f"solver.{name}"] = value
     integrator.initialise()

@@ -15,6 +15,7 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
+from tests.kernel_calls import kernel_of
 from tests.mechanism_runs import scene
 from tests.problems import Array
 from tests.test_extrapolation import DRIVEN, FLYING, OSCILLATOR, RESTLESS
@@ -77,7 +78,7 @@ def course_of(name: str, **settings: float) -> Course:
     run, found, halves = prepared(name, **settings), list[Array](), 0.0
     sizes, at = run.model.sizes, run.model.offsets["node_mass"]
     free = sizes["dim"] * sizes["n_free"]
-    mass = np.array(run.engine.numbers[at : at + sizes["n_free"]])
+    mass = np.array(kernel_of(run).numbers[at : at + sizes["n_free"]])
     root = np.sqrt(np.repeat(mass, sizes["dim"]))
     for solved in parts_of(run):
         halves += solved

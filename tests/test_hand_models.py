@@ -9,6 +9,7 @@ import pytest
 
 from tests import hand_scenes
 from tests.hand_runs import Run
+from tests.kernel_calls import kernel_of
 from tests.oracle import Mechanism, Residual, internal_step
 from tests.oracle.measurements import measurements
 from tests.oracle.start import first_multipliers, row_rates, rows_of
@@ -72,7 +73,7 @@ def test_a_run_begins_as_the_equations_say(run):
     G = rows_of(oracle)[0]
     if np.linalg.matrix_rank(G[:, : oracle.n_free]) == len(G):
         assert run.vector("mu_first") == pytest.approx(lam, rel=1e-7, abs=1e-7)
-    phi, rates = run.engine.residuals()
+    phi, rates = kernel_of(run).residuals()
     assert phi == pytest.approx(rows_now(oracle), abs=1e-12)
     assert rates == pytest.approx(row_rates(oracle, oracle.signal_rates(0.0)), abs=1e-12)
 
@@ -125,7 +126,7 @@ def test_residual_and_tangent_are_those_of_the_equations(run):
     random, sizes = np.random.default_rng(0), run.model.sizes
     n, r = sizes["dim"] * sizes["n_free"], sizes["n_rows"]
     w, mu, x = 1e-3 * random.normal(size=n), random.normal(size=r), random.normal(size=n + r)
-    _, ours, our_product = run.engine.probe(0.02, w, mu, x)
+    _, ours, our_product = kernel_of(run).probe(0.02, w, mu, x)
     equations = Residual(oracle_of(run), 0.02)
     # The kernel's rows are Phi_n1 - (2/alpha) mu: eq 15 with lam = -alpha Phi_n/2.
     twice = 2.0 if equations.conserving else 1.0

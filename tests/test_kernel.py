@@ -14,6 +14,7 @@ import solver
 from solver.mechanics.survey import survey
 from solver.runtime import StepError
 from solver.runtime.layout import measured_sections
+from tests.kernel_calls import kernel_of
 from tests.kernel_cases import LADDER, METHODS, SOURCES, ZOO, is_plain, settings
 from tests.oracle import Mechanism
 from tests.oracle import internal_step as step_of_the_oracle
@@ -157,7 +158,7 @@ def test_the_kernel_measures_what_is_defined(name):
     run = start(ALL[name])
     advance(run, 7)
     oracle = oracle_of(run)
-    run.engine.measure()
+    kernel_of(run).measure()
     base, theirs = run.model.offsets["measured"], measurements(oracle)
     sections = measured_sections(run.model.sizes)
     assert sections.keys() - theirs.keys() == {"solver"}
@@ -167,7 +168,7 @@ def test_the_kernel_measures_what_is_defined(name):
         near = 1e-10 if section == "residual" else 1e-12 if section == "energy" else 1e-14
         size = max(1.0, *np.abs(values), 0.0)
         assert ours == pytest.approx(values, rel=1e-13, abs=near * size), section
-    phi, rates = run.engine.residuals()
+    phi, rates = kernel_of(run).residuals()
     assert phi == pytest.approx(rows_now(oracle), abs=1e-14)
     its_rates = row_rates(oracle, oracle.signal_rates(run.time))
     near = 1e-10 if run.model.sizes["n_signals"] else 1e-13
@@ -190,7 +191,7 @@ def rows_along_the_motion(run, step):
     rows = []
     for sign in (step, -step):
         q[:] = memoryview(q_n + sign * np.asarray(v))
-        rows.append(np.array(run.engine.residuals()[0]))
+        rows.append(np.array(kernel_of(run).residuals()[0]))
     q[:] = memoryview(q_n)
     return (rows[0] - rows[1]) / (2.0 * step)
 
@@ -200,7 +201,7 @@ def test_the_rates_of_the_rows_are_the_derivative_of_the_rows(name):
     """G v of the kernel against differences of Phi, which are exact for quadratic rows."""
     kernel = start(SOURCES[name])
     advance(kernel, 3)
-    _, rates = kernel.engine.residuals()
+    _, rates = kernel_of(kernel).residuals()
     sizes, scale = kernel.model.sizes, max(1.0, np.max(np.abs(vector(kernel, "v"))))
     coarse, fine = (rows_along_the_motion(kernel, step / scale) for step in (1e-3, 5e-4))
     quadratic = sizes["n_form_rows"] + sizes["dim"] * sizes["n_coincidences"]

@@ -7,6 +7,7 @@ import pytest
 
 from solver.runtime import Integrator
 from solver.runtime.layout import measured_sections
+from tests.kernel_calls import kernel_of
 from tests.kernel_cases import is_plain
 from tests.twins import (
     EVERYTHING,
@@ -35,7 +36,7 @@ def tape_targets(model, *segments):
 
 def spoil(integrator):
     """Fill with NaN all that need not survive: scratch, time, measurements, what laws write."""
-    np.asarray(memoryview(integrator.engine.work).cast("B").cast("d"))[:] = np.nan
+    np.asarray(memoryview(kernel_of(integrator).work).cast("B").cast("d"))[:] = np.nan
     model, values = integrator.model, numbers(integrator)
     first, count = measured_sections(model.sizes)["solver"]
     base = model.offsets["measured"]
@@ -59,7 +60,7 @@ def test_scratch_filled_with_nan_between_steps_changes_nothing(name):
         spoil(spoilt)
         internal_step(clean)
         internal_step(spoilt)
-        assert bytes(clean.engine.state) == bytes(spoilt.engine.state)
+        assert bytes(kernel_of(clean).state) == bytes(kernel_of(spoilt).state)
         spoil(spoilt)
         assert outputs(clean) == outputs(spoilt)
 
@@ -72,7 +73,7 @@ def test_scratch_filled_with_nan_before_an_input_changes_nothing(name):
         for run in (clean, spoilt):
             run["push"] = value
             internal_step(run)
-        assert bytes(clean.engine.state) == bytes(spoilt.engine.state)
+        assert bytes(kernel_of(clean).state) == bytes(kernel_of(spoilt).state)
 
 
 @pytest.mark.parametrize("name", SOURCES)
@@ -85,7 +86,7 @@ def test_the_same_inputs_give_the_same_bits(name):
         internal_step(runs[0])
         internal_step(other)
     advance(runs[1], 20)
-    assert bytes(runs[0].engine.state) == bytes(runs[1].engine.state)
+    assert bytes(kernel_of(runs[0]).state) == bytes(kernel_of(runs[1]).state)
     assert outputs(runs[0]) == outputs(runs[1])
 
 
@@ -103,7 +104,7 @@ def test_100_steps_are_50_saved_and_restored_and_50_more_bit_for_bit(name):
     assert outputs(fresh) == outputs(parted)
     for run in (parted, fresh):
         advance(run, 50)
-        assert bytes(run.engine.state) == bytes(whole.engine.state)
+        assert bytes(kernel_of(run).state) == bytes(kernel_of(whole).state)
         assert outputs(run) == outputs(whole)
         assert run.save() == whole.save()
 

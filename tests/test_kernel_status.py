@@ -10,6 +10,7 @@ import pytest
 from solver.runtime import AssemblyError, Integrator, Status, StepError
 from solver.runtime.errors import SENTENCE
 from solver.runtime.layout import PLACE
+from tests.kernel_calls import kernel_of
 from tests.twins import PENDULUM, advance, block, internal_step, model_of, start
 
 SPRUNG = """
@@ -156,7 +157,7 @@ def test_a_failure_late_in_a_communication_step_leaves_no_trace():
         run["push"] = 0.0
         advance(run, 3)
         assert run.status is Status.OK
-    assert bytes(failed.engine.state) == bytes(never.engine.state)
+    assert bytes(kernel_of(failed).state) == bytes(kernel_of(never).state)
 
 
 @pytest.mark.parametrize("paired", [True, False])

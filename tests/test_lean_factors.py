@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.runtime import Integrator, Model, State
+from solver.runtime import Integrator, Model
 from solver.runtime.layout import ISLAND
 from tests.problems import chain, double_pendulum
 
@@ -32,7 +32,7 @@ def moved(model: Model, steps: int) -> tuple[np.ndarray, dict[str, float], float
         integrator.advance(integrator.time, h)
         iterations += float(integrator["solver.newton_iterations"])
         halves += float(integrator["solver.substeps"])
-    vectors = State(model, integrator.engine.state).vectors
+    vectors = integrator.state.vectors
     island = dict(zip(ISLAND, vectors["islands"], strict=True))
     return np.array(vectors["q"]), island, iterations / halves
 

@@ -13,6 +13,7 @@ import pytest
 
 from solver.runtime import Integrator
 from tests.exact_motions import pendulum_multiplier
+from tests.kernel_calls import kernel_of
 from tests.problems import (
     Array,
     Content,
@@ -50,7 +51,7 @@ def residuals_by_update(penalty: float, tolerances: Array) -> dict[int, float]:
         for name in ("mu_first", "mu_second"):
             view(integrator, name)[:] = 0.0
         step(integrator, 0.01)
-        phi = integrator.engine.residuals()[0][0]
+        phi = kernel_of(integrator).residuals()[0][0]
         found[int(integrator["solver.uzawa_iterations"])] = phi  # type: ignore[arg-type]
     return found
 

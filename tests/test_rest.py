@@ -18,6 +18,7 @@ from tests.island_scenes import (
     resting,
     started,
 )
+from tests.kernel_calls import kernel_of
 from tests.kernels_without_skips import integrator_without, needs_compiler
 from tests.problems import chain, pendulum
 
@@ -75,7 +76,7 @@ def test_islands_wake_alike_after_a_save_and_a_restore():
         mechanism.advance(0.5, 0.3)
         mechanism["push"] = 0.4
         mechanism.advance(0.8, 0.3)
-    assert bytes(first.engine.state) == bytes(second.engine.state)
+    assert bytes(kernel_of(first).state) == bytes(kernel_of(second).state)
 
 
 def test_what_dampers_bring_to_rest_rests_with_a_closed_ledger():
@@ -108,11 +109,11 @@ def test_scratch_of_sleeping_islands_is_never_read():
     mechanism.advance(0.0, 0.5)
     twin = started(mechanism.model)
     twin.restore(mechanism.save())
-    work = np.frombuffer(twin.engine.work, dtype=float)
+    work = np.frombuffer(kernel_of(twin).work, dtype=float)
     work[:] = np.nan
     for running in (mechanism, twin):
         running.advance(0.5, 0.1)
-    assert bytes(mechanism.engine.state) == bytes(twin.engine.state)
+    assert bytes(kernel_of(mechanism).state) == bytes(kernel_of(twin).state)
 
 
 def test_an_inverted_pendulum_that_is_drawn_upright_stays_so():

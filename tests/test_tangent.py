@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.kernel_calls import kernel_of
 from tests.kernel_cases import SOURCES, ZOO
 from tests.oracle import Mechanism, Residual
 from tests.twins import EVERYTHING, FORMULATIONS, advance, model_of, numbers, start, vector
@@ -57,7 +58,7 @@ def test_residual_and_tangent_of_the_kernel_are_those_of_the_equations(probed, f
     probed.state.head["formulation"] = FORMULATIONS.index(formulation)
     for seed in range(5):
         arguments = unknowns(probed, size, seed)
-        status, *ours = probed.engine.probe(0.1, *arguments)
+        status, *ours = kernel_of(probed).probe(0.1, *arguments)
         assert status == 0
         for a, b in zip(ours, probe_of_the_oracle(probed, 0.1, *arguments), strict=True):
             assert is_near(a, b)
@@ -73,7 +74,7 @@ def test_residual_and_tangent_of_every_scene_are_those_of_the_equations(name):
         _, mu, x = unknowns(run, 1.0, seed)
         free = len(x) - len(mu)
         w = 0.5 * h**2 * vector(run, "a_first")[:free] * (1.0 + 0.1 * seed)
-        status, *ours = run.engine.probe(h, w, mu, x)
+        status, *ours = kernel_of(run).probe(h, w, mu, x)
         assert status == 0
         for a, b in zip(ours, probe_of_the_oracle(run, h, w, mu, x), strict=True):
             # Rows of all scales are beside balances of all scales; each is a sum that cancels.
@@ -88,9 +89,9 @@ def test_the_tangent_is_the_derivative_of_the_residual(probed, formulation, size
     for seed in range(5):
         w, mu, x = unknowns(kernel, size, seed)
         n, step = len(w), 1e-5
-        _, _, tangent = kernel.engine.probe(0.1, w, mu, x)
+        _, _, tangent = kernel_of(kernel).probe(0.1, w, mu, x)
         ahead, behind = (
-            np.array(kernel.engine.probe(0.1, w + s * x[:n], mu + s * x[n:], x)[1])
+            np.array(kernel_of(kernel).probe(0.1, w + s * x[:n], mu + s * x[n:], x)[1])
             for s in (step, -step)
         )
         # truncation step^2 times third derivatives of order 10, rounding 1e-16/step

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.mechanics.tape import CODES, Segment, Tape
-from solver.runtime.kernel import Kernel
 from solver.scene.expression import Expr, ExpressionError, evaluate, operate, symbol
 from solver.scene.operations import OPERATIONS, apply
+from tests.kernel_calls import Kernel
 from tests.twins import PENDULUM, model_of, start
 
 NAMES = ("a", "b", "c")

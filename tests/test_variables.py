@@ -9,6 +9,7 @@ from solver.mechanics.collect import collect
 from solver.mechanics.measures import Measures
 from solver.mechanics.outputs import named
 from solver.scene import Distance
+from tests.kernel_calls import kernel_of
 from tests.scene_quantities import quantities_of
 
 SCENES = sorted((Path(__file__).parents[1] / "scenes").glob("*.toml"))
@@ -26,7 +27,7 @@ def test_every_quantity_an_output_may_use_has_a_meaning(path):
 def test_positions_are_those_of_the_scene_until_it_moves(path):
     scene = solver.load(path)
     mechanism = solver.Integrator(solver.assemble(scene))
-    mechanism.engine.measure()
+    kernel_of(mechanism).measure()
     for name, part in (*scene.points.items(), *scene.bodies.items()):
         position = getattr(part, "position", ())
         for axis, value in zip("xyz", position, strict=False):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import solver
 from solver.runtime import Integrator, Model
 from solver.runtime.options import CHOICES
+from tests.kernel_calls import kernel_of
 
 Array = NDArray[np.float64]
 
@@ -114,12 +115,12 @@ def start(source: str | Path | Model, **settings: float | str | bool) -> Integra
 
 def block(integrator: Integrator) -> Array:
     """The whole state, as a view."""
-    return np.asarray(memoryview(integrator.engine.state).cast("B").cast("d"))
+    return np.asarray(memoryview(kernel_of(integrator).state).cast("B").cast("d"))
 
 
 def numbers(integrator: Integrator) -> Array:
     """The vector of numbers, as a view."""
-    return np.asarray(memoryview(integrator.engine.numbers).cast("B").cast("d"))
+    return np.asarray(memoryview(kernel_of(integrator).numbers).cast("B").cast("d"))
 
 
 def vector(integrator: Integrator, *names: str) -> Array:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.report import print_json, print_table
-from solver.runtime.remarks import MOST_SAMPLING
+from solver.runtime.options import MOST_SAMPLING
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -295,7 +295,7 @@ int32_t holonom_assemble(holonom_instance *i)
         return HOLONOM_UNASSEMBLED;
     }
     i->is_measured = 0;
-    holonom_residuals(m, i->numbers, i->state, i->work, i->phi, i->rate);
+    holonom_rows(i, i->phi, i->rate);
     problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
     return problems ? HOLONOM_UNASSEMBLED : HOLONOM_DONE;
@@ -429,6 +429,11 @@ int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
     /* Numbers are no part of the state: those of parameters follow from it, nothing else is asked again. */
     if (i->phase != HOLONOM_CONFIGURED) evaluate(i);
     return HOLONOM_DONE;
+}
+
+void holonom_rows(holonom_instance *i, double *phi, double *rate)
+{
+    holonom_residuals(&i->file.model, i->numbers, i->state, i->work, phi, rate);
 }
 
 int32_t holonom_phase_of(const holonom_instance *i) { return i->phase; }

@@ -60,6 +60,9 @@ HOLONOM_API int64_t holonom_saved_size(const holonom_instance *instance);
 HOLONOM_API void holonom_save(const holonom_instance *instance, void *bytes);
 HOLONOM_API int32_t holonom_restore(holonom_instance *instance, const void *bytes, int64_t length);
 
+/* Residuals of the rows and their rates at the present state (n_rows each), each in the unit of its row. */
+HOLONOM_API void holonom_rows(holonom_instance *instance, double *phi, double *rate);
+
 HOLONOM_API int32_t holonom_phase_of(const holonom_instance *instance);
 HOLONOM_API const char *holonom_fingerprint(const holonom_instance *instance);
 

@@ -72,10 +72,10 @@ def constraint_jacobian(integrator: Integrator) -> NDArray[np.float64]:
     columns = []
     try:
         v[:] = memoryview(array("d", bytes(8 * len(v))))
-        rest = np.array(integrator.engine.residuals()[1])
+        rest = np.array(integrator.residuals()[1])
         for k in range(len(v)):
             v[k] = 1.0
-            columns.append(np.array(integrator.engine.residuals()[1]) - rest)
+            columns.append(np.array(integrator.residuals()[1]) - rest)
             v[k] = 0.0
     finally:
         v[:] = memoryview(array("d", kept))

@@ -8,6 +8,8 @@ import warnings
 from collections.abc import Callable, Iterable
 from enum import IntEnum
 
+LARGEST = sys.float_info.max
+
 
 class AssemblyError(Exception):
     """The mechanism cannot be assembled with its parameters: one sentence per broken rule."""
@@ -67,72 +69,15 @@ class Status(IntEnum):
     STEP_COLLAPSED = 10
 
 
-SENTENCE = {
-    Status.OK: "done",
-    Status.NEWTON_DIVERGED: (
-        "Newton's iteration did not converge, even with the step halved 6 times; "
-        "a smaller solver.step_size, or solver.longest_step with a tolerance, "
-        "usually helps"
-    ),
-    Status.UZAWA_DIVERGED: (
-        "the constraints could not be met, even with the step halved 6 times; check that the "
-        "lengths can be closed, or use a larger solver.penalty or solver.max_uzawa"
-    ),
-    Status.SINGULAR_TANGENT: (
-        "the tangent matrix is singular, even with the step halved 6 times; "
-        "look for a force that pushes without bound, or use a smaller solver.penalty"
-    ),
-    Status.NOT_FINITE: (
-        "a number grew beyond all bounds, even with the step halved 6 times; "
-        "a smaller solver.step_size, or solver.longest_step with a tolerance, "
-        "usually helps"
-    ),
-    Status.ZERO_LENGTH: (
-        "a spring, damper, torque, driver or formula acts along two points that coincide, or by an "
-        "angle of a vector of length zero, so that its direction is undefined; move the points "
-        "apart, or use a spring with free_length = 0"
-    ),
-    Status.BAD_STEP: (
-        "the step must be a finite number > 0 s and at most 1e9 internal steps long; "
-        "use a shorter communication step or a larger solver.step_size"
-    ),
-    Status.BAD_LAW: (
-        "a stiffness, free length or damping became negative, or a spring, damper or potential not "
-        "a number; look at their expressions at this time and with these inputs"
-    ),
-    Status.TURN_TOO_LARGE: (
-        "a body turns by more than 2.5 rad within a half step, even halved 6 times; "
-        "a smaller solver.step_size is needed to tell which way it turns"
-    ),
-    Status.DAMPING_REVERSED: (
-        "dampers fed energy, even with the step halved 6 times: steps of an order above 2 also go "
-        "back, too far for such strong dampers; use solver.order = 2 or a smaller step_size"
-    ),
-    Status.STEP_COLLAPSED: (
-        "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this "
-        "communication step; take shorter communication steps or a wider solver.tolerance; if "
-        "neither helps, look for masses or sizes that are many powers of ten apart"
-    ),
-}
-"""What each status means, and the remedy."""
+def is_double(value: object) -> bool:
+    """Whether a value is a number that a double holds; an integer may be too large."""
+    return isinstance(value, float) or (isinstance(value, int) and abs(value) <= LARGEST)
 
-NO_EQUILIBRIUM = (
-    "no static equilibrium was found from the drawn configuration; look for a part that nothing "
-    "holds, or draw it closer to where it comes to rest"
-)
-"""What is said where the setting start = "equilibrium" finds none."""
 
-AT_THE_START = {
-    Status.SINGULAR_TANGENT: (
-        "its equations have no unique solution as drawn; look for a part that nothing holds "
-        "against its constraints, or use a smaller solver.penalty"
-    ),
-    Status.NOT_FINITE: (
-        "a number of it is not finite; look at the expressions of positions, forces and drivers at "
-        "the start"
-    ),
-}
-"""What is said instead of `SENTENCE` where it happens before the first step."""
+def shown(value: object) -> str:
+    """Text that shows a value in a sentence."""
+    too_long = isinstance(value, int) and not is_double(value)
+    return "an integer of more than 308 digits" if too_long else repr(value)
 
 
 def tell(log: Callable[[str], None] | None, sentence: str) -> None:
@@ -147,10 +92,3 @@ def tell(log: Callable[[str], None] | None, sentence: str) -> None:
     while frame.f_back and frame.f_code.co_filename.startswith(package):
         depth, frame = depth + 1, frame.f_back
     warnings.warn(sentence, RuntimeWarning, stacklevel=depth)
-
-
-def at_the_start(status: Status, equilibrium: bool) -> str:
-    """Return what is said of a start that failed; `equilibrium`: while one was sought."""
-    if status is Status.NEWTON_DIVERGED and equilibrium:
-        return NO_EQUILIBRIUM
-    return AT_THE_START.get(status, SENTENCE[status])

@@ -4,32 +4,23 @@ from __future__ import annotations
 
 import ctypes
 import math
-from array import array
 from collections.abc import Callable, Sequence
 
-from .assembly_checks import (
-    broken_rules,
-    contradicted_rows,
-    equilibrium_problems,
-    formulation_problems,
-    rules_of_laws,
-)
-from .errors import SENTENCE, AssemblyError, OptionError, Status, StepError, at_the_start
-from .kernel import Kernel
-from .model import Model, Variable
-from .options import DEFAULTS, decode, encode
-from .remarks import Remarks
-from .state import ASSEMBLED, CONFIGURED, MOVING, State
-from .value_checks import check_settable, clipped
+from .errors import AssemblyError, OptionError, Status, StepError, is_double, shown, tell
+from .kernel import shared_library
+from .layout import state_size
+from .model import Model
+from .state import State
 
-ROUNDING, STEP_SLACK = 8, 1e-6
-"""A step begins at the present time, up to so many last digits of it and this part of a step."""
+REFUSED, UNASSEMBLED, FAILED, UNTRIED, REMARKED = 1, 2, 3, 4, 256
+"""Results of the core, ``holonom_result`` of ``solver/kernel/instance.h``."""
+MOST_PLANS = 64
 
 Value = float | str | bool
 
 
 class Integrator:
-    """A model with its state.
+    """A model with its state, in the core.
 
     Parameters
     ----------
@@ -38,45 +29,70 @@ class Integrator:
     log : callable, optional
         Receives one sentence whenever something happens that a user should know; without it such a
         sentence is a RuntimeWarning.
+    library : ctypes.CDLL, optional
+        Core to use, of ``kernel.load_library``; that of this installation where left out.
 
     Raises
     ------
     KernelMissingError
         When no compiled kernel fits this platform, or it belongs to another version.
+    OptionError
+        When an index of the model leads beyond what it points into.
     """
 
-    def __init__(self, model: Model, *, log: Callable[[str], None] | None = None) -> None:
+    def __init__(
+        self,
+        model: Model,
+        *,
+        log: Callable[[str], None] | None = None,
+        library: ctypes.CDLL | None = None,
+    ) -> None:
         self.model, self._log = model, log
-        self.engine = Kernel(model)
-        self.state = State(model, self.engine.state)
-        self._base = model.offsets["measured"]
-        self._rules_of_laws = rules_of_laws(model)
-        self.reset()
+        library = library or shared_library(model.sizes["dim"])
+        self._library = library
+        self._file, size = model.checked_file(library)
+        self._memory = (ctypes.c_double * (size // 8 + 2))()
+        address = ctypes.addressof(self._memory)
+        address += -address % 16
+        self._instance = library.holonom_make(
+            ctypes.addressof(self._file), len(model.file), address, log is not None
+        )
+        self._get, self._advance = library.holonom_get, library.holonom_move
+        self._plans: dict[tuple[int, ...], tuple] = {}
+        self.state = State(model.sizes, self._vector("state", state_size(model.sizes)))
+        self.message = "done"
+
+    def _vector(self, name: str, size: int) -> ctypes.Array[ctypes.c_double]:
+        """Return a vector of doubles in the memory of the instance."""
+        address = getattr(self._library, f"holonom_{name}_of")(self._instance)
+        return (ctypes.c_double * size).from_address(address)
+
+    @property
+    def numbers(self) -> ctypes.Array[ctypes.c_double]:
+        """The vector of numbers at present; in the order of the model's."""
+        return self._vector("numbers", len(self.model.numbers))
 
     def reset(self) -> None:
         """Return to the condition after construction."""
-        ctypes.memset(self.state.block, 0, ctypes.sizeof(self.state.block))
-        numbers = memoryview(self.model.numbers).cast("B")
-        memoryview(self.engine.numbers).cast("B")[: len(numbers)] = numbers
-        for variable in self.model.variables:
-            if variable.kind in ("parameter", "input"):
-                self._vector(variable)[variable.place] = variable.start  # type: ignore[assignment]
-        for name, default in DEFAULTS.items():
-            self._set_option(name, self.model.settings.get(name, default))
-        start, stop, *_ = self.model.experiment
-        self.state.head["time"], self.state.head["horizon"] = start, stop - start
-        self.phase, self.message = CONFIGURED, SENTENCE[Status.OK]
-        self._measured = False
-        self._remarks = Remarks(self.model, self._log)
+        self._library.holonom_reset(self._instance)
+        self.message = "done"
+
+    def _end(self, result: int) -> None:
+        """Say what was noticed, and raise what went wrong."""
+        if result & REMARKED:
+            for sentence in self._library.holonom_remarks(self._instance).decode().splitlines():
+                tell(self._log, sentence)
+        if result & ~REMARKED:
+            message = self._library.holonom_message(self._instance).decode()
+            if result == REFUSED:
+                raise OptionError(message)
+            if result == UNASSEMBLED:
+                raise AssemblyError(message)
+            if result == FAILED:
+                self.message = message
+            raise StepError(message, self.status if result == FAILED else None)
 
     # ------------------------------------------------------------------------------- values
-
-    def _vector(self, variable: Variable) -> memoryview[float]:
-        return self.state.vectors[f"{variable.kind}s"]
-
-    def _set_option(self, name: str, value: object) -> None:
-        place, number = encode(name, value)
-        self.state.head[place] = number
 
     @property
     def time(self) -> float:
@@ -88,6 +104,30 @@ class Integrator:
         """Status of the last `advance`."""
         return Status(int(self.state.head["status"]))
 
+    @property
+    def phase(self) -> int:
+        """Phase of the run, one of ``state.PHASES``."""
+        return self._library.holonom_phase_of(self._instance)
+
+    def _plan(self, indices: tuple[int, ...]) -> tuple:
+        """Return memory for some indices and their values, and what makes words of numbers."""
+        count = len(indices)
+        index, values = (ctypes.c_int32 * count)(*indices), (ctypes.c_double * count)()
+        words = []
+        for k, i in enumerate(indices):
+            variable = self.model.variables[i]
+            if variable.type != "Real":
+                words.append((k, bool if variable.type == "Boolean" else self._word_of(i)))
+        if len(self._plans) >= MOST_PLANS:
+            self._plans.clear()
+        # Addresses, since ctypes takes longer to find them than the core takes for the values.
+        plan = ctypes.addressof(index), count, ctypes.addressof(values), values, words, index
+        self._plans[indices] = plan
+        return plan
+
+    def _word_of(self, index: int) -> Callable[[float], str]:
+        return lambda x: self._library.holonom_word(self._instance, index, x).decode()
+
     def get(self, indices: Sequence[int]) -> list[Value]:
         """Return the values of variables, by their index in ``model.variables``.
 
@@ -98,34 +138,19 @@ class Integrator:
         StepError
             When a value is not finite.
         """
-        values, numbers, base = [], self.engine.numbers, self._base
-        for index in indices:
-            variable = self.model.variables[index]
-            kind, place = variable.kind, variable.place
-            if kind in ("parameter", "input"):
-                values.append(self._vector(variable)[place])
-                continue
-            if kind == "option":
-                values.append(decode(variable.name.removeprefix("solver."), self.state.head))
-                continue
-            if not self._measured:
-                self._measure()
-            value = numbers[base + place] if kind == "measured" else numbers[place]
-            if not math.isfinite(value):
-                message = f"{variable.name} is not finite at t = {self.time:g} s"
-                raise StepError(message)
-            values.append(value)
-        return values
+        key = tuple(indices)
+        index, count, address, values, words, _ = self._plans.get(key) or self._plan(key)
+        result = self._get(self._instance, index, count, address)
+        if result:
+            self._end(result)
+        found: list[Value] = values[:]
+        for k, word in words:
+            found[k] = word(values[k])
+        return found
 
     def __getitem__(self, name: str) -> Value:
         """Return the value of a variable by its name."""
         return self.get([self.model.index(name)])[0]
-
-    def _measure(self) -> None:
-        if self.phase == CONFIGURED:
-            self.initialise()
-        self.engine.measure()
-        self._measured = True
 
     def set(self, indices: Sequence[int], values: Sequence[Value]) -> None:
         """Set parameters, inputs and settings; all of them or, on an error, none.
@@ -135,48 +160,29 @@ class Integrator:
         OptionError
             Naming the variable, the value and the rule that it breaks.
         """
-        changes, cut = [], []
-        for index, value in zip(indices, values, strict=True):
-            variable = self.model.variables[index]
-            check_settable(variable, value, moving=self.phase == MOVING)
-            value, sentence = clipped(variable, value)
-            changes.append((variable, value))
-            cut.append((f"input {variable.name}", sentence))
-        inputs, parameters = (list(self.state.vectors[name]) for name in ("inputs", "parameters"))
-        for variable, value in changes:
-            if variable.kind != "option":
-                target = inputs if variable.kind == "input" else parameters
-                target[variable.place] = float(value)
-        # An input that arrives after the start is one for the step to come, not for the start.
-        arriving = all(variable.kind == "input" for variable, _ in changes)
-        if self.phase == MOVING or (self.phase == ASSEMBLED and arriving):
-            self._turn(inputs, parameters)
-        else:
-            self.state.vectors["inputs"][:] = array("d", inputs)
-            self.state.vectors["parameters"][:] = array("d", parameters)
-            self.phase = CONFIGURED
-        for variable, value in changes:
-            if variable.kind == "option":
-                self._set_option(variable.name.removeprefix("solver."), value)
-        self._measured = False
-        for about, sentence in cut:
-            self._remarks.say(about, sentence)
+        key = tuple(indices)
+        index, count, address, numbers, words, _ = self._plans.get(key) or self._plan(key)
+        texts = None
+        if len(values) != count:
+            message = f"set: {count} variables and {len(values)} values"
+            raise ValueError(message)
+        for k, value in enumerate(values):
+            if type(value) is float and not words:
+                numbers[k] = value
+            else:
+                texts = texts or (ctypes.c_char_p * count)()
+                numbers[k] = self._number(key[k], value)
+                texts[k] = shown(value).encode("utf-8", "replace")
+        self._end(self._library.holonom_set(self._instance, index, count, address, texts))
 
-    def _turn(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
-        """Change inputs and tunable parameters in motion, unless a law would break its rule."""
-        if not (self._rules_of_laws or self.model.sizes["variable_potential"]):
-            self.engine.set_inputs(inputs, parameters)
-            return
-        blocks = (self.state.block, self.engine.numbers)
-        before = [bytes(block) for block in blocks]
-        self.engine.set_inputs(inputs, parameters)
-        problems = broken_rules(self._rules_of_laws, self.engine.numbers)
-        if not math.isfinite(self.state.head["work"]):
-            problems.append("with these values a spring or potential has no finite energy")
-        if problems:
-            for block, kept in zip(blocks, before, strict=True):
-                ctypes.memmove(block, kept, len(kept))
-            raise OptionError("\n".join(problems))
+    def _number(self, index: int, value: object) -> float:
+        """Return the double of a value, NaN if it has none."""
+        if self.model.variables[index].type != "String":
+            return float(value) if is_double(value) else math.nan  # type: ignore[arg-type]
+        if not isinstance(value, str):
+            return math.nan
+        word = value.encode("utf-8", "replace")
+        return self._library.holonom_number_of_word(self._instance, index, word)
 
     def __setitem__(self, name: str, value: Value) -> None:
         """Set a variable by its name."""
@@ -194,45 +200,14 @@ class Integrator:
         """
         if start_time is not None:
             self.state.head["time"] = start_time
-        self._assemble()
-        problems = contradicted_rows(self.model, self.engine)
-        if problems:
-            self.phase = CONFIGURED
-            raise AssemblyError("\n".join(problems))
-
-    def _evaluate(self) -> None:
-        """Evaluate all numbers that depend on parameters, inputs and the time."""
-        numbers, offsets = self.engine.numbers, self.model.offsets
-        for name, section in (("input", "inputs"), ("parameter", "parameters")):
-            for place, value in enumerate(self.state.vectors[section]):
-                numbers[offsets[name] + place] = value
-        numbers[offsets["time"]] = self.state.head["time"]
-        self.engine.evaluate(0)
-        self.engine.evaluate(1)
-
-    def _assemble(self) -> None:
-        """Evaluate the numbers, check them, and take the initial configuration."""
-        self._evaluate()
-        problems = broken_rules(self.model.rules, self.engine.numbers)
-        problems += formulation_problems(self.model, str(decode("formulation", self.state.head)))
-        problems += equilibrium_problems(self.model, self.state.head["equilibrium"])
-        if problems:
-            raise AssemblyError("\n".join(problems))
-        status = Status(self.engine.initialise())
-        if status is not Status.OK:
-            sentence = at_the_start(status, bool(self.state.head["equilibrium"]))
-            message = f"the mechanism cannot be assembled: {sentence}"
-            raise AssemblyError(message)
-        self.phase = ASSEMBLED
-        self._measured = False
+        self._end(self._library.holonom_assemble(self._instance))
 
     def begin(self) -> None:
         """End the start: what is set from now on is for the step to come, as after a step.
 
         Else a tunable parameter that is set before the first step starts the mechanism anew.
         """
-        if self.phase == ASSEMBLED:
-            self.phase = MOVING
+        self._library.holonom_begin(self._instance)
 
     def advance(self, t: float, step: float) -> None:
         """Advance from time `t`, which must be the present time, by `step`; both in s.
@@ -243,39 +218,24 @@ class Integrator:
             When the step cannot be solved; time, h, reason and remedy in one sentence. The state
             is as before.
         """
-        head = self.state.head
-        finite = math.isfinite(t + step)
-        slack = ROUNDING * math.ulp(t) + STEP_SLACK * abs(step) if finite else 0.0
-        if not abs(t - head["time"]) <= slack:
-            message = f"step from t = {t!r} s asked for, but the mechanism is at {head['time']!r} s"
-            raise StepError(message)
-        if not step > 0.0:
-            self._fail(t, step, Status.BAD_STEP)
-        if self.phase == CONFIGURED:
-            self.initialise()
-        # A last digit of t that differs from the own time must not add up over many steps.
-        status = Status(self.engine.advance((t - head["time"]) + step))
-        self._measured = False
-        if status is not Status.OK:
-            self._fail(t, step, status)
-        head["time"] = t + step
-        self.phase = MOVING
-        self.message = SENTENCE[Status.OK]
-        self._remarks.look(self.state, self.engine.numbers)
+        result = self._advance(self._instance, t, step)
+        if result:
+            self._end(result)
+        self.message = "done"
 
-    def _fail(self, t: float, step: float, status: Status) -> None:
-        self.state.head["status"] = float(status)
-        self._measured = False
-        head = self.state.head
-        h = min(step, head["longest_step" if head["tolerance"] > 0.0 else "step_size"])
-        self.message = f"step from t = {t:g} s with h = {h:g} s: {SENTENCE[status]}"
-        raise StepError(self.message, status)
+    def residuals(self) -> tuple[list[float], list[float]]:
+        """Return the residuals of the rows and their rates, each in the unit of its row."""
+        phi, rate = ((ctypes.c_double * len(self.model.rows))() for _ in range(2))
+        self._library.holonom_rows(self._instance, phi, rate)
+        return list(phi), list(rate)
 
     # --------------------------------------------------------------------------- save, restore
 
     def save(self) -> bytes:
         """Return the whole state: motion, multipliers, ledger, inputs, parameters, settings."""
-        return self.state.to_bytes(self.phase)
+        data = ctypes.create_string_buffer(self._library.holonom_saved_size(self._instance))
+        self._library.holonom_save(self._instance, data)
+        return data.raw
 
     def restore(self, data: bytes) -> None:
         """Return to a state that `save` gave, bit for bit.
@@ -285,11 +245,4 @@ class Integrator:
         OptionError
             When it is a state of another model, or damaged; the present one is then kept.
         """
-        phase = self.state.phase_of(data)
-        self.state.fill(data)
-        if phase != CONFIGURED:
-            # Numbers are no part of the state: those of parameters follow from it, nothing else is
-            # asked again.
-            self._evaluate()
-        self.phase = phase
-        self._measured = False
+        self._end(self._library.holonom_restore(self._instance, data, len(data)))

@@ -186,12 +186,13 @@ class Model(
         OptionError
             When the core finds an index in them that leads beyond what it points into.
         """
-        if self._checked is None:
+        checked = self._checked
+        if checked is None:
             content = (ctypes.c_double * (len(self.file) // 8)).from_buffer_copy(self.file)
             why = ctypes.create_string_buffer(200)
             address = ctypes.addressof(content)
             size = library.holonom_instance_size(address, len(self.file), why, len(why))
             if not size:
                 raise OptionError(why.value.decode())
-            self.__dict__["_checked"] = content, size
-        return self._checked
+            checked = self.__dict__["_checked"] = content, size
+        return checked

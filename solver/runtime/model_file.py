@@ -240,11 +240,10 @@ def fingerprint(data: bytes) -> str:
 
 def _counts(data: bytes) -> Sequence[int]:
     """Return how long the parts of a model are, after its header was checked."""
-    damaged = len(data) < HEADER.size or data[: len(MAGIC)] != MAGIC
-    if not damaged:
-        _, checksum, *counts, _, _, length = HEADER.unpack_from(data)
-        damaged = length != len(data) or checksum != zlib.crc32(data[_BEFORE_CHECKED:])
-    if damaged:
+    if len(data) < HEADER.size or data[: len(MAGIC)] != MAGIC:
+        raise ValueError(DAMAGED)
+    _, checksum, *counts, _, _, length = HEADER.unpack_from(data)
+    if length != len(data) or checksum != zlib.crc32(data[_BEFORE_CHECKED:]):
         raise ValueError(DAMAGED)
     version = (VERSION, ABI, len(SIZES), len(OFFSETS), len(TABLES), len(HEAD))
     if tuple(counts[: len(version)]) != version:
@@ -282,8 +281,11 @@ def _fields(
     sampled = reader.numbers("I", n_sampled)
     reader.texts(n_text)
     rest, text = reader.rest(), reader.text
+    dimension = ints[SIZES.index("dim")]
+    if dimension not in (2, 3):
+        raise ValueError(DAMAGED)
     sizes, offsets, lengths, tables = _split(ints, len(SIZES), len(OFFSETS), len(TABLES))
-    scalars = dict(zip(HEAD, head, strict=True))
+    scalars: dict[str, float] = dict(zip(HEAD, head, strict=True))
     return {
         "name": rest["name"],
         "description": rest["description"],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 
-from .kernel import load_library
+from .kernel import shared_library
 
 CODES = (
     "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
@@ -26,5 +26,5 @@ def in_core(name: str) -> Callable[..., float]:
     KernelMissingError
         When there is no compiled kernel.
     """
-    operate, code = load_library(2).holonom_operate, CODES.index(name)
+    operate, code = shared_library(2).holonom_operate, CODES.index(name)
     return lambda a, b=0.0: operate(code, a, b, 0.0)

@@ -59,6 +59,9 @@ LEAST = {"tolerance": 1e-14}
 TINY = 2.2250738585072014e-308
 """Least normal number, for what must be greater than zero."""
 
+MOST_SAMPLING = 1.0
+"""Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
+
 NO_LIMITS = None, None
 LIMITS: dict[str, tuple[float, float]] = {
     "order": (0.0, 8.0),

@@ -13,7 +13,6 @@ import zlib
 from pathlib import Path
 
 import solver
-from solver.runtime.instance import Instance
 from solver.runtime.layout import PLACE
 from solver.runtime.model_file import HEADER
 
@@ -42,8 +41,8 @@ def case(seed: str, number: int, _folder: Path) -> str | None:
     model = _model(chance.choice(NAMES))
     try:
         if chance.random() < 0.5:
-            return _run(Instance(_damaged_model(chance, model), log=lambda _: None))
-        run = Instance(model, log=lambda _: None)
+            return _run(solver.Integrator(_damaged_model(chance, model), log=lambda _: None))
+        run = solver.Integrator(model, log=lambda _: None)
         if chance.random() < 0.5:
             run["solver.paired"] = False
         run.advance(run.time, 0.01)
