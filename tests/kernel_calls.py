@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from array import array
 from collections.abc import Sequence
+from typing import Any
 
 from solver.runtime import Integrator, Model
 from solver.runtime.kernel import shared_library
@@ -114,8 +115,10 @@ class Kernel:
         return status, list(r)[:size], list(tx)[:size]
 
 
-def kernel_of(run: Integrator) -> Kernel:
-    """Bind the kernel to the memory of a run."""
+def kernel_of(run: Any) -> Kernel:
+    """Bind the kernel to the memory of an `Integrator`; or the kernel that a run by hand has."""
+    if not isinstance(run, Integrator):
+        return run.kernel
     kernel = Kernel(run.model)
     kernel.numbers, kernel.state, kernel.work = run.numbers, run.state.block, run.work
     kernel._point()

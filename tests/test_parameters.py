@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from solver.runtime.assembly_checks import rules_of_laws
 
 import solver
 from solver.runtime import AssemblyError, Integrator, OptionError
+from solver.runtime.model_file import rules_of_laws
 from tests.problems import (
     Content,
     assemble,

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 import struct
-import zlib
 
 import pytest
 
 from solver.runtime import Integrator, OptionError, StepError
 from solver.runtime.layout import ENDLESS, PLACE
-from solver.runtime.state import _CHECKSUM, _PREFIX, _START
+from tests.saved_states import NUMBERS_AT, PHASE_AT, signed
 from tests.twins import PENDULUM, advance, block, model_of, start
 
 SPRING_OF_INPUT = """
@@ -47,7 +46,7 @@ def assert_refused_and_kept(data: bytes, words: str, source: str = PENDULUM) -> 
 def test_a_scalar_changed_in_the_bytes_is_noticed(name, value):
     # A parity of 1e6, an index, once made the kernel write outside of its memory.
     data = bytearray(moved().save())
-    struct.pack_into("<d", data, _START + 8 * PLACE[name], value)
+    struct.pack_into("<d", data, NUMBERS_AT + 8 * PLACE[name], value)
     assert_refused_and_kept(bytes(data), "damaged")
 
 
@@ -59,20 +58,16 @@ def test_a_single_bit_changed_in_the_bytes_is_noticed(place):
 
 
 def test_a_phase_that_does_not_exist_is_refused_even_with_the_right_checksum():
-    saved = moved().save()
-    magic, fingerprint, _, length = _PREFIX.unpack_from(saved)
-    prefix = _PREFIX.pack(magic, fingerprint, 7, length)
-    checksum = _CHECKSUM.pack(zlib.crc32(saved[_START:], zlib.crc32(prefix)))
-    assert_refused_and_kept(prefix + checksum + saved[_START:], "damaged")
+    saved = bytearray(moved().save())
+    struct.pack_into("<q", saved, PHASE_AT, 7)
+    assert_refused_and_kept(signed(saved), "damaged")
 
 
 def forged(number: float, place: int, source: str = PENDULUM) -> bytes:
     """A saved state with another number at a place, and the checksum of that."""
     data = bytearray(moved(source).save())
-    struct.pack_into("<d", data, _START + 8 * place, number)
-    checksum = zlib.crc32(data[_START:], zlib.crc32(data[: _PREFIX.size]))
-    _CHECKSUM.pack_into(data, _PREFIX.size, checksum)
-    return bytes(data)
+    struct.pack_into("<d", data, NUMBERS_AT + 8 * place, number)
+    return signed(data)
 
 
 @pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])

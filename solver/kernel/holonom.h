@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 14
+#define HOLONOM_ABI 15
 
 enum holonom_status {
     HOLONOM_OK = 0,

@@ -72,6 +72,12 @@ class Integrator:
         """The vector of numbers at present; in the order of the model's."""
         return self._vector("numbers", len(self.model.numbers))
 
+    @property
+    def work(self) -> ctypes.Array[ctypes.c_double]:
+        """Scratch of the core, of which nothing survives a step."""
+        model = self._library.holonom_model_of(self._instance)
+        return self._vector("work", self._library.holonom_work_size(model))
+
     def reset(self) -> None:
         """Return to the condition after construction."""
         self._library.holonom_reset(self._instance)

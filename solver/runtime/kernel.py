@@ -63,6 +63,38 @@ def library_platform(path: str) -> str:
     return f"another machine ({os.path.basename(path)})"
 
 
+_POINTER, _INTEGER, _REAL, _COUNT = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_int64
+FUNCTIONS = {
+    "abi": (_INTEGER, []),
+    "dimension": (_INTEGER, []),
+    "state_size": (_COUNT, [_POINTER]),
+    "work_size": (_COUNT, [_POINTER]),
+    "instance_size": (_COUNT, [_POINTER, _COUNT, _POINTER, _COUNT]),
+    "make": (_POINTER, [_POINTER, _COUNT, _POINTER, _INTEGER]),
+    "reset": (None, [_POINTER]),
+    "message": (ctypes.c_char_p, [_POINTER]),
+    "remarks": (ctypes.c_char_p, [_POINTER]),
+    "get": (_INTEGER, [_POINTER, _POINTER, _INTEGER, _POINTER]),
+    "set": (_INTEGER, [_POINTER, _POINTER, _INTEGER, _POINTER, _POINTER]),
+    "word": (ctypes.c_char_p, [_POINTER, _INTEGER, _REAL]),
+    "number_of_word": (_REAL, [_POINTER, _INTEGER, ctypes.c_char_p]),
+    "assemble": (_INTEGER, [_POINTER]),
+    "begin": (None, [_POINTER]),
+    "move": (_INTEGER, [_POINTER, _REAL, _REAL]),
+    "saved_size": (_COUNT, [_POINTER]),
+    "save": (None, [_POINTER, _POINTER]),
+    "restore": (_INTEGER, [_POINTER, ctypes.c_char_p, _COUNT]),
+    "rows": (None, [_POINTER] * 3),
+    "phase_of": (_INTEGER, [_POINTER]),
+    "model_of": (_POINTER, [_POINTER]),
+    "numbers_of": (_POINTER, [_POINTER]),
+    "state_of": (_POINTER, [_POINTER]),
+    "work_of": (_POINTER, [_POINTER]),
+    "operate": (_REAL, [_INTEGER, _REAL, _REAL, _REAL]),
+}
+"""Result and arguments of each function of the core, ``holonom_...``, that is called here."""
+
+
 def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
     """Load the kernel for models of this dimension, 2 or 3, and declare its functions.
 
@@ -76,34 +108,7 @@ def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
         library = ctypes.CDLL(path)
     except OSError as error:
         raise KernelMissingError(_missing(path, error)) from error
-    pointer, integer, real = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double
-    for name, result, arguments in (
-        ("abi", integer, []),
-        ("dimension", integer, []),
-        ("state_size", ctypes.c_int64, [pointer]),
-        ("instance_size", ctypes.c_int64, [pointer, ctypes.c_int64, pointer, ctypes.c_int64]),
-        ("make", pointer, [pointer, ctypes.c_int64, pointer, integer]),
-        ("reset", None, [pointer]),
-        ("message", ctypes.c_char_p, [pointer]),
-        ("remarks", ctypes.c_char_p, [pointer]),
-        ("get", integer, [pointer, pointer, integer, pointer]),
-        ("set", integer, [pointer, pointer, integer, pointer, pointer]),
-        ("word", ctypes.c_char_p, [pointer, integer, real]),
-        ("number_of_word", real, [pointer, integer, ctypes.c_char_p]),
-        ("assemble", integer, [pointer]),
-        ("begin", None, [pointer]),
-        ("move", integer, [pointer, real, real]),
-        ("saved_size", ctypes.c_int64, [pointer]),
-        ("save", None, [pointer, pointer]),
-        ("restore", integer, [pointer, ctypes.c_char_p, ctypes.c_int64]),
-        ("rows", None, [pointer] * 3),
-        ("phase_of", integer, [pointer]),
-        ("model_of", pointer, [pointer]),
-        ("numbers_of", pointer, [pointer]),
-        ("state_of", pointer, [pointer]),
-        ("work_of", pointer, [pointer]),
-        ("operate", real, [integer, real, real, real]),
-    ):
+    for name, (result, arguments) in FUNCTIONS.items():
         function = getattr(library, f"holonom_{name}", None)
         if function is None:
             raise KernelMissingError(_other(path))

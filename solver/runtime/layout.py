@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 14
+ABI = 15
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (

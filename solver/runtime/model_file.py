@@ -20,7 +20,7 @@ TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothin
 if TYPE_CHECKING:
     from typing import Any
 
-    from .model import Model, Rule, Variable
+    from .model import Model, Row, Rule, Variable
 
 VERSION = 5
 MAGIC = b"HOLONOM\0"
@@ -232,6 +232,21 @@ class _Reader:
             KINDS[kind], 0 if option else place, bool(flags & CLIPS),
         )  # fmt: skip
 
+    def rule(self, record: tuple, location: str) -> Rule:
+        """Return a rule from its record."""
+        from .model import Rule
+
+        number, relation, bound, name, message = record
+        relation = RELATIONS[relation & ~OF_A_LAW]
+        return Rule(number, relation, bound, location, self.text(name), self.text(message))
+
+    def row(self, record: tuple, location: str) -> Row:
+        """Return what a constraint row belongs to from its record."""
+        from .model import Row
+
+        name, detail, kind, _ = record
+        return Row(location, self.text(name), ROW_KINDS[kind], self.text(detail))
+
 
 def fingerprint(data: bytes) -> str:
     """Return the hash of all that a run of a model depends on, from its bytes."""
@@ -271,7 +286,7 @@ def _fields(
     data: bytes, n_ints: int, n_numbers: int, n_variables: int, n_rules: int, n_rows: int,
     n_sampled: int, n_text: int,
 ) -> dict[str, Any]:  # fmt: skip
-    from .model import Experiment, Row, Rule
+    from .model import Experiment
 
     reader = _Reader(data)
     ints, head = reader.numbers("i", n_ints), reader.numbers("d", len(HEAD))
@@ -280,7 +295,7 @@ def _fields(
     rules, rows = reader.records(RULE, n_rules), reader.records(ROW, n_rows)
     sampled = reader.numbers("I", n_sampled)
     reader.texts(n_text)
-    rest, text = reader.rest(), reader.text
+    rest = reader.rest()
     dimension = ints[SIZES.index("dim")]
     if dimension not in (2, 3):
         raise ValueError(DAMAGED)
@@ -294,18 +309,10 @@ def _fields(
         "offsets": dict(zip(OFFSETS, offsets, strict=True)),
         "numbers": numbers,
         "variables": tuple(map(reader.variable, variables, rest["variables"])),
-        "rules": tuple(
-            Rule(number, RELATIONS[relation & ~OF_A_LAW], bound, place, text(name), text(message))
-            for (number, relation, bound, name, message), place in zip(
-                rules, rest["rules"], strict=True
-            )
-        ),
-        "rows": tuple(
-            Row(place, text(name), ROW_KINDS[kind], text(detail))
-            for (name, detail, kind, _), place in zip(rows, rest["rows"], strict=True)
-        ),
+        "rules": tuple(map(reader.rule, rules, rest["rules"])),
+        "rows": tuple(map(reader.row, rows, rest["rows"])),
         "forces": rest["forces"],
-        "sampled": tuple(map(text, sampled)),
+        "sampled": tuple(map(reader.text, sampled)),
         "settings": {name: decode(name, scalars) for name in DEFAULTS},
         "experiment": Experiment(*rest["experiment"]),
     }

@@ -15,6 +15,7 @@ from pathlib import Path
 import solver
 from solver.runtime.layout import PLACE
 from solver.runtime.model_file import HEADER
+from tests.saved_states import NUMBERS_AT, signed
 
 SCENES = Path(__file__).parents[2] / "scenes"
 NAMES = ("double_pendulum", "slider_crank", "heavy_top", "spring_pendulum", "four_bar")
@@ -22,8 +23,8 @@ INTEGERS = (0, -1, 1, 2, 7, 100, 2**31 - 1, -(2**31))
 DOUBLES = (0.0, -1.0, 1e300, 5e-324, -1e300, math.nan, math.inf, 1e-9, 3.0)
 STEPS = 3
 CPU_LIMIT = 10.0
-CHECKED_FROM, STATE_HEAD = 12, 64
-"""Bytes before those under the checksum of a model, and before the numbers of a state."""
+CHECKED_FROM = 12
+"""Bytes before those under the checksum of a model."""
 
 
 def prepare(_folder: Path) -> None:
@@ -79,9 +80,7 @@ def _damaged_model(chance: random.Random, model: solver.Model) -> solver.Model:
 def _damaged_state(chance: random.Random, good: bytes) -> bytes:
     data = bytearray(good)
     for _ in range(chance.randint(1, 3)):
-        places = len(PLACE) if chance.random() < 0.5 else (len(data) - STATE_HEAD) // 8
-        at = STATE_HEAD + 8 * chance.randrange(places)
+        places = len(PLACE) if chance.random() < 0.5 else (len(data) - NUMBERS_AT) // 8
+        at = NUMBERS_AT + 8 * chance.randrange(places)
         struct.pack_into("<d", data, at, chance.choice(DOUBLES))
-    data[STATE_HEAD - 8 : STATE_HEAD - 4] = bytes(4)
-    struct.pack_into("<I", data, STATE_HEAD - 8, zlib.crc32(data))
-    return bytes(data)
+    return signed(data)
