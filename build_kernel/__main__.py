@@ -1,11 +1,17 @@
-"""`python -m build_kernel`: compile the kernel into the source tree, and install nothing."""
+"""`python -m build_kernel`: compile the kernel into the source tree, and install nothing.
+
+With ``--all`` it is compiled for linux64 and win64, with zig; FMUs built then run on both.
+"""
 
 import sys
 from pathlib import Path
 
-from build_kernel.compiler import CompilerError, compile_kernel
+from build_kernel.compiler import CompilerError, compile_for_all, compile_kernel
 
+if sys.argv[1:] not in ([], ["--all"]):
+    sys.exit("usage: python -m build_kernel [--all]")
 try:
-    compile_kernel(Path(__file__).resolve().parent.parent)
+    chosen = compile_for_all if sys.argv[1:] else compile_kernel
+    chosen(Path(__file__).resolve().parent.parent)
 except CompilerError as error:
     sys.exit(f"holonom: {error}")

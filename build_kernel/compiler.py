@@ -31,6 +31,8 @@ FLAGS = (
     "-fno-tree-vectorize",
     *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
 )
+PLATFORMS = {"Linux": "x86_64-linux-gnu.2.17", "Windows": "x86_64-windows-gnu"}
+"""Zig's names of the platforms for which pythonfmu has a library."""
 SYSTEM_COMPILERS = ("cc", "gcc", "clang")
 PROBE = "#include <math.h>\ndouble probe(double x);\ndouble probe(double x) { return sin(x); }\n"
 
@@ -41,9 +43,6 @@ class CompilerError(Exception):
 
 def compile_kernel(root: Path) -> list[Path]:
     """Compile the kernel below `root`, the folder of pyproject.toml; the paths of its libraries."""
-    if not any((root / SOURCES).glob("*.c")):
-        text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
-        raise CompilerError(text)
     compiler = system_compiler() or zig_compiler()
     if compiler is None:
         text = (
@@ -51,15 +50,44 @@ def compile_kernel(root: Path) -> list[Path]:
             "remedy: install one, or its replacement from PyPI: pip install ziglang"
         )
         raise CompilerError(text)
+    return _compile(root, compiler, platform.system())
+
+
+def compile_for_all(root: Path) -> list[Path]:
+    """Compile the kernel with zig for each platform of `PLATFORMS`; the paths of its libraries.
+
+    Raises
+    ------
+    CompilerError
+        When zig is not installed, or refuses.
+    """
+    if importlib.util.find_spec("ziglang") is None:
+        text = (
+            "the kernels of all platforms are compiled with zig, which is not installed\n"
+            "remedy: pip install ziglang (100 MB, 400 MB unpacked)"
+        )
+        raise CompilerError(text)
+    found = []
+    for system, target in PLATFORMS.items():
+        compiler = [sys.executable, "-m", "ziglang", "cc", "-target", target]
+        found += _compile(root, compiler, system)
+    return found
+
+
+def _compile(root: Path, compiler: list[str], system: str) -> list[Path]:
+    """Compile the kernel of both dimensions for an operating system."""
+    if not any((root / SOURCES).glob("*.c")):
+        text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
+        raise CompilerError(text)
     folder = root / LIBRARIES
     folder.mkdir(parents=True, exist_ok=True)
-    print("compiling the kernel:", shlex.join([*compiler, *flags()]))
+    print("compiling the kernel:", shlex.join([*compiler, *flags(system)]))
     # The new files take the old ones' places at once: a running process may have those mapped.
     with tempfile.TemporaryDirectory(dir=folder, prefix="compile-") as scratch:
 
         def compiled(dimension: int) -> Path:
-            target = Path(scratch, library_name(platform.system(), dimension))
-            compile_library(compiler, root / SOURCES, dimension, target)
+            target = Path(scratch, library_name(system, dimension))
+            compile_library(compiler, root / SOURCES, dimension, target, system=system)
             return target
 
         with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
@@ -68,9 +96,16 @@ def compile_kernel(root: Path) -> list[Path]:
 
 
 def compile_library(
-    compiler: list[str], folder: Path, dimension: int, target: Path, *options: str
+    compiler: list[str],
+    folder: Path,
+    dimension: int,
+    target: Path,
+    *options: str,
+    system: str | None = None,
 ) -> None:
     """Compile the C sources in a folder for mechanisms of this dimension, 2 or 3.
+
+    `system` is the operating system that it is for, this one where left out.
 
     Raises
     ------
@@ -78,7 +113,7 @@ def compile_library(
         When the compiler refuses; the text has its message.
     """
     sources = sorted(path.name for path in folder.glob("*.c"))
-    options = (*flags(), f"-DDIM={dimension}", *options)
+    options = (*flags(system or platform.system()), f"-DDIM={dimension}", *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]
     run = _run(command, folder, str(target.parent))
     if run.returncode != 0:
@@ -121,9 +156,8 @@ def library_name(system: str, dimension: int) -> str:
     return f"libholonom_{DIMENSIONS[dimension]}{suffix}"
 
 
-def flags() -> list[str]:
-    """Flags of every compiler; those of `$CFLAGS` come last and so win."""
-    system = platform.system()
+def flags(system: str) -> list[str]:
+    """Flags of every compiler for an operating system; those of `$CFLAGS` come last and so win."""
     strip = [] if system == "Darwin" else ["-s"]  # zig's library is else four times as big
     # Elsewhere the tables are part of the platform's interface; here only exceptions, of which C
     # has none, and debuggers read them.

@@ -6,6 +6,7 @@ import ctypes
 import functools
 import hashlib
 import os
+import platform
 import tempfile
 from pathlib import Path
 
@@ -26,7 +27,7 @@ needs_compiler = pytest.mark.skipif(
 
 def _digest() -> str:
     """Hash of all that makes a kernel."""
-    digest = hashlib.sha256(" ".join([*flags(), OPTIMISATION]).encode())
+    digest = hashlib.sha256(" ".join([*flags(platform.system()), OPTIMISATION]).encode())
     for path in sorted(FOLDER.iterdir()):
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()[:16]

@@ -12,9 +12,12 @@ from pathlib import Path
 
 import solver
 from solver.runtime.options import CHOICES, ORDERS
+from tests.hostile import models
 from tests.kernel_calls import kernel_of
 from tests.twins import EVERYTHING
 
+DAMAGED = 20_000
+"""Damaged models and states, each with a good checksum."""
 SCENES = Path(__file__).parent.parent / "scenes"
 STEPS = 8
 
@@ -82,6 +85,9 @@ def main(every: int) -> None:
             _move(model, settings)
         except (solver.StepError, solver.AssemblyError, solver.OptionError):
             ended += 1
+    for number in range(DAMAGED // every):
+        found = models.case("sanitized", number, Path())
+        assert not found, (number, found)
     print(f"{ran} runs, of which {ended} ended with a sentence")
 
 

@@ -138,7 +138,7 @@ def test_a_tree_without_sources_is_refused(tmp_path):
 
 def test_the_flags_of_the_user_come_last(monkeypatch):
     monkeypatch.setenv("CFLAGS", "-Wno-error -O1")
-    assert compiler.flags()[-2:] == ["-Wno-error", "-O1"]
+    assert compiler.flags("Linux")[-2:] == ["-Wno-error", "-O1"]
 
 
 def test_a_warning_stops_the_checks_of_the_project_but_no_installation(
