@@ -1,4 +1,4 @@
-"""Kernels without some of the skips of docs/skips.md: compiled once, kept in files."""
+"""Kernels without some of the skips of docs/skips.md, each compiled once and kept in a file."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ import functools
 import hashlib
 import os
 import platform
+import sys
 import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -20,6 +22,10 @@ FOLDER = Path(__file__).resolve().parents[1] / SOURCES
 OPTIMISATION = "-O1"
 """Times are not measured, and a kernel takes 4 s to compile."""
 
+COUNTER = Path(__file__).with_name("count_products.c")
+WRAPPED = [f"-Wl,--wrap=hm_lu_{name}" for name in ("factor", "solve")]
+"""The linker of Linux puts the counter in place of factorisations and solves."""
+
 needs_compiler = pytest.mark.skipif(
     not (system_compiler() or zig_compiler()), reason="no C compiler to compile kernels with"
 )
@@ -28,7 +34,7 @@ needs_compiler = pytest.mark.skipif(
 def _digest() -> str:
     """Hash of all that makes a kernel."""
     digest = hashlib.sha256(" ".join([*flags(platform.system()), OPTIMISATION]).encode())
-    for path in sorted(FOLDER.iterdir()):
+    for path in [*sorted(FOLDER.iterdir()), COUNTER]:
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()[:16]
 
@@ -43,10 +49,26 @@ def kernel_without(bits: int, dimension: int) -> ctypes.CDLL:
         compiler = system_compiler() or zig_compiler()
         assert compiler is not None
         mine = folder / f"{os.getpid()}-{target.name}"  # another process may compile it as well
-        options = (OPTIMISATION, f"-DHOLONOM_WITHOUT={bits}")
+        options = [OPTIMISATION, f"-DHOLONOM_WITHOUT={bits}"]
+        if sys.platform == "linux":
+            options += [*WRAPPED, str(COUNTER)]
         compile_library(compiler, FOLDER, dimension, mine, *options)
         mine.replace(target)
     return load_library(dimension, str(target))
+
+
+class Counts(NamedTuple):
+    """Factorisations, solves, and the products of both, since the kernel was loaded."""
+
+    factorisations: int
+    products_of_factors: int
+    solves: int
+    products_of_solves: int
+
+
+def counted(bits: int, dimension: int) -> Counts:
+    """What a kernel has counted."""
+    return Counts(*(ctypes.c_int64 * 4).in_dll(kernel_without(bits, dimension), "counted"))
 
 
 def integrator_without(bits: int, model: Model, **settings: float | str | bool) -> Integrator:

@@ -1,0 +1,174 @@
+"""What a step leaves out changes nothing of the motion of any scene, and hardly ever costs more."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given
+from hypothesis import settings as trials
+
+import solver
+from benchmarks.skips import ALL, SKIPS
+from solver.runtime import Integrator, Model
+from tests.kernel_cases import SOURCES, ZOO
+from tests.kernels_without_skips import counted, integrator_without, needs_compiler
+from tests.random_mechanisms import driven_systems, free_systems
+from tests.twins import Array, model_of
+
+SCENES = SOURCES | ZOO
+STEPS = {2: 100, 4: 40, 8: 15}
+"""Internal steps by order: some hundred half steps of each."""
+MOST = 1.02
+"""A skip costs at most so many times the iterations or products of a kernel without it."""
+
+TRADES = ("stiffness", "factorisation", "fresh factors", "all")
+"""Skips that take some iterations more for fewer products of factors and solves."""
+
+DEARER = {
+    ("outer iteration", "chain", 2, "iterations"): 1.09,
+    ("old guess", "differential", 2, "iterations"): 1.07,
+    ("fresh factors", "differential", 2, "products"): 1.06,
+    ("outer iteration", "double_wishbone", 2, "products"): 1.24,
+    ("old guess", "double_wishbone", 2, "iterations"): 1.07,
+    ("low penalty", "double_wishbone", 2, "products"): 1.23,
+    ("fresh factors", "rolling_disc", 2, "products"): 1.53,
+    ("outer iteration", "zoo in space", 2, "products"): 1.23,
+    ("old guess", "zoo in space", 2, "products"): 1.27,
+    ("outer iteration", "chain", 4, "iterations"): 1.19,
+    ("old guess", "jansen", 4, "iterations"): 1.07,
+    ("old guess", "jansen", 4, "products"): 1.05,
+    ("low penalty", "jansen", 4, "products"): 1.09,
+    ("fresh factors", "rolling_disc", 4, "products"): 1.69,
+    ("outer iteration", "snakeboard", 4, "iterations"): 1.05,
+    ("outer iteration", "zoo in space", 4, "products"): 1.24,
+    ("old guess", "zoo in space", 4, "products"): 1.32,
+    ("outer iteration", "chain", 8, "iterations"): 1.08,
+    ("old guess", "chain", 8, "iterations"): 1.08,
+    ("old guess", "chain", 8, "products"): 1.06,
+    ("old guess", "double_pendulum", 8, "iterations"): 1.10,
+    ("old guess", "double_pendulum", 8, "products"): 1.08,
+    ("low penalty", "double_wishbone", 8, "products"): 1.18,
+    ("fresh factors", "dzhanibekov", 8, "products"): 1.29,
+    ("fresh factors", "rolling_disc", 8, "products"): 1.36,
+    ("outer iteration", "slider_crank", 8, "iterations"): 1.17,
+    ("outer iteration", "slider_crank", 8, "products"): 1.11,
+    ("old guess", "slider_crank", 8, "iterations"): 1.25,
+    ("old guess", "slider_crank", 8, "products"): 1.15,
+    ("outer iteration", "snakeboard", 8, "iterations"): 1.10,
+    ("outer iteration", "snakeboard", 8, "products"): 1.06,
+    ("old guess", "snakeboard", 8, "iterations"): 1.07,
+    ("old guess", "snakeboard", 8, "products"): 1.05,
+    ("outer iteration", "zoo in space", 8, "products"): 1.28,
+    ("old guess", "zoo in space", 8, "products"): 1.36,
+}
+"""Where a skip does not pay, by order and measure: at most so much (docs/skips.md)."""
+
+pytestmark = needs_compiler
+
+
+class Run(NamedTuple):
+    """End of a run: coordinates, velocities times the step, all over the extent; its cost."""
+
+    q: Array
+    hv: Array
+    iterations: float
+    products: float
+
+
+def moved(model: Model, bits: int, order: int, steps: int) -> Run:
+    """Run of some internal steps by the kernel without these skips."""
+    run = integrator_without(bits, model)
+    run.state.head["order"] = float(order)
+    before, iterations = counted(bits, model.sizes["dim"]), 0.0
+    h = run.state.head["step_size"]
+    for _ in range(steps):
+        run.advance(run.time, h)
+        iterations += run.state.head["newton_iterations"]
+    after = counted(bits, model.sizes["dim"])
+    products = (after.products_of_factors - before.products_of_factors) + (
+        after.products_of_solves - before.products_of_solves
+    )
+    return Run(*ends(run), iterations, products)
+
+
+def ends(run: Integrator) -> tuple[Array, Array]:
+    """Coordinates, and velocities times the step, over the extent of the mechanism."""
+    vectors, extent = run.state.vectors, run.engine.numbers[run.model.offsets["extent"]]
+    q = np.asarray(vectors["q"]) + np.asarray(vectors["q_low"])
+    return q / extent, run.state.head["step_size"] * np.array(vectors["v"]) / extent
+
+
+@cache
+def model_for(name: str, order: int) -> Model:
+    """Model of a scene whose state has room for the changes of a step of this order."""
+    if order == 2:
+        return model_of(SCENES[name])
+    source, overrides = SCENES[name], {"solver.order": order}
+    load = solver.loads if isinstance(source, str) else solver.load
+    return solver.assemble(load(source, overrides=overrides))
+
+
+def assert_alike(ours: Run, theirs: Run, tolerance: float) -> None:
+    """Every step is solved to less than the tolerance of its size, and steps are smooth."""
+    assert np.max(np.abs(ours.q - theirs.q), initial=0.0) <= 10.0 * tolerance
+    assert np.max(np.abs(ours.hv - theirs.hv), initial=0.0) <= 10.0 * tolerance
+
+
+@pytest.mark.parametrize("order", STEPS)
+@pytest.mark.parametrize("name", SCENES)
+def test_a_scene_moves_alike_without_each_skip_and_costs_no_more_with_it(name, order):
+    model = model_for(name, order)
+    with_all = moved(model, 0, order, STEPS[order])
+    for skip, bits in [*SKIPS.items(), ("all", ALL)]:
+        without = moved(model, bits, order, STEPS[order])
+        assert_alike(with_all, without, 1e-12)
+        for measure in ("products",) if skip in TRADES else ("iterations", "products"):
+            ratio = getattr(with_all, measure) / max(getattr(without, measure), 1.0)
+            most = DEARER.get((skip, name, order, measure), MOST)
+            assert ratio <= most, f"{skip} takes {ratio:.3f} times the {measure}"
+
+
+@trials(max_examples=25, suppress_health_check=list(HealthCheck))
+@given(free_systems())
+def test_a_free_mechanism_moves_alike_without_skips(drawn):
+    content, h = drawn
+    assert_alike_without_skips(content, h)
+
+
+@trials(max_examples=25, suppress_health_check=list(HealthCheck))
+@given(driven_systems())
+def test_a_driven_mechanism_moves_alike_without_skips(content):
+    assert_alike_without_skips(content, 0.01)
+
+
+def assert_alike_without_skips(content, h: float) -> None:
+    content = content | {"solver": {"step_size": h}}
+    model = solver.assemble(solver.loads(json.dumps(content), format="json"))
+    with_all = moved(model, 0, 2, 20)
+    for bits in (*SKIPS.values(), ALL):
+        # Loops may be nearly stretched: rounding is then multiplied, more from step to step.
+        assert_alike(with_all, moved(model, bits, 2, 20), 1e-10)
+
+
+def test_islands_apart_and_at_rest_cost_less_the_more_there_are_of_them():
+    content = {
+        "name": "beside",
+        "dimension": 2,
+        "gravity": [0, -9.81],
+        "points": {},
+        "joints": {},
+    }
+    for k in range(8):  # the first swings, the others hang still
+        x = 5.0 * k
+        content["points"][f"O{k}"] = {"position": [x, 0.0], "fixed": True}
+        end = [x + 0.6, -0.8] if k == 0 else [x, -1.0]
+        content["points"][f"A{k}"] = {"position": end, "mass": 1.0}
+        content["joints"][f"rod{k}"] = {"type": "distance", "points": [f"O{k}", f"A{k}"]}
+    model = solver.assemble(solver.loads(json.dumps(content), format="json"))
+    products = [moved(model, bits, 2, 100).products for bits in (0, SKIPS["rest"])]
+    assert products[0] < 0.2 * products[1]
+    assert_alike(moved(model, 0, 2, 100), moved(model, SKIPS["islands"], 2, 100), 1e-12)
