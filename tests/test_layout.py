@@ -92,8 +92,10 @@ def test_the_platform_of_a_library_is_read_from_its_first_bytes(tmp_path, head, 
 
 def test_a_missing_kernel_is_reported_with_platform_and_remedy(monkeypatch, tmp_path):
     monkeypatch.setattr(kernel, "library_path", lambda _: str(tmp_path / "libholonom_planar.so"))
+    kernel.shared_library.cache_clear()
     with pytest.raises(kernel.KernelMissingError) as missing:
         Integrator(model_of(PENDULUM))
+    kernel.shared_library.cache_clear()
     assert str(missing.value) == (
         f"no kernel for this platform, {sysconfig.get_platform()}: the folder {tmp_path} has no "
         "kernel; build the FMU on this platform, or compile the kernel: python -m build_kernel"

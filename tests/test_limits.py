@@ -165,7 +165,7 @@ angle = { type = "distance", points = ["A", "B"] }
 def test_a_product_of_two_different_vectors_can_be_held():
     # The two rods then swing as one rigid body: I phi'' = sum of the weights' moments.
     engine = solver.Integrator(bilinear())
-    engine._assemble()
+    engine.initialise()
     for i in range(10):
         engine.advance(i * 0.1, 0.1)
     q = np.asarray(engine.state.vectors["q"])
@@ -183,7 +183,7 @@ def test_a_product_of_two_different_vectors_can_be_held():
 
 def test_the_tangent_of_a_product_of_two_vectors_is_its_derivative():
     engine = solver.Integrator(bilinear())
-    engine._assemble()
+    engine.initialise()
     rng, h, n, r = np.random.default_rng(1), 0.01, 4, 3
     w, mu, x = rng.normal(size=n) * 1e-3, rng.normal(size=r), rng.normal(size=n + r)
     _, _, tx = kernel_of(engine).probe(h, w, mu, x)

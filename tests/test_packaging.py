@@ -227,7 +227,7 @@ def four_bar(packages: Path) -> str:
         "import hashlib, solver; from pathlib import Path\n"
         f"assert {str(packages)!r} == str(Path(solver.__file__).parent.parent)\n"
         f"scene = solver.load({str(ROOT / 'scenes/four_bar.toml')!r})\n"
-        "run = solver.simulate(scene, stop_time=2.0, kernel='c')\n"
+        "run = solver.simulate(scene, stop_time=2.0)\n"
         "print(hashlib.sha256(run.table.tobytes()).hexdigest())"
     )
     environment = os.environ | {"PYTHONPATH": str(packages)}

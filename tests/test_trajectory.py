@@ -127,12 +127,12 @@ def test_dir_lists_the_names_for_users(package):
     ids=range(5),
 )  # fmt: skip
 def test_an_integer_that_no_double_holds_is_refused(arguments, name):
-    with pytest.raises(OptionError, match=f"^{name}: must be a finite number, got an integer of"):
+    with pytest.raises(OptionError, match=f"^{name}: must be .*got an integer of more"):
         run(**arguments)
 
 
 @pytest.mark.parametrize("value", ["1", 1j, (1.0,)])
 @pytest.mark.parametrize("name", ["stop_time", "step_size"])
 def test_a_time_that_is_no_number_is_refused(name, value):
-    with pytest.raises(OptionError, match=f"^{name}: must be a number in s"):
+    with pytest.raises(OptionError, match=f"^{name}: must be a finite number in s, got"):
         run(**{name: value})

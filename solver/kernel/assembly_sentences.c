@@ -1,4 +1,6 @@
 /* What is said of a mechanism when its parameters have arrived: numbers, drawn places, velocities. */
+#include "small.h"
+
 #include "sentences.h"
 
 #include <string.h>

@@ -1,3 +1,5 @@
+#include "small.h"
+
 #include "instance.h"
 #include "sentences.h"
 

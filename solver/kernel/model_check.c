@@ -1,5 +1,7 @@
 /* Checks a model from outside before anything follows its indices: each table is as long as its readers think, and each index
    lies within what it points into. What is written wrongly within these bounds moves wrongly, but ends. */
+#include "small.h"
+
 #include "internal.h"
 #include "model_file.h"
 
@@ -46,8 +48,8 @@ static int has_sizes(const checker *c)
     for (size_t i = 0; i <= (size_t)(&m->n_sampled - &m->dim); i++)
         if (size[i] < 0 || size[i] > LARGEST_SIZE) return 0;
     const int64_t rows = (int64_t)m->n_form_rows + DIM * (int64_t)m->n_coincidences + m->n_function_rows + m->n_velocity_rows;
-    return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass && m->n_slots >= 1 &&
-           m->n_slots <= 64 && m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && m->n_driven * (int64_t)DIM <= m->n_signals;
+    return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass && m->n_slots <= 64 &&
+           m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && DIM * (int64_t)m->n_driven <= m->n_signals;
 }
 
 /* Whether a section of the numbers lies within them. */
@@ -302,13 +304,6 @@ static int has_elimination(const checker *c, size_t first, const holonom_elimina
 #undef OWN
 }
 
-static int has_no_lean_factors(const checker *c)
-{
-    for (size_t table = TABLE(lean); table < TABLE(load_slot_ptr); table++)
-        if (c->length[table]) return 0;
-    return c->m->n_lean_values == 0;
-}
-
 int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
 {
     const checker checked = {m, table_length, (int64_t)m->n_free + m->n_driven + m->n_support, (int64_t)m->n_free + m->n_driven,
@@ -316,7 +311,7 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     const checker *c = &checked;
     return has_sizes(c) && has_forms(c) && has_sections(c) && has_quantities(c) && has_masses_and_rows(c) && has_composites(c) &&
            has_loads(c) && has_tape(c) && has_islands(c) && has_elimination(c, TABLE(full), &m->full, m->n_lu_values, 0) &&
-           (has_no_lean_factors(c) || has_elimination(c, TABLE(lean), &m->lean, m->n_lean_values, 1)) &&
+           (!m->n_lean_values || has_elimination(c, TABLE(lean), &m->lean, m->n_lean_values, 1)) &&
            has_slots(c, TABLE(load_slot_ptr), TABLE(load_slot), m->n_loads, load_slots, 0, m->n_lu_values) &&
            has_slots(c, TABLE(moment_slot_ptr), TABLE(moment_slot), m->n_moments, moment_slots, 0, m->n_lu_values) &&
            has(c, TABLE(body_moment_slot), 81 * (int64_t)m->n_body_moments, 0, m->n_lu_values);

@@ -1,3 +1,5 @@
+#include "small.h"
+
 #include "model_file.h"
 #include "internal.h"
 

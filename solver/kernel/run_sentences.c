@@ -1,4 +1,6 @@
 /* What is said of steps that fail, and of what a run shows though it goes on. */
+#include "small.h"
+
 #include "sentences.h"
 
 #define HALVED "even with the step halved 6 times; "

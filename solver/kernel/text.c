@@ -1,4 +1,6 @@
 /* Decimal digits of doubles, all of them exact before they are rounded, and sentences made with them. */
+#include "small.h"
+
 #include "text.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
 /* Which values a variable may take, and what is said of others. */
+#include "small.h"
+
 #include "sentences.h"
 
 #include <string.h>

@@ -11,7 +11,7 @@ import struct
 import sys
 import zlib
 from array import array
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from .layout import ABI, HEAD, OFFSETS, PLACE, SIZES, TABLES
 from .options import CHOICES, DEFAULTS, LEAST, WHOLE, decode, encode
@@ -99,6 +99,30 @@ def _record(variable: Variable, texts: _Texts) -> bytes:
     )  # fmt: skip
 
 
+def _records(model: Model, texts: _Texts) -> Iterator[bytes]:
+    """Yield the records of variables, rules and rows."""
+    laws = rules_of_laws(model)
+    for variable in model.variables:
+        yield _record(variable, texts)
+    for rule in model.rules:
+        relation = RELATIONS.index(rule.relation) | (OF_A_LAW if rule in laws else 0)
+        places = texts.at(rule.name), texts.at(rule.message)
+        yield RULE.pack(rule.number, relation, rule.bound, *places)
+    for row in model.rows:
+        yield ROW.pack(texts.at(row.name), texts.at(row.detail), ROW_KINDS.index(row.kind), 0)
+
+
+def _rest(model: Model) -> dict[str, object]:
+    """Return what only Python reads."""
+    return {
+        "name": model.name, "description": model.description, "forces": model.forces,
+        "experiment": model.experiment,
+        "variables": [variable.description for variable in model.variables],
+        "rules": [rule.location for rule in model.rules],
+        "rows": [row.location for row in model.rows],
+    }  # fmt: skip
+
+
 def _settings(model: Model) -> array:
     """Return the head of the state that a run begins with."""
     head = array("d", bytes(8 * len(HEAD)))
@@ -131,36 +155,18 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
     assert tuple(model.sizes) == SIZES
     assert tuple(model.tables) == TABLES
     assert tuple(model.offsets) == OFFSETS
-    texts, laws = _Texts(), rules_of_laws(model)
+    texts = _Texts()
     numbers = [*model.sizes.values(), *model.offsets.values(), *map(len, model.tables.values())]
     ints = array("i", numbers)
     for table in model.tables.values():
         ints += table
-    variables = b"".join(_record(variable, texts) for variable in model.variables)
-    rules = b"".join(
-        RULE.pack(
-            rule.number, RELATIONS.index(rule.relation) | (OF_A_LAW if rule in laws else 0),
-            rule.bound, texts.at(rule.name), texts.at(rule.message),
-        )
-        for rule in model.rules
-    )  # fmt: skip
-    rows = b"".join(
-        ROW.pack(texts.at(row.name), texts.at(row.detail), ROW_KINDS.index(row.kind), 0)
-        for row in model.rows
-    )
+    records = b"".join(_records(model, texts))
     sampled = struct.pack(f"<{len(model.sampled)}I", *map(texts.at, model.sampled))
-    rest = {
-        "name": model.name, "description": model.description, "forces": model.forces,
-        "experiment": model.experiment,
-        "variables": [variable.description for variable in model.variables],
-        "rules": [rule.location for rule in model.rules],
-        "rows": [row.location for row in model.rows],
-    }  # fmt: skip
     text = _filled(texts.data)
     body = b"".join([
         _filled(_little_endian(ints)), _little_endian(_settings(model)),
-        _little_endian(model.numbers), variables, rules, rows, _filled(sampled), text,
-        _filled(json.dumps(rest, separators=(",", ":")).encode(), b" "),
+        _little_endian(model.numbers), records, _filled(sampled), text,
+        _filled(json.dumps(_rest(model), separators=(",", ":")).encode(), b" "),
     ])  # fmt: skip
     counts = (
         VERSION, ABI, len(SIZES), len(OFFSETS), len(TABLES), len(HEAD), len(ints),
