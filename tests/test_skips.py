@@ -11,17 +11,14 @@ import pytest
 
 from benchmarks import skips
 from benchmarks.effort import TINY
-from build_kernel.compiler import CompilerError, system_compiler, zig_compiler
+from build_kernel.compiler import CompilerError
 from solver.runtime.kernel import load_library
+from tests.kernels_without_skips import kernel_without, needs_compiler
 
 ROOT = Path(__file__).resolve().parents[1]
 STEPS = 100
 ROUND_OFF = 1e-12
 MODELS = skips.mechanisms(10) | {"chain": (skips.model_of(skips.waving_chain(30, 3)), 30)}
-
-needs_compiler = pytest.mark.skipif(
-    not (system_compiler() or zig_compiler()), reason="no C compiler to compile kernels with"
-)
 
 
 def moved(model, library, steps=STEPS):
@@ -55,7 +52,7 @@ def test_without_a_skip_a_mechanism_moves_alike_to_round_off(name):
     # errors.
     bits = skips.SKIPS.get(name, skips.ALL)
     for mechanism, (model, _) in MODELS.items():
-        without = skips.variant(bits, model.sizes["dim"], "-O0")
+        without = kernel_without(bits, model.sizes["dim"])
         h, q, v, _ = reference(mechanism)
         _, q_without, v_without, _ = moved(model, without)
         size = np.abs(q).max()
@@ -76,7 +73,7 @@ def test_skips_that_save_iterations_save_them(skip, mechanism, saved):
     # A third to a half of what is measured; counts are the same on every machine.
     model, _ = MODELS[mechanism]
     *_, least = reference(mechanism)
-    *_, more = moved(model, skips.variant(skips.SKIPS[skip], model.sizes["dim"], "-O0"))
+    *_, more = moved(model, kernel_without(skips.SKIPS[skip], model.sizes["dim"]))
     assert more > least + saved
 
 

