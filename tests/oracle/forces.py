@@ -44,7 +44,8 @@ def on_directors(directors: Array, moment: Array, frame: int) -> Array:
 
 def applied(mechanism: Mechanism, path: Path) -> Array:
     """Loads on places, moments on links and on directors (n,); followers turn with their body."""
-    x_mid, Q, tables = mechanism.x + 0.5 * path.d, 0.0 * path.d, mechanism.model.tables
+    x_mid, tables = mechanism.x + 0.5 * path.d, mechanism.model.tables
+    Q = np.zeros_like(x_mid)
     loads = mechanism.section["load"].reshape(-1, mechanism.dim)
     width = 1 if mechanism.dim == 2 else 3
     for form, first, load in zip(tables["load_form"], tables["load_axes"], loads, strict=True):
@@ -67,7 +68,7 @@ def laws(mechanism: Mechanism, view: View) -> tuple[Array, Array, Array]:
 
     N = k (sigma_mean - rest), c dsigma/h and -drive for a quantity sigma.
     """
-    stored, damping, drives = (0.0 * view.gradients[:1].sum(axis=0) for _ in range(3))
+    stored, damping, drives = np.zeros((3, mechanism.n), dtype=view.gradients.dtype)
     names = ("stiffness", "rest", "damping", "drive")
     numbers = zip(*(mechanism.section[name] for name in names), strict=True)
     for quantity, (k, rest, c, drive) in zip(mechanism.elements, numbers, strict=True):

@@ -177,7 +177,8 @@ class Mechanism:
 
     def exact_rows(self) -> Array:
         """Form rows and coincidences without rounding: errors of Phi enter forces over h^2."""
-        q = [Fraction(a) + Fraction(b) for a, b in zip(*map(self.vectors.get, ("q", "q_low")))]  # noqa: B905
+        pairs = zip(self.vectors["q"], self.vectors["q_low"], strict=True)
+        q = [Fraction(high) + Fraction(low) for high, low in pairs]
 
         def link(fixed: Array, matrix: Array) -> list[Fraction]:
             rows = (sum(Fraction(row[i]) * q[i] for i in np.flatnonzero(row)) for row in matrix)
