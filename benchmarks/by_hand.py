@@ -8,6 +8,7 @@ number of implicit solves.
 from __future__ import annotations
 
 import ctypes
+import platform
 import subprocess
 import sys
 from array import array
@@ -32,7 +33,15 @@ def build(name: str, folder: Path) -> Path:
         text = "there is no C compiler here for the steps written by hand; install one, or ziglang"
         raise CompilerError(text)
     library = folder / f"{name}.library"
-    command = [*compiler, *flags(), "-fvisibility=default", "-o", str(library), f"{name}.c", "-lm"]
+    command = [
+        *compiler,
+        *flags(platform.system()),
+        "-fvisibility=default",
+        "-o",
+        str(library),
+        f"{name}.c",
+        "-lm",
+    ]
     run = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, check=False)
     if run.returncode:
         raise CompilerError(run.stderr)

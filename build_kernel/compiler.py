@@ -50,7 +50,10 @@ def compile_kernel(root: Path) -> list[Path]:
             "remedy: install one, or its replacement from PyPI: pip install ziglang"
         )
         raise CompilerError(text)
-    return _compile(root, compiler, platform.system())
+    found = _compile(root, compiler, platform.system())
+    for other in set((root / LIBRARIES).glob("libholonom_*")) - set(found):
+        other.unlink()  # of another platform and, it may be, of other sources
+    return found
 
 
 def compile_for_all(root: Path) -> list[Path]:

@@ -97,7 +97,7 @@ def moved(model: Model, bits: int, order: int, steps: int) -> Run:
 
 def ends(run: Integrator) -> tuple[Array, Array]:
     """Coordinates, and velocities times the step, over the extent of the mechanism."""
-    vectors, extent = run.state.vectors, run.engine.numbers[run.model.offsets["extent"]]
+    vectors, extent = run.state.vectors, run.numbers[run.model.offsets["extent"]]
     q = np.asarray(vectors["q"]) + np.asarray(vectors["q_low"])
     return q / extent, run.state.head["step_size"] * np.array(vectors["v"]) / extent
 

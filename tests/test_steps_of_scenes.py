@@ -41,8 +41,8 @@ def places(run: Integrator) -> Array:
     """Coordinates of the nodes in the mass norm, over that of the mechanism's size."""
     sizes, at = run.model.sizes, run.model.offsets
     moving = sizes["n_free"] + sizes["n_driven"]
-    mass = np.array(run.engine.numbers[at["node_mass"] : at["node_mass"] + moving])
-    vectors, extent = run.state.vectors, run.engine.numbers[at["extent"] + 1]
+    mass = np.array(run.numbers[at["node_mass"] : at["node_mass"] + moving])
+    vectors, extent = run.state.vectors, run.numbers[at["extent"] + 1]
     q = np.asarray(vectors["q"]) + np.asarray(vectors["q_low"])
     return np.sqrt(np.repeat(mass, sizes["dim"])) * q / extent
 

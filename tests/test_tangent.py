@@ -11,6 +11,7 @@ from hypothesis import settings as trials
 
 import solver
 from solver.runtime.layout import measured_sections
+from tests.kernel_calls import kernel_of
 from tests.kernel_cases import SOURCES, ZOO
 from tests.oracle import Mechanism, Residual
 from tests.oracle.measurements import measurements
@@ -103,11 +104,11 @@ def test_residual_tangent_and_measurements_of_random_states(content, seed, formu
     run.state.head["formulation"] = FORMULATIONS.index(formulation)
     run.state.head["penalty"] = 10.0
     arguments = unknowns(run, 0.1, seed)
-    status, *ours = run.engine.probe(0.1, *arguments)
+    status, *ours = kernel_of(run).probe(0.1, *arguments)
     assert status == 0
     for a, b in zip(ours, probe_of_the_oracle(run, 0.1, *arguments), strict=True):
         assert a == pytest.approx(b, rel=1e-11, abs=1e-12 * np.max(np.abs(b)))
-    run.engine.measure()
+    kernel_of(run).measure()
     sections, base = measured_sections(sizes), model.offsets["measured"]
     for section, values in measurements(Mechanism.of(model, run.state)).items():
         begin, count = sections[section]
