@@ -15,10 +15,10 @@
 
    forces act along quantities (springs, dampers, drives), are gradients of potentials V(quantities), or act on a
    link (loads, moments). A *composite* is whatever is built from quantities: an element, or a function on the
-   tape of operations; its discrete gradient is that of its forms times slopes (function.inc.h).
+   tape of operations; its discrete gradient is that of its forms times slopes (function.h).
 
    Rules: no allocation, no globals, no I/O; the caller owns all memory; a status code has one meaning each;
-   comparisons are written so that NaN fails. Arrays are "not modified" unless said otherwise.              */
+   comparisons are written so that NaN fails. Arrays are "not modified" unless said otherwise. */
 #ifndef HOLONOM_H
 #define HOLONOM_H
 
@@ -117,7 +117,7 @@ typedef struct holonom_model {
     int32_t n_local_nodes; /* most free nodes of a composite                                               */
     int32_t n_lu_values;  /* stored entries of the factors                                                 */
     int32_t n_lean_values; /* likewise of those without stiffness; 0 where these are not worth while         */
-    int32_t n_slots;      /* half steps of an internal one whose changes a state keeps, see predict.inc.h   */
+    int32_t n_slots;      /* half steps of an internal one whose changes a state keeps, see predict.h   */
     int32_t n_islands;    /* parts that no mass, row or force joins: each is solved by itself               */
     int32_t n_sampled;    /* loads that read quantities                                                    */
 
@@ -197,7 +197,7 @@ enum holonom_island_column {
     ISLAND_COINCIDENCE, ISLAND_LOAD, ISLAND_MOMENT, ISLAND_BODY_MOMENT, ISLAND_MASS, ISLAND_LINKED,
     ISLAND_ACTIVE, ISLAND_BODY, ISLAND_COLUMNS
 };
-/* Loads that read the mechanism, see sampling.inc.h. */
+/* Loads that read the mechanism, see sampling.h. */
 enum { SAMPLED_LOAD = 0, SAMPLED_MOMENT = 1, SAMPLED_BODY_MOMENT = 2, SAMPLED_DRIVE = 3 };
 enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 

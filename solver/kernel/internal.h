@@ -123,7 +123,7 @@ typedef struct hm_state {
     double *start;                 /* n: coordinates at the start, which energies are measured from           */
     double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
     double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
-    double *a_change, *mu_change;  /* n_slots of n and n_rows: from half to half of an internal step, see predict.inc.h */
+    double *a_change, *mu_change;  /* n_slots of n and n_rows: from half to half of an internal step, see predict.h */
     double *mean, *mean_before;    /* n_rows each: means of the last two multipliers, and those before them    */
     double *driven[2];             /* dim n_driven each: forces that move the driven nodes, likewise           */
     double *driven_mean, *driven_mean_before;
@@ -131,7 +131,7 @@ typedef struct hm_state {
     double *direction;             /* 2 n_quantities: cosine and sine of the angles, times a factor            */
     double *signal;                /* n_signals: prescribed values at the present time                        */
     double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
-    double *sampled;               /* 3 n_sampled: what is known of each sampled load, see sampling.inc.h        */
+    double *sampled;               /* 3 n_sampled: what is known of each sampled load, see sampling.h        */
     double *derived;               /* 2 + 2 n_rows: the sections extent, row_scale, row_sigma of the numbers   */
     double *inputs;                /* n_inputs: last given                                                   */
     double *inputs_before, *inputs_slope; /* n_inputs: of ramps, at the present time, and how fast            */
@@ -155,12 +155,12 @@ typedef struct hm_work {
     double *sensed;       /* n: increment of which sampled loads were told                                 */
     double *rhs;          /* dim n_free + n_rows, elimination order                                         */
     double *value;        /* n_lu_values: tangent and its factors                                           */
-    double *local;        /* per form of a composite: links and values, see composite.inc.h                  */
+    double *local;        /* per form of a composite: links and values, see composite.h                  */
     double *slope, *end;  /* n_local_forms: slopes of a composite over the step, and at its end              */
     double *curve;        /* n_local_forms squared: change of the slopes with the forms at the end           */
     double *gradient, *gradient_end; /* n_local_forms x dim n_local_nodes: of the forms                      */
     double *block;        /* (dim n_local_nodes) squared                                                    */
-    double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.inc.h            */
+    double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.h            */
     hm_registers r;       /* of one function                                                                */
     double *estimate;     /* 4 n: in q and in v, difference from a solution of lower order; of weighted covers: change from
                              the finest one, and behind it that difference                                  */

@@ -88,7 +88,7 @@ def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     two neighbours; ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full
     turns of angles; ``direction``: cosine and sine of each, times a factor; ``signal``: prescribed
     values at the present time; ``quaternion``: of the bodies, of continuous sign; ``sampled``: of
-    loads that read the mechanism, see ``sampling.inc.h``; ``derived``: what the start tells once
+    loads that read the mechanism, see ``sampling.h``; ``derived``: what the start tells once
     and for all, the sections extent (2), row_scale and row_sigma (n_rows each); ``inputs,
     parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at the present time,
     and how fast it arrived there; ``islands``: the scalars `ISLAND` of each.

@@ -1,18 +1,28 @@
-/* Steps of order 4, 6 and 8 where dampers take energy out (theory 8.3). Included after rigid.inc.h.
+/* Steps of order 4, 6 and 8 where dampers take energy out (theory 8.3).
 
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
    (Richardson). Each pair conserves, weighted ends do so up to the order: they are put back onto the constraints, onto
-   the momenta that every pair kept, and onto the energy that the weighted ledger asks for.                        */
+   the momenta that every pair kept, and onto the energy that the weighted ledger asks for. */
+#ifndef HOLONOM_EXTRAPOLATION_H
+#define HOLONOM_EXTRAPOLATION_H
+
+#include "context.h"
+#include "energy.h"
+#include "half_step.h"
+#include "inputs_signals.h"
+#include "ledger.h"
+#include "linear_solve.h"
+#include "norms.h"
+#include "predict.h"
+#include "rigid.h"
+#include "start.h"
+#include "tangent.h"
 
 enum { MAX_CORRECTIONS = 8 };
 #define SURE 1e-2   /* largest change by the weights, relative to size and speed: beyond, errors have no powers yet */
 #define KEPT 1e-12  /* relative change of a momentum that is round-off */
 #define GENTLE 0.1  /* largest part by which velocities are changed for the energy */
-
-static double relative_size(const context *c, double of_q, double of_v);
-static double mass_norm(const context *c, const double *x);
-static int is_dissipative(const context *c);
 
 typedef struct extrapolation {
     double work, dissipated;                /* weighted changes in the ledger                             */
@@ -265,3 +275,5 @@ static int32_t extrapolated_step(context *c, double h)
     }
     return HOLONOM_OK;
 }
+
+#endif

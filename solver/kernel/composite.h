@@ -1,9 +1,14 @@
 /* Composites: what is built from quantities - elements (springs, dampers, drives), function rows, velocity rows
-   and potentials. Included after forms.inc.h.
+   and potentials.
 
    A composite's discrete gradient is sum_f g_f grad s_f(q_m), g_f = sum_l N_l p_lf: N_l is the slope of the law or
    function with respect to leaf l, p_lf that of the leaf with respect to form f. Every slope is exact over the
-   step, so the products are (discrete chain rule), and the forms' invariance carries over to momenta.          */
+   step, so the products are (discrete chain rule), and the forms' invariance carries over to momenta. */
+#ifndef HOLONOM_COMPOSITE_H
+#define HOLONOM_COMPOSITE_H
+
+#include "context.h"
+#include "forms.h"
 
 /* A form of the composite at hand, in the scratch `local`. */
 typedef struct local_form {
@@ -237,3 +242,5 @@ static void links_at_start(const context *c)
         c->k.sigma0[j] = quantity_of(c, j, s);
     }
 }
+
+#endif

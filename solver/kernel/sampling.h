@@ -1,11 +1,18 @@
-/* Whether loads that read the mechanism are sampled often enough (theory 5.6). Included by ledger.inc.h.
+/* Whether loads that read the mechanism are sampled often enough (theory 5.6).
 
    Such a load is evaluated once a half step, at the motion that is foreseen for its middle, and acts over all of it. The
    work that it would do along the foreseen increment, x, is compared with what it does along the one that it brought
    about, y: a damper c on a mass m that is new in a half step h takes |x| c h/(2 m) off |x|, and beyond 1 it pushes the
    mass back faster than it came. Sums of |x| and of what y takes off it over the last half steps give the ratio, so that
    a motion which passes through rest does not count, but a load that alternates from half step to half step does. A
-   motor that does more work than foreseen, as where it starts, is no error of sampling.                          */
+   motor that does more work than foreseen, as where it starts, is no error of sampling. */
+#ifndef HOLONOM_SAMPLING_H
+#define HOLONOM_SAMPLING_H
+
+#include "composite.h"
+#include "context.h"
+#include "function.h"
+#include "laws.h"
 
 #define FORGETTING 0.8   /* of a sum, that a half step leaves */
 #define NEGLIGIBLE 1e-14 /* work, over the reference energy */
@@ -48,3 +55,5 @@ HM_SELDOM static double sampling(const context *c)
     for (int32_t i = 0; i < c->m->n_sampled; i++) largest = fmax(largest, c->s.sampled[3 * i + 2]);
     return largest;
 }
+
+#endif

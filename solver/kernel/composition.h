@@ -1,4 +1,8 @@
-/* Parts of a step of order 2, 4, 6 and 8. Included after start.inc.h. */
+/* Parts of a step of order 2, 4, 6 and 8. */
+#ifndef HOLONOM_COMPOSITION_H
+#define HOLONOM_COMPOSITION_H
+
+#include "context.h"
 
 enum { N_COMPOSED = 3 }; /* orders 4, 6 and 8 */
 
@@ -36,3 +40,5 @@ static double embedded(int order, int i, int stages)
     if (2 * i <= stages) return w[i];
     return order == 4 ? w[stages - i] : -w[stages - i];
 }
+
+#endif

@@ -1,5 +1,9 @@
 /* Rows |u|^2 - c = 0 of a conserving step - distances, lengths of directions: most rows there are - in fewer operations
-   than forms u . w take. Included after exact.inc.h.                                          */
+   than forms u . w take. */
+#ifndef HOLONOM_PLAIN_ROWS_H
+#define HOLONOM_PLAIN_ROWS_H
+
+#include "context.h"
 
 /* A square form within a step, s = |u|^2: the link where gradients are taken, the increment; returns the change of s. */
 static inline double square_motion(const context *c, int32_t f, double *du, double *um)
@@ -57,3 +61,5 @@ static inline void plain_row_residual(context *c, int32_t i)
         EACH(k) node[k] += twice * um[k];
     }
 }
+
+#endif

@@ -1,4 +1,11 @@
-/* Inputs, sensors, laws and signals at their times. Included after energy.inc.h.           */
+/* Inputs, sensors, laws and signals at their times. */
+#ifndef HOLONOM_INPUTS_SIGNALS_H
+#define HOLONOM_INPUTS_SIGNALS_H
+
+#include "composite.h"
+#include "context.h"
+#include "energy.h"
+#include "ledger.h"
 
 /* Inputs as they are at time t: held, or on their line through the value at the beginning of the communication step. */
 static void load_inputs(const context *c, double t)
@@ -73,3 +80,5 @@ HM_SELDOM static void signal_rates_at(context *c, double t, double *rate)
         for (int32_t b = 0; b < n; b++) rate[b] += weight[i] / (12.0 * delta) * (soon[b] - now[b]);
     }
 }
+
+#endif

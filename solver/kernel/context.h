@@ -1,5 +1,8 @@
 /* What the functions of a call share: the model, its numbers, state and scratch, and the islands that are at hand, for DIM
-   coordinates a node. Included first.                                                      */
+   coordinates a node. */
+#ifndef HOLONOM_CONTEXT_H
+#define HOLONOM_CONTEXT_H
+
 #include "internal.h"
 
 #include <limits.h>
@@ -29,7 +32,7 @@ typedef struct context {
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int plain;          /* 1: conserving rows, gradients at the middle                                        */
     int forceless;      /* 1: only the rows act                                                               */
-    int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.inc.h            */
+    int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
     double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
@@ -119,3 +122,5 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     look_at(c, 0, m->n_islands);
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
+
+#endif

@@ -1,5 +1,10 @@
 /* Forces besides those along quantities: moments on links and on bodies, forces on links, weights; each with the
-   discrete form whose work is exact. Included after function.inc.h.                       */
+   discrete form whose work is exact. */
+#ifndef HOLONOM_LAWS_H
+#define HOLONOM_LAWS_H
+
+#include "context.h"
+#include "forms.h"
 
 /* Moment m on a link u: couple f = g (m x u_m) with g = beta/|u_0 x u_1|, beta the angle between u_0 and u_1.
    In the plane its work is exactly m beta. f (DIM) and, if wanted, its tangent in du (DIM x DIM), overwritten. */
@@ -187,3 +192,36 @@ static int32_t subtract_forces(context *c, double *momentum)
 #endif
     return HOLONOM_OK;
 }
+
+/* Works of loads over the step. */
+static double load_work(context *c, int32_t j)
+{
+    double force[DIM], du[DIM], unused[DIM];
+    load_force(c, j, force);
+    link_of(c, c->m->load_form[j], c->k.d, du, unused);
+    return dot(force, du);
+}
+
+static double moment_work(context *c, int32_t j)
+{
+    double force[DIM];
+    motion g;
+    form_motion(c, c->m->moment_form[j], &g);
+    moment_law(c, j, &g, force, NULL);
+    return dot(force, g.du);
+}
+
+static double body_moment_work(context *c, int32_t j)
+{
+    double work = 0.0;
+#if DIM == 3
+    double moment[3], dual[9], f[9];
+    body_moment_law(c, j, moment, dual, f);
+    for (int k = 0; k < 9; k++) work += f[k] * c->k.d[3 * c->m->body_moment[2 * j] + k];
+#else
+    (void)c, (void)j;
+#endif
+    return work;
+}
+
+#endif

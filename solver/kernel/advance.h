@@ -1,4 +1,17 @@
-/* A communication step. Included after control.inc.h. */
+/* A communication step. */
+#ifndef HOLONOM_ADVANCE_H
+#define HOLONOM_ADVANCE_H
+
+#include "context.h"
+#include "control.h"
+#include "energy.h"
+#include "inputs_signals.h"
+#include "ledger.h"
+#include "linear_solve.h"
+#include "predict.h"
+#include "rest.h"
+#include "start.h"
+#include "tangent.h"
 
 /* No line through means and changes from before and after a jump. */
 static void start_anew(context *c)
@@ -93,3 +106,5 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     follow_energies(&c);
     return HOLONOM_OK;
 }
+
+#endif

@@ -1,4 +1,9 @@
-/* Registers of a function: its leaves over the step, and its run. Included after composite.inc.h. */
+/* Registers of a function: its leaves over the step, and its run. */
+#ifndef HOLONOM_REGISTERS_H
+#define HOLONOM_REGISTERS_H
+
+#include "composite.h"
+#include "context.h"
 
 enum register_mode { OVER_STEP, AT_END };
 
@@ -38,3 +43,5 @@ static int32_t run_function(const context *c, int32_t j)
     return hm_discrete_gradient(m->operation + 4 * begin, m->leaf_ptr[j + 1] - m->leaf_ptr[j],
                                 m->function_ptr[f + 1] - begin, c->number, &c->k.r);
 }
+
+#endif

@@ -1,5 +1,12 @@
 /* Function rows, velocity rows and potentials: functions of quantities, rates and signals on the tape of
-   operations. Included after beta.inc.h.                                             */
+   operations. */
+#ifndef HOLONOM_FUNCTION_H
+#define HOLONOM_FUNCTION_H
+
+#include "beta.h"
+#include "composite.h"
+#include "context.h"
+#include "registers.h"
 
 /* Derivatives of the leaves' slopes with respect to the leaves at the end, by central differences, n x n into
    `matrix`: only the rate of Newton's iteration depends on them.                                              */
@@ -148,3 +155,5 @@ static void quantities_at_state(const context *c)
 {
     for (int32_t j = 0; j < c->m->n_active; j++) c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
 }
+
+#endif

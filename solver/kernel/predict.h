@@ -1,8 +1,13 @@
-/* Where the solution of a half step is sought first (theory 3.5). Included after linear_solve.inc.h.
+/* Where the solution of a half step is sought first (theory 3.5).
 
    Accelerations and multipliers of a half step depend on its length and on which half of its pair it is, so that they
    jump from half to half of an internal step, by nearly what they jumped by in the internal step before. The state
-   keeps these changes, one slot for each half of an internal step, as many as the order at assembly asks for.       */
+   keeps these changes, one slot for each half of an internal step, as many as the order at assembly asks for. */
+#ifndef HOLONOM_PREDICT_H
+#define HOLONOM_PREDICT_H
+
+#include "context.h"
+#include "forms.h"
 
 /* Of how many internal steps before it the changes are known and used: 1 and 2 give linear and quadratic extrapolation,
    0 leaves the values of the same half of the last pair. The formulations that do not conserve swing up from half to
@@ -46,3 +51,5 @@ static void begin_halves(context *c, int halves)
     c->s.head[S_HALVES] = c->halves = halves;
     c->factors_h = 0.0;
 }
+
+#endif

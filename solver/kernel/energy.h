@@ -1,4 +1,13 @@
-/* Energies, momenta, and residuals of the rows. Included after ledger.inc.h.              */
+/* Energies, momenta, and residuals of the rows. */
+#ifndef HOLONOM_ENERGY_H
+#define HOLONOM_ENERGY_H
+
+#include "composite.h"
+#include "context.h"
+#include "forms.h"
+#include "function.h"
+#include "registers.h"
+#include "step.h"
 
 /* Energy of springs and potentials. */
 static double stored_energy(const context *c)
@@ -163,3 +172,14 @@ static void row_values(const context *c, double *phi)
     for (int32_t j = first_function(c); j < first_velocity_row(c); j++) phi[row_of(c, j)] = function_value(c, j);
     for (int32_t j = first_velocity_row(c); j < first_potential(c); j++) phi[row_of(c, j)] = 0.0;
 }
+
+/* Whether something takes energy out: parts of a step that go back in time would give it. */
+static int is_dissipative(const context *c)
+{
+    if (c->formulation == HOLONOM_PENALTY_VELOCITY) return 1;
+    for (int32_t j = 0; j < c->m->n_elements; j++)
+        if (c->number[c->m->damping_at + j] != 0.0) return 1;
+    return 0;
+}
+
+#endif

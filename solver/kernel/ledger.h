@@ -1,5 +1,17 @@
-/* What a solved step leaves behind: the ledger, the angles' turns, the state (theory 11). Included after
-   step.inc.h.                                                                                                */
+/* What a solved step leaves behind: the ledger, the angles' turns, the state (theory 11). */
+#ifndef HOLONOM_LEDGER_H
+#define HOLONOM_LEDGER_H
+
+#include "composite.h"
+#include "context.h"
+#include "forms.h"
+#include "function.h"
+#include "laws.h"
+#include "newton.h"
+#include "predict.h"
+#include "rest.h"
+#include "sampling.h"
+#include "step.h"
 
 static void book(context *c, int account, double amount)
 {
@@ -26,37 +38,6 @@ static void book_composites(context *c)
         book(c, S_DEFECT, mu * result.change);
         book(c, S_WORK, mu * (result.change - result.mechanical));
     }
-}
-
-/* Works of loads over the step. */
-static double load_work(context *c, int32_t j)
-{
-    double force[DIM], du[DIM], unused[DIM];
-    load_force(c, j, force);
-    link_of(c, c->m->load_form[j], c->k.d, du, unused);
-    return dot(force, du);
-}
-
-static double moment_work(context *c, int32_t j)
-{
-    double force[DIM];
-    motion g;
-    form_motion(c, c->m->moment_form[j], &g);
-    moment_law(c, j, &g, force, NULL);
-    return dot(force, g.du);
-}
-
-static double body_moment_work(context *c, int32_t j)
-{
-    double work = 0.0;
-#if DIM == 3
-    double moment[3], dual[9], f[9];
-    body_moment_law(c, j, moment, dual, f);
-    for (int k = 0; k < 9; k++) work += f[k] * c->k.d[3 * c->m->body_moment[2 * j] + k];
-#else
-    (void)c, (void)j;
-#endif
-    return work;
 }
 
 /* Books the step: Delta T = -dPhi'mu - Delta U + work - dissipation + v'R, term by term. */
@@ -130,8 +111,6 @@ static void follow_orientation(context *c, int32_t j)
 #endif
 }
 
-#include "sampling.inc.h"
-
 /* Takes the solved step of the islands at hand over into the state. */
 static void accept_island(context *c, int parity)
 {
@@ -176,3 +155,5 @@ static void accept_step(context *c, int parity)
     c->s.head[S_SUBSTEPS] += 1.0;
     c->t += c->h;
 }
+
+#endif

@@ -1,4 +1,16 @@
-/* Residuals, measurements, and a look into one step. Included after seek.inc.h.           */
+/* Residuals, measurements, and a look into one step. */
+#ifndef HOLONOM_MEASURE_H
+#define HOLONOM_MEASURE_H
+
+#include "composite.h"
+#include "context.h"
+#include "energy.h"
+#include "forms.h"
+#include "inputs_signals.h"
+#include "linear_solve.h"
+#include "sampling.h"
+#include "step.h"
+#include "tangent.h"
 
 /* The states below are mapped for writing, as a step's are, and not modified. */
 HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double *state, double *work, double *phi,
@@ -197,3 +209,5 @@ HM_SELDOM int32_t holonom_probe(const holonom_model *m, double *number, double *
     for (int32_t i = 0; i < m->n_rows; i++) r[n + i] = row_residual(&c, i);
     return HOLONOM_OK;
 }
+
+#endif

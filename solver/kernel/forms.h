@@ -1,8 +1,11 @@
-/* Forms s = u . w and their discrete gradients, for DIM coordinates a node. Included after
-   context.inc.h.
+/* Forms s = u . w and their discrete gradients, for DIM coordinates a node.
 
    With d = q_1 - q_n and links u_m = u_0 + du/2, w_m = w_0 + dw/2 a quadratic row changes by exactly
-   dPhi = u_m . dw + w_m . du = G(q_m) d, so that its discrete gradient is its gradient at the midpoint.      */
+   dPhi = u_m . dw + w_m . du = G(q_m) d, so that its discrete gradient is its gradient at the midpoint. */
+#ifndef HOLONOM_FORMS_H
+#define HOLONOM_FORMS_H
+
+#include "context.h"
 
 /* x += factor J y, J the quarter turn; there is none in space. */
 static inline void add_turned(double factor, const double *y, double *x)
@@ -210,3 +213,5 @@ static double coincidence_function(const context *c, int32_t j, const double *ph
     EACH(k) row[k] = inertia * wu[k] + rate * du[k] + stiff * (phi0[k] + 0.5 * du[k]);
     return inertia + rate + 0.5 * stiff;
 }
+
+#endif

@@ -1,9 +1,21 @@
-/* What a step adds to the error of a run (theory 8.6). Included after interval.inc.h.
+/* What a step adds to the error of a run (theory 8.6).
 
    The difference from an embedded solution of order r, e ~ (omega h)^(r+1), tells how fast the motion changes, and with it
    the error of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. How far a mechanism is from the mean
    is learned by repeating a few steps as two of half the length. With dampers, the embedded solution is that of all covers
-   but the coarsest.                                                                                               */
+   but the coarsest. */
+#ifndef HOLONOM_ESTIMATE_H
+#define HOLONOM_ESTIMATE_H
+
+#include "composite.h"
+#include "composition.h"
+#include "context.h"
+#include "energy.h"
+#include "forms.h"
+#include "inputs_signals.h"
+#include "norms.h"
+#include "rest.h"
+#include "step_halving.h"
 
 #define LEAST 0.25 /* times the mean, that an error is taken for ... */
 #define MOST 100.0 /* ... and the largest such multiple; of weighted covers, on which strong dampers show, MOST squared */
@@ -41,26 +53,6 @@ typedef struct step_error {
 static inline int index_of(int order) { return order / 2 - 1; }
 
 static inline const method *method_of(const context *c, int p) { return &METHODS[c->damped != 0][p]; }
-
-static double mass_norm(const context *c, const double *x)
-{
-    double sum = 0.0;
-    for (int32_t a = 0; a < c->m->n_free; a++) sum += c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
-    return sqrt(sum);
-}
-
-/* Speed of the mechanism, in the mass norm; 0 only as long as nothing has moved or could. */
-static double speed_scale(const context *c)
-{
-    return fmax(sqrt(2.0 * c->s.head[S_ENERGY_REFERENCE]), mass_norm(c, c->s.v));
-}
-
-/* Mass norms of a difference in q and in v, relative to size and speed of the mechanism. */
-static double relative_size(const context *c, double of_q, double of_v)
-{
-    const double speed = speed_scale(c);
-    return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
-}
 
 /* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
    nothing tells it yet.                                                                                         */
@@ -181,3 +173,5 @@ static void learn(context *c, int order, double t, double h, double law_time, co
     double *learned = c->s.head + S_LEARNED_4 + p - 1;
     *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
 }
+
+#endif

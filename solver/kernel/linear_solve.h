@@ -1,5 +1,9 @@
-/* The linear system of Newton's iteration: right-hand side, factors and solution in elimination order. Included
-   after tangent.inc.h.                                                                              */
+/* The linear system of Newton's iteration: right-hand side, factors and solution in elimination order. */
+#ifndef HOLONOM_LINEAR_SOLVE_H
+#define HOLONOM_LINEAR_SOLVE_H
+
+#include "context.h"
+#include "tangent.h"
 
 /* Residual of a row. */
 static inline double row_residual(const context *c, int32_t i)
@@ -34,3 +38,5 @@ static inline int32_t factorise(context *c)
     return hm_lu_factor(first_pivot(c), end_pivot(c), c->lu->lu_ptr, target, c->k.value) ? HOLONOM_SINGULAR_TANGENT
                                                                                          : HOLONOM_OK;
 }
+
+#endif

@@ -1,21 +1,22 @@
-/* Internal steps as long, and of the order, that a tolerance asks for. Included after estimate.inc.h.
+/* Internal steps as long, and of the order, that a tolerance asks for.
 
-   A step may add tolerance h/horizon, so that a run over the horizon ends with an error of the tolerance.           */
+   A step may add tolerance h/horizon, so that a run over the horizon ends with an error of the tolerance. */
+#ifndef HOLONOM_CONTROL_H
+#define HOLONOM_CONTROL_H
+
+#include "context.h"
+#include "energy.h"
+#include "estimate.h"
+#include "extrapolation.h"
+#include "norms.h"
+#include "predict.h"
+#include "step_halving.h"
 
 enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_STEPS 1e6 /* internal steps in a communication step, at most */
-
-/* Whether something takes energy out: parts of a step that go back in time would give it. */
-static int is_dissipative(const context *c)
-{
-    if (c->formulation == HOLONOM_PENALTY_VELOCITY) return 1;
-    for (int32_t j = 0; j < c->m->n_elements; j++)
-        if (c->number[c->m->damping_at + j] != 0.0) return 1;
-    return 0;
-}
 
 /* Error of a run that is asked for, relative to size and speed. */
 static double tolerated(const context *c)
@@ -160,3 +161,5 @@ static int32_t cover_evenly(context *c, double start, double step)
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return status;
 }
+
+#endif

@@ -1,10 +1,16 @@
-/* Islands at rest: no work as long as nothing touches them (theory 4.8). Included after newton.inc.h.
+/* Islands at rest: no work as long as nothing touches them (theory 4.8).
 
    A state without velocities in which forces and multipliers balance is a fixed point of the step, whatever its length:
    w = 0 and the last multipliers solve it. That is seen without an iteration, and once the island has stood still for
    so many half steps that all it remembers of earlier ones is zero, without a look. Inputs and parameters that
    change wake all islands. Laws that follow time or the motion may touch any: where there are some, none sleeps; nor does
-   one with a node or row that follows a signal.                                                                */
+   one with a node or row that follows a signal. */
+#ifndef HOLONOM_REST_H
+#define HOLONOM_REST_H
+
+#include "context.h"
+#include "forms.h"
+#include "tangent.h"
 
 static int is_asleep(const context *c) { return c->island[I_RESTING] > c->m->n_slots + 2; }
 
@@ -111,3 +117,5 @@ static void find_rest(context *c)
     }
     look_at(c, 0, m->n_islands);
 }
+
+#endif

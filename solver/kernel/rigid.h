@@ -1,4 +1,8 @@
-/* Motions of a mechanism as one rigid body, and its momenta. Included after interval.inc.h. */
+/* Motions of a mechanism as one rigid body, and its momenta. */
+#ifndef HOLONOM_RIGID_H
+#define HOLONOM_RIGID_H
+
+#include "context.h"
 
 enum { RIGID = DIM + TURNING };
 
@@ -84,3 +88,5 @@ static void add_rigid(const context *c, double L[RIGID][RIGID], double *b, doubl
             EACH(k) x[DIM * a + k] += b[i] * xi[k];
         }
 }
+
+#endif

@@ -1,4 +1,11 @@
-/* Newton's iteration of one step. Included after predict.inc.h.                                */
+/* Newton's iteration of one step. */
+#ifndef HOLONOM_NEWTON_H
+#define HOLONOM_NEWTON_H
+
+#include "context.h"
+#include "forms.h"
+#include "linear_solve.h"
+#include "tangent.h"
 
 /* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha (Phi_n + Phi_1)/2
    to lambda; with lambda + alpha/2 Phi_n held here, this leaves an extra alpha/2 Phi_n and the fixed point
@@ -282,3 +289,5 @@ static int32_t iterate_newton(context *c, newton_record *r)
         return HOLONOM_NEWTON_DIVERGED;
     return defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
+
+#endif

@@ -4,8 +4,16 @@
        [ G_1    -eps  ] [dmu] = - [ C(d) - eps (mu - lambda)   ]      w = d - h v_n.
 
    It is not symmetric: Gm is taken at the midpoint, G_1 is the gradient of C at the end. Unknown is w, not
-   q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and keeps its digits.
-   Included after laws.inc.h.                                                            */
+   q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and keeps its digits. */
+#ifndef HOLONOM_TANGENT_H
+#define HOLONOM_TANGENT_H
+
+#include "composite.h"
+#include "context.h"
+#include "forms.h"
+#include "function.h"
+#include "laws.h"
+#include "plain_rows.h"
 
 /* Second derivative of form f with respect to entries p and q: same I + quarter J. */
 static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)
@@ -267,3 +275,5 @@ static int32_t evaluate_residual(context *c)
     if (status) return status;
     return c->forceless ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
 }
+
+#endif

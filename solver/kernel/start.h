@@ -1,5 +1,16 @@
-/* Start of a run: scales of the rows, first accelerations and multipliers, closing a mechanism, its equilibrium.
-   Included after clock.inc.h.                                                             */
+/* Start of a run: scales of the rows, first accelerations and multipliers, closing a mechanism, its equilibrium. */
+#ifndef HOLONOM_START_H
+#define HOLONOM_START_H
+
+#include "composite.h"
+#include "context.h"
+#include "energy.h"
+#include "forms.h"
+#include "function.h"
+#include "inputs_signals.h"
+#include "linear_solve.h"
+#include "step.h"
+#include "tangent.h"
 
 static int all_finite(const double *x, int64_t n)
 {
@@ -252,3 +263,5 @@ static int32_t first_multipliers(context *c)
     c->s.head[S_MEAN_TIME] = c->s.head[S_MEAN_TIME_BEFORE] = c->t;
     return HOLONOM_OK;
 }
+
+#endif

@@ -1,4 +1,12 @@
-/* Damped islands that come to rest. Included after ledger.inc.h.                            */
+/* Damped islands that come to rest. */
+#ifndef HOLONOM_COME_TO_REST_H
+#define HOLONOM_COME_TO_REST_H
+
+#include "composite.h"
+#include "context.h"
+#include "ledger.h"
+#include "rest.h"
+#include "step.h"
 
 /* Of an island's weights times the size: speed at which it stands still, and what its velocities may hold besides. */
 #define STILL 1e-14
@@ -82,3 +90,5 @@ static void let_islands_rest(context *c, double h)
     }
     look_at_all(c);
 }
+
+#endif

@@ -1,8 +1,20 @@
 /* Seeks an initial configuration: closes a mechanism that is drawn inexactly, or lets it settle. Both are steps from
    rest whose forces and constraints act at their end, (2/h) M d + h (G_1' mu + dU_1 - Q_1) = 0, Phi(q + d) = 0:
    without forces the smallest displacement in the mass metric, with forces a descent, since the energy at the end
-   is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium.
-   Included after advance.inc.h.                                                              */
+   is smaller by what motion would have taken; h grows until it is Newton's iteration for the equilibrium. */
+#ifndef HOLONOM_INITIALISE_H
+#define HOLONOM_INITIALISE_H
+
+#include "context.h"
+#include "energy.h"
+#include "extrapolation.h"
+#include "inputs_signals.h"
+#include "ledger.h"
+#include "linear_solve.h"
+#include "newton.h"
+#include "rest.h"
+#include "start.h"
+#include "tangent.h"
 
 /* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */
 static int32_t seek_increment(context *c, double *increment, double *size)
@@ -192,3 +204,5 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     find_rest(&c);
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
+
+#endif

@@ -1,4 +1,8 @@
-/* Links and rows at the state to about twice the digits of a double (theory 1.6). Included after forms.inc.h. */
+/* Links and rows at the state to about twice the digits of a double (theory 1.6). */
+#ifndef HOLONOM_EXACT_H
+#define HOLONOM_EXACT_H
+
+#include "context.h"
 
 /* One link of form f at the state to about twice the digits of a double, high + low (DIM each, overwritten);
    coefficients of the link begin at `at`, those of its quarter turns at `turn_at`.                            */
@@ -40,3 +44,5 @@ static double row_at_state(const context *c, int32_t i)
     }
     return high + low;
 }
+
+#endif

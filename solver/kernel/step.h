@@ -1,4 +1,15 @@
-/* One conserving step: Uzawa's iteration around Newton's. Included after rest.inc.h.         */
+/* One conserving step: Uzawa's iteration around Newton's. */
+#ifndef HOLONOM_STEP_H
+#define HOLONOM_STEP_H
+
+#include "composite.h"
+#include "context.h"
+#include "exact.h"
+#include "forms.h"
+#include "function.h"
+#include "newton.h"
+#include "predict.h"
+#include "rest.h"
 
 /* Length of usual steps: what a tolerance wants may be far from the option step_size. */
 static inline double usual_length(const context *c)
@@ -190,3 +201,4 @@ static int32_t solve_step(context *c, int parity)
     return status;
 }
 
+#endif

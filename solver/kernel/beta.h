@@ -1,5 +1,11 @@
-/* The intermediate configuration of eq 8 (theory 2.3), for `conserving-al-beta`. Included before
-   function.inc.h, after registers.inc.h.                                                                      */
+/* The intermediate configuration of eq 8 (theory 2.3), for `conserving-al-beta`. */
+#ifndef HOLONOM_BETA_H
+#define HOLONOM_BETA_H
+
+#include "composite.h"
+#include "context.h"
+#include "forms.h"
+#include "registers.h"
 
 /* Leaf l of function j at q_n + beta d, from its forms there: value in x1, slopes p. */
 static int32_t set_leaf_at(const context *c, const int32_t *entry, double beta, leaf_state *leaf, double *value)
@@ -95,3 +101,5 @@ static int32_t find_beta(context *c, int32_t j, double change)
     }
     return HOLONOM_OK;
 }
+
+#endif

@@ -1,0 +1,42 @@
+/* A half step, and what two neighbours tell of the multipliers. */
+#ifndef HOLONOM_HALF_STEP_H
+#define HOLONOM_HALF_STEP_H
+
+#include "context.h"
+#include "inputs_signals.h"
+#include "ledger.h"
+#include "step.h"
+
+static int32_t single_step(context *c, double h, int half)
+{
+    const int parity = half % 2;
+    c->h = h;
+    c->half = half;
+    if (c->m->sensing) sense(c, h, parity);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
+    signals_at(c, c->t + h, c->k.signal1);
+    const int32_t status = solve_step(c, parity);
+    if (!status) accept_step(c, parity);
+    return status;
+}
+
+/* mu is constant over a step and has a part that changes sign from step to step: only the mean of two neighbours
+   is smooth, and it belongs to the time between them. Two means give the multiplier at the output's time.      */
+static void average_multipliers(context *c, double time)
+{
+    double *head = c->s.head;
+    const hm_state *s = &c->s;
+    if (!is_telling(c)) return;
+    head[S_MEAN_TIME_BEFORE] = head[S_MEAN_TIME];
+    head[S_MEAN_TIME] = time;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        s->mean_before[i] = s->mean[i];
+        s->mean[i] = 0.5 * (s->mu[0][i] + s->mu[1][i]);
+    }
+    for (int32_t k = 0; k < DIM * c->m->n_driven; k++) {
+        s->driven_mean_before[k] = s->driven_mean[k];
+        s->driven_mean[k] = 0.5 * (s->driven[0][k] + s->driven[1][k]);
+    }
+}
+
+#endif

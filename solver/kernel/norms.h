@@ -1,0 +1,27 @@
+/* Sizes of motions in the mass norm. */
+#ifndef HOLONOM_NORMS_H
+#define HOLONOM_NORMS_H
+
+#include "context.h"
+
+static double mass_norm(const context *c, const double *x)
+{
+    double sum = 0.0;
+    for (int32_t a = 0; a < c->m->n_free; a++) sum += c->number[c->m->node_mass_at + a] * dot(x + DIM * a, x + DIM * a);
+    return sqrt(sum);
+}
+
+/* Speed of the mechanism, in the mass norm; 0 only as long as nothing has moved or could. */
+static double speed_scale(const context *c)
+{
+    return fmax(sqrt(2.0 * c->s.head[S_ENERGY_REFERENCE]), mass_norm(c, c->s.v));
+}
+
+/* Mass norms of a difference in q and in v, relative to size and speed of the mechanism. */
+static double relative_size(const context *c, double of_q, double of_v)
+{
+    const double speed = speed_scale(c);
+    return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
+}
+
+#endif
