@@ -48,16 +48,16 @@ static inline int32_t row_of(const context *c, int32_t j)
     return c->m->n_form_rows + DIM * c->m->n_coincidences + (j - first_function(c));
 }
 
-/* Links and values of the forms of composite j, gradients to be taken at q_n + lever d. */
-static void set_local_forms(const context *c, int32_t j, double lever)
+/* Links and values of the forms of composite j, gradients to be taken at q_n + theta d. */
+static void set_local_forms(const context *c, int32_t j, double theta)
 {
     const holonom_model *m = c->m;
     local_form *local = (local_form *)c->k.local;
     for (int32_t at = m->composite_form_ptr[j]; at < m->composite_form_ptr[j + 1]; at++, local++) {
         motion g;
         form_motion(c, m->composite_form[at], &g);
-        EACH(k) local->um[k] = g.u0[k] + lever * g.du[k];
-        EACH(k) local->wm[k] = g.w0[k] + lever * g.dw[k];
+        EACH(k) local->um[k] = g.u0[k] + theta * g.du[k];
+        EACH(k) local->wm[k] = g.w0[k] + theta * g.dw[k];
         EACH(k) local->u1[k] = g.u0[k] + g.du[k];
         EACH(k) local->w1[k] = g.w0[k] + g.dw[k];
         local->s0 = dot(g.u0, g.w0);
@@ -134,7 +134,7 @@ static inline const int32_t *places_of(const context *c, int32_t j)
     return c->m->composite_local + c->m->composite_local_ptr[j];
 }
 
-/* Gradients of the composite's forms over its free nodes, at the lever and at the end. */
+/* Gradients of the composite's forms over its free nodes, at the theta and at the end. */
 static void local_gradients(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
@@ -180,7 +180,7 @@ static int32_t element_law(context *c, int32_t j, int tangent, composite_result 
     const int32_t status = set_leaf(c, entry, is_seeking(c), &leaf);
     if (status) return status;
     const double force = stiffness * (leaf.x0 + 0.5 * leaf.dx - rest) + damping * leaf.dx / c->h - drive;
-    const double slope = stiffness * c->lever + damping / c->h;
+    const double slope = stiffness * c->theta + damping / c->h;
     const int32_t local[2] = {entry[2], entry[3]};
     result->mechanical = leaf.dx;
     for (int32_t f = 0; f < n; f++) c->k.slope[f] = 0.0;

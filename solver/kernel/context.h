@@ -28,10 +28,10 @@ typedef struct context {
     int32_t n_moving;
     /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
        by a step from rest whose forces and constraints act at its end.                                        */
-    double lever;
+    double theta;
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int plain;          /* 1: conserving rows, gradients at the middle                                        */
-    int forceless;      /* 1: only the rows act                                                               */
+    int constraints_only;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
@@ -98,7 +98,7 @@ static inline double dot(const double *a, const double *b)
 
 static inline int is_lean(const context *c) { return c->lu == &c->m->lean; }
 
-static inline int is_seeking(const context *c) { return c->lever != 0.5; }
+static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 
 /* The sections extent, row_scale and row_sigma lie side by side. */
 static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
@@ -113,9 +113,9 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->t = c->start = c->s.head[S_TIME];
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
-    c->lever = 0.5;
+    c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->forceless = c->plain = c->unweighted = c->damped = 0;
+    c->constraints_only = c->plain = c->unweighted = c->damped = 0;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;
     c->fresh_increments = 0;

@@ -156,7 +156,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     if (is_dissipative(c) && !is_extrapolating(c)) head[S_ORDER_IN_USE] = 2.0;
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
-        status = interval(c, h, 0);
+        status = step_halving(c, h, 0);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return status;

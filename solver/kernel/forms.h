@@ -115,14 +115,14 @@ typedef struct motion {
 
 static inline void form_motion(const context *c, int32_t f, motion *g)
 {
-    const double lever = c->lever;
+    const double theta = c->theta;
     g->u0 = c->k.u0 + DIM * f;
     g->w0 = c->k.w0 + DIM * f;
     link_of(c, f, c->k.d, g->du, g->dw);
-    EACH(k) g->um[k] = g->u0[k] + lever * g->du[k];
-    EACH(k) g->wm[k] = g->w0[k] + lever * g->dw[k];
+    EACH(k) g->um[k] = g->u0[k] + theta * g->du[k];
+    EACH(k) g->wm[k] = g->w0[k] + theta * g->dw[k];
     g->ds = dot(g->um, g->dw) + dot(g->wm, g->du);
-    if (lever != 0.5) g->ds -= (2.0 * lever - 1.0) * dot(g->du, g->dw);
+    if (theta != 0.5) g->ds -= (2.0 * theta - 1.0) * dot(g->du, g->dw);
 }
 
 static inline int is_penalty(const context *c)

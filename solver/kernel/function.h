@@ -28,7 +28,7 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
             if (is_velocity || is_seeking(c)) r->r0[k] += shift;
             else r->dr[k] += shift;
             run_function(c, j);
-            const double weight = (side ? -0.5 : 0.5) / delta * (is_velocity ? c->lever : 1.0);
+            const double weight = (side ? -0.5 : 0.5) / delta * (is_velocity ? c->theta : 1.0);
             for (int32_t l = 0; l < n; l++) matrix[n * l + k] += weight * r->adjoint[l];
         }
     }
@@ -47,7 +47,7 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
         const int32_t *a = m->leaf + 4 * (m->leaf_ptr[j] + l);
         if (a[0] == LEAF_SIGNAL) continue;
         double weight = leaf[l].n_end;
-        if (is_velocity && a[0] == LEAF_VALUE) weight *= c->lever * c->h;
+        if (is_velocity && a[0] == LEAF_VALUE) weight *= c->theta * c->h;
         for (int f = 0; f < 2 && a[2 + f] >= 0; f++) c->k.end[a[2 + f]] += weight * leaf[l].e[f];
         if (is_velocity && a[0] == LEAF_VALUE) continue; /* forces act along the rates */
         for (int f = 0; f < 2 && a[2 + f] >= 0; f++)
@@ -123,7 +123,7 @@ static int32_t function_slopes(context *c, int32_t j, int tangent, composite_res
 /* Slopes of composite j; a row's function value is that over phi_0. */
 static int32_t composite_slopes(context *c, int32_t j, int tangent, composite_result *result)
 {
-    set_local_forms(c, j, c->lever);
+    set_local_forms(c, j, c->theta);
     if (j < first_function(c)) return element_law(c, j, tangent, result);
     if (is_seeking(c) && is_velocity_row(c, j)) { /* velocities do not bind positions */
         const size_t forms = (size_t)(c->m->composite_form_ptr[j + 1] - c->m->composite_form_ptr[j]);

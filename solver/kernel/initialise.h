@@ -11,7 +11,7 @@
 #include "inputs_signals.h"
 #include "ledger.h"
 #include "linear_solve.h"
-#include "newton.h"
+#include "policy_stopping.h"
 #include "rest.h"
 #include "start.h"
 #include "tangent.h"
@@ -48,9 +48,9 @@ static int32_t seek_step(context *c, double h, double *size)
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
     double last = INFINITY;
     /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the mechanism. */
-    const double holding = c->forceless ? h : fmin(h, c->s.head[S_STEP_SIZE]);
+    const double holding = c->constraints_only ? h : fmin(h, c->s.head[S_STEP_SIZE]);
     stand_still(c);
-    c->lever = 1.0;
+    c->theta = 1.0;
     c->h = h;
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
@@ -68,7 +68,7 @@ static int32_t seek_step(context *c, double h, double *size)
         last = increment;
         if (iteration == 59) status = HOLONOM_NEWTON_DIVERGED;
     }
-    c->lever = 0.5;
+    c->theta = 0.5;
     return status;
 }
 
@@ -109,9 +109,9 @@ static int32_t make_velocities_consistent(context *c, int keep_given)
 static int32_t close_mechanism(context *c)
 {
     double size;
-    c->forceless = 1;
+    c->constraints_only = 1;
     const int32_t status = seek_step(c, 1.0, &size);
-    c->forceless = 0;
+    c->constraints_only = 0;
     if (status == HOLONOM_NEWTON_DIVERGED || !status) take_over(c);
     else return status;
     return make_velocities_consistent(c, 1);

@@ -30,7 +30,7 @@
    which measures what each saves with kernels compiled with -DHOLONOM_WITHOUT=<sum of these>.                     */
 enum skip {
     SKIP_STIFFNESS = 1,       /* lean factors: choose_factors                  */
-    SKIP_FACTORISATION = 2,   /* factors kept while they contract: iterate_newton */
+    SKIP_FACTORISATION = 2,   /* factors kept while they contract: may_keep_factors */
     SKIP_OUTER_ITERATION = 4, /* early Uzawa updates: may_update_early         */
     SKIP_OLD_GUESS = 8,       /* predicted half steps: known_changes           */
     SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_plain_row      */

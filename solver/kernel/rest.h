@@ -47,13 +47,13 @@ static double momentum_norm2(const context *c)
    coordinates that they are made of, |G| eps x.                                                                */
 static int is_balanced(context *c)
 {
-    const int forceless = c->forceless;
+    const int constraints_only = c->constraints_only;
     double mass, weight2;
     weigh_island(c, &mass, &weight2);
-    c->forceless = 1;
+    c->constraints_only = 1;
     const int32_t failed = evaluate_residual(c);
     const double rows2 = momentum_norm2(c), closed = 4.0 * 2.2e-16 * sqrt(mass) * c->number[c->m->extent_at];
-    c->forceless = forceless;
+    c->constraints_only = constraints_only;
     if (failed || evaluate_residual(c)) return 0;
     EACH_ROW(c, i) if (!(fabs(c->k.phi[i]) <= closed * sqrt(c->number[c->m->row_sigma_at + i]))) return 0;
     return momentum_norm2(c) <= ROUND_OFF * ROUND_OFF * (c->h * c->h * weight2 + rows2);

@@ -117,13 +117,13 @@ static int32_t factorise_at_state(context *c, const double *weight)
     const int32_t size = DIM * m->n_free + m->n_rows;
     const int formulation = c->formulation;
     c->h = sqrt(2.0);
-    c->forceless = 1;
+    c->constraints_only = 1;
     c->formulation = HOLONOM_CONSERVING_AL;
     memset(c->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
     for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * c->number[m->row_sigma_at + i];
     const int32_t status = assemble_tangent(c);
     c->formulation = formulation;
-    c->forceless = 0;
+    c->constraints_only = 0;
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);

@@ -8,6 +8,9 @@
 #include "forms.h"
 #include "function.h"
 #include "newton.h"
+#include "policy_factors.h"
+#include "policy_penalty.h"
+#include "policy_stopping.h"
 #include "predict.h"
 #include "rest.h"
 
@@ -87,19 +90,6 @@ static void prepare_step(context *c, int parity)
     update_multipliers(c);
     if (!reach || dependent) return;
     EACH_ROW(c, i) c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
-}
-
-/* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
-   they are. Where steps have taken three increments again and again, the penalty of those to come is a hundred times
-   larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
-   `outer` updates are many: those that a converged Newton iteration did not bring along.                     */
-static void follow_contraction(double *island, int increments, int outer)
-{
-    const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
-    island[I_SLOW_STEPS] = slow ? island[I_SLOW_STEPS] + 1.0 : 0.0;
-    if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= 2.0) return;
-    island[I_PENALTY_LEVEL] += 1.0;
-    island[I_SLOW_STEPS] = 0.0;
 }
 
 /* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are

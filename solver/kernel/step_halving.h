@@ -93,7 +93,7 @@ static void lower_penalties(const context *c)
     }
 }
 
-static int32_t interval(context *c, double h, int halvings)
+static int32_t step_halving(context *c, double h, int halvings)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     int32_t status = internal_step(c, h);
@@ -102,11 +102,11 @@ static int32_t interval(context *c, double h, int halvings)
     lower_penalties(c);
     if (known_changes(c)) { /* Newton's iteration may only have begun too far away: lines miss what turns fast */
         forget_changes(c);
-        return interval(c, h, halvings);
+        return step_halving(c, h, halvings);
     }
     if (halvings == MAX_HALVINGS) return status;
-    status = interval(c, 0.5 * h, halvings + 1);
-    return status ? status : interval(c, 0.5 * h, halvings + 1);
+    status = step_halving(c, 0.5 * h, halvings + 1);
+    return status ? status : step_halving(c, 0.5 * h, halvings + 1);
 }
 
 #endif

@@ -92,7 +92,7 @@ static const int32_t *scatter_block(const context *c, int32_t f, double factor, 
     return slot;
 }
 
-/* block = sum curve_fg grad s_f(lever) grad s_g(end)' + lever sum slope_f H_f. */
+/* block = sum curve_fg grad s_f(theta) grad s_g(end)' + theta sum slope_f H_f. */
 static void composite_stiffness(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
@@ -110,7 +110,7 @@ static void composite_stiffness(const context *c, int32_t j)
                 for (int32_t b = 0; b < size; b++) c->k.block[size * a + b] += x * c->k.gradient_end[size * k + b];
             }
         }
-        const double factor = c->lever * c->k.slope[i];
+        const double factor = c->theta * c->k.slope[i];
         for (int32_t p = 0; p < m->form_free[f] && !(m->form_kind[f] & FORM_LINEAR); p++)
             for (int32_t q = 0; q < m->form_free[f]; q++) {
                 double same, quarter, *corner = c->k.block + size * DIM * local[p] + DIM * local[q];
@@ -137,7 +137,7 @@ static int32_t composite_tangent(context *c, double *value)
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
         local_gradients(c, j);
-        const double factor = !row ? c->forceless ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
+        const double factor = !row ? c->constraints_only ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
         if (!is_lean(c)) composite_stiffness(c, j);
         for (int32_t k = 0; k < size * size && !is_lean(c); k++) value[*slot++] += factor * c->k.block[k];
         for (int32_t k = 0; k < size && row; k++, slot++)
@@ -197,7 +197,7 @@ static int32_t assemble_tangent(context *c)
         }
         form_motion(c, f, &g);
         row_function(c, i, &g, u, w);
-        slot = row_stiffness(c, f, c->lever * h * c->k.mu[i], slot, value);
+        slot = row_stiffness(c, f, c->theta * h * c->k.mu[i], slot, value);
         slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
         slot = scatter_gradient(c, f, 1.0, u, w, slot, value);
     }
@@ -209,7 +209,7 @@ static int32_t assemble_tangent(context *c)
     }
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
     const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
-    return status || c->forceless || is_lean(c) ? status : law_tangent(c, value);
+    return status || c->constraints_only || is_lean(c) ? status : law_tangent(c, value);
 }
 
 /* momentum = (2/h) M x over the moving nodes, the inertia term of the residual. */
@@ -233,7 +233,7 @@ static int32_t add_composites(context *c)
     EACH_COMPOSITE(c, j) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
-        if (row < 0 && c->forceless) continue;
+        if (row < 0 && c->constraints_only) continue;
         const int32_t status = composite_slopes(c, j, 0, &result);
         if (status) return status;
         double factor = c->h;
@@ -273,7 +273,7 @@ static int32_t evaluate_residual(context *c)
     }
     const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
-    return c->forceless ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
+    return c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
 }
 
 #endif

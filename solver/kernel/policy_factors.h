@@ -1,0 +1,89 @@
+/* Decides which factors of the tangent serve a step: lean or full, fresh, kept or taken over. */
+#ifndef HOLONOM_POLICY_FACTORS_H
+#define HOLONOM_POLICY_FACTORS_H
+
+#include "context.h"
+#include "forms.h"
+#include "newton_record.h"
+
+#define GOOD_CONTRACTION 0.05
+
+/* Factors are kept while increments contract well with them. */
+static inline int may_keep_factors(const newton_record *r)
+{
+    return r->factorised && r->theta < GOOD_CONTRACTION && hm_skips(SKIP_FACTORISATION);
+}
+
+/* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then their contraction.
+   From this one on, or where a step takes more increments than that, full factors cost less; they are used for a
+   while, each time for twice as many steps. Not with dependent rows: what these leave undetermined would follow every
+   increment, and the energy with it.                                                                          */
+#define LEAN_CONTRACTION 3e-3
+#define LEAN_INCREMENTS 3
+
+static void choose_factors(context *c)
+{
+    double *island = c->island;
+    const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && island[I_DEPENDENT] == 0.0 &&
+                         hm_skips(SKIP_STIFFNESS);
+    c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
+    if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
+}
+
+/* Takes the last increment back: a long one of lean factors, whose stiffness was missing, tells nothing. */
+static void take_back(context *c)
+{
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
+        c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
+        c->k.d[k] = c->k.hv[k] + c->k.w[k];
+    }
+    EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
+}
+
+static void pause_lean(double *island)
+{
+    island[I_FULL_STEPS] = island[I_FULL_WAIT] = fmin(fmax(2.0 * island[I_FULL_WAIT], 64.0), 4096.0);
+}
+
+/* Factors of the half step before serve another of the same length, where they are dear and the mechanism moves little:
+   as long as they cost no increment more than fresh ones; else they are left alone for a while, each time for twice as
+   many half steps. They are scratch of one internal step, and of one island.                                     */
+static int take_factors_over(const context *c, newton_record *r)
+{
+    double *island = c->island;
+    if (island[I_FRESH_STEPS] > 0.0) island[I_FRESH_STEPS] -= 1.0;
+    if (c->m->n_islands > 1 || c->factors_h != c->h || c->factors_lu != c->lu || island[I_FRESH_STEPS] > 0.0 ||
+        !hm_skips(SKIP_FRESH_FACTORS))
+        return 0;
+    r->factorised = r->taken_over = 1;
+    r->theta = 0.9 * GOOD_CONTRACTION;
+    return 1;
+}
+
+/* Where an increment tells that they are no good, fresh ones are made before lean ones are given up. */
+static void drop_factors(newton_record *r)
+{
+    r->factorised = r->taken_over = 0;
+    r->theta = 1.0;
+}
+
+/* What a half step tells of the factors that it used, for the next one. */
+static void judge_factors(context *c, const newton_record *r, int taken_over)
+{
+    double *island = c->island;
+    if (taken_over && r->increments > c->fresh_increments)
+        island[I_FRESH_STEPS] = island[I_FRESH_WAIT] = fmin(fmax(2.0 * island[I_FRESH_WAIT], 64.0), 4096.0);
+    if (!taken_over) c->fresh_increments = r->increments;
+    c->factors_h = r->factorised && !r->stiffened ? c->h : 0.0;
+    c->factors_lu = c->lu;
+}
+
+static void give_up_lean(context *c, newton_record *r)
+{
+    pause_lean(c->island);
+    c->lu = &c->m->full;
+    r->factorised = 0;
+    r->theta = 1.0;
+}
+
+#endif

@@ -1,0 +1,51 @@
+/* Decides on penalties, and on updates of the multipliers before an inner iteration has ended. */
+#ifndef HOLONOM_POLICY_PENALTY_H
+#define HOLONOM_POLICY_PENALTY_H
+
+#include "context.h"
+#include "forms.h"
+#include "newton_record.h"
+
+/* Raises the penalty of the step at hand a thousandfold, twice at most. Where the singular configuration lies
+   between the midpoint and the end of a step, the gradients there differ in sign along one combination of rows;
+   if both are small, the Uzawa factor 1/(1 + chi g_1 g_m/sigma) of that combination has its pole nearby.         */
+static int stiffen(context *c, int *stiffened)
+{
+    if (is_penalty(c) || *stiffened >= 2) return 0;
+    *stiffened += 1;
+    EACH_ROW(c, i) c->k.epsilon[i] *= 1e-3;
+    return 1;
+}
+
+/* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
+   iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
+#define EARLY_UPDATE_PENALTY 1e6
+/* Defect below which a row needs no update: what is left, epsilon (mu - lambda), has the sign of dmu/dt at every step
+   and adds up in the energy (double pendulum, 2e5 steps of 1 ms: 4e-13 J with 6e-17, 1e-14 J with this). */
+#define UNBIASED 1e-19
+
+/* Whether lambda may follow early, after this Newton iteration. Multipliers that dependent rows share get the rounding
+   errors of a solve over epsilon, which the next one with lambda held removes: there the update waits for it, and
+   comes once.                                                                                                  */
+static int may_update_early(const context *c, int iteration)
+{
+    const double *head = c->s.head;
+    if (!hm_skips(SKIP_OUTER_ITERATION)) return 0;
+    if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return 0;
+    return c->island[I_DEPENDENT] == 0.0 || iteration == 1;
+}
+
+/* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
+   they are. Where steps have taken three increments again and again, the penalty of those to come is a hundred times
+   larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
+   `outer` updates are many: those that a converged Newton iteration did not bring along.                     */
+static void follow_contraction(double *island, int increments, int outer)
+{
+    const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
+    island[I_SLOW_STEPS] = slow ? island[I_SLOW_STEPS] + 1.0 : 0.0;
+    if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= 2.0) return;
+    island[I_PENALTY_LEVEL] += 1.0;
+    island[I_SLOW_STEPS] = 0.0;
+}
+
+#endif
