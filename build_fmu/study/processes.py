@@ -86,6 +86,7 @@ class _Processes:
         """Processes anew; a job that was on trial is lost, any other gets one."""
         suspects = [job for chunk in self._running.values() for job in chunk]
         self._running.clear()
+        self._pool.kill()  # one that has just begun would else wait for a lock of a dead one
         self._pool.shutdown(cancel_futures=True)
         self._pool = _Pool(self._workers)
         try:
