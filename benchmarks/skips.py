@@ -54,8 +54,7 @@ SKIPS = {
     "measured forms": 32,
     "low penalty": 64,
     "islands": 128,
-    "rest": 256,
-    "fresh factors": 512,
+    "fresh factors": 256,
 }
 """Bits of `enum skip`, by their names in `docs/skips.md`."""
 ALL = sum(SKIPS.values())

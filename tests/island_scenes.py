@@ -1,4 +1,4 @@
-"""Scenes of several mechanisms side by side, and how long each has rested."""
+"""Scenes of several mechanisms side by side."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import json
 
 import solver
 from solver.runtime import Integrator, Model
-from solver.runtime.layout import ISLAND
 from tests.problems import double_pendulum, pendulum
 
 H = 0.01
@@ -41,12 +40,6 @@ def started(model: Model) -> Integrator:
     integrator = Integrator(model)
     integrator.initialise()
     return integrator
-
-
-def resting(integrator: Integrator) -> list[float]:
-    """How many half steps each island has rested."""
-    values = integrator.state.vectors["islands"]
-    return list(values[ISLAND.index("resting") :: len(ISLAND)])
 
 
 HANGING = pendulum(0.0)

@@ -9,7 +9,6 @@
 #include "ledger.h"
 #include "linear_solve.h"
 #include "predict.h"
-#include "rest.h"
 #include "start.h"
 #include "tangent.h"
 
@@ -18,7 +17,6 @@ static void start_anew(context *c)
 {
     c->s.head[S_MEAN_TIME] = INFINITY;
     forget_changes(c);
-    wake(c);
 }
 
 /* Whether an input that is held over a communication step differs. */
@@ -36,7 +34,6 @@ void holonom_set_inputs(const holonom_model *m, double *number, double *state, d
     open_context(&c, m, number, state, work);
     set_laws(&c, c.t, 0);
     if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0) start_anew(&c);
-    if (memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0) wake(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);

@@ -14,7 +14,6 @@
 #include "forms.h"
 #include "inputs_signals.h"
 #include "norms.h"
-#include "rest.h"
 #include "step_halving.h"
 
 #define LEAST 0.25 /* times the mean, that an error is taken for ... */
@@ -94,6 +93,14 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
    do not undo them.                                                                                              */
 #define ACROSS 10.0
 #define UNSEEN 1e-6
+
+/* Whether composite j follows a signal. */
+static int has_signal(const context *c, int32_t j)
+{
+    for (int32_t l = c->m->leaf_ptr[j]; l < c->m->leaf_ptr[j + 1]; l++)
+        if (c->m->leaf[4 * l] == LEAF_SIGNAL) return 1;
+    return 0;
+}
 
 /* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Errors in
    the mass norm do not see light parts: their velocities show here. Rows of drivers have rates of signals, which are

@@ -31,7 +31,7 @@
 #endif
 
 /* Changes whenever the structures below, the head of a state or an entry point change. */
-#define HOLONOM_ABI 15
+#define HOLONOM_ABI 16
 
 enum holonom_status {
     HOLONOM_OK = 0,
@@ -213,7 +213,7 @@ enum holonom_state_place {
 };
 
 /* Scalars of each island in the section `islands` of a state. */
-enum holonom_island_place { I_PENALTY_LEVEL, I_SLOW_STEPS, I_DEPENDENT, I_FULL_STEPS, I_FULL_WAIT, I_FRESH_STEPS, I_FRESH_WAIT, I_RESTING, I_SIZE };
+enum holonom_island_place { I_PENALTY_LEVEL, I_SLOW_STEPS, I_DEPENDENT, I_FULL_STEPS, I_FULL_WAIT, I_FRESH_STEPS, I_FRESH_WAIT, I_SIZE };
 
 HOLONOM_API int32_t holonom_abi(void);
 

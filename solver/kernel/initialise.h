@@ -12,7 +12,6 @@
 #include "ledger.h"
 #include "linear_solve.h"
 #include "policy_stopping.h"
-#include "rest.h"
 #include "start.h"
 #include "tangent.h"
 
@@ -201,7 +200,6 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     follow_angles(&c); /* from no direction, which is no turn */
     for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
     open_ledger(&c);
-    find_rest(&c);
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 

@@ -37,8 +37,7 @@ enum skip {
     SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
     SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction     */
     SKIP_ISLANDS = 128,       /* each solved by itself: n_apart                */
-    SKIP_REST = 256,          /* islands that stand still: stays_at_rest       */
-    SKIP_FRESH_FACTORS = 512  /* those of the half step before: take_factors_over */
+    SKIP_FRESH_FACTORS = 256  /* those of the half step before: take_factors_over */
 };
 #ifndef HOLONOM_WITHOUT
 #define HOLONOM_WITHOUT 0

@@ -9,7 +9,6 @@
 #include "laws.h"
 #include "newton.h"
 #include "predict.h"
-#include "rest.h"
 #include "sampling.h"
 #include "step.h"
 
@@ -111,6 +110,14 @@ static void follow_orientation(context *c, int32_t j)
 #endif
 }
 
+static double momentum_norm2(const context *c)
+{
+    double sum = 0.0;
+    for IN_ISLAND(c, a, ISLAND_FREE)
+        sum += dot(c->k.momentum + DIM * a, c->k.momentum + DIM * a) / c->number[c->m->node_mass_at + a];
+    return sum;
+}
+
 /* Takes the solved step of the islands at hand over into the state. */
 static void accept_island(context *c, int parity)
 {
@@ -145,7 +152,7 @@ static void accept_step(context *c, int parity)
     judge_sampling(c, parity);
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
-        if (!is_asleep(c)) accept_island(c, parity);
+        accept_island(c, parity);
     }
     look_at_all(c);
     if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;

@@ -12,7 +12,6 @@
 #include "policy_penalty.h"
 #include "policy_stopping.h"
 #include "predict.h"
-#include "rest.h"
 
 /* Length of usual steps: what a tolerance wants may be far from the option step_size. */
 static inline double usual_length(const context *c)
@@ -139,10 +138,6 @@ static int32_t solve_island(context *c, int parity, int *effort)
 {
     newton_record r = {.theta = 1.0, .floor = round_off_of_places(c)};
     prepare_step(c, parity);
-    if (stands_still(c)) {
-        if (stays_at_rest(c, parity)) return HOLONOM_OK;
-        prepare_step(c, parity);
-    }
     hand_on(c);
     choose_factors(c);
     const int taken_over = take_factors_over(c, &r);
@@ -178,7 +173,6 @@ static int32_t solve_step(context *c, int parity)
     for (int32_t part = 0; part < parts && !status; part++) {
         int effort[2] = {0, 0};
         look_at_part(c, part, parts);
-        if (is_asleep(c)) continue;
         status = solve_island(c, parity, effort);
         for (int i = 0; i < 2; i++)
             if (effort[i] > most[i]) most[i] = effort[i];

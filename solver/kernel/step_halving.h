@@ -2,7 +2,6 @@
 #ifndef HOLONOM_STEP_HALVING_H
 #define HOLONOM_STEP_HALVING_H
 
-#include "come_to_rest.h"
 #include "composition.h"
 #include "context.h"
 #include "extrapolation.h"
@@ -45,11 +44,7 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
-    if (is_extrapolating(c)) {
-        status = extrapolated_step(c, h);
-        if (!status) let_islands_rest(c, h);
-        return status;
-    }
+    if (is_extrapolating(c)) return extrapolated_step(c, h);
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
     int stages = 1;
@@ -62,7 +57,6 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - half);
         if (!status) gather_estimate(c, order, i + 1, stages);
     }
-    if (!status && order == 2) let_islands_rest(c, h);
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
     return status;

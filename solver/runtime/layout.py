@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-ABI = 15
+ABI = 16
 """``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
 
 SIZES = (
@@ -68,7 +68,7 @@ ENDLESS = ("mean_time", "mean_time_before", "wanted")
 
 ISLAND = (
     "penalty_level", "slow_steps", "dependent", "full_steps", "full_wait", "fresh_steps",
-    "fresh_wait", "resting",
+    "fresh_wait",
 )  # fmt: skip
 """Scalars of each island in the section `islands` of a state."""
 
