@@ -139,8 +139,10 @@ def archive_entries(model: Model, seen: Trial, scene: Scene | None = None) -> di
     entries |= documentation(model, seen, pictured=scene is not None)
     if scene is not None:
         entries["model.png"] = picture(scene)
+    own_guid = guid(entries)
+    entries["resources/model.bin"] = model.to_bytes(own_guid)
     entries["modelDescription.xml"] = model_description(
-        model, identifier=name, guid=guid(entries), date=generation_date(), tool=TOOL,
+        model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
         nominal=seen.nominal, source=scene.source if scene else None,
     )  # fmt: skip
     return entries

@@ -33,6 +33,8 @@ from solver.runtime.kernel import library_path
 SLAVE_NAME = "slavemodule.txt"
 """File below `resources/` in which pythonfmu's library looks for the name of the slave module."""
 PYTHONFMU_MODULES = ("enums.py", "logmsg.py")
+MODULES_OF_BUILDS = ("model_writing.py", "options.py")
+"""Of solver.runtime, what only writes models; it does not travel."""
 SUFFIXES = (".so", ".dll", ".dylib")
 _IMPORT = re.compile(
     r"^(?P<indent>[ \t]*)from (?P<package>solver\.runtime|pythonfmu)(?P<rest>[.\w]*) import ",
@@ -113,7 +115,10 @@ def _fmu_src() -> dict[str, bytes]:
 
 
 def _runtime() -> dict[str, bytes]:
-    return _modules(package_folder("solver") / "runtime", "runtime/")
+    files = _modules(package_folder("solver") / "runtime", "runtime/")
+    return {
+        name: files[name] for name in files if PurePosixPath(name).name not in MODULES_OF_BUILDS
+    }
 
 
 def _kernels(dimension: int) -> dict[str, bytes]:

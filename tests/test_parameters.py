@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 import solver
 from solver.runtime import AssemblyError, Integrator, OptionError
-from solver.runtime.model_file import rules_of_laws
+from solver.runtime.model_writing import rules_of_laws
 from tests.problems import (
     Content,
     assemble,

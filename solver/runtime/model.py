@@ -19,7 +19,7 @@ from collections import namedtuple
 from functools import cached_property
 
 from .errors import OptionError, UnknownNameError
-from .model_file import fingerprint, from_bytes, to_bytes
+from .model_file import fingerprint, from_bytes
 
 
 class Variable(
@@ -158,6 +158,8 @@ class Model(
 
         `guid` is that of the FMU which carries it.
         """
+        from .model_writing import to_bytes  # stays at home: an FMU reads its model
+
         return to_bytes(self, guid)
 
     @staticmethod
