@@ -48,7 +48,7 @@ static double ramp_slope(const context *c, int32_t i, double step)
 
 /* Ramped inputs change their slopes at communication points, and with them the rates of signals jump. Velocities jump
    by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work.                      */
-static int32_t start_ramps(context *c, double step)
+HM_SELDOM static int32_t start_ramps(context *c, double step)
 {
     const holonom_model *m = c->m;
     double *slope = c->s.inputs_slope, *before = c->k.signal1, *jump = c->k.signal_rate;

@@ -42,7 +42,7 @@ static double signal_part(const context *c, int32_t j)
 }
 
 /* excess = grad phi(q_beta) d + (signals) - change, with forms, leaves and registers left as they are at q_beta. */
-static int32_t slope_at(context *c, int32_t j, double beta, double change, double *excess)
+HM_SELDOM static int32_t slope_at(context *c, int32_t j, double beta, double change, double *excess)
 {
     const holonom_model *m = c->m;
     const hm_registers *r = &c->k.r;

@@ -90,7 +90,7 @@ static void begin_control(context *c)
 static int is_rejected(context *c, double t, double h, double law_time, double step)
 {
     double *head = c->s.head;
-    step_error e;
+    step_error e = {0};
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
     const int judged = estimate_error(c, order, h, &e);
     const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS * tolerated(c));
@@ -109,7 +109,7 @@ static int is_rejected(context *c, double t, double h, double law_time, double s
 }
 
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
-static int32_t cover_to_tolerance(context *c, double start, double step)
+HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double step)
 {
     double *head = c->s.head, done = 0.0;
     int repeats = 0;

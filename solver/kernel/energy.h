@@ -26,7 +26,7 @@ static double stored_energy(const context *c)
 }
 
 /* Energy alpha Phi^2/2 that eqs 7, 9 and 11 store in their rows; eq 3 damps its rows and has no potential. */
-static double penalty_energy(const context *c)
+HM_SELDOM static double penalty_energy(const context *c)
 {
     const holonom_model *m = c->m;
     double sum = 0.0, u[DIM], w[DIM];
@@ -158,7 +158,7 @@ static void row_rates(const context *c, const double *x, const double *x_low, co
 }
 
 /* Rows at the state (n_rows, overwritten). */
-static void row_values(const context *c, double *phi)
+HM_SELDOM static void row_values(const context *c, double *phi)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];

@@ -244,7 +244,7 @@ static int32_t take_weighted(context *c, double h, const extrapolation *x)
 }
 
 /* One internal step; where its weighted end cannot be put back, that of the finest cover stands, which conserves. */
-static int32_t extrapolated_step(context *c, double h)
+HM_SELDOM static int32_t extrapolated_step(context *c, double h)
 {
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
     const double t = c->t, law_time = c->number[c->m->time_at];

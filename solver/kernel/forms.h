@@ -19,7 +19,7 @@ static inline void add_turned(double factor, const double *y, double *x)
 }
 
 /* u += sum alpha x, w += sum beta x over entries begin .. end of form f; x holds the node `first` and on. */
-static inline void add_links(const context *c, int32_t f, int32_t begin, int32_t end, const double *x, int32_t first,
+HM_OFTEN void add_links(const context *c, int32_t f, int32_t begin, int32_t end, const double *x, int32_t first,
                              double *u, double *w)
 {
     const holonom_model *m = c->m;
@@ -40,7 +40,7 @@ static inline void add_links(const context *c, int32_t f, int32_t begin, int32_t
 }
 
 /* u = sum alpha x, w = sum beta x over the moving nodes of form f; x (DIM n_moving). */
-static inline void link_of(const context *c, int32_t f, const double *x, double *u, double *w)
+HM_OFTEN void link_of(const context *c, int32_t f, const double *x, double *u, double *w)
 {
     const holonom_model *m = c->m;
     const int32_t begin = m->form_ptr[f], end = begin + m->form_moving[f];
@@ -90,7 +90,7 @@ static inline void entry_gradient(const context *c, int32_t f, int32_t e, const 
 
 /* target[node] += factor times the gradient of form f built from links U, W, over its moving nodes. A square form
    lists alpha = beta.                                                                                        */
-static inline void add_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
+HM_OFTEN void add_gradient(const context *c, int32_t f, double factor, const double *u, const double *w,
                                 double *target)
 {
     const holonom_model *m = c->m;
@@ -113,7 +113,7 @@ typedef struct motion {
     double du[DIM], dw[DIM], um[DIM], wm[DIM], ds;
 } motion;
 
-static inline void form_motion(const context *c, int32_t f, motion *g)
+HM_OFTEN void form_motion(const context *c, int32_t f, motion *g)
 {
     const double theta = c->theta;
     g->u0 = c->k.u0 + DIM * f;
@@ -179,7 +179,7 @@ static double velocity_row(const context *c, int32_t i, const motion *g, double 
 }
 
 /* Row function C(d) of form row i and the links U, W of its gradient alpha W + beta U. */
-static inline double row_function(const context *c, int32_t i, const motion *g, double *u, double *w)
+HM_OFTEN double row_function(const context *c, int32_t i, const motion *g, double *u, double *w)
 {
     if (is_conserving(c)) { /* Phi_1 */
         EACH(k) u[k] = g->u0[k] + g->du[k];

@@ -77,7 +77,7 @@ typedef struct argument {
     double x0, x1, dx, mean;
 } argument;
 
-static argument argument_of(int32_t place, const double *numbers, const hm_registers *r)
+HM_OFTEN argument argument_of(int32_t place, const double *numbers, const hm_registers *r)
 {
     if (place < 0) return (argument){numbers[-1 - place], numbers[-1 - place], 0.0, numbers[-1 - place]};
     return (argument){r->r0[place], r->r1[place], r->dr[place], 0.5 * (r->r0[place] + r->r1[place])};

@@ -9,7 +9,7 @@ enum register_mode { OVER_STEP, AT_END };
 
 /* Fills the registers of the leaves: values at both ends. A velocity row is a point function of mean quantities
    and mean rates. A signal is known at both ends.                                                            */
-static void load_registers(const context *c, int32_t j, int mode)
+HM_OFTEN void load_registers(const context *c, int32_t j, int mode)
 {
     const holonom_model *m = c->m;
     const hm_registers *r = &c->k.r;

@@ -33,7 +33,6 @@ HM_SELDOM static void judge_sampling(context *c, int parity)
 {
     const double *a = c->s.a[parity], negligible = NEGLIGIBLE * c->s.head[S_ENERGY_REFERENCE] + DBL_MIN;
     double *d = c->k.d, *kept = c->s.sampled;
-    if (!c->m->n_sampled) return;
     for (int32_t k = 0; k < DIM * c->n_moving; k++)
         c->k.sensed[k] = k < DIM * c->m->n_free ? c->h * (c->s.v[k] + 0.5 * c->h * a[k]) : d[k];
     for (int32_t i = 0; i < c->m->n_sampled; i++, kept += 3) {
