@@ -34,6 +34,17 @@ SWITCHED = ROD.format(
     force="""a = { type = "force", point = "A", value = ["-0.6*pull", "-0.8*pull"] }
 b = { type = "force", point = "B", value = ["0.6*pull", "0.8*pull"] }"""
 )
+AT_AN_ANGLE = """
+name = "still"
+dimension = 2
+[points]
+O = { position = [0.1, 0.2], fixed = true }
+A = { position = [0.7, 1.3], mass = 1.0 }
+B = { position = [-0.31, 0.9], mass = 2.0 }
+[joints]
+upper = { type = "distance", points = ["O", "A"] }
+lower = { type = "distance", points = ["A", "B"] }
+"""
 PRESTRESSED = ROD.format(
     force="""s = { type = "spring", points = ["A", "B"], stiffness = 33.3, free_length = 0.1 }"""
 )
@@ -52,6 +63,16 @@ def test_a_mechanism_at_rest_without_weight_stays_at_rest(source, paired):
     tension = {PULLED: 10 * math.sin(run.time), SWITCHED: 10.0, PRESTRESSED: -33.3 * 0.9}[source]
     assert run["rod.force"] == pytest.approx(tension, rel=1e-2)  # means lag by half a step at most
     assert run["energy.error"] < 1e-9
+
+
+@pytest.mark.parametrize("communication_step", [5e-4, 0.05, 50.0])
+@pytest.mark.parametrize("tolerance", [0.0, 1e-6])
+def test_what_stands_still_without_weight_has_no_error_but_round_off(tolerance, communication_step):
+    # Kinetic energy and balance are both of 1e-16 m a step, and no more than the limit of a check.
+    run = start(AT_AN_ANGLE, tolerance=tolerance)
+    for _ in range(30):
+        run.advance(run.time, communication_step)
+        assert run["energy.error"] < 1e-9
 
 
 @pytest.mark.parametrize("tiny", [1e-7, 1e-9, 1e-10, 1e-11, 1e-12])

@@ -116,10 +116,7 @@ static void follow_energies(context *c)
     if (!(load <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = load;
     if (!(kinetic <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = kinetic;
     if (!(change <= head[S_ENERGY_REFERENCE])) head[S_ENERGY_REFERENCE] = change;
-    /* Where nothing has moved the reference is round-off too. */
-    const double round_off = round_off_of_places(c) / usual_length(c);
-    const int has_moved = head[S_ENERGY_REFERENCE] > 10.0 * round_off * round_off;
-    head[S_LEDGER_ERROR] = has_moved ? relative_balance(c, ledger_balance(c, kinetic, potential)) : 0.0;
+    head[S_LEDGER_ERROR] = relative_balance(c, ledger_balance(c, kinetic, potential));
 }
 
 /* Rates of all rows (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values

@@ -168,8 +168,11 @@ static void open_ledger(context *c)
     head[S_KINETIC_START] = kinetic;
     head[S_POTENTIAL_START] = stored_energy(c) + penalty_energy(c);
     head[S_STORED_START] = potential_change(c); /* and weights on what rounding left over of the coordinates */
-    /* A floor, so that a mechanism at rest has a finite relative error. */
-    const double floor = 1e-3 * (mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at] + fabs(head[S_POTENTIAL_START]));
+    /* Floors, so that a mechanism at rest has a finite relative error: of its weight and springs and, if it has none, of
+       what stands still, whose places are known to round-off: 1e5 times theirs a step. */
+    const double weight = mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at];
+    const double still = hm_square(1e5 * round_off_of_places(c) / head[S_STEP_SIZE]);
+    const double floor = fmax(1e-3 * (weight + fabs(head[S_POTENTIAL_START])), still);
     for (int32_t a = 0; a < c->n_moving; a++)
         head[S_POTENTIAL_START] -= c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
