@@ -75,59 +75,50 @@ static int32_t newton_update(context *c, newton_record *r)
     return r->eta < 1e150 && r->size < 1e150 ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 
-/* Uzawa update; the residual of the rows follows. */
+/* Takes the last increment back. */
+static void take_back(context *c)
+{
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
+        c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
+        c->k.d[k] = c->k.hv[k] + c->k.w[k];
+    }
+    EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
+}
+
+/* Uzawa update of a nested iteration; the residual of the rows follows. */
 static void hold_multipliers(context *c, newton_record *r)
 {
     update_multipliers(c);
     r->updates++;
 }
 
-/* Newton iteration with lambda held fixed (nested) or following mu (simultaneous; nested, while it contracts well and
-   the rows do not hold yet).
-   The error left behind is estimated from the observed contraction theta. It ends a margin below the tolerance, or
-   where round-off stops the contraction below the tolerance. The factors are kept while they contract well.   */
+/* Newton's iteration with lambda held fixed (nested), or following mu (simultaneous): tangent, increment, multiplier
+   update, residual. A nested one updates early while it contracts well.                                         */
 static int32_t iterate_newton(context *c, newton_record *r)
 {
-    const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0;
-    const int max_newton = (int)c->s.head[S_MAX_NEWTON];
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
-    double previous = 0.0, defect = 0.0;
-    for (int iteration = 0; iteration < max_newton; iteration++) {
+    const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0, max_newton = (int)c->s.head[S_MAX_NEWTON];
+    r->previous = r->defect = 0.0;
+    for (r->iteration = 0; r->iteration < max_newton; r->iteration++) {
         int32_t status = HOLONOM_OK;
-        const int keep = may_keep_factors(r);
-        if (!keep) {
-            status = factorise(c);
-            if (status) return status;
-            r->factorised = 1;
-        }
-        status = newton_update(c, r);
+        r->kept = may_keep_factors(r);
+        if (!r->kept) status = factorise(c);
+        if (!status) status = newton_update(c, r);
         if (status) return status;
-        /* First increment with new factors: nothing is known but its size against the step's. */
-        if (iteration > 0 && previous > 0.0) r->theta = r->eta / previous;
-        else if (!keep) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
-        previous = r->eta;
-        const int is_slow = is_lean(c) && r->eta > r->floor && r->theta > (iteration > 0 ? LEAN_CONTRACTION : 0.5);
-        if (is_slow && iteration == 0) take_back(c);
+        judge_increment(c, r);
+        if (is_misled(r)) take_back(c);
         if (simultaneous) update_multipliers(c);
         status = evaluate_balance(c);
         if (status) return status;
-        const double left = iteration > 0 || (keep && r->increments > 1) ? r->theta * r->eta : r->eta;
-        const int stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
-        if (simultaneous && !is_penalty(c)) defect = constraint_defect(c);
-        if (has_converged(c, r, left, defect, stalled)) return HOLONOM_OK;
-        if (simultaneous && iteration > 1 && r->theta > 0.25 && stiffen(c, &r->stiffened)) {
+        if (simultaneous && !is_penalty(c)) r->defect = constraint_defect(c);
+        if (has_converged(c, r)) return HOLONOM_OK;
+        if (simultaneous && contracts_badly(r) && raise_penalty(c, r)) {
             update_multipliers(c);
             if ((status = evaluate_balance(c))) return status;
-            r->factorised = 0;
-            r->theta = 1.0;
-        } else if (r->theta < GOOD_CONTRACTION && may_update_early(c, iteration) && (iteration > 0 || constraint_defect(c) > UNBIASED))
+        } else if (may_update_early(c, r))
             hold_multipliers(c, r);
-        if (is_slow && r->taken_over) drop_factors(r);
-        else if (is_slow) give_up_lean(c, r);
+        if (r->slow) replace_factors(c, r);
     }
-    if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
-        return HOLONOM_NEWTON_DIVERGED;
-    return defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+    return outcome_at_limit(c, r);
 }
 
 #endif

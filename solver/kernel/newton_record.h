@@ -5,13 +5,19 @@
 #include "context.h"
 
 typedef struct newton_record {
-    double theta, eta, size; /* contraction; in the mass norm, the last increment and d [kg^1/2 m]               */
+    double theta;            /* contraction of the increments                                                  */
+    double eta, previous;    /* the last increment and the one before it, in the mass norm [kg^1/2 m]           */
+    double size;             /* of d, likewise                                                                 */
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
-    int factorised, stiffened;
-    int taken_over;          /* factors are those of the half step before                                           */
-    int increments;      /* of the step                                                                            */
-    int updates;         /* Uzawa updates of the step                                                             */
+    double defect;           /* of the rows, where each iteration updates the multipliers                       */
+    int iteration;           /* with the multipliers held, from 0                                              */
+    int factorised;          /* factors are at hand,                                                           */
+    int kept;                /* served an earlier increment too,                                               */
+    int taken_over;          /* or are those of the half step before                                           */
+    int slow;                /* lean factors contract too little                                               */
+    int raised;              /* how often the penalty was                                                      */
+    int increments, updates; /* Newton increments and Uzawa updates of the step                                 */
 } newton_record;
 
 #endif

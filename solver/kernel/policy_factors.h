@@ -30,16 +30,21 @@ static void choose_factors(context *c)
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
-/* Takes the last increment back: a long one of lean factors, whose stiffness was missing, tells nothing. */
-static void take_back(context *c)
+/* What the last increment tells of the factors: the contraction or, as long as there is no increment before it with the
+   same ones, its size against the step's.                                                                        */
+static void judge_increment(const context *c, newton_record *r)
 {
-    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
-        c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
-        c->k.d[k] = c->k.hv[k] + c->k.w[k];
-    }
-    EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
+    r->factorised = 1;
+    if (r->iteration > 0 && r->previous > 0.0) r->theta = r->eta / r->previous;
+    else if (!r->kept) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
+    r->previous = r->eta;
+    r->slow = is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
 }
 
+/* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing, tells nothing. */
+static inline int is_misled(const newton_record *r) { return r->slow && r->iteration == 0; }
+
+/* No lean factors for some steps, each time for twice as many. */
 static void pause_lean(double *island)
 {
     island[I_FULL_STEPS] = island[I_FULL_WAIT] = fmin(fmax(2.0 * island[I_FULL_WAIT], 64.0), 4096.0);
@@ -60,9 +65,13 @@ static int take_factors_over(const context *c, newton_record *r)
     return 1;
 }
 
-/* Where an increment tells that they are no good, fresh ones are made before lean ones are given up. */
-static void drop_factors(newton_record *r)
+/* Instead of lean factors that contract too little: fresh ones if they were taken over, else full ones. */
+static void replace_factors(context *c, newton_record *r)
 {
+    if (!r->taken_over) {
+        pause_lean(c->island);
+        c->lu = &c->m->full;
+    }
     r->factorised = r->taken_over = 0;
     r->theta = 1.0;
 }
@@ -74,16 +83,8 @@ static void judge_factors(context *c, const newton_record *r, int taken_over)
     if (taken_over && r->increments > c->fresh_increments)
         island[I_FRESH_STEPS] = island[I_FRESH_WAIT] = fmin(fmax(2.0 * island[I_FRESH_WAIT], 64.0), 4096.0);
     if (!taken_over) c->fresh_increments = r->increments;
-    c->factors_h = r->factorised && !r->stiffened ? c->h : 0.0;
+    c->factors_h = r->factorised && !r->raised ? c->h : 0.0;
     c->factors_lu = c->lu;
-}
-
-static void give_up_lean(context *c, newton_record *r)
-{
-    pause_lean(c->island);
-    c->lu = &c->m->full;
-    r->factorised = 0;
-    r->theta = 1.0;
 }
 
 #endif

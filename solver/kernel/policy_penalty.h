@@ -5,16 +5,29 @@
 #include "context.h"
 #include "forms.h"
 #include "newton_record.h"
+#include "policy_factors.h"
+#include "policy_stopping.h"
 
 /* Raises the penalty of the step at hand a thousandfold, twice at most. Where the singular configuration lies
    between the midpoint and the end of a step, the gradients there differ in sign along one combination of rows;
    if both are small, the Uzawa factor 1/(1 + chi g_1 g_m/sigma) of that combination has its pole nearby.         */
-static int stiffen(context *c, int *stiffened)
+static int raise_penalty(context *c, newton_record *r)
 {
-    if (is_penalty(c) || *stiffened >= 2) return 0;
-    *stiffened += 1;
+    if (is_penalty(c) || r->raised >= 2) return 0;
+    r->raised += 1;
+    r->factorised = 0;
+    r->theta = 1.0;
     EACH_ROW(c, i) c->k.epsilon[i] *= 1e-3;
     return 1;
+}
+
+/* Whether a simultaneous iteration contracts so little that a larger penalty may help. */
+static inline int contracts_badly(const newton_record *r) { return r->iteration > 1 && r->theta > 0.25; }
+
+/* Whether an Uzawa update has left more than a quarter of the rows' defect, and ten times what the penalty promises. */
+static inline int updates_slowly(const context *c, double defect, double last)
+{
+    return defect > 0.25 * last && defect > 10.0 * last / (1.0 + c->s.head[S_PENALTY]);
 }
 
 /* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
@@ -27,12 +40,13 @@ static int stiffen(context *c, int *stiffened)
 /* Whether lambda may follow early, after this Newton iteration. Multipliers that dependent rows share get the rounding
    errors of a solve over epsilon, which the next one with lambda held removes: there the update waits for it, and
    comes once.                                                                                                  */
-static int may_update_early(const context *c, int iteration)
+static int may_update_early(const context *c, const newton_record *r)
 {
     const double *head = c->s.head;
-    if (!hm_skips(SKIP_OUTER_ITERATION)) return 0;
+    if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
     if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return 0;
-    return c->island[I_DEPENDENT] == 0.0 || iteration == 1;
+    if (c->island[I_DEPENDENT] != 0.0 && r->iteration != 1) return 0;
+    return r->iteration > 0 || constraint_defect(c) > UNBIASED;
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer

@@ -47,15 +47,55 @@ static double constraint_defect(const context *c)
     return largest;
 }
 
-/* Whether what is `left` of the increments, the rows' defect and the energy that the residual adds are a margin below
-   the tolerance; or below the tolerance, where round-off has `stalled` the contraction.                        */
-static int has_converged(const context *c, const newton_record *r, double left, double defect, int stalled)
+/* Largest increments that are still to come, by the contraction where it is known. */
+static inline double increments_left(const newton_record *r)
+{
+    return r->iteration > 0 || (r->kept && r->increments > 1) ? r->theta * r->eta : r->eta;
+}
+
+/* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
+   tolerance; or below the tolerance, where round-off has stalled the contraction.                              */
+static int has_converged(const context *c, const newton_record *r)
 {
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE], added = residual_energy(c);
-    if (left <= NEWTON_MARGIN * r->target && defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
+    const int stalled = r->iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
+    if (increments_left(r) <= NEWTON_MARGIN * r->target && r->defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
         added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
         return 1;
-    return stalled && defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    return stalled && r->defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+}
+
+/* Status of an iteration that has taken as many increments as it may. */
+static int32_t outcome_at_limit(const context *c, const newton_record *r)
+{
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
+        return HOLONOM_NEWTON_DIVERGED;
+    return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+}
+
+/* Whether the rows hold a margin below the tolerance. Near a singular configuration one combination of rows contracts
+   slowly, or not at all; it need not go on where its energy is that margin below round-off.                       */
+static int rows_hold(const context *c, const newton_record *r, double defect, double last)
+{
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) return 1;
+    return defect > 0.5 * last && defect <= tolerance && constraint_energy(c) <= CONSTRAINT_MARGIN * tolerance * r->energy;
+}
+
+/* Whether the contraction of the rows has ended, and what is left is round-off. */
+static int is_stalled_round_off(const context *c, const newton_record *r, double defect, double last)
+{
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    return defect > 0.9 * last && defect <= tolerance && constraint_energy(c) <= round_off;
+}
+
+/* Status after as many updates of the multipliers as may be. */
+static int32_t outcome_of_updates(const context *c, const newton_record *r, double defect)
+{
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    const int holds = defect <= tolerance && constraint_energy(c) <= tolerance * r->energy + r->noise;
+    return holds ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
 #endif

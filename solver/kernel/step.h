@@ -95,24 +95,17 @@ static void prepare_step(context *c, int parity)
    those that a converged Newton iteration did not bring along.                                                 */
 static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *updates)
 {
-    const double *head = c->s.head, tolerance = head[S_NEWTON_TOLERANCE];
-    const int max_uzawa = (int)head[S_MAX_UZAWA];
+    const int max_uzawa = (int)c->s.head[S_MAX_UZAWA];
     double last = INFINITY;
     for (*updates = 0;; *updates += 1) {
         const int32_t status = iterate_newton(c, r);
         if (status || single) return status;
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
-        if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) return HOLONOM_OK;
-        /* Near a singular configuration one combination of rows contracts slowly, or not at all. It need not go on
-           where its energy is round-off; else the penalty is raised; contraction that ends even so is round-off. */
-        const double energy = constraint_energy(c), round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
-        if (defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r->energy) return HOLONOM_OK;
-        if (defect > 0.25 * last && defect > 10.0 * last / (1.0 + head[S_PENALTY]) && stiffen(c, &r->stiffened))
-            r->factorised = 0;
-        else if (defect > 0.9 * last && defect <= tolerance && energy <= round_off) return HOLONOM_OK;
-        if (*updates >= max_uzawa)
-            return defect <= tolerance && energy <= tolerance * r->energy + r->noise ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+        if (rows_hold(c, r, defect, last)) return HOLONOM_OK;
+        const int raised = updates_slowly(c, defect, last) && raise_penalty(c, r);
+        if (!raised && is_stalled_round_off(c, r, defect, last)) return HOLONOM_OK;
+        if (*updates >= max_uzawa) return outcome_of_updates(c, r, defect);
         last = defect;
         hold_multipliers(c, r);
     }
@@ -129,7 +122,7 @@ static int32_t try_step(context *c, int taken_over, newton_record *r, int *effor
     if (is_lean(c) && !taken_over && r->increments > LEAN_INCREMENTS) pause_lean(c->island);
     effort[0] += r->increments;
     effort[1] += r->updates;
-    if (!status && !single && !r->stiffened) follow_contraction(c->island, r->increments, updates);
+    if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);
     return status;
 }
 
