@@ -51,7 +51,7 @@ static double ramp_slope(const context *c, int32_t i, double step)
 HM_SELDOM static int32_t start_ramps(context *c, double step)
 {
     const holonom_model *m = c->m;
-    double *slope = c->s.inputs_slope, *before = c->k.signal1, *jump = c->k.signal_rate;
+    double *slope = c->s.inputs_slope, *before = c->k.signal_before, *jump = c->k.signal_rate;
     int changed = 0;
     for (int32_t i = 0; i < m->n_inputs; i++) changed |= ramp_slope(c, i, step) != slope[i];
     if (!changed) return HOLONOM_OK;
@@ -64,8 +64,7 @@ HM_SELDOM static int32_t start_ramps(context *c, double step)
     stand_still(c);
     memcpy(c->k.w + DIM * m->n_free, jump, sizeof(double) * (size_t)(DIM * m->n_driven));
     row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, jump, c->k.phi);
-    c->h = sqrt(2.0);
-    inertia(c, c->k.w, c->k.momentum);
+    inertia(c, AT_STATE, c->k.w, c->k.momentum);
     const int32_t status = solve_at_state(c, NULL);
     if (status) return status;
     add_solution(c, c->k.w);

@@ -159,7 +159,7 @@ static void local_gradients(const context *c, int32_t j)
 
 /* Law of element j: N = k (sigma_m - rest) + c dsigma/h - drive along its quantity. Its work is then exactly
    -dV - c dsigma^2/h + drive dsigma (Gonzalez 2000; paper, eq 11).                                             */
-static int32_t element_law(context *c, int32_t j, int tangent, composite_result *result)
+static int32_t element_law(const context *c, int32_t j, int tangent, composite_result *result)
 {
     const holonom_model *m = c->m;
     const double stiffness = c->number[m->stiffness_at + j], rest = c->number[m->rest_at + j];

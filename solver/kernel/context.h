@@ -30,7 +30,7 @@ typedef struct context {
        by a step from rest whose forces and constraints act at its end.                                        */
     double theta;
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
-    int plain;          /* 1: conserving rows, gradients at the middle                                        */
+    int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
     int constraints_only;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
@@ -103,19 +103,26 @@ static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 /* The sections extent, row_scale and row_sigma lie side by side. */
 static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
 
+static void use_formulation(context *c, int formulation)
+{
+    c->formulation = formulation;
+    c->conserving = formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA ||
+                    formulation == HOLONOM_CONSERVING_PENALTY;
+}
+
 static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
 {
     c->m = m;
     c->number = number;
     c->state_size = hm_map_state(m, state, &c->s);
     hm_map_work(m, work, &c->k);
-    c->formulation = (int)c->s.head[S_FORMULATION];
+    use_formulation(c, (int)c->s.head[S_FORMULATION]);
     c->t = c->start = c->s.head[S_TIME];
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->plain = c->unweighted = c->damped = 0;
+    c->constraints_only = c->unweighted = c->damped = 0;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;
     c->fresh_increments = 0;

@@ -75,12 +75,11 @@ static double largest_row(const context *c)
 }
 
 /* Puts coordinates back onto the rows, by displacements as small as can be; factors are those of the state nearby. */
-static int32_t close_rows(context *c, double h)
+static int32_t close_rows(context *c)
 {
     const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
     double last = INFINITY;
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
-        c->h = h; /* telling: rows are evaluated */
         stand_still(c);
         memcpy(c->k.phi, c->k.phi0, rows);
         const double defect = largest_row(c);
@@ -107,22 +106,21 @@ static void follow_rows(context *c)
     }
 }
 
-/* The velocities' part u (n, in d) that rows leave free and that has none of the kept momenta; there are no signals. */
+/* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
 static void free_velocities(context *c, double L[RIGID][RIGID])
 {
     const holonom_model *m = c->m;
     const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
-    double momentum[RIGID], unused[RIGID], *u = c->k.d;
+    double momentum[RIGID], unused[RIGID], *u = c->k.free, *ask = c->k.row_bias;
     memset(u, 0, n);
-    row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.lambda); /* what rows ask of rest */
+    row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, ask); /* of what stands still */
     for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = c->s.v[k] + c->s.v_low[k];
     for (int repeat = 0; repeat < 3; repeat++) { /* what the regularised factors leave is corrected again */
         row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.phi);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= c->k.lambda[i];
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= ask[i];
         add_correction(c, u);
     }
-    c->h = 2.0;
-    inertia(c, u, c->k.momentum);
+    inertia(c, 2.0, u, c->k.momentum);
     rigid_momenta(c, c->k.momentum, momentum, unused);
     for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
     add_rigid(c, L, momentum, u);
@@ -134,10 +132,10 @@ static double unbalanced(const context *c)
     return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
 }
 
-/* Brings the energy onto the ledger by a change of the velocities along u (in d): u'Mu s^2/2 + v'Mu s + excess = 0. */
+/* Brings the energy onto the ledger by a change of the velocities along u, those that are free: u'Mu s^2/2 + v'Mu s + excess = 0. */
 static int32_t balance_energy(context *c)
 {
-    const double *u = c->k.d, square = mass_product(c, u, u);
+    const double *u = c->k.free, square = mass_product(c, u, u);
     for (int i = 0; i < 3; i++) {
         const double excess = unbalanced(c); /* leaves M v in momentum */
         double along = 0.0;
@@ -151,14 +149,13 @@ static int32_t balance_energy(context *c)
 }
 
 /* Puts the weighted ends back onto rows, kept momenta and ledger. */
-static int32_t put_back(context *c, double h, const extrapolation *x)
+static int32_t put_back(context *c, const extrapolation *x)
 {
     double L[RIGID][RIGID] = {{0.0}}, lacking[RIGID], size[RIGID];
     c->lu = &c->m->full;
-    c->h = h;
     stand_still(c);
     int32_t status = factorise_at_state(c, NULL);
-    if (!status) status = close_rows(c, h);
+    if (!status) status = close_rows(c);
     if (status) return status;
     follow_rows(c);
     factor_rigid(c, x->kept, L);
@@ -217,7 +214,7 @@ static void weigh(context *c, double weight, double less, extrapolation *x)
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
-static int32_t take_weighted(context *c, double h, const extrapolation *x)
+static int32_t take_weighted(context *c, const extrapolation *x)
 {
     const int64_t n = DIM * c->n_moving;
     const hm_state *s = &c->s;
@@ -237,7 +234,7 @@ static int32_t take_weighted(context *c, double h, const extrapolation *x)
     for (int i = S_WORK; i <= S_DISSIPATED_LOW; i++) head[i] = start[i];
     book(c, S_WORK, x->work);
     book(c, S_DISSIPATED, fmax(x->dissipated, 0.0));
-    const int32_t status = put_back(c, h, x);
+    const int32_t status = put_back(c, x);
     follow_angles(c);
     for (int32_t j = 0; j < c->m->n_bodies; j++) follow_orientation(c, j);
     return status;
@@ -269,7 +266,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
         weigh(c, weight, weight - weight_of(pairs, 2, covers), &x);
     }
     memcpy(c->k.finest, c->s.head, bytes);
-    if (take_weighted(c, h, &x)) {
+    if (take_weighted(c, &x)) {
         memcpy(c->s.head, c->k.finest, bytes);
         c->unweighted = 1;
     }

@@ -155,11 +155,7 @@ static inline double row_compliance(const context *c, int32_t i)
     return compliance_over_sigma(c) * c->number[c->m->row_sigma_at + i];
 }
 
-static inline int is_conserving(const context *c)
-{
-    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_AL_BETA ||
-           c->formulation == HOLONOM_CONSERVING_PENALTY || is_seeking(c);
-}
+static inline int is_conserving(const context *c) { return c->conserving || is_seeking(c); }
 
 /* Row function of eq 3 under the midpoint rule, Phi'' + 2 xi omega Phi' + omega^2 Phi, with the accelerations
    2 (d - h v)/h^2, and the links U, W of its gradient.                                                      */

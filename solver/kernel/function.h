@@ -100,7 +100,7 @@ static double gather_slopes(const context *c, int32_t j)
 }
 
 /* Slopes of function j over the step with respect to its forms; with `tangent` also curve and end. */
-static int32_t function_slopes(context *c, int32_t j, int tangent, composite_result *result)
+static int32_t function_slopes(const context *c, int32_t j, int tangent, composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
     int32_t status = set_leaves(c, j, tangent, matrix);
@@ -121,7 +121,7 @@ static int32_t function_slopes(context *c, int32_t j, int tangent, composite_res
 }
 
 /* Slopes of composite j; a row's function value is that over phi_0. */
-static int32_t composite_slopes(context *c, int32_t j, int tangent, composite_result *result)
+static int32_t composite_slopes(const context *c, int32_t j, int tangent, composite_result *result)
 {
     set_local_forms(c, j, c->theta);
     if (j < first_function(c)) return element_law(c, j, tangent, result);

@@ -79,6 +79,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->sigma0 = take(block, &used, m->n_active);
     k->signal1 = take(block, &used, m->n_signals);
     k->signal_rate = take(block, &used, m->n_signals);
+    k->signal_before = take(block, &used, m->n_signals);
     k->signal_sample = take(block, &used, 2 * (int64_t)m->n_signals);
     k->phi0 = take(block, &used, m->n_rows);
     k->phi = take(block, &used, m->n_rows);
@@ -91,6 +92,11 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->momentum = take(block, &used, n);
     k->handed_on = take(block, &used, n);
     k->sensed = take(block, &used, n);
+    k->ahead = take(block, &used, n);
+    k->free = take(block, &used, n);
+    k->row_rate = take(block, &used, m->n_rows);
+    k->row_bias = take(block, &used, m->n_rows);
+    k->product = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->rhs = take(block, &used, (int64_t)m->dim * m->n_free + m->n_rows);
     k->value = take(block, &used, m->n_lu_values);
     map_composite(m, block, &used, k);

@@ -40,17 +40,20 @@ static int32_t seek_increment(context *c, double *increment, double *size)
     return HOLONOM_OK;
 }
 
-/* One such step of length h; its size in the mass norm. Multipliers start from c->s.mu[0]. */
-static int32_t seek_step(context *c, double h, double *size)
+/* One such step of length h, without forces where `constraints_only`; its size in the mass norm. Multipliers start from
+   those of the state. */
+static int32_t seek_step(const context *begun, double h, int constraints_only, double *size)
 {
+    context seeking = *begun, *c = &seeking;
     const holonom_model *m = c->m;
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE], floor = 1e-13 * c->number[m->extent_at + 1];
     double last = INFINITY;
     /* With forces the rows' compliance G A^-1 G' grows with h^2 only until springs hold the mechanism. */
-    const double holding = c->constraints_only ? h : fmin(h, c->s.head[S_STEP_SIZE]);
+    const double holding = constraints_only ? h : fmin(h, c->s.head[S_STEP_SIZE]);
     stand_still(c);
     c->theta = 1.0;
     c->h = h;
+    c->constraints_only = constraints_only;
     for (int32_t i = 0; i < m->n_rows; i++) {
         c->k.mu[i] = c->k.lambda[i] = c->s.mu[0][i];
         c->k.epsilon[i] = holding * holding * c->number[m->row_sigma_at + i] / (2.0 * c->s.head[S_PENALTY]);
@@ -67,7 +70,6 @@ static int32_t seek_step(context *c, double h, double *size)
         last = increment;
         if (iteration == 59) status = HOLONOM_NEWTON_DIVERGED;
     }
-    c->theta = 0.5;
     return status;
 }
 
@@ -108,9 +110,7 @@ static int32_t make_velocities_consistent(context *c, int keep_given)
 static int32_t close_mechanism(context *c)
 {
     double size;
-    c->constraints_only = 1;
-    const int32_t status = seek_step(c, 1.0, &size);
-    c->constraints_only = 0;
+    const int32_t status = seek_step(c, 1.0, 1, &size);
     if (status == HOLONOM_NEWTON_DIVERGED || !status) take_over(c);
     else return status;
     return make_velocities_consistent(c, 1);
@@ -125,7 +125,7 @@ static int32_t seek_equilibrium(context *c)
     memset(c->s.v, 0, sizeof(double) * (size_t)(DIM * m->n_free));
     memset(c->s.mu[0], 0, sizeof(double) * (size_t)m->n_rows);
     for (int step = 0; step < 100 && small < 2; step++) {
-        const int32_t status = seek_step(c, h, &size);
+        const int32_t status = seek_step(c, h, 0, &size);
         if (status) {
             failure = status;
             h *= 0.25;
@@ -191,7 +191,6 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
     if (!all_finite(number, m->measured_at)) return HOLONOM_NOT_FINITE;
-    c.h = 1.0;
     stand_still(&c);
     int32_t status = derive_scales(&c);
     memcpy(c.s.derived, number + m->extent_at, derived_bytes(m));

@@ -147,7 +147,7 @@ typedef struct hm_work {
     double *u0, *w0;      /* dim n_forms each: links at the beginning of the step                           */
     double *sigma0;       /* n_active: quantities at the beginning                                          */
     double *signal1;      /* n_signals: prescribed values at the end                                        */
-    double *signal_rate;  /* n_signals                                                                      */
+    double *signal_rate, *signal_before; /* n_signals; rates before inputs changed theirs                   */
     double *signal_sample; /* 2 n_signals: at the time at which rates are asked for, and next to it          */
     double *phi0, *phi;   /* n_rows: rows at the beginning, and the row function that shall vanish            */
     double *lambda, *mu;  /* n_rows: multiplier held fixed, total multiplier                                */
@@ -156,6 +156,10 @@ typedef struct hm_work {
     double *momentum;     /* n: residual of the momentum balance                                            */
     double *handed_on;    /* n: part of it that the last half steps have left to this one                    */
     double *sensed;       /* n: increment of which sampled loads were told                                 */
+    double *ahead;        /* n: coordinates a little later, at the start of a run                          */
+    double *free;         /* n: part of the velocities that rows leave free                                */
+    double *row_rate, *row_bias; /* n_rows: rates of rows, and their second derivatives at constant velocities */
+    double *product;      /* dim n_free + n_rows: of the tangent and a vector                              */
     double *rhs;          /* dim n_free + n_rows, elimination order                                         */
     double *value;        /* n_lu_values: tangent and its factors                                           */
     double *local;        /* per form of a composite: links and values, see composite.h                  */

@@ -164,7 +164,7 @@ static const int32_t *load_tangent(const context *c, int32_t j, const int32_t *s
 }
 
 /* momentum -= h Q for weights, loads and moments, all at the present increment d. */
-static int32_t subtract_forces(context *c, double *momentum)
+static int32_t subtract_forces(const context *c, double *momentum)
 {
     const holonom_model *m = c->m;
     const double h = c->h, *gravity = c->number + m->gravity_at;
@@ -194,7 +194,7 @@ static int32_t subtract_forces(context *c, double *momentum)
 }
 
 /* Works of loads over the step. */
-static double load_work(context *c, int32_t j)
+static double load_work(const context *c, int32_t j)
 {
     double force[DIM], du[DIM], unused[DIM];
     load_force(c, j, force);
@@ -202,7 +202,7 @@ static double load_work(context *c, int32_t j)
     return dot(force, du);
 }
 
-static double moment_work(context *c, int32_t j)
+static double moment_work(const context *c, int32_t j)
 {
     double force[DIM];
     motion g;
@@ -211,7 +211,7 @@ static double moment_work(context *c, int32_t j)
     return dot(force, g.du);
 }
 
-static double body_moment_work(context *c, int32_t j)
+static double body_moment_work(const context *c, int32_t j)
 {
     double work = 0.0;
 #if DIM == 3

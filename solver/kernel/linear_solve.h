@@ -31,7 +31,7 @@ static void add_solution(const context *c, double *x)
         EACH(k) x[DIM * a + k] += c->k.rhs[c->lu->node_position[a] + k];
 }
 
-static inline int32_t factorise(context *c)
+static inline int32_t factorise(const context *c)
 {
     const int32_t status = assemble_tangent(c), *target = c->lu->lu_target + c->lu->lu_island[2 * c->first_island + 1];
     if (status) return status;

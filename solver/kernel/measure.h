@@ -199,7 +199,7 @@ HM_SELDOM int32_t holonom_probe(const holonom_model *m, double *number, double *
     int32_t status = evaluate_residual(&c);
     if (!status) status = assemble_tangent(&c);
     if (status) return status;
-    double *in = c.k.rhs, *out = c.k.step_backup;
+    double *in = c.k.rhs, *out = c.k.product;
     for (int32_t k = 0; k < n; k++) in[m->full.node_position[k / DIM] + k % DIM] = x[k];
     for (int32_t i = 0; i < m->n_rows; i++) in[m->full.row_position[i]] = x[n + i];
     hm_lu_multiply(size, m->full.lu_ptr, m->full.lu_column, c.k.value, in, out);

@@ -20,7 +20,7 @@ static inline double square_motion(const context *c, int32_t f, double *du, doub
 /* Whether row i is |u|^2 - c = 0 in a conserving step: a distance or the length of a direction, as most rows are. */
 static inline int is_plain_row(const context *c, int32_t i)
 {
-    return c->plain && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
+    return c->conserving && !is_seeking(c) && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
 }
 
 /* Form row i of the kind of is_plain_row: the same numbers in one pass. */
@@ -47,7 +47,7 @@ static const int32_t *plain_row_tangent(const context *c, int32_t i, const int32
 }
 
 /* Form row i of the kind of is_plain_row: its function, and its force in the momentum balance. */
-static inline void plain_row_residual(context *c, int32_t i)
+static inline void plain_row_residual(const context *c, int32_t i)
 {
     const holonom_model *m = c->m;
     const int32_t f = m->row_form[i], begin = m->form_ptr[f], end = begin + m->form_moving[f];

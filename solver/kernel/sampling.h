@@ -17,7 +17,7 @@
 #define FORGETTING 0.8   /* of a sum, that a half step leaves */
 #define NEGLIGIBLE 1e-14 /* work, over the reference energy */
 
-HM_SELDOM static double sampled_work(context *c, int32_t kind, int32_t j)
+HM_SELDOM static double sampled_work(const context *c, int32_t kind, int32_t j)
 {
     composite_result result = {0.0, 0.0, 0.0};
     if (kind == SAMPLED_LOAD) return load_work(c, j);
@@ -29,18 +29,18 @@ HM_SELDOM static double sampled_work(context *c, int32_t kind, int32_t j)
 
 /* Compares works after a half step that is solved and not yet taken over. The state keeps of each load both sums and the
    largest ratio in this communication step.                                                                     */
-HM_SELDOM static void judge_sampling(context *c, int parity)
+HM_SELDOM static void judge_sampling(const context *c, int parity)
 {
     const double *a = c->s.a[parity], negligible = NEGLIGIBLE * c->s.head[S_ENERGY_REFERENCE] + DBL_MIN;
-    double *d = c->k.d, *kept = c->s.sampled;
+    double *kept = c->s.sampled;
+    context ahead = *c;
+    ahead.k.d = c->k.sensed;
     for (int32_t k = 0; k < DIM * c->n_moving; k++)
-        c->k.sensed[k] = k < DIM * c->m->n_free ? c->h * (c->s.v[k] + 0.5 * c->h * a[k]) : d[k];
+        c->k.sensed[k] = k < DIM * c->m->n_free ? c->h * (c->s.v[k] + 0.5 * c->h * a[k]) : c->k.d[k];
     for (int32_t i = 0; i < c->m->n_sampled; i++, kept += 3) {
         const int32_t *load = c->m->sampled_load + 2 * i;
         const double done = sampled_work(c, load[0], load[1]);
-        c->k.d = c->k.sensed;
-        const double foreseen = sampled_work(c, load[0], load[1]);
-        c->k.d = d;
+        const double foreseen = sampled_work(&ahead, load[0], load[1]);
         kept[0] = FORGETTING * kept[0] + fabs(foreseen);
         kept[1] = FORGETTING * kept[1] + fmax(foreseen < 0.0 ? done - foreseen : foreseen - done, 0.0);
         kept[2] = fmax(kept[2], kept[1] / (kept[0] + negligible));

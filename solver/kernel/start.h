@@ -31,7 +31,7 @@ static void stand_still(context *c)
     memset(c->k.d, 0, sizeof(double) * n);
     memset(c->k.mu, 0, sizeof(double) * rows);
     memset(c->k.lambda, 0, sizeof(double) * rows);
-    rows_at_start(c);
+    rows_at_start(c, 1);
 }
 
 /* Size of the mechanism, from its points and the radii of gyration of its bodies. */
@@ -58,17 +58,19 @@ static void derive_extent(context *c)
 }
 
 /* The part of derive_scales for rows that are functions. */
-static int32_t add_function_sigmas(context *c, double *sigma)
+static int32_t add_function_sigmas(const context *c, double *sigma)
 {
     const holonom_model *m = c->m;
+    context step = *c;
+    step.h = 1.0; /* [s]: over which a velocity row is one of displacements */
     const double *node_mass = c->number + m->node_mass_at;
     for (int32_t j = first_function(c); j < first_potential(c); j++) {
         const int32_t size = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         composite_result result = {0.0, 0.0, 0.0};
-        const int32_t status = composite_slopes(c, j, 1, &result);
+        const int32_t status = composite_slopes(&step, j, 1, &result);
         if (status) return status;
-        local_gradients(c, j);
+        local_gradients(&step, j);
         for (int32_t k = 0; k < DIM * size; k++) {
             double g = 0.0;
             for (int32_t f = 0; f < forms; f++) g += c->k.end[f] * c->k.gradient_end[DIM * size * f + k];
@@ -110,32 +112,33 @@ static int32_t derive_scales(context *c)
     return HOLONOM_OK;
 }
 
+/* Length of the step without forces whose tangent is the matrix of solve_at_state. */
+#define AT_STATE 1.4142135623730951
+
 /* Factors of the equations of solve_at_state, with links at the present state. */
-static int32_t factorise_at_state(context *c, const double *weight)
+static int32_t factorise_at_state(const context *c, const double *weight)
 {
     const holonom_model *m = c->m;
     const int32_t size = DIM * m->n_free + m->n_rows;
-    const int formulation = c->formulation;
-    c->h = sqrt(2.0);
-    c->constraints_only = 1;
-    c->formulation = HOLONOM_CONSERVING_AL;
+    context rows = *c;
+    rows.h = AT_STATE;
+    rows.constraints_only = 1;
+    use_formulation(&rows, HOLONOM_CONSERVING_AL);
     memset(c->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
     for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * c->number[m->row_sigma_at + i];
-    const int32_t status = assemble_tangent(c);
-    c->formulation = formulation;
-    c->constraints_only = 0;
+    const int32_t status = assemble_tangent(&rows);
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
-        EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += sqrt(2.0) * (both - 1.0) * c->number[m->mass_at + e];
+        EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += AT_STATE * (both - 1.0) * c->number[m->mass_at + e];
     }
     return hm_lu_factor(0, size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix, times node weights if given; G at the present links.
    f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
-   iterated so that dependent rows do no harm. A step of h = sqrt 2 without forces has this very tangent.        */
-static int32_t solve_at_state(context *c, const double *weight)
+   iterated so that dependent rows do no harm.                                                                   */
+static int32_t solve_at_state(const context *c, const double *weight)
 {
     const holonom_model *m = c->m;
     const int32_t size = DIM * m->n_free + m->n_rows, status = factorise_at_state(c, weight);
@@ -157,11 +160,13 @@ static int32_t solve_at_state(context *c, const double *weight)
     return HOLONOM_OK;
 }
 
-/* momentum = -h Q (and M a of driven nodes, in w) at the state, with the dampers' forces from the velocities. */
-static int32_t forces_at_state(context *c)
+/* momentum = -sqrt 2 Q (and M a of driven nodes, in w) at the state, with the dampers' forces from the velocities. */
+static int32_t forces_at_state(const context *c)
 {
     const holonom_model *m = c->m;
-    int32_t status = evaluate_residual(c);
+    context still = *c;
+    still.h = AT_STATE;
+    int32_t status = evaluate_residual(&still);
     for (int32_t j = 0; j < m->n_elements && !status; j++) {
         const double damping = c->number[m->damping_at + j];
         const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
@@ -169,37 +174,37 @@ static int32_t forces_at_state(context *c)
         double rate;
         if (damping == 0.0) continue;
         set_local_forms(c, j, 0.5);
-        if ((status = set_leaf(c, entry, 0, &leaf))) break;
+        if ((status = set_leaf(&still, entry, 0, &leaf))) break;
         quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &rate);
         for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
             const local_form *local = (const local_form *)c->k.local + entry[2 + i];
             add_gradient(c, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]],
-                         c->h * damping * rate * leaf.p[i], local->um, local->wm, c->k.momentum);
+                         AT_STATE * damping * rate * leaf.p[i], local->um, local->wm, c->k.momentum);
         }
     }
     return status;
 }
 
-/* Second derivatives of the rows at constant velocities, -G a = bias, into phi; accelerations of driven nodes in w.
+/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w.
    Differences look forward only: drivers may have a kink at the start.                                         */
 static void row_biases(context *c)
 {
     const holonom_model *m = c->m;
     const double tau = 1e-3 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
-    double *x = c->k.pair_backup, *ahead = c->k.rhs, vu[DIM], vw[DIM];
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = 0.0;
+    double *x = c->k.ahead, *rate = c->k.row_rate, *bias = c->k.row_bias, vu[DIM], vw[DIM];
+    for (int32_t i = 0; i < m->n_rows; i++) bias[i] = 0.0;
     for (int i = 0; i < 3 && first_potential(c) > first_function(c); i++) {
         for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + i * tau * c->s.v[k];
         signals_at(c, c->t + i * tau, c->k.signal1);
         signal_rates_at(c, c->t + i * tau, c->k.signal_rate);
-        row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, ahead);
-        for (int32_t k = 0; k < m->n_rows; k++) c->k.phi[k] += forward[i] * ahead[k] / tau;
+        row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, rate);
+        for (int32_t k = 0; k < m->n_rows; k++) bias[k] += forward[i] * rate[k] / tau;
     }
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_of(c, m->row_form[i], c->s.v, vu, vw);
-        c->k.phi[i] = 2.0 * dot(vu, vw); /* v'Hv */
+        bias[i] = 2.0 * dot(vu, vw); /* v'Hv */
     }
-    for (int32_t k = m->n_form_rows; k < m->n_form_rows + DIM * m->n_coincidences; k++) c->k.phi[k] = 0.0;
+    for (int32_t k = m->n_form_rows; k < m->n_form_rows + DIM * m->n_coincidences; k++) bias[k] = 0.0;
     if (m->n_driven) {
         const double delta = 1e-2 * c->s.head[S_STEP_SIZE];
         for (int i = 0; i < 3; i++) {
@@ -230,30 +235,27 @@ static int32_t first_multipliers(context *c)
 {
     const holonom_model *m = c->m;
     const size_t rows = sizeof(double) * (size_t)m->n_rows, driven = sizeof(double) * (size_t)(DIM * m->n_driven);
-    double *mu = c->s.mu[0], *rate = c->k.step_backup;
+    double *mu = c->s.mu[0], *rate = c->k.row_rate;
     int32_t status = HOLONOM_OK;
     stand_still(c);
     row_biases(c);
-    memcpy(c->k.lambda, c->k.phi, rows); /* kept while residuals are evaluated */
     memset(mu, 0, rows);
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
     for (int refinement = 0; refinement < 4; refinement++) {
-        c->h = sqrt(2.0);
         memcpy(c->k.mu, mu, rows);
         if ((status = forces_at_state(c))) return status;
         row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = c->k.lambda[i] + rate[i];
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = c->k.row_bias[i] + rate[i];
         if ((status = solve_at_state(c, NULL))) return status;
         add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
     }
     find_dependent_rows(c);
     memcpy(c->k.mu, mu, rows);
-    memset(c->k.lambda, 0, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k] / c->h;
+    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k] / AT_STATE;
     memcpy(c->s.driven[1], c->s.driven[0], driven);
     memcpy(c->s.driven_mean, c->s.driven[0], driven);
     memcpy(c->s.driven_mean_before, c->s.driven[0], driven);

@@ -27,11 +27,10 @@ static inline double round_off_of_places(const context *c) { return 32.0 * 2.3e-
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
 static inline int is_telling(const context *c) { return fabs(c->h) >= 1e-5 * usual_length(c); }
 
-/* Rows at the beginning of the step, to the last digit where they are quadratic. */
-static void rows_at_start(context *c)
+/* Rows at the beginning of the step, to the last digit where they are quadratic; 0 if not `exact`. */
+static void rows_at_start(context *c, int exact)
 {
     const holonom_model *m = c->m;
-    const int exact = is_telling(c) || is_penalty(c);
     for IN_ISLAND(c, i, ISLAND_FORM_ROW) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         double high[DIM] = {0.0}, low[DIM] = {0.0};
@@ -61,7 +60,6 @@ static void prepare_step(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const double h = c->h;
-    c->plain = is_conserving(c);
     links_at_start(c);
     const int reach = known_changes(c);
     const int64_t n = DIM * c->n_moving;
@@ -76,7 +74,7 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
-    rows_at_start(c);
+    rows_at_start(c, is_telling(c) || is_penalty(c));
     const int dependent = c->island[I_DEPENDENT] != 0.0;
     const double compliance = compliance_over_sigma(c);
     const double kept = dependent ? 1.0 - LEAK : 1.0;
@@ -172,7 +170,6 @@ static int32_t solve_step(context *c, int parity)
     }
     look_at_all(c);
     c->lu = &c->m->full;
-    c->plain = 0;
     c->s.head[S_NEWTON] += most[0];
     c->s.head[S_UZAWA] += most[1];
     return status;

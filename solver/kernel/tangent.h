@@ -125,7 +125,7 @@ static void composite_stiffness(const context *c, int32_t j)
     }
 }
 
-static int32_t composite_tangent(context *c, double *value)
+static int32_t composite_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
     EACH_COMPOSITE(c, j) {
@@ -148,7 +148,7 @@ static int32_t composite_tangent(context *c, double *value)
     return HOLONOM_OK;
 }
 
-static int32_t law_tangent(context *c, double *value)
+static int32_t law_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
     const int32_t *slot = m->moment_slot + m->moment_slot_ptr[c->begin[ISLAND_MOMENT]];
@@ -177,7 +177,7 @@ static inline int32_t first_pivot(const context *c) { return c->lu->lu_island[2 
 static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[2 * c->last_island]; }
 
 /* Writes the tangent at the present (w, mu) into value. */
-static int32_t assemble_tangent(context *c)
+static int32_t assemble_tangent(const context *c)
 {
     const holonom_model *m = c->m;
     double *value = c->k.value;
@@ -213,10 +213,10 @@ static int32_t assemble_tangent(context *c)
 }
 
 /* momentum = (2/h) M x over the moving nodes, the inertia term of the residual. */
-static void inertia(const context *c, const double *x, double *momentum)
+static void inertia(const context *c, double h, const double *x, double *momentum)
 {
     const holonom_model *m = c->m;
-    const double twice_rate = 2.0 / c->h, *mass_of = c->number + m->mass_at;
+    const double twice_rate = 2.0 / h, *mass_of = c->number + m->mass_at;
     EACH_COORDINATE(c, k) momentum[k] = 0.0;
     for IN_ISLAND(c, e, ISLAND_MASS) {
         const int32_t *node = m->mass_node + 2 * e;
@@ -227,7 +227,7 @@ static void inertia(const context *c, const double *x, double *momentum)
 }
 
 /* Composites' part of the residual. */
-static int32_t add_composites(context *c)
+static int32_t add_composites(const context *c)
 {
     const holonom_model *m = c->m;
     EACH_COMPOSITE(c, j) {
@@ -249,10 +249,10 @@ static int32_t add_composites(context *c)
 }
 
 /* Evaluates both residuals at the present (w, d, mu): momentum, and phi = C(d) of that of the rows. */
-static int32_t evaluate_residual(context *c)
+static int32_t evaluate_residual(const context *c)
 {
     const holonom_model *m = c->m;
-    inertia(c, c->k.w, c->k.momentum);
+    inertia(c, c->h, c->k.w, c->k.momentum);
     for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
         motion g;
         double u[DIM], w[DIM];
