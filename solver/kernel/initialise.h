@@ -169,13 +169,14 @@ static void open_ledger(context *c)
     head[S_POTENTIAL_START] = stored_energy(c) + penalty_energy(c);
     head[S_STORED_START] = potential_change(c); /* and weights on what rounding left over of the coordinates */
     /* Floors, so that a mechanism at rest has a finite relative error: of its weight and springs and, if it has none, of
-       what stands still, whose places are known to round-off: 1e5 times theirs a step. */
+       what stands still, whose places are known to round-off: 1e5 times theirs a step. Not of others: where steps are so
+       short that round-off feeds the energy of a weight, that is said. */
     const double weight = mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at];
     const double still = hm_square(1e5 * round_off_of_places(c) / head[S_STEP_SIZE]);
-    const double floor = fmax(1e-3 * (weight + fabs(head[S_POTENTIAL_START])), still);
+    const double floor = 1e-3 * (weight + fabs(head[S_POTENTIAL_START]));
     for (int32_t a = 0; a < c->n_moving; a++)
         head[S_POTENTIAL_START] -= c->number[m->node_weight_at + a] * dot(gravity, c->s.q + DIM * a);
-    head[S_ENERGY_REFERENCE] = fmax(kinetic, floor);
+    head[S_ENERGY_REFERENCE] = fmax(kinetic, floor > 0.0 ? floor : still);
 }
 
 HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work)
