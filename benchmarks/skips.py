@@ -71,8 +71,10 @@ METHOD = (
 
 
 @cache
-def variant(without: int, dimension: int, optimisation: str = "-O3") -> ctypes.CDLL:
+def variant(without: int, dimension: int, *options: str) -> ctypes.CDLL:
     """Kernel of a dimension compiled without the skips of these bits, loaded; once a process.
+
+    `options` are added to the flags of the kernel that is delivered.
 
     Raises
     ------
@@ -83,7 +85,7 @@ def variant(without: int, dimension: int, optimisation: str = "-O3") -> ctypes.C
     if compiler is None:
         text = "there is no C compiler here for kernels without skips; install one, or ziglang"
         raise CompilerError(text)
-    options = (optimisation, f"-DHOLONOM_WITHOUT={without}")
+    options = (*options, f"-DHOLONOM_WITHOUT={without}")
     # A library that is loaded cannot be deleted on every system.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         target = Path(folder, f"without{without}.library")
@@ -91,11 +93,11 @@ def variant(without: int, dimension: int, optimisation: str = "-O3") -> ctypes.C
         return load_library(dimension, str(target))
 
 
-def variants(bits: Iterable[int], optimisation: str = "-O3") -> dict[tuple[int, int], ctypes.CDLL]:
+def variants(bits: Iterable[int], *options: str) -> dict[tuple[int, int], ctypes.CDLL]:
     """Kernels by bits and dimension without the skips of these bits, two compiled at a time."""
     wanted = [(without, dimension) for without in bits for dimension in DIMENSIONS]
     with ThreadPoolExecutor(2) as pool:
-        libraries = pool.map(lambda each: variant(*each, optimisation), wanted)
+        libraries = pool.map(lambda each: variant(*each, *options), wanted)
         return dict(zip(wanted, libraries, strict=True))
 
 
@@ -163,7 +165,7 @@ def _ablation(effort: Effort) -> list[Table]:
         When the kernels cannot be compiled.
     """
     columns = {"none": 0} | SKIPS | {"all": ALL}
-    libraries = variants(columns.values(), "-O0" if effort.largest <= TINY.largest else "-O3")
+    libraries = variants(columns.values(), *(["-O0"] if effort.largest <= TINY.largest else []))
     ratios: list[Mapping[str, Value]] = []
     iterations: list[Mapping[str, Value]] = []
     for name, (model, parts) in mechanisms(effort.largest).items():

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from solver.runtime import AssemblyError, Integrator, Status, StepError
+from solver.runtime import AssemblyError, Integrator, OptionError, Status, StepError
 from solver.runtime.layout import PLACE
 from tests.kernel_calls import kernel_of
 from tests.twins import PENDULUM, advance, block, internal_step, model_of, start
@@ -100,15 +100,16 @@ FAILURES = {
 """What provokes each status: scene, settings, inputs, communication step."""
 
 
+HALVED = "even with the step halved 6 times or more"
 SENTENCES = {
-    Status.NEWTON_DIVERGED: "Newton's iteration did not converge, even with the step halved 6",
-    Status.UZAWA_DIVERGED: "the constraints could not be met, even with the step halved 6 times",
-    Status.SINGULAR_TANGENT: "the tangent matrix is singular, even with the step halved 6 times",
-    Status.NOT_FINITE: "a number grew beyond all bounds, even with the step halved 6 times",
+    Status.NEWTON_DIVERGED: "Newton's iteration did not converge, " + HALVED,
+    Status.UZAWA_DIVERGED: "the constraints could not be met, " + HALVED,
+    Status.SINGULAR_TANGENT: "the tangent matrix is singular, " + HALVED,
+    Status.NOT_FINITE: "a number grew beyond all bounds, " + HALVED,
     Status.ZERO_LENGTH: "so that its direction is undefined; move the points apart",
     Status.BAD_STEP: "the step must be a finite number > 0 s and at most 1e9 internal steps long",
     Status.BAD_LAW: "a stiffness, free length or damping became negative",
-    Status.DAMPING_REVERSED: "dampers fed energy, even with the step halved 6 times",
+    Status.DAMPING_REVERSED: "dampers fed energy, " + HALVED,
     Status.STEP_COLLAPSED: "the internal step collapsed: solver.tolerance asks for more than 1e6",
     Status.TURN_TOO_LARGE: "a body turns by more than 2.5 rad within a half step",
 }
@@ -185,8 +186,26 @@ def test_a_step_that_does_not_converge_is_halved_until_it_does(paired):
     assert run["constraint.position"] < 1e-14
     assert run["energy.error"] < 1e-13
     with_all = start(text, step_size=1.0, max_newton=1, paired=paired)
-    with pytest.raises(StepError, match="even with the step halved 6 times"):
+    with pytest.raises(StepError, match=HALVED):
         internal_step(with_all)
+
+
+def test_why_steps_fail_is_said_where_a_tolerance_shortens_them_in_vain():
+    run = start(PENDULUM, max_newton=1, tolerance=1e-6)
+    with pytest.raises(StepError, match="Newton's iteration did not converge") as raised:
+        run.advance(0.0, 1.0)
+    assert raised.value.status is Status.NEWTON_DIVERGED
+
+
+@pytest.mark.parametrize("value", ["\u00e9" * 3000, "a" + "\u00e9" * 3000, "\U0001f600" * 2000])
+def test_a_long_word_is_cut_between_characters(value):
+    with pytest.raises(OptionError, match=r"solver\.formulation: must be one of .*, got"):
+        start(PENDULUM)["solver.formulation"] = value
+
+
+def test_a_word_with_a_zero_is_not_the_word_before_the_zero():
+    with pytest.raises(OptionError, match=r"solver\.formulation: must be one of"):
+        start(PENDULUM)["solver.formulation"] = "conserving-al\0x"
 
 
 DRIVEN = (

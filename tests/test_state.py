@@ -8,9 +8,12 @@ import struct
 import pytest
 
 from solver.runtime import Integrator, OptionError, StepError
-from solver.runtime.layout import ENDLESS, PLACE
+from solver.runtime.layout import PLACE
 from tests.saved_states import NUMBERS_AT, PHASE_AT, signed
 from tests.twins import PENDULUM, advance, block, model_of, start
+
+ENDLESS = ("mean_time", "mean_time_before", "wanted")
+"""What may be infinite: times of means that are not known, a step that nothing limits."""
 
 SPRING_OF_INPUT = """
 name = "spring_of_input"

@@ -1,4 +1,4 @@
-"""The tape computes what its expression says: same bits as plain Python, on both kernels."""
+"""The tape computes what its expression says: same bits as Python, in the plane and in space."""
 
 from __future__ import annotations
 

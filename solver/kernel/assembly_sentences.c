@@ -61,11 +61,6 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
     return broken;
 }
 
-static int knows_all_rows(int formulation)
-{
-    return formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA;
-}
-
 /* Words of the setting formulation: the one with this number. */
 static const char *formulation_word(const hm_model_file *f, double number)
 {
@@ -90,7 +85,7 @@ int hm_unknown_to_method(hm_text *text, const hm_model_file *f, const double *he
     const holonom_model *m = &f->model;
     const int32_t general = m->n_function_rows + m->n_velocity_rows;
     int problems = 0;
-    if (general && !knows_all_rows((int)head[S_FORMULATION])) {
+    if (general && !hm_conserves_all((int)head[S_FORMULATION])) {
         hm_say(text, "solver.formulation: '%s' takes only quadratic rows, and that of %s is not; use '%s' or '%s'",
                formulation_word(f, head[S_FORMULATION]), f->text + f->row[m->n_rows - general].name,
                formulation_word(f, HOLONOM_CONSERVING_AL), formulation_word(f, HOLONOM_CONSERVING_AL_BETA));

@@ -86,8 +86,9 @@ static void begin_control(context *c)
     head[S_WANTED] = rate > 0.0 ? part / rate : INFINITY;
 }
 
-/* What the last step, of length h from t, says of the next ones; 1 if it is to be repeated with shorter ones. */
-static int is_rejected(context *c, double t, double h, double law_time, double step)
+/* Takes from the last step, of length h from t, length and order of the next ones; 1 if it is to be repeated with
+   shorter ones. */
+static int judge_step(context *c, double t, double h, double law_time, double step)
 {
     double *head = c->s.head;
     step_error e = {0};
@@ -112,6 +113,7 @@ static int is_rejected(context *c, double t, double h, double law_time, double s
 HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double step)
 {
     double *head = c->s.head, done = 0.0;
+    int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
     int repeats = 0;
     begin_control(c);
     while (done < step) {
@@ -120,12 +122,13 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, head[S_WANTED])), h = rest / n;
         const double law_time = c->number[c->m->time_at];
-        if (!(n < MOST_STEPS)) return HOLONOM_STEP_COLLAPSED;
+        if (!(n < MOST_STEPS)) return repeats > MAX_HALVINGS && failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
         c->damped = is_dissipative(c);
         const int32_t status = internal_step(c, h);
-        const int rejected = status ? 1 : is_rejected(c, start + done, h, law_time, step);
+        const int rejected = status ? 1 : judge_step(c, start + done, h, law_time, step);
+        failed = status;
         if (status || (rejected && repeats < MAX_REPEATS)) {
             const double wanted = status ? 0.5 * h : head[S_WANTED];
             if (++repeats > MAX_REPEATS) return status;
@@ -156,6 +159,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     if (is_dissipative(c) && !is_extrapolating(c)) head[S_ORDER_IN_USE] = 2.0;
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
+        c->unweighted = 0;
         status = step_halving(c, h, 0);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;

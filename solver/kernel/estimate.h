@@ -109,7 +109,7 @@ HM_SELDOM static double velocity_defect(context *c, double h)
 {
     const holonom_model *m = c->m;
     const double extent = c->number[m->extent_at];
-    double fastest = speed_scale(c) / c->number[m->extent_at + 1], largest = 0.0;
+    double fastest = speed_scale(c) / c->number[m->extent_at + 1];
     if (is_penalty(c) || !is_conserving(c)) return 0.0;
     for (int32_t a = 0; a < c->n_moving; a++) {
         const double *v = c->s.v + DIM * a, size = m->node_kind[a] ? 1.0 : extent;
@@ -117,12 +117,11 @@ HM_SELDOM static double velocity_defect(context *c, double h)
     }
     if (!(fastest > 0.0)) return 0.0;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
     for (int32_t j = first_function(c); j < first_potential(c) && m->n_signals; j++)
-        if (has_signal(c, j)) c->k.phi[row_of(c, j)] = 0.0;
-    for (int32_t i = 0; i < m->n_rows; i++) largest = fmax(largest, fabs(c->k.phi[i]) / c->number[m->row_scale_at + i]);
+        if (has_signal(c, j)) c->k.row_rate[row_of(c, j)] = 0.0;
     const double rounding = UNSEEN + 1e-13 / (h * fastest);
-    return fmax(0.0, largest / fastest - rounding);
+    return fmax(0.0, largest_row(c, c->k.row_rate) / fastest - rounding);
 }
 
 /* How many times larger than in the mean the mechanism's errors are at an order. */

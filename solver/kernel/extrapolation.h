@@ -35,7 +35,7 @@ typedef struct extrapolation {
 static int may_extrapolate(const context *c)
 {
     if (c->m->n_islands > 1) return 0;
-    return c->formulation == HOLONOM_CONSERVING_AL || c->formulation == HOLONOM_CONSERVING_AL_BETA;
+    return hm_conserves_all(c->formulation);
 }
 
 static int is_extrapolating(const context *c)
@@ -63,17 +63,6 @@ static void add_correction(context *c, double *x)
     add_solution(c, x);
 }
 
-/* Largest of phi over the scale of its row. */
-static double largest_row(const context *c)
-{
-    double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_rows; i++) {
-        const double scaled = fabs(c->k.phi[i]) / c->number[c->m->row_scale_at + i];
-        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
-    }
-    return largest;
-}
-
 /* Puts coordinates back onto the rows, by displacements as small as can be; factors are those of the state nearby. */
 static int32_t close_rows(context *c)
 {
@@ -82,7 +71,7 @@ static int32_t close_rows(context *c)
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
         stand_still(c);
         memcpy(c->k.phi, c->k.phi0, rows);
-        const double defect = largest_row(c);
+        const double defect = largest_row(c, c->k.phi);
         if (defect < 1e-17 || (defect <= c->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
         last = defect;
         add_correction(c, c->k.w);
@@ -98,7 +87,7 @@ static void follow_rows(context *c)
     signal_rates_at(c, c->t, c->k.signal_rate);
     for (int i = 0; i < MAX_CORRECTIONS; i++, last = size) {
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-        size = largest_row(c);
+        size = largest_row(c, c->k.phi);
         if (!(size < 0.5 * last)) return;
         memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         add_correction(c, c->k.w);
@@ -152,7 +141,6 @@ static int32_t balance_energy(context *c)
 static int32_t put_back(context *c, const extrapolation *x)
 {
     double L[RIGID][RIGID] = {{0.0}}, lacking[RIGID], size[RIGID];
-    c->lu = &c->m->full;
     stand_still(c);
     int32_t status = factorise_at_state(c, NULL);
     if (!status) status = close_rows(c);

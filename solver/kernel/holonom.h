@@ -77,7 +77,7 @@ typedef struct holonom_elimination {
 } holonom_elimination;
 
 /* Structure of a model: integers only, fixed when the mechanism is assembled. The numbers that belong to it
-   live in one vector `numbers`; the fields `*_at` are offsets into that vector.                            */
+   live in one vector `numbers`; the fields `*_at` are offsets into that vector. */
 typedef struct holonom_model {
     int32_t dim;          /* 2 or 3                                                                        */
     int32_t n_free;       /* moving nodes that are unknown                                                 */
@@ -127,8 +127,8 @@ typedef struct holonom_model {
     const int32_t *form_free;     /* n_forms: how many entries are free nodes; these come first            */
     const int32_t *form_moving;   /* n_forms: how many are free or driven                                  */
     const int32_t *form_node;     /* node of each entry                                                    */
-    const int32_t *form_kind;     /* n_forms: flags FORM_...                                               */
-    const int32_t *quantity_kind; /* n_quantities: QUANTITY_...                                            */
+    const int32_t *form_kind;     /* n_forms: flags FORM_... */
+    const int32_t *quantity_kind; /* n_quantities: QUANTITY_... */
     const int32_t *quantity_form; /* 2 n_quantities: one form or two                                       */
     const int32_t *linked_form;   /* n_linked: those of rows, composites and laws; the others are measured   */
     const int32_t *row_form;      /* n_form_rows                                                           */
@@ -201,7 +201,7 @@ enum holonom_island_column {
 enum { SAMPLED_LOAD = 0, SAMPLED_MOMENT = 1, SAMPLED_BODY_MOMENT = 2, SAMPLED_DRIVE = 3 };
 enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 
-/* Places of the scalars at the head of a state; vectors follow in the order of holonom_state_size.         */
+/* Places of the scalars at the head of a state; vectors follow in the order of hm_map_state (internal.h).         */
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY, S_KNOWN, S_HALVES,
@@ -220,14 +220,16 @@ HOLONOM_API int32_t holonom_abi(void);
 /* Coordinates of a node in every model of this library: 2 or 3. */
 HOLONOM_API int32_t holonom_dimension(void);
 
-/* Sizes in doubles. */
+/* Bytes of a holonom_model. */
 HOLONOM_API int64_t holonom_model_bytes(void);
+
+/* Sizes in doubles. */
 HOLONOM_API int64_t holonom_state_size(const holonom_model *model);
 HOLONOM_API int64_t holonom_work_size(const holonom_model *model);
 HOLONOM_API int64_t holonom_measured_size(const holonom_model *model);
 
 /* Result of one operation of the tape, by its code; of these alone, so that constants folded when a model is made have
-   the bits of what is calculated in a run.                                                                      */
+   the bits of what is calculated in a run. */
 HOLONOM_API double holonom_operate(int32_t code, double a, double b, double c);
 
 /* Runs tape `segment` on `numbers` (modified): 0 parameters, 1 laws, 2 signals, 3 measurements.               */
@@ -239,17 +241,17 @@ HOLONOM_API void holonom_evaluate(const holonom_model *model, double *numbers, i
 HOLONOM_API int32_t holonom_initialise(const holonom_model *model, double *numbers, double *state, double *work);
 
 /* Residuals of the rows and their rates, signals included: phi, phi_dot (n_rows each), both overwritten. Inputs, time
-   and signals among the numbers are modified, `state` is not.                                                                 */
+   and signals among the numbers are modified, `state` is not. */
 HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, double *state,
                                    double *work, double *phi, double *phi_dot);
 
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option
-   step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS.                                           */
+   step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS. */
 HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers, double *state, double *work,
                                     double step);
 
 /* Changes inputs and tunable parameters; a jump of stored energy is booked as work. `inputs` (n_inputs),
-   `parameters` (n_parameters).                                                                              */
+   `parameters` (n_parameters). */
 HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers, double *state, double *work,
                                     const double *inputs, const double *parameters);
 
@@ -258,12 +260,12 @@ HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers,
    the form rows, multipliers, quaternions (w, x, y, z) and angular velocities of the bodies, reaction forces,
    reaction torques, forces on driven nodes, then kinetic, potential, total, work, dissipated, balance, error
    (7 energies), position and velocity residuals (2), momentum dim, angular momentum 1 or 3, Newton
-   iterations, Uzawa updates, substeps, order in use, sampling, status (6).                                                          */
+   iterations, Uzawa updates, substeps, order in use, sampling, status (6). */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work);
 
 /* One step of length h from `state` (not modified), for tests of the tangent: residual r at the increment
    w = d - h v of the free nodes (dim n_free) and multipliers mu (n_rows), r (dim n_free + n_rows, overwritten), and the
-   tangent times a direction x, tx (both dim n_free + n_rows; tx overwritten).                                        */
+   tangent times a direction x, tx (both dim n_free + n_rows; tx overwritten). */
 HOLONOM_API int32_t holonom_probe(const holonom_model *model, double *numbers, double *state,
                                   double *work, double h, const double *w, const double *mu,
                                   const double *x, double *r, double *tx);

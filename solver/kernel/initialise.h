@@ -11,6 +11,7 @@
 #include "inputs_signals.h"
 #include "ledger.h"
 #include "linear_solve.h"
+#include "norms.h"
 #include "policy_stopping.h"
 #include "start.h"
 #include "tangent.h"
@@ -96,7 +97,7 @@ static int32_t make_velocities_consistent(context *c, int keep_given)
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-        const double defect = largest_row(c);
+        const double defect = largest_row(c, c->k.phi);
         if (round > 3 && !(defect < 0.5 * last)) break; /* light parts cost digits: again, as long as it helps */
         last = round < 3 ? INFINITY : defect;
         const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);

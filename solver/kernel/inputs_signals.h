@@ -39,8 +39,8 @@ static void sense(context *c, double h, int parity)
     }
 }
 
-/* Sets inputs, parameters and time among the numbers, which functions read where they stand, and runs the tape of the
-   laws. If it writes springs, their stored energy jumps: work of whoever turns them.                            */
+/* Sets inputs, parameters and time among the numbers and runs the tape of the laws. If it writes springs, their stored
+   energy jumps, which is work on the mechanism.                                                                 */
 static void set_laws(context *c, double t, int booked)
 {
     const holonom_model *m = c->m;

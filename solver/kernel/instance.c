@@ -75,11 +75,11 @@ int64_t holonom_instance_size(const void *model, int64_t length, char *why, int6
 holonom_instance *holonom_make(const void *model, int64_t length, void *memory, int32_t heard)
 {
     holonom_instance *i = memory;
-    memset(i, 0, sizeof *i);
-    if (hm_bind(model, length, &i->file)) return NULL;
-    memset(i, 0, lay_out(&i->file, memory, i));
-    hm_bind(model, length, &i->file);
-    lay_out(&i->file, memory, i);
+    hm_model_file file;
+    if (hm_bind(model, length, &file)) return NULL;
+    memset(i, 0, lay_out(&file, NULL, i));
+    i->file = file;
+    lay_out(&file, memory, i);
     hm_map_state(&i->file.model, i->state, &i->s);
     i->heard = heard;
     for (uint32_t k = 0; k < i->file.header->n_rules; k++) i->has_rules_of_laws |= i->file.rule[k].relation & OF_A_LAW;
@@ -215,21 +215,22 @@ static int32_t check_values(holonom_instance *i, const int32_t *index, int32_t c
     return HOLONOM_DONE;
 }
 
-/* Value to take; that an input is clipped to a limit is said once. */
-static double clipped(holonom_instance *i, int32_t index, double value, const char *shown)
+/* Limit that a value is clipped to; NaN if it is taken as it is. */
+static double clipping_limit(const hm_variable *v, double value) { return v->flags & CLIPS ? hm_limit_before(v, value) : NAN; }
+
+/* Says once of an input that it is clipped. */
+static void say_clipped(holonom_instance *i, int32_t index, double value, const char *shown)
 {
     const hm_variable *v = i->file.variable + index;
-    const double limit = v->flags & CLIPS ? hm_limit_before(v, value) : NAN;
+    const double limit = clipping_limit(v, value);
     const char *unit = text_of(i, v->unit), *gap = *unit ? " " : "";
-    if (limit != limit) return value;
-    if (i->clipped[index]) return limit;
+    if (limit != limit || i->clipped[index]) return;
     i->clipped[index] = 1;
     begin_remark(i);
     hm_say(&i->remarks, "%s: ", text_of(i, v->name));
     if (shown) hm_say(&i->remarks, "%s", shown);
     else hm_say(&i->remarks, "%r", value);
     hm_say(&i->remarks, "%s%s is beyond %6g%s%s, and is clipped to this limit (reported once)", gap, unit, limit, gap, unit);
-    return limit;
 }
 
 int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
@@ -241,7 +242,7 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
     memcpy(i->parameters, i->s.parameters, sizeof(double) * (size_t)m->n_parameters);
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = i->file.variable + index[k];
-        const double limit = v->flags & CLIPS ? hm_limit_before(v, value[k]) : NAN, taken = limit == limit ? limit : value[k];
+        const double limit = clipping_limit(v, value[k]), taken = limit == limit ? limit : value[k];
         arriving &= v->kind == AN_INPUT;
         if (v->kind == AN_INPUT) i->inputs[v->place] = taken;
         if (v->kind == A_PARAMETER) i->parameters[v->place] = taken;
@@ -257,7 +258,7 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = i->file.variable + index[k];
         if (v->kind == AN_OPTION) i->state[v->place] = value[k];
-        clipped(i, index[k], value[k], shown ? shown[k] : NULL);
+        say_clipped(i, index[k], value[k], shown ? shown[k] : NULL);
     }
     i->is_measured = 0;
     return done(i);
@@ -392,8 +393,9 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
 {
     const hm_model_file *f = &i->file;
     for (int64_t k = 0; k < i->state_size; k++) {
-        const int endless = k == S_MEAN_TIME || k == S_MEAN_TIME_BEFORE || k == S_WANTED;
-        if (!(fabs(block[k]) < INFINITY) && !(endless && block[k] == INFINITY)) return "has a number that is not finite; save it again";
+        const int may_be_infinite = k == S_MEAN_TIME || k == S_MEAN_TIME_BEFORE || k == S_WANTED;
+        if (!(fabs(block[k]) < INFINITY) && !(may_be_infinite && block[k] == INFINITY))
+            return "has a number that is not finite; save it again";
     }
     const double parity = block[S_PARITY], order = block[S_ORDER_IN_USE];
     if ((parity != 0.0 && parity != 1.0) || !(order >= 0.0 && order <= 8.0 && order == 2.0 * floor(0.5 * order)))
@@ -428,7 +430,7 @@ int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
     memcpy(i->state, i->before, sizeof(double) * (size_t)i->state_size);
     i->phase = (int32_t)head.phase;
     i->is_measured = 0;
-    /* Numbers are no part of the state: those of parameters follow from it, nothing else is asked again. */
+    /* Numbers are no part of the state: those that depend on parameters, inputs and the time are computed again. */
     if (i->phase != HOLONOM_CONFIGURED) evaluate(i);
     return HOLONOM_DONE;
 }
@@ -439,7 +441,6 @@ void holonom_rows(holonom_instance *i, double *phi, double *rate)
 }
 
 int32_t holonom_phase_of(const holonom_instance *i) { return i->phase; }
-const char *holonom_fingerprint(const holonom_instance *i) { return i->file.header->fingerprint; }
 const holonom_model *holonom_model_of(const holonom_instance *i) { return &i->file.model; }
 double *holonom_numbers_of(holonom_instance *i) { return i->numbers; }
 double *holonom_state_of(holonom_instance *i) { return i->state; }

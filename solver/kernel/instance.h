@@ -13,7 +13,7 @@ enum holonom_result {
     HOLONOM_UNASSEMBLED = 2, /* the parameters break rules                                                 */
     HOLONOM_FAILED = 3,      /* a step that cannot be solved; the state is as before, but for its status   */
     HOLONOM_UNTRIED = 4,     /* a step that begins at another time, or a value that is not finite          */
-    HOLONOM_REMARKED = 256   /* added where there are remarks to fetch                                     */
+    HOLONOM_REMARKED = 256   /* alone, if nothing went wrong: there are remarks to fetch                    */
 };
 
 enum holonom_phase { HOLONOM_CONFIGURED, HOLONOM_ASSEMBLED, HOLONOM_MOVING }; /* values may change; start taken; after a step */
@@ -64,7 +64,6 @@ HOLONOM_API int32_t holonom_restore(holonom_instance *instance, const void *byte
 HOLONOM_API void holonom_rows(holonom_instance *instance, double *phi, double *rate);
 
 HOLONOM_API int32_t holonom_phase_of(const holonom_instance *instance);
-HOLONOM_API const char *holonom_fingerprint(const holonom_instance *instance);
 
 /* The memory of an instance: what the functions of holonom.h take. */
 HOLONOM_API const holonom_model *holonom_model_of(const holonom_instance *instance);

@@ -48,12 +48,21 @@ enum skip {
 #endif
 static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 
-/* Operations, in the order of solver/mechanics/tape.py. */
+/* How often the step without a tolerance is halved where it cannot be solved. */
+#define MAX_HALVINGS 6
+
+/* Operations, in the order of solver/runtime/operations.py. */
 enum tape_code {
     T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
     T_SQRT, T_EXP, T_LOG, T_ABS, T_MIN, T_MAX, T_SIGN, T_LT, T_LE, T_GT, T_GE, T_EQ, T_NE, T_AND, T_OR, T_NOT,
     T_SELECT, T_SINH, T_COSH, T_TANH, T_FLOOR, T_CEIL, T_MOD
 };
+
+/* Whether a formulation keeps the energy exactly, of rows of all kinds. */
+static inline int hm_conserves_all(int formulation)
+{
+    return formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA;
+}
 
 void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);
 
@@ -142,7 +151,7 @@ typedef struct hm_state {
     double *parameters;
 } hm_state;
 
-/* Scratch of one step: nothing in it survives the step. */
+/* Scratch of one call: nothing in it survives the call. */
 typedef struct hm_work {
     double *u0, *w0;      /* dim n_forms each: links at the beginning of the step                           */
     double *sigma0;       /* n_active: quantities at the beginning                                          */

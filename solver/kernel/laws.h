@@ -193,7 +193,8 @@ static int32_t subtract_forces(const context *c, double *momentum)
     return HOLONOM_OK;
 }
 
-/* Works of loads over the step. */
+/* Works of loads over the step. Where a law has no value, which is so for an increment that was only foreseen, as a
+   solved one would have been refused, none. */
 static double load_work(const context *c, int32_t j)
 {
     double force[DIM], du[DIM], unused[DIM];
@@ -207,8 +208,7 @@ static double moment_work(const context *c, int32_t j)
     double force[DIM];
     motion g;
     form_motion(c, c->m->moment_form[j], &g);
-    moment_law(c, j, &g, force, NULL);
-    return dot(force, g.du);
+    return moment_law(c, j, &g, force, NULL) ? 0.0 : dot(force, g.du);
 }
 
 static double body_moment_work(const context *c, int32_t j)
@@ -216,7 +216,7 @@ static double body_moment_work(const context *c, int32_t j)
     double work = 0.0;
 #if DIM == 3
     double moment[3], dual[9], f[9];
-    body_moment_law(c, j, moment, dual, f);
+    if (body_moment_law(c, j, moment, dual, f)) return 0.0;
     for (int k = 0; k < 9; k++) work += f[k] * c->k.d[3 * c->m->body_moment[2 * j] + k];
 #else
     (void)c, (void)j;

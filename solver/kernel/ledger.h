@@ -7,7 +7,6 @@
 #include "forms.h"
 #include "function.h"
 #include "laws.h"
-#include "newton.h"
 #include "predict.h"
 #include "sampling.h"
 #include "step.h"
@@ -118,13 +117,16 @@ static double momentum_norm2(const context *c)
     return sum;
 }
 
+/* Speed of what is handed on to the next half steps (hand_on), in the mass norm, over that of the reference energy. */
+#define HANDED_ON 1e-14
+
 /* Takes the solved step of the islands at hand over into the state. */
 static void accept_island(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
     const int64_t n = DIM * c->n_moving;
-    const int handed = momentum_norm2(c) <= SLIGHT * SLIGHT * s->head[S_ENERGY_REFERENCE];
+    const int handed = momentum_norm2(c) <= HANDED_ON * HANDED_ON * s->head[S_ENERGY_REFERENCE];
     book_step(c);
     EACH_COORDINATE(c, k) {
         hm_add(s->q + k, s->q_low + k, c->k.d[k]);

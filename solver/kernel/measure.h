@@ -8,6 +8,7 @@
 #include "forms.h"
 #include "inputs_signals.h"
 #include "linear_solve.h"
+#include "norms.h"
 #include "sampling.h"
 #include "step.h"
 #include "tangent.h"
@@ -117,7 +118,6 @@ static double *measure_reactions(const context *c, const double *mu, double *y)
 /* Energies, and the largest scaled residuals of the rows. */
 static double *measure_energies(context *c, double *y)
 {
-    const holonom_model *m = c->m;
     const double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum), change = potential_change(c);
     y[0] = kinetic;
@@ -127,16 +127,11 @@ static double *measure_energies(context *c, double *y)
     y[4] = head[S_DISSIPATED];
     y[5] = ledger_balance(c, kinetic, change);
     y[6] = relative_balance(c, y[5]);
-    y[7] = y[8] = 0.0;
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     row_values(c, c->k.phi);
-    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi0);
-    for (int32_t i = 0; i < m->n_rows; i++) {
-        const double scale = c->number[m->row_scale_at + i];
-        const double phi = fabs(c->k.phi[i]) / scale, rate = fabs(c->k.phi0[i]) / scale;
-        if (!(phi <= y[7]) && y[7] == y[7]) y[7] = phi; /* not fmax: a NaN stays */
-        if (!(rate <= y[8]) && y[8] == y[8]) y[8] = rate;
-    }
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
+    y[7] = largest_row(c, c->k.phi);
+    y[8] = largest_row(c, c->k.row_rate);
     return y + 9;
 }
 

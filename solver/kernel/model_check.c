@@ -1,5 +1,5 @@
 /* Checks a model from outside before anything follows its indices: each table is as long as its readers think, and each index
-   lies within what it points into. What is written wrongly within these bounds moves wrongly, but ends. */
+   lies within what it points into. A model that is wrong within these bounds moves wrongly, but its run ends. */
 #include "small.h"
 
 #include "internal.h"
@@ -98,8 +98,8 @@ static int has_forms(const checker *c)
 static int has_quantities(const checker *c)
 {
     const holonom_model *m = c->m;
-    if (!has(c, TABLE(quantity_kind), m->n_quantities, 0, 3) || !has(c, TABLE(quantity_form), 2 * (int64_t)m->n_quantities, -1, m->n_forms))
-        return 0;
+    if (!has(c, TABLE(quantity_kind), m->n_quantities, 0, 3)) return 0;
+    if (!has(c, TABLE(quantity_form), 2 * (int64_t)m->n_quantities, -1, m->n_forms)) return 0;
     for (int32_t j = 0; j < m->n_quantities; j++)
         if (m->quantity_form[2 * j] < 0 || (m->quantity_kind[j] == QUANTITY_ANGLE && m->quantity_form[2 * j + 1] < 0)) return 0;
     return 1;
@@ -229,7 +229,7 @@ static int has_islands(const checker *c)
     return 1;
 }
 
-/* Whether `ptr`, if any, has the places of lists of slots with these lengths, and the slots lie in n values. */
+/* Whether `ptr` has the places of lists of slots with these lengths, and the slots lie in n values. */
 static int has_slots(const checker *c, size_t ptr, size_t slots, int64_t count, int64_t (*length)(const checker *, int32_t, int), int lean, int64_t n)
 {
     const int32_t *at = (&c->m->island_begin)[ptr];

@@ -1,4 +1,4 @@
-/* The bytes of a model, little-endian and 8-aligned, used where they lie: solver/runtime/model_file.py writes them.
+/* The bytes of a model, little-endian and 8-aligned, used where they lie: solver/runtime/model_writing.py writes them.
 
    header | int32: sizes, offsets, lengths of the tables, tables, 0 to an even count | doubles: settings (the head of a state),
    numbers | variables | rules | rows | uint32: names of the sampled loads, 0 to an even count | texts, each ends with 0, filled to

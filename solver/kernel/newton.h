@@ -30,7 +30,6 @@ static void update_multipliers(context *c)
    and the energies v'e would grow with the number of steps. With it the steps leave second differences of e: their
    energies cancel, except where the velocity itself changes (double pendulum, 1e6 steps of 10 ms: 1e-14 J, and 4e-12 J
    without it). The round-off of stiff springs is larger and of either sign; handed on it would grow, so it is not. */
-#define SLIGHT 1e-14 /* speed of what is handed on, in the mass norm, over that of the reference energy */
 
 static void hand_on(context *c)
 {

@@ -11,6 +11,17 @@ static double mass_norm(const context *c, const double *x)
     return sqrt(sum);
 }
 
+/* Largest of phi (n_rows) over the scale of its row. */
+static double largest_row(const context *c, const double *phi)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        const double scaled = fabs(phi[i]) / c->number[c->m->row_scale_at + i];
+        if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
+    }
+    return largest;
+}
+
 /* Speed of the mechanism, in the mass norm; 0 only as long as nothing has moved or could. */
 static double speed_scale(const context *c)
 {

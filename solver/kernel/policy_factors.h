@@ -44,10 +44,13 @@ static void judge_increment(const context *c, newton_record *r)
 /* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing, tells nothing. */
 static inline int is_misled(const newton_record *r) { return r->slow && r->iteration == 0; }
 
-/* No lean factors for some steps, each time for twice as many. */
+/* Half steps for which a way that has failed is left alone, after so many the last time. */
+static inline double longer_wait(double last) { return fmin(fmax(2.0 * last, 64.0), 4096.0); }
+
+/* Full factors for some half steps. */
 static void pause_lean(double *island)
 {
-    island[I_FULL_STEPS] = island[I_FULL_WAIT] = fmin(fmax(2.0 * island[I_FULL_WAIT], 64.0), 4096.0);
+    island[I_FULL_STEPS] = island[I_FULL_WAIT] = longer_wait(island[I_FULL_WAIT]);
 }
 
 /* Factors of the half step before serve another of the same length, where they are dear and the mechanism moves little:
@@ -77,14 +80,15 @@ static void replace_factors(context *c, newton_record *r)
 }
 
 /* What a half step tells of the factors that it used, for the next one. */
-static void judge_factors(context *c, const newton_record *r, int taken_over)
+static void judge_factors(context *c, const newton_record *r, int began_with_old)
 {
     double *island = c->island;
-    if (taken_over && r->increments > c->fresh_increments)
-        island[I_FRESH_STEPS] = island[I_FRESH_WAIT] = fmin(fmax(2.0 * island[I_FRESH_WAIT], 64.0), 4096.0);
-    if (!taken_over) c->fresh_increments = r->increments;
+    if (began_with_old && r->increments > c->fresh_increments)
+        island[I_FRESH_STEPS] = island[I_FRESH_WAIT] = longer_wait(island[I_FRESH_WAIT]);
+    if (!began_with_old) c->fresh_increments = r->increments;
     c->factors_h = r->factorised && !r->raised ? c->h : 0.0;
     c->factors_lu = c->lu;
+    if (is_lean(c) && !began_with_old && r->increments > LEAN_INCREMENTS) pause_lean(island);
 }
 
 #endif

@@ -30,6 +30,11 @@ static inline int updates_slowly(const context *c, double defect, double last)
     return defect > 0.25 * last && defect > 10.0 * last / (1.0 + c->s.head[S_PENALTY]);
 }
 
+/* Part of the last multipliers that is forgotten at the beginning of a step where rows depend on each other. What
+   they leave undetermined would otherwise grow without bound, since every solve adds their inconsistency, a rounding
+   error of the drawn configuration, over epsilon. What is determined comes back in the first solves.             */
+#define FORGOTTEN 1e-3
+
 /* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
    iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
 #define EARLY_UPDATE_PENALTY 1e6
@@ -52,7 +57,7 @@ static int may_update_early(const context *c, const newton_record *r)
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
    they are. Where steps have taken three increments again and again, the penalty of those to come is a hundred times
    larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
-   `outer` updates are many: those that a converged Newton iteration did not bring along.                     */
+   `outer` updates, those after an inner iteration, are many.                                                  */
 static void follow_contraction(double *island, int increments, int outer)
 {
     const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;

@@ -3,7 +3,10 @@
 
 #include "sentences.h"
 
-#define HALVED "even with the step halved 6 times; "
+#define DIGITS(x) #x
+#define DIGITS_OF(macro) DIGITS(macro)
+#define HALVED_SO_OFTEN "even with the step halved " DIGITS_OF(MAX_HALVINGS) " times or more"
+#define HALVED HALVED_SO_OFTEN "; "
 #define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, usually helps"
 
 static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
@@ -31,15 +34,16 @@ const char *hm_about_step(int32_t status)
         return "a stiffness, free length or damping became negative, or a spring, damper or potential not a number; look at their "
                "expressions at this time and with these inputs";
     case HOLONOM_TURN_TOO_LARGE:
-        return "a body turns by more than 2.5 rad within a half step, even halved 6 times; a smaller solver.step_size is needed to "
-               "tell which way it turns";
+        return "a body turns by more than 2.5 rad within a half step, " HALVED "a smaller solver.step_size is needed to tell which way it "
+               "turns";
     case HOLONOM_DAMPING_REVERSED:
-        return "dampers fed energy, even with the step halved 6 times: steps of an order above 2 also go back, too far for such "
+        return "dampers fed energy, " HALVED_SO_OFTEN ": steps of an order above 2 also go back, too far for such "
                "strong dampers; use solver.order = 2 or a smaller step_size";
-    default:
+    case HOLONOM_STEP_COLLAPSED:
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this communication step; take "
                "shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
+    default: return "it ended with an unknown status, a fault of this program; please report it";
     }
 }
 
@@ -56,11 +60,6 @@ const char *hm_about_start(int32_t status, int seeks_equilibrium)
     return hm_about_step(status);
 }
 
-static int is_conserving_method(const double *head)
-{
-    return head[S_FORMULATION] == HOLONOM_CONSERVING_AL || head[S_FORMULATION] == HOLONOM_CONSERVING_AL_BETA;
-}
-
 static const hm_variable *formulation(const hm_model_file *f)
 {
     const hm_variable *v = f->variable;
@@ -73,7 +72,7 @@ static void say_lasting_reason(hm_text *text, const hm_model_file *f, const doub
 {
     if (f->model.n_islands > 1)
         hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
-    else if (!is_conserving_method(head))
+    else if (!hm_conserves_all((int)head[S_FORMULATION]))
         hm_say(text, "solver.formulation %s has no higher order; %s has", hm_word(f, formulation(f), head[S_FORMULATION]),
                hm_word(f, formulation(f), HOLONOM_CONSERVING_AL));
 }
@@ -111,7 +110,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
 static void say_open_ledger(hm_text *text, const double *head)
 {
     const double limit = fmax(LEDGER_OPEN * head[S_NEWTON_TOLERANCE], LEDGER_LONG);
-    if (head[S_LEDGER_ERROR] <= limit || !is_conserving_method(head)) return;
+    if (head[S_LEDGER_ERROR] <= limit || !hm_conserves_all((int)head[S_FORMULATION])) return;
     hm_say(text, "the energy is off by %1e of the reference energy at t = %6g s though steps are solved: round-off is too large for this "
                  "mechanism; draw it closer to the origin, with sizes, masses and stiffnesses less far apart, or take longer steps",
            head[S_LEDGER_ERROR], head[S_TIME]);

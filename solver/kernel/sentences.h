@@ -17,7 +17,7 @@ int hm_objects(hm_text *text, const hm_model_file *file, const hm_variable *vari
 /* Limit that a value is beyond; NaN if it is within both. */
 double hm_limit_before(const hm_variable *variable, double value);
 
-/* Words of a String option: number `value`, or NULL; how many there are. */
+/* Word number `value` of a String option, or NULL. */
 const char *hm_word(const hm_model_file *file, const hm_variable *variable, double value);
 
 /* Says a sentence for each rule that the numbers break, and returns how many. */

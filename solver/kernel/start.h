@@ -121,6 +121,7 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     const holonom_model *m = c->m;
     const int32_t size = DIM * m->n_free + m->n_rows;
     context rows = *c;
+    rows.lu = &m->full;
     rows.h = AT_STATE;
     rows.constraints_only = 1;
     use_formulation(&rows, HOLONOM_CONSERVING_AL);

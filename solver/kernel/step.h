@@ -50,11 +50,6 @@ static int turns_little(const context *c)
     return 1;
 }
 
-/* Part of the last multipliers that is forgotten at the beginning of a step where rows depend on each other. What
-   they leave undetermined would otherwise grow without bound, since every solve adds their inconsistency, a rounding
-   error of the drawn configuration, over epsilon. What is determined comes back in the first solves.             */
-#define LEAK 1e-3
-
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
 {
@@ -77,7 +72,7 @@ static void prepare_step(context *c, int parity)
     rows_at_start(c, is_telling(c) || is_penalty(c));
     const int dependent = c->island[I_DEPENDENT] != 0.0;
     const double compliance = compliance_over_sigma(c);
-    const double kept = dependent ? 1.0 - LEAK : 1.0;
+    const double kept = dependent ? 1.0 - FORGOTTEN : 1.0;
     EACH_ROW(c, i) {
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * mu[parity][i];
@@ -90,7 +85,7 @@ static void prepare_step(context *c, int parity)
 }
 
 /* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
-   those that a converged Newton iteration did not bring along.                                                 */
+   those after an inner iteration, not the early ones within it.                                                 */
 static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *updates)
 {
     const int max_uzawa = (int)c->s.head[S_MAX_UZAWA];
@@ -110,14 +105,13 @@ static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *upda
 }
 
 /* One try with the factors chosen, from what prepare_step has left; what it takes is added to `effort`. */
-static int32_t try_step(context *c, int taken_over, newton_record *r, int *effort)
+static int32_t try_step(context *c, int began_with_old, newton_record *r, int *effort)
 {
     const int single = is_penalty(c) || c->s.head[S_SIMULTANEOUS] != 0.0;
     int updates = 0;
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
-    judge_factors(c, r, taken_over);
-    if (is_lean(c) && !taken_over && r->increments > LEAN_INCREMENTS) pause_lean(c->island);
+    judge_factors(c, r, began_with_old);
     effort[0] += r->increments;
     effort[1] += r->updates;
     if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);
@@ -131,9 +125,9 @@ static int32_t solve_island(context *c, int parity, int *effort)
     prepare_step(c, parity);
     hand_on(c);
     choose_factors(c);
-    const int taken_over = take_factors_over(c, &r);
-    int32_t status = try_step(c, taken_over, &r, effort);
-    if (status && taken_over) { /* old factors may have led astray */
+    const int began_with_old = take_factors_over(c, &r);
+    int32_t status = try_step(c, began_with_old, &r, effort);
+    if (status && began_with_old) { /* old factors may have led astray */
         c->factors_h = 0.0;
         r = (newton_record){.theta = 1.0, .floor = r.floor};
         prepare_step(c, parity);
@@ -155,7 +149,7 @@ static inline void look_at_all(context *c)
     if (c->m->n_islands > 1) look_at(c, 0, c->m->n_islands);
 }
 
-/* One step of all islands, each by itself; counted is what the one took that took most. */
+/* One step of all islands, each by itself. The numbers of increments and updates are those of the island that took most. */
 static int32_t solve_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);

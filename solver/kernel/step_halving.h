@@ -9,7 +9,6 @@
 #include "inputs_signals.h"
 #include "predict.h"
 
-enum { MAX_HALVINGS = 6 };
 
 /* Adds the output after a stage to the difference from the embedded solution. */
 static void gather_estimate(context *c, int order, int i, int stages)

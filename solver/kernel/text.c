@@ -86,7 +86,8 @@ static int gives_back(const decimal *d, double x)
 static void append(hm_text *t, const char *from, size_t count)
 {
     const size_t room = t->room - t->used - 1;
-    if (count > room) count = room;
+    if (count > room) /* not within a character of UTF-8, whose later bytes begin with the bits 10 */
+        for (count = room; count && (from[count] & 0xc0) == 0x80;) count--;
     memcpy(t->begin + t->used, from, count);
     t->used += count;
     t->begin[t->used] = 0;

@@ -1,4 +1,4 @@
-"""What can go wrong once a model exists, and the sentence for each of the kernel's status codes."""
+"""What can go wrong once a model exists."""
 
 from __future__ import annotations
 

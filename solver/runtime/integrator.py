@@ -112,7 +112,7 @@ class Integrator:
 
     @property
     def phase(self) -> int:
-        """Phase of the run, one of ``state.PHASES``."""
+        """0: values may change; 1: the initial configuration is taken; 2: steps were done."""
         return self._library.holonom_phase_of(self._instance)
 
     def _plan(self, indices: tuple[int, ...]) -> tuple:
@@ -185,7 +185,7 @@ class Integrator:
         """Return the double of a value, NaN if it has none."""
         if self.model.variables[index].type != "String":
             return float(value) if is_double(value) else math.nan  # type: ignore[arg-type]
-        if not isinstance(value, str):
+        if not isinstance(value, str) or "\0" in value:  # which would end a word of C
             return math.nan
         word = value.encode("utf-8", "replace")
         return self._library.holonom_number_of_word(self._instance, index, word)

@@ -9,8 +9,6 @@ import sys
 
 from .layout import ABI
 
-Doubles = ctypes.Array[ctypes.c_double]
-
 
 class KernelMissingError(Exception):
     """There is no compiled kernel for this platform, or it does not load."""

@@ -63,9 +63,6 @@ HEAD = (
 )  # fmt: skip
 """Scalars at the head of a state."""
 
-ENDLESS = ("mean_time", "mean_time_before", "wanted")
-"""Those that may be infinite: times of means that are not known, a step that nothing limits."""
-
 ISLAND = (
     "penalty_level", "slow_steps", "dependent", "full_steps", "full_wait", "fresh_steps",
     "fresh_wait",

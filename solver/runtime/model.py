@@ -68,12 +68,6 @@ class Rule(namedtuple("Rule", "number relation bound location name message")):
 
     __slots__ = ()
 
-    def holds(self, value: float) -> bool:
-        """Whether `value` keeps the rule; NaN never does."""
-        if self.relation == "finite":
-            return abs(value) < float("inf")
-        return value > self.bound if self.relation == ">" else value >= self.bound
-
 
 class Row(namedtuple("Row", "location name kind detail", defaults=("",))):
     """What a constraint row belongs to, for what is said when the drawn mechanism contradicts it.
@@ -83,7 +77,8 @@ class Row(namedtuple("Row", "location name kind detail", defaults=("",))):
     location, name : str
         Where the part stands in the scene, ``joints.bearing``, and what it is called in a sentence.
     kind, detail : str
-        Which of the sentences of ``assembly_checks``, and what stands in it, such as the bodies.
+        Which of the sentences of ``assembly_sentences.c``, and what stands in it, such as
+        the bodies.
     """
 
     __slots__ = ()
@@ -154,7 +149,7 @@ class Model(
         return self._places[name]
 
     def to_bytes(self, guid: str = "") -> bytes:
-        """Return the model as bytes (``model_file``); the same model gives the same ones.
+        """Return the model as bytes (``model_writing``); the same model gives the same ones.
 
         `guid` is that of the FMU which carries it.
         """

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from .errors import OptionError
 
 CHOICES = {
@@ -84,9 +82,6 @@ MEANINGS = {
     **{name: text for name, (_, _, _, text) in RANGES.items()},
 }
 """What each setting means."""
-
-GENERAL = ("conserving-al", "conserving-al-beta")
-"""Formulations that know rows which are no quadratics: gears, drivers, formulas, rolling."""
 
 WHOLE = ("max_newton", "max_uzawa")
 
@@ -172,10 +167,3 @@ def _in_range(name: str, value: object) -> float:
         message = f"solver.{name}: must be {rule} {unit}".rstrip() + f", got {value!r}"
         raise OptionError(message)
     return number
-
-
-def decode(name: str, head: Mapping[str, float]) -> str | bool | float:
-    """Return a setting from the scalars of a state's head."""
-    if name in CHOICES:
-        return CHOICES[name][int(head[STORED_AS[name]])]
-    return bool(head[name]) if name in SWITCHES else head[name]

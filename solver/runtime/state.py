@@ -7,9 +7,6 @@ from collections.abc import Iterator, Mapping
 
 from .layout import HEAD, PLACE, state_sections
 
-PHASES = CONFIGURED, ASSEMBLED, MOVING = 0, 1, 2
-"""Of a run: values may change; initial configuration taken; at least one step done."""
-
 
 class Head(Mapping[str, float]):
     """The scalars at the head of a state, by name."""

@@ -1,7 +1,7 @@
 """The oracle: one half step of García Orden & Ortega's method from the equations, in NumPy.
 
 Dense matrices, the equations in the order of the paper (docs/theory), and nothing that a step could
-do without: no prediction, no kept factors, no islands apart, no rest, no order above 2, no
+do without: no prediction, no kept factors, no islands apart, no order above 2, no
 tolerance. `Mechanism` has the matrices of a model at a state, `HalfStep` solves one half step from
 it, `start` and `measurements` have what a run begins with and what its outputs are made of.
 """
