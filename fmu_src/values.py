@@ -141,7 +141,7 @@ class SlaveWithValues(LoggedSlave):
         if vr in self._settable and vr in self._of_type[kind]:
             try:
                 return self._integrator.get([vr])[0]
-            except Exception:  # after an error that was said; one that leaves the slave ends the host
+            except Exception:  # none may leave the slave: it would end the host
                 return ZERO[kind]
         return ZERO[kind]
 
