@@ -94,7 +94,7 @@ FAILURES = {
     Status.BAD_STEP: (PENDULUM, {}, {}, 1e12),
     Status.BAD_LAW: (TIRING, {}, {}, 0.1),
     Status.DAMPING_REVERSED: (DAMPED, {"order": 8.0, "step_size": 0.1}, {}, 0.1),
-    Status.STEP_COLLAPSED: (HEAVY_AND_LIGHT, {"tolerance": 1e-6}, {}, 0.1),
+    Status.STEP_COLLAPSED: (PENDULUM, {"tolerance": 1e-14, "order": 2.0}, {}, 1e3),
     Status.TURN_TOO_LARGE: (SPINNING, {"step_size": 0.1}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
@@ -195,6 +195,12 @@ def test_why_steps_fail_is_said_where_a_tolerance_shortens_them_in_vain():
     with pytest.raises(StepError, match="Newton's iteration did not converge") as raised:
         run.advance(0.0, 1.0)
     assert raised.value.status is Status.NEWTON_DIVERGED
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 1e-6])
+def test_masses_that_are_far_apart_are_named_where_steps_fail(tolerance):
+    with pytest.raises(StepError, match="masses or sizes that are many powers of ten apart"):
+        start(HEAVY_AND_LIGHT, tolerance=tolerance).advance(0.0, 0.1)
 
 
 @pytest.mark.parametrize("value", ["\u00e9" * 3000, "a" + "\u00e9" * 3000, "\U0001f600" * 2000])

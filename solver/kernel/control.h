@@ -16,7 +16,7 @@ enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
-#define MOST_STEPS 1e6 /* internal steps in a communication step, at most */
+#define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 
 /* Error of a run that is asked for, relative to size and speed. */
 static double tolerated(const context *c)
@@ -112,7 +112,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
 HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double step)
 {
-    double *head = c->s.head, done = 0.0;
+    double *head = c->s.head, done = 0.0, half_steps = 0.0;
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
     int repeats = 0;
     begin_control(c);
@@ -122,12 +122,13 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, head[S_WANTED])), h = rest / n;
         const double law_time = c->number[c->m->time_at];
-        if (!(n < MOST_STEPS)) return repeats > MAX_HALVINGS && failed ? failed : HOLONOM_STEP_COLLAPSED;
+        if (!(half_steps + n * c->halves < MOST_HALF_STEPS)) return repeats > MAX_HALVINGS && failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
         c->damped = is_dissipative(c);
         const int32_t status = internal_step(c, h);
         const int rejected = status ? 1 : judge_step(c, start + done, h, law_time, step);
+        half_steps += c->halves;
         failed = status;
         if (status || (rejected && repeats < MAX_REPEATS)) {
             const double wanted = status ? 0.5 * h : head[S_WANTED];

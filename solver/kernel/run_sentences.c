@@ -7,7 +7,8 @@
 #define DIGITS_OF(macro) DIGITS(macro)
 #define HALVED_SO_OFTEN "even with the step halved " DIGITS_OF(MAX_HALVINGS) " times or more"
 #define HALVED HALVED_SO_OFTEN "; "
-#define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, usually helps"
+#define FAR_APART "; if not, look for masses or sizes that are many powers of ten apart"
+#define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, usually helps" FAR_APART
 
 static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
 static const double LEDGER_LONG = 1e-9; /* error of the ledger that round-off of a long run may come to */
@@ -19,8 +20,8 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_OK: return "done";
     case HOLONOM_NEWTON_DIVERGED: return "Newton's iteration did not converge, " HALVED SMALLER;
     case HOLONOM_UZAWA_DIVERGED:
-        return "the constraints could not be met, " HALVED "check that the lengths can be closed, or use a larger solver.penalty or "
-               "solver.max_uzawa";
+        return "the constraints could not be met, " HALVED "check that the lengths can be closed; a larger solver.penalty or "
+               "solver.max_uzawa may help" FAR_APART;
     case HOLONOM_SINGULAR_TANGENT:
         return "the tangent matrix is singular, " HALVED "look for a force that pushes without bound, or use a smaller solver.penalty";
     case HOLONOM_NOT_FINITE: return "a number grew beyond all bounds, " HALVED SMALLER;
@@ -40,8 +41,8 @@ const char *hm_about_step(int32_t status)
         return "dampers fed energy, " HALVED_SO_OFTEN ": steps of an order above 2 also go back, too far for such "
                "strong dampers; use solver.order = 2 or a smaller step_size";
     case HOLONOM_STEP_COLLAPSED:
-        return "the internal step collapsed: solver.tolerance asks for more than 1e6 of them in this communication step; take "
-               "shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
+        return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
+               "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
     default: return "it ended with an unknown status, a fault of this program; please report it";
     }
