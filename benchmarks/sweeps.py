@@ -18,7 +18,7 @@ SCENE = Path(__file__).resolve().parents[1] / "scenes" / "four_bar.toml"
 RUNS, FMUS, ALONE = 1000, 200, 20
 STOP_TIME = 10.0
 OUTPUTS = ["B0.x", "energy.error"]
-RUNS_A_SECOND, FMUS_A_SECOND = 150.0, 20.0
+RUNS_A_SECOND, FMUS_A_SECOND = 300.0, 20.0
 REPETITIONS = 3
 
 Work = tuple[str, int, Callable[[], None]]

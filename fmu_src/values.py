@@ -6,6 +6,7 @@ is remembered until the same variable is set well.
 
 from __future__ import annotations
 
+import functools
 import os  # not pathlib, which would take a tenth of the time to import all this
 from collections.abc import Sequence
 
@@ -20,6 +21,10 @@ PHASES = INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = (0, 1, 2, 3)
 ZERO = {"Real": 0.0, "Integer": 0, "Boolean": False, "String": ""}
 
 
+_model_of = functools.lru_cache(maxsize=8)(Model.from_bytes)
+"""The model of some bytes: instances share it, and one that is made again finds it."""
+
+
 class SlaveWithValues(LoggedSlave):
     """A model with its state, as variables by their value references."""
 
@@ -31,7 +36,7 @@ class SlaveWithValues(LoggedSlave):
         path = os.path.join(self.resources or ".", MODEL_FILE)
         try:
             with open(path, "rb") as file:
-                self._model = Model.from_bytes(file.read())
+                self._model = _model_of(file.read())
         except OSError as error:
             message = f"fmi2Instantiate: {path} cannot be read: {error.strerror}"
             raise OptionError(message) from None

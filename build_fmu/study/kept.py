@@ -1,12 +1,12 @@
 """One FMU that is run many times: unpacked once, instantiated once, reset between the runs.
 
-Measured for the four-bar: 10 s in 200 communication steps take 7 ms, of which the reset and the
-initialization are 1 ms; a new instance in a new folder for each would take 60 ms more.
+Measured for the four-bar: 10 s in 200 communication steps take 6.3 ms, of which the reset and the
+initialization are 0.2 ms; a new instance in a new folder for each would take 60 ms more.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from build_fmu.errors import UsageError
 from build_fmu.instance import (
     FATAL,
+    WARNING,
     Log,
     description_of,
     instantiated,
@@ -77,11 +78,11 @@ class KeptFmu:
                 self._set(fmu, settings)
                 fmu.enterInitializationMode()
                 fmu.exitInitializationMode()
-                read = self._reader(fmu, outputs)
+                read, step = self._reader(fmu, outputs), _function(fmu, "fmi2DoStep")
                 values[0] = read()
                 reached = 1
                 for i in range(1, len(times)):
-                    fmu.doStep(times[i - 1], times[i] - times[i - 1])
+                    step(times[i - 1], times[i] - times[i - 1], True)
                     values[i] = read()
                     reached = i + 1
                     pass_interrupts()
@@ -134,7 +135,43 @@ class KeptFmu:
         """Function that reads all outputs; nearly always they are Real."""
         kinds = [self._kind(name) for name in outputs]
         references = [self._variables[name].valueReference for name in outputs]
+        if not outputs:
+            return list
         if set(kinds) <= {"Real"}:
-            return (lambda: fmu.getReal(references)) if outputs else list
+            return _reader_of_reals(fmu, references)
         pairs = list(zip(kinds, references, strict=True))
         return lambda: [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]
+
+
+def _function(fmu: FMU2Slave, name: str) -> Callable[..., None]:
+    """Return an FMI function of the instance; it raises FMICallException where it fails.
+
+    fmpy's own looks for a log of calls each time, which takes longer than a step of a small
+    mechanism.
+    """
+    from fmpy.fmi1 import FMICallException
+
+    function, component = getattr(fmu.dll, name), fmu.component
+
+    def call(*arguments: object) -> None:
+        status = function(component, *arguments)
+        if status > WARNING:
+            raise FMICallException(function=name, status=status)
+
+    return call
+
+
+def _reader_of_reals(fmu: FMU2Slave, references: Sequence[int]) -> Callable[[], ndarray]:
+    """Return a function that reads Real variables, into the same memory each time."""
+    import numpy as np
+    from fmpy.fmi2 import fmi2Real, fmi2ValueReference
+
+    count, get = len(references), _function(fmu, "fmi2GetReal")
+    which, values = (fmi2ValueReference * count)(*references), (fmi2Real * count)()
+    seen = np.ctypeslib.as_array(values)
+
+    def read() -> ndarray:
+        get(which, count, values)
+        return seen
+
+    return read
