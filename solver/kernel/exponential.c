@@ -73,6 +73,7 @@ double hm_pow(double x, double y)
 {
     const double size = fabs(x);
     double sign = 1.0;
+    if (y == 2.0) return x * x; /* what formulas have most, and rounded once */
     if (!(x > 0.0 && x < INFINITY && fabs(y) < INFINITY)) {
         if (y == 0.0 || x == 1.0) return 1.0;
         if (x != x || y != y) return x + y;
