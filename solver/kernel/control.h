@@ -94,7 +94,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     step_error e = {0};
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
     const int judged = estimate_error(c, order, h, &e);
-    const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS * tolerated(c));
+    const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
     head[S_ACROSS] = defect;
     double share = 0.0;
     if (!judged && across <= REJECTED) return 0;

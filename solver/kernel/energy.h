@@ -97,7 +97,7 @@ static double relative_balance(const context *c, double balance)
 
 /* Follows the reference energy, the largest kinetic energy, or change of potential energy, seen so far, and the error of
    the ledger.                                                                                                  */
-static void follow_energies(const context *c)
+static void follow_energies(context *c)
 {
     const holonom_model *m = c->m;
     double *head = c->s.head;

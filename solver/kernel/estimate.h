@@ -16,8 +16,8 @@
 #include "norms.h"
 #include "step_halving.h"
 
-#define LEAST 0.25 /* times the mean, that an error is taken for ... */
-#define MOST 100.0 /* ... and the largest such multiple; of weighted covers, on which strong dampers show, MOST squared */
+#define LEAST_MULTIPLE 0.25 /* times the mean, that an error is taken for ... */
+#define LARGEST_MULTIPLE 100.0 /* ... and the largest such multiple; of weighted covers, on which strong dampers show, LARGEST_MULTIPLE squared */
 
 enum { N_ORDERS = 1 + N_COMPOSED };
 static const int ORDERS[N_ORDERS] = {2, 4, 6, 8};
@@ -88,11 +88,11 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     return 1;
 }
 
-/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS times the tolerance, and
-   UNSEEN, below which nothing is done. Such velocities alternate from half step to half step: shorter steps that follow
+/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS_ROWS times the tolerance, and
+   NEGLIGIBLE_ACROSS_ROWS, below which nothing is done. Such velocities alternate from half step to half step: shorter steps that follow
    do not undo them.                                                                                              */
-#define ACROSS 10.0
-#define UNSEEN 1e-6
+#define ACROSS_ROWS 10.0
+#define NEGLIGIBLE_ACROSS_ROWS 1e-6
 
 /* Whether composite j follows a signal. */
 static int has_signal(const context *c, int32_t j)
@@ -120,7 +120,7 @@ HM_SELDOM static double velocity_defect(context *c, double h)
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
     for (int32_t j = first_function(c); j < first_potential(c) && m->n_signals; j++)
         if (has_signal(c, j)) c->k.row_rate[row_of(c, j)] = 0.0;
-    const double rounding = UNSEEN + 1e-13 / (h * fastest);
+    const double rounding = NEGLIGIBLE_ACROSS_ROWS + 1e-13 / (h * fastest);
     return fmax(0.0, largest_row(c, c->k.row_rate) / fastest - rounding);
 }
 
@@ -175,7 +175,7 @@ static void learn(context *c, int order, double t, double h, double law_time, co
     if (checks < 0 || e->is_noise || c->m->sensing) return;
     const double error = method_of(c, p)->remains * difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
-    const double found = hm_log(fmin(fmax(error / e->mean, LEAST), c->damped ? MOST * MOST : MOST));
+    const double found = hm_log(fmin(fmax(error / e->mean, LEAST_MULTIPLE), c->damped ? LARGEST_MULTIPLE * LARGEST_MULTIPLE : LARGEST_MULTIPLE));
     double *learned = c->s.head + S_LEARNED_4 + p - 1;
     *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
 }

@@ -20,9 +20,9 @@
 #include "tangent.h"
 
 enum { MAX_CORRECTIONS = 8 };
-#define SURE 1e-2   /* largest change by the weights, relative to size and speed: beyond, errors have no powers yet */
-#define KEPT 1e-12  /* relative change of a momentum that is round-off */
-#define GENTLE 0.1  /* largest part by which velocities are changed for the energy */
+#define LARGEST_CHANGE 1e-2   /* largest change by the weights, relative to size and speed: beyond, errors have no powers yet */
+#define MOMENTUM_ROUND_OFF 1e-12  /* relative change of a momentum that is round-off */
+#define LARGEST_SCALING 0.1  /* largest part by which velocities are changed for the energy */
 
 typedef struct extrapolation {
     double work, dissipated;                /* weighted changes in the ledger                             */
@@ -100,13 +100,13 @@ static void free_velocities(context *c, double L[RIGID][RIGID])
 {
     const holonom_model *m = c->m;
     const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
-    double momentum[RIGID], unused[RIGID], *u = c->k.free, *ask = c->k.row_bias;
+    double momentum[RIGID], unused[RIGID], *u = c->k.free, *asked = c->k.row_rate;
     memset(u, 0, n);
-    row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, ask); /* of what stands still */
+    row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, asked); /* rates that rows ask of what stands still */
     for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = c->s.v[k] + c->s.v_low[k];
     for (int repeat = 0; repeat < 3; repeat++) { /* what the regularised factors leave is corrected again */
         row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.phi);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= ask[i];
+        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= asked[i];
         add_correction(c, u);
     }
     inertia(c, 2.0, u, c->k.momentum);
@@ -131,7 +131,7 @@ static int32_t balance_energy(context *c)
         for (int32_t a = 0; a < c->n_moving; a++) along += dot(u + DIM * a, c->k.momentum + DIM * a);
         if (excess == 0.0) return HOLONOM_OK;
         const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
-        if (!(fabs(part) <= GENTLE)) return HOLONOM_NOT_FINITE;
+        if (!(fabs(part) <= LARGEST_SCALING)) return HOLONOM_NOT_FINITE;
         for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
     }
     return HOLONOM_OK;
@@ -197,7 +197,7 @@ static void weigh(context *c, double weight, double less, extrapolation *x)
     rigid_momenta(c, c->k.momentum, total, size);
     for (int i = 0; i < RIGID; i++) {
         x->momentum[i] += weight * (total[i] - x->before[i]);
-        if (!(fabs(total[i] - x->before[i]) <= KEPT * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
+        if (!(fabs(total[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
     }
 }
 
@@ -214,7 +214,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     }
     const double round_off = 1e-15 * head[S_ENERGY_REFERENCE]; /* of losses that the weights take the difference of */
     if (!(x->dissipated >= -round_off)) return HOLONOM_DAMPING_REVERSED;
-    if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= SURE)) return HOLONOM_NOT_FINITE;
+    if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
     for (int64_t k = 0; k < n; k++) {
         hm_add(s->q + k, s->q_low + k, dq[k]);
         hm_add(s->v + k, s->v_low + k, dv[k]);

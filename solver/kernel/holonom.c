@@ -93,6 +93,7 @@ int64_t hm_map_work(const holonom_model *m, double *block, hm_work *k)
     k->handed_on = take(block, &used, n);
     k->sensed = take(block, &used, n);
     k->ahead = take(block, &used, n);
+    k->ahead_rate = take(block, &used, n);
     k->free = take(block, &used, n);
     k->row_rate = take(block, &used, m->n_rows);
     k->row_bias = take(block, &used, m->n_rows);

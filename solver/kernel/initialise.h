@@ -82,8 +82,8 @@ static void take_over(context *c)
 
 enum { ROUNDS = 8 };
 
-/* Velocities next to those given, in the mass metric, that the rows allow. Given ones weigh so much that they stay
-   unless the rows contradict them; what weights give way is put back, and in the end the rows have their way.     */
+/* Velocities next to those given, in the mass metric, that the rows allow. The first three rounds keep given velocities
+   by large weights, each beginning with them again; the others, without weights, let the rows hold to round-off.   */
 static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const holonom_model *m = c->m;
@@ -170,8 +170,8 @@ static void open_ledger(context *c)
     head[S_POTENTIAL_START] = stored_energy(c) + penalty_energy(c);
     head[S_STORED_START] = potential_change(c); /* and weights on what rounding left over of the coordinates */
     /* Floors, so that a mechanism at rest has a finite relative error: of its weight and springs and, if it has none, of
-       what stands still, whose places are known to round-off: 1e5 times theirs a step. Not of others: where steps are so
-       short that round-off feeds the energy of a weight, that is said. */
+       what stands still, whose places are known to round-off: 1e5 times theirs a step. A mechanism with weight has no such
+       floor: where its steps are so short that round-off feeds the energy, energy.error shows it. */
     const double weight = mass * sqrt(dot(gravity, gravity)) * c->number[m->extent_at];
     const double still = hm_square(1e5 * round_off_of_places(c) / head[S_STEP_SIZE]);
     const double floor = 1e-3 * (weight + fabs(head[S_POTENTIAL_START]));

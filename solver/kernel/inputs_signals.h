@@ -8,7 +8,7 @@
 #include "ledger.h"
 
 /* Inputs as they are at time t: held, or on their line through the value at the beginning of the communication step. */
-static void load_inputs(const context *c, double t)
+static void load_inputs(context *c, double t)
 {
     const holonom_model *m = c->m;
     for (int32_t i = 0; i < m->n_inputs; i++)
@@ -22,7 +22,7 @@ static void load_inputs(const context *c, double t)
 static void sense(context *c, double h, int parity)
 {
     const holonom_model *m = c->m;
-    double *x = c->k.d, *v = c->k.w;
+    double *x = c->k.ahead, *v = c->k.ahead_rate;
     for (int32_t k = 0; k < DIM * c->n_moving; k++) {
         const double a = c->s.a[parity][k];
         x[k] = c->s.q[k] + 0.5 * h * c->s.v[k] + 0.125 * h * h * a;

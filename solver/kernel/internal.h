@@ -37,7 +37,7 @@ enum skip {
     SKIP_FACTORISATION = 2,   /* factors kept while they contract: may_keep_factors */
     SKIP_OUTER_ITERATION = 4, /* early Uzawa updates: may_update_early         */
     SKIP_OLD_GUESS = 8,       /* predicted half steps: known_changes           */
-    SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_plain_row      */
+    SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_square_row      */
     SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
     SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction     */
     SKIP_ISLANDS = 128,       /* each solved by itself: n_apart                */
@@ -165,7 +165,7 @@ typedef struct hm_work {
     double *momentum;     /* n: residual of the momentum balance                                            */
     double *handed_on;    /* n: part of it that the last half steps have left to this one                    */
     double *sensed;       /* n: increment of which sampled loads were told                                 */
-    double *ahead;        /* n: coordinates a little later, at the start of a run                          */
+    double *ahead, *ahead_rate; /* n each: coordinates and velocities that are foreseen                       */
     double *free;         /* n: part of the velocities that rows leave free                                */
     double *row_rate, *row_bias; /* n_rows: rates of rows, and their second derivatives at constant velocities */
     double *product;      /* dim n_free + n_rows: of the tangent and a vector                              */

@@ -11,12 +11,12 @@ typedef struct newton_record {
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
     double defect;           /* of the rows, where each iteration updates the multipliers                       */
-    int iteration;           /* with the multipliers held, from 0                                              */
-    int factorised;          /* factors are at hand,                                                           */
-    int kept;                /* served an earlier increment too,                                               */
-    int taken_over;          /* or are those of the half step before                                           */
-    int slow;                /* lean factors contract too little                                               */
-    int raised;              /* how often the penalty was                                                      */
+    int iteration;           /* number of the increment since the multipliers were held, from 0                */
+    int factorised;          /* whether there are factors of the tangent                                       */
+    int kept;                /* whether they served an earlier increment too                                   */
+    int taken_over;          /* whether they are those of the half step before                                 */
+    int slow;                /* whether they are lean ones that contract too little                            */
+    int raised;              /* how often the penalty was raised                                               */
     int increments, updates; /* Newton increments and Uzawa updates of the step                                 */
 } newton_record;
 

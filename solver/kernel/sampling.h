@@ -29,7 +29,7 @@ HM_SELDOM static double sampled_work(const context *c, int32_t kind, int32_t j)
 
 /* Compares works after a half step that is solved and not yet taken over. The state keeps of each load both sums and the
    largest ratio in this communication step.                                                                     */
-HM_SELDOM static void judge_sampling(const context *c, int parity)
+HM_SELDOM static void judge_sampling(context *c, int parity)
 {
     const double *a = c->s.a[parity], negligible = NEGLIGIBLE * c->s.head[S_ENERGY_REFERENCE] + DBL_MIN;
     double *kept = c->s.sampled;

@@ -104,34 +104,39 @@ static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *upda
     }
 }
 
-/* One try with the factors chosen, from what prepare_step has left; what it takes is added to `effort`. */
-static int32_t try_step(context *c, int began_with_old, newton_record *r, int *effort)
+/* What a step takes. */
+typedef struct effort {
+    int increments, updates;
+} effort;
+
+/* One try with the factors chosen, from what prepare_step has left; what it takes is added to `total`. */
+static int32_t try_step(context *c, int began_with_old, newton_record *r, effort *total)
 {
     const int single = is_penalty(c) || c->s.head[S_SIMULTANEOUS] != 0.0;
     int updates = 0;
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, began_with_old);
-    effort[0] += r->increments;
-    effort[1] += r->updates;
+    total->increments += r->increments;
+    total->updates += r->updates;
     if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);
     return status;
 }
 
-/* One step of an island. Increments and updates that it takes are added to `effort`.                             */
-static int32_t solve_island(context *c, int parity, int *effort)
+/* One step of an island; increments and updates that it takes are added to `total`. */
+static int32_t solve_island(context *c, int parity, effort *total)
 {
     newton_record r = {.theta = 1.0, .floor = round_off_of_places(c)};
     prepare_step(c, parity);
     hand_on(c);
     choose_factors(c);
     const int began_with_old = take_factors_over(c, &r);
-    int32_t status = try_step(c, began_with_old, &r, effort);
+    int32_t status = try_step(c, began_with_old, &r, total);
     if (status && began_with_old) { /* old factors may have led astray */
         c->factors_h = 0.0;
         r = (newton_record){.theta = 1.0, .floor = r.floor};
         prepare_step(c, parity);
-        status = try_step(c, 0, &r, effort);
+        status = try_step(c, 0, &r, total);
     }
     return status;
 }
@@ -154,18 +159,18 @@ static int32_t solve_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
     int32_t status = HOLONOM_OK;
-    int most[2] = {0, 0};
+    effort most = {0, 0};
     for (int32_t part = 0; part < parts && !status; part++) {
-        int effort[2] = {0, 0};
+        effort own = {0, 0};
         look_at_part(c, part, parts);
-        status = solve_island(c, parity, effort);
-        for (int i = 0; i < 2; i++)
-            if (effort[i] > most[i]) most[i] = effort[i];
+        status = solve_island(c, parity, &own);
+        if (own.increments > most.increments) most.increments = own.increments;
+        if (own.updates > most.updates) most.updates = own.updates;
     }
     look_at_all(c);
     c->lu = &c->m->full;
-    c->s.head[S_NEWTON] += most[0];
-    c->s.head[S_UZAWA] += most[1];
+    c->s.head[S_NEWTON] += most.increments;
+    c->s.head[S_UZAWA] += most.updates;
     return status;
 }
 

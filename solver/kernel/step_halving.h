@@ -27,7 +27,7 @@ static void gather_estimate(context *c, int order, int i, int stages)
 }
 
 /* Whether steps come one by one, not in pairs. */
-static int is_plain(const context *c)
+static int is_unpaired(const context *c)
 {
     return c->s.head[S_PAIRED] == 0.0 && c->s.head[S_ORDER_IN_USE] == 2.0 && !(c->s.head[S_TOLERANCE] > 0.0);
 }
@@ -37,7 +37,7 @@ static int32_t internal_step(context *c, double h)
 {
     const int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
-    if (is_plain(c)) {
+    if (is_unpaired(c)) {
         begin_halves(c, 2);
         status = single_step(c, h, (int)c->s.head[S_PARITY]);
         if (!status) average_multipliers(c, c->t - h);
@@ -67,7 +67,7 @@ static void undo_step(context *c, double t, double law_time)
     double learned[2 * N_COMPOSED];
     memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
     const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
-    if (!is_plain(c)) {
+    if (!is_unpaired(c)) {
         memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
         if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     }
@@ -78,7 +78,7 @@ static void undo_step(context *c, double t, double law_time)
 }
 
 /* After a failure penalties are those that were asked for. */
-static void lower_penalties(const context *c)
+static void lower_penalties(context *c)
 {
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         double *own = c->s.islands + I_SIZE * island;

@@ -13,7 +13,7 @@
 #include "forms.h"
 #include "function.h"
 #include "laws.h"
-#include "plain_rows.h"
+#include "square_rows.h"
 
 /* Second derivative of form f with respect to entries p and q: same I + quarter J. */
 static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)
@@ -191,8 +191,8 @@ static int32_t assemble_tangent(const context *c)
         const int32_t f = m->row_form[i];
         motion g;
         double u[DIM], w[DIM];
-        if (is_plain_row(c, i)) {
-            slot = plain_row_tangent(c, i, slot, value);
+        if (is_square_row(c, i)) {
+            slot = square_row_tangent(c, i, slot, value);
             continue;
         }
         form_motion(c, f, &g);
@@ -256,8 +256,8 @@ static int32_t evaluate_residual(const context *c)
     for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
         motion g;
         double u[DIM], w[DIM];
-        if (is_plain_row(c, i)) {
-            plain_row_residual(c, i);
+        if (is_square_row(c, i)) {
+            square_row_residual(c, i);
             continue;
         }
         form_motion(c, m->row_form[i], &g);

@@ -148,7 +148,7 @@ def from_bytes(data: bytes) -> dict[str, Any]:
     try:
         return _fields(data, *counts)
     except (ArithmeticError, LookupError, TypeError, ValueError, struct.error) as error:
-        raise ValueError(DAMAGED) from error  # with a good checksum: made so
+        raise ValueError(DAMAGED) from error  # though its checksum is right
 
 
 def _fields(

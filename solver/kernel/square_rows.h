@@ -1,7 +1,7 @@
 /* Rows |u|^2 - c = 0 of a conserving step - distances, lengths of directions: most rows there are - in fewer operations
    than forms u . w take. */
-#ifndef HOLONOM_PLAIN_ROWS_H
-#define HOLONOM_PLAIN_ROWS_H
+#ifndef HOLONOM_SQUARE_ROWS_H
+#define HOLONOM_SQUARE_ROWS_H
 
 #include "context.h"
 
@@ -18,13 +18,13 @@ static inline double square_motion(const context *c, int32_t f, double *du, doub
 }
 
 /* Whether row i is |u|^2 - c = 0 in a conserving step: a distance or the length of a direction, as most rows are. */
-static inline int is_plain_row(const context *c, int32_t i)
+static inline int is_square_row(const context *c, int32_t i)
 {
     return c->conserving && !is_seeking(c) && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
 }
 
-/* Form row i of the kind of is_plain_row: the same numbers in one pass. */
-static const int32_t *plain_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
+/* Form row i of the kind of is_square_row: the same numbers in one pass. */
+static const int32_t *square_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
 {
     const holonom_model *m = c->m;
     const int32_t f = m->row_form[i], begin = m->form_ptr[f], free = m->form_free[f];
@@ -46,8 +46,8 @@ static const int32_t *plain_row_tangent(const context *c, int32_t i, const int32
     return lower;
 }
 
-/* Form row i of the kind of is_plain_row: its function, and its force in the momentum balance. */
-static inline void plain_row_residual(const context *c, int32_t i)
+/* Form row i of the kind of is_square_row: its function, and its force in the momentum balance. */
+static inline void square_row_residual(const context *c, int32_t i)
 {
     const holonom_model *m = c->m;
     const int32_t f = m->row_form[i], begin = m->form_ptr[f], end = begin + m->form_moving[f];
