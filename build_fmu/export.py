@@ -67,7 +67,8 @@ def write_fmu(
     """
     target, seen = fmu_path(path, identifier(model.name)), trial(model)
     write_archive(target, archive_entries(model, seen, scene))
-    for sentence in filter(None, (*seen.remarks, seen.reason)):
+    failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
+    for sentence in (*seen.remarks, *([failed] if seen.reason else ())):
         if tell:
             tell(sentence)
     return target

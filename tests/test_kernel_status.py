@@ -100,7 +100,7 @@ FAILURES = {
 """What provokes each status: scene, settings, inputs, communication step."""
 
 
-HALVED = "even with the step halved 6 times or more"
+HALVED = "even with the step halved again and again"
 SENTENCES = {
     Status.NEWTON_DIVERGED: "Newton's iteration did not converge, " + HALVED,
     Status.UZAWA_DIVERGED: "the constraints could not be met, " + HALVED,

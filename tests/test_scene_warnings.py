@@ -177,6 +177,16 @@ def test_a_held_input_that_says_where_something_is_jumps(part, jumps):
     assert told(DRIVEN % (', interpolation = "ramp"', part)) == []
 
 
+@pytest.mark.parametrize("follows", ["u + w", "u + 2*w*t"])
+def test_a_tunable_parameter_in_a_driver_would_make_it_jump(follows):
+    driver = f'[drivers]\nd = {{ type = "angle", joint = "hinge", value = "{follows}" }}'
+    text = DRIVEN % (', interpolation = "ramp"', driver)
+    for variability, is_told in (("tunable", True), ("fixed", False)):
+        parameter = f'[parameters]\nw = {{ value = 0.0, variability = "{variability}" }}\n'
+        message = "may change during a run, and drivers.d.value would jump then"
+        assert told(text + "\n" + parameter) == [("parameters.w", message)] * is_told
+
+
 FIELDS = {"fixed": "", "spherical": "position = [0, 0, 0.3], "}
 
 

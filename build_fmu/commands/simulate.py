@@ -34,7 +34,7 @@ def run(arguments: argparse.Namespace) -> int:
         rows, columns = len(result.values), len(result.values.dtype.names or ())
         # One document on stdout is what --json promises.
         stream = sys.stderr if arguments.json else sys.stdout
-        stream.write(f"{arguments.csv}: {rows} rows, {columns} columns\n")
+        stream.write(f"{arguments.csv}: {rows} row{'s' * (rows != 1)}, {columns} columns\n")
     if arguments.json:
         print_json(summary(result) | {"warnings": arguments.warnings})
     elif not arguments.csv and begun(result):

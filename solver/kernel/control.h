@@ -122,7 +122,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, head[S_WANTED])), h = rest / n;
         const double law_time = c->number[c->m->time_at];
-        if (!(half_steps + n * c->halves < MOST_HALF_STEPS)) return repeats > MAX_HALVINGS && failed ? failed : HOLONOM_STEP_COLLAPSED;
+        if (!(half_steps + n * c->halves < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
         c->damped = is_dissipative(c);

@@ -48,9 +48,6 @@ enum skip {
 #endif
 static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 
-/* How often the step without a tolerance is halved where it cannot be solved. */
-#define MAX_HALVINGS 6
-
 /* Operations, in the order of solver/runtime/operations.py. */
 enum tape_code {
     T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,

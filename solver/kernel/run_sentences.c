@@ -3,12 +3,11 @@
 
 #include "sentences.h"
 
-#define DIGITS(x) #x
-#define DIGITS_OF(macro) DIGITS(macro)
-#define HALVED_SO_OFTEN "even with the step halved " DIGITS_OF(MAX_HALVINGS) " times or more"
+#define HALVED_SO_OFTEN "even with the step halved again and again"
 #define HALVED HALVED_SO_OFTEN "; "
-#define FAR_APART "; if not, look for masses or sizes that are many powers of ten apart"
-#define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, usually helps" FAR_APART
+#define FAR_APART \
+    "; if not, look for a driver that asks for a place out of reach, or for masses or sizes that are many powers of ten apart"
+#define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, or a larger solver.max_newton usually helps" FAR_APART
 
 static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
 static const double LEDGER_LONG = 1e-9; /* error of the ledger that round-off of a long run may come to */

@@ -26,6 +26,8 @@ static void gather_estimate(context *c, int order, int i, int stages)
     }
 }
 
+enum { MAX_HALVINGS = 6 };
+
 /* Whether steps come one by one, not in pairs. */
 static int is_unpaired(const context *c)
 {

@@ -39,12 +39,18 @@ def _unused(numbers: Numbers) -> None:
 
 
 def _held(numbers: Numbers, inputs: dict[str, Input]) -> None:
-    """Warn of inputs that move something by jumps."""
+    """Warn of inputs and tunable parameters that move something by jumps."""
     for name, given in inputs.items():
         moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
         if moved and given.interpolation == "hold":
             message = f"is held in each communication step, so that {location_of(moved[0])} jumps"
             numbers.draft.warn(("inputs", name), message, 'write interpolation = "ramp"')
+    for name, origin in numbers.known.tunable.items():
+        moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
+        if moved:
+            message = f"may change during a run, and {location_of(moved[0])} would jump then"
+            help = f"make '{origin}' a fixed parameter, or an input with interpolation = \"ramp\""
+            numbers.draft.warn(("parameters", name), message, help)
 
 
 def _prescribes(path: Path) -> bool:
