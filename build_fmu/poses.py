@@ -1,4 +1,4 @@
-"""Positions and orientations in the outputs of a run: do they move, and how far are runs apart."""
+"""What moves in the outputs of a run: how large it is, does it move, and how far are runs apart."""
 
 from __future__ import annotations
 
@@ -10,6 +10,22 @@ if TYPE_CHECKING:
 
 STILL = 1e-9
 """Motions below this are round-off: over the largest coordinate, or in rad."""
+
+
+OF_THE_SOLUTION = ("energy.balance", "energy.error", "constraint.", "solver.")
+"""Beginnings of the names of outputs that say how exact a run is, not how it moves."""
+
+
+def largest_by_unit(
+    units: Mapping[str, str | None], sizes: Mapping[str, float]
+) -> dict[str, float]:
+    """Return the largest size of what moves, by unit; `units` and `sizes` are by output."""
+    largest: dict[str, float] = {}
+    for name, size in sizes.items():
+        unit = units[name]
+        if unit and not name.startswith(OF_THE_SOLUTION):
+            largest[unit] = max(largest.get(unit, 0.0), size)
+    return dict(sorted(largest.items()))
 
 
 class Poses:

@@ -11,9 +11,9 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from build_fmu.poses import OF_THE_SOLUTION
 from build_fmu.study.csv_file import csv_rows
 from build_fmu.study.values import Mistake, nearest, refuse
-from build_fmu.trial import OF_THE_SOLUTION
 from solver.signals import Problem, arrays_over_time
 
 if TYPE_CHECKING:

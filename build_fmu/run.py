@@ -7,8 +7,8 @@ the FMU logs on its way. Here both are facts of the result, with the sentence th
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +23,7 @@ from build_fmu.instance import (
     start_time_of,
     unpacked,
 )
-from build_fmu.poses import Poses
+from build_fmu.poses import Poses, largest_by_unit
 from build_fmu.reference import Reference
 from build_fmu.signals import inputs_of
 from build_fmu.study.settings import Source, entries_of, fmu_settings
@@ -59,6 +59,8 @@ class Run:
     """Why it ended early, or the first error that the FMU logged; empty if it is a clean run."""
     moved: bool = True
     """Whether any position or orientation changed."""
+    largest_by_unit: Mapping[str, float] = field(default_factory=dict)
+    """Largest magnitude of what moves, by unit."""
 
     @property
     def end_time(self) -> float:
@@ -146,8 +148,11 @@ def run_fmu(
     finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
     reason = log.error if finished else log.reason()
     messages = (*given.notes(start), *log.messages)
-    moved = _moved(description, values)
-    return Run(values, stop_time, wall_time, messages, finished, reason, moved)
+    units = {v.name: v.unit for v in description.modelVariables if v.causality == "output"}
+    names = values.dtype.names or ()
+    sizes = {name: float(abs(values[name]).max()) for name in units if name in names}
+    moved, largest = _moved(units, values), largest_by_unit(units, sizes)
+    return Run(values, stop_time, wall_time, messages, finished, reason, moved, largest)
 
 
 def _times(start: float, stop: float, step: float) -> ndarray:
@@ -174,10 +179,10 @@ def _record(values: ndarray, signals: ndarray, names: Iterable[str]) -> None:
         values[name] = np.interp(values["time"], signals["time"], signals[name])
 
 
-def _moved(description: ModelDescription, values: ndarray) -> bool:
+def _moved(units: Mapping[str, str | None], values: ndarray) -> bool:
     import numpy as np
 
-    poses = Poses({v.name: v.unit for v in description.modelVariables if v.causality == "output"})
+    poses = Poses(units)
     return poses.moved(np.array([values[name] for name in ("time", *poses.names)])[1:].T)
 
 

@@ -12,14 +12,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from build_fmu.poses import Poses
+from build_fmu import velocities
+from build_fmu.poses import Poses, largest_by_unit
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from solver.runtime import Model, Variable
+    from solver.runtime import Model
 
 MOST_WORK = 300_000
 """Unknowns times internal steps: some 50 ms."""
@@ -29,8 +30,6 @@ FEWEST = 10
 """Internal steps that the work must allow for a second, finer run."""
 AT_REST = 1e-6
 """A largest value, in its unit, below which nothing tells how large it is when it moves."""
-OF_THE_SOLUTION = ("energy.balance", "energy.error", "constraint.", "solver.")
-"""Beginnings of the names of outputs that say how exact a run is, not how it moves."""
 
 
 @dataclass(frozen=True)
@@ -85,6 +84,8 @@ def trial(model: Model) -> Trial:
     sizes = dict(zip(names, abs(rows).max(axis=0, initial=0.0).tolist(), strict=True))
     motion = rows[:, [names.index(name) for name in poses.names]]
     apart = None if reason else _apart(model, duration, steps, poses, motion)
+    largest = largest_by_unit({v.name: v.unit for v in outputs}, sizes)
+    said += filter(None, [velocities.objection(sizes.get(velocities.RESIDUAL, 0.0), largest)])
     return Trial(
         duration=integrator.time - model.experiment.start_time,
         reason=reason,
@@ -93,7 +94,7 @@ def trial(model: Model) -> Trial:
         moved=poses.moved(motion),
         position_error=apart and apart[0],
         rotation_error=apart[1] if apart and poses.turn else None,
-        largest=_by_unit(outputs, sizes),
+        largest=largest,
         remarks=tuple(said),
     )
 
@@ -146,12 +147,3 @@ def _apart(
         fine["solver.step_size"] = 0.5 * longest
     motion, reason = _run(fine, duration, steps, poses.names)
     return None if reason else poses.apart(coarse, motion)
-
-
-def _by_unit(outputs: Sequence[Variable], sizes: Mapping[str, float]) -> dict[str, float]:
-    largest: dict[str, float] = {}
-    for variable in outputs:
-        if variable.unit and not variable.name.startswith(OF_THE_SOLUTION):
-            size = sizes[variable.name]
-            largest[variable.unit] = max(largest.get(variable.unit, 0.0), size)
-    return dict(sorted(largest.items()))

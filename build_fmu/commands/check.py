@@ -3,25 +3,21 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Mapping
 
+from build_fmu import velocities
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.report import print_json, print_table
+from build_fmu.run import Run
 from solver.runtime.options import MOST_SAMPLING
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Check; exit code 1 if a limit is exceeded or the FMU logs an error, 3 at an early end."""
     result = simulate(arguments)
-    limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
-    outputs = result.values.dtype.names or ()
-    missing = [name for name in limits if name not in outputs]
-    if missing:
-        text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of holonom"
-        raise UsageError(text)
-    if "solver.sampling" in outputs and result.largest("solver.sampling") > 0.0:
-        limits["solver.sampling"] = MOST_SAMPLING
+    limits, lag = _limits(arguments, result), _lag_of_velocities(result)
     checks = [
         {"name": name, "largest": largest, "limit": limit, "holds": largest <= limit}
         for name, limit in limits.items()
@@ -46,9 +42,33 @@ def run(arguments: argparse.Namespace) -> int:
         title = f"{arguments.target}: {result.steps} steps to t = {result.end_time:g} s"
         print_table(title, ("output", "largest", "limit", "holds"), rows)
     report_end(result)
+    if lag:
+        sys.stderr.write(f"holonom: {lag}\n")
     if not result.finished:
         return UNFINISHED
     return 0 if holds else CHECK_FAILED
+
+
+def _limits(arguments: argparse.Namespace, result: Run) -> dict[str, float]:
+    """Largest values that outputs may have, by name."""
+    limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
+    outputs = result.values.dtype.names or ()
+    missing = [name for name in limits if name not in outputs]
+    if missing:
+        text = f"{arguments.target} has no output {missing[0]!r}; check is for FMUs of holonom"
+        raise UsageError(text)
+    if "solver.sampling" in outputs and result.largest("solver.sampling") > 0.0:
+        limits["solver.sampling"] = MOST_SAMPLING
+    if _lag_of_velocities(result):
+        limits[velocities.RESIDUAL] = velocities.largest_allowed(result.largest_by_unit)
+    return limits
+
+
+def _lag_of_velocities(result: Run) -> str:
+    """Sentence about velocities that do not follow the constraints; empty if they do."""
+    if velocities.RESIDUAL not in (result.values.dtype.names or ()):
+        return ""
+    return velocities.objection(result.largest(velocities.RESIDUAL), result.largest_by_unit)
 
 
 def _largest(check: Mapping[str, object], moved: bool) -> str:

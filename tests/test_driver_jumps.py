@@ -1,0 +1,56 @@
+"""Drivers that jump: velocities do not follow them, which is said at build and found by a check."""
+
+from __future__ import annotations
+
+import pytest
+
+import solver
+from build_fmu import build
+from build_fmu.trial import trial
+from build_fmu.velocities import RESIDUAL
+from tests.commands import run
+from tests.fmu_instance import SCENES
+
+ARM = """
+name = "arm"
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+arm = {{ position = [0, 0], mass = 60.0, inertia = 5.0, center_of_mass = [0.5, 0] }}
+[joints]
+slew = {{ type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }}
+[drivers]
+motor = {{ type = "angle", joint = "slew", value = "{angle}" }}
+[experiment]
+stop_time = 2.0
+step_size = 0.05
+"""
+SMOOTH = ("0.3*(1 - cos(3*t))", "0.5*t", "0.2*t**3", "0")
+JUMPS = {"value": "0.5 if t > 1 else 0", "rate": "2*max(t - 1.03, 0)"}
+
+
+def lag(model: solver.Model) -> list[str]:
+    """What the trial run of a build says of velocities that lag."""
+    return [text for text in trial(model).remarks if RESIDUAL in text]
+
+
+@pytest.mark.parametrize("angle", JUMPS.values(), ids=JUMPS)
+def test_a_driver_whose_value_or_rate_jumps_is_told_and_fails_a_check(angle, tmp_path, capsys):
+    scene = tmp_path / "arm.toml"
+    scene.write_text(ARM.format(angle=angle))
+    (said,) = lag(solver.assemble(solver.load(scene)))
+    assert "look for a driver or a constraint whose value or rate jumps" in said
+    code, out, err = run(capsys, "check", str(build(scene, tmp_path / "arm.fmu")))
+    assert code == 1
+    assert RESIDUAL in out
+    assert "value or rate jumps" in err
+
+
+@pytest.mark.parametrize("angle", SMOOTH)
+def test_of_a_smooth_driver_nothing_is_said(angle):
+    assert lag(solver.assemble(solver.loads(ARM.format(angle=angle)))) == []
+
+
+@pytest.mark.parametrize("path", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
+def test_velocities_of_all_scenes_follow_their_constraints(path):
+    assert lag(solver.assemble(solver.load(path))) == []
