@@ -16,7 +16,7 @@ from functools import cached_property, reduce
 from operator import or_
 from typing import TYPE_CHECKING, NamedTuple
 
-from build_fmu.places import DRIVEN, FORCED, SHAPED, Places
+from build_fmu.island_map import DRIVEN, FORCED, SHAPED, Places
 from solver.runtime.layout import measured_sections
 
 if TYPE_CHECKING:

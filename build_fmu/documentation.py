@@ -15,7 +15,7 @@ from build_fmu.study.values import counted
 from solver.runtime.options import TINY
 
 if TYPE_CHECKING:
-    from build_fmu.trial import Trial
+    from build_fmu.self_check import Trial
     from solver.runtime import Model, Variable
 
 _PAGE = """<!DOCTYPE html>

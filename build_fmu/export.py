@@ -18,10 +18,10 @@ from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import model_description
 from build_fmu.payload import SLAVE_NAME, payload, wrapper_libraries
 from build_fmu.picture import picture
-from build_fmu.study.remains import require_own_set
+from build_fmu.self_check import Trial, trial
+from build_fmu.study.output_folder import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
-from build_fmu.trial import Trial, trial
 from build_fmu.version import VERSION
 
 if TYPE_CHECKING:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from build_fmu import symbols
 from build_fmu.canvas import Canvas, Colour, Pixel
 from build_fmu.symbols import DARK
-from solver.mechanics.collect import collect
+from solver.mechanics.build_mechanism import collect
 from solver.scene import (
     Bar,
     BodyJoint,

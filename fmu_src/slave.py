@@ -15,9 +15,9 @@ import sys
 from solver.runtime import AssemblyError, StepError
 
 from . import snapshot, status
+from .interrupt_guard import hang_doors, shielded
 from .log import sentence
-from .objection import Failures, impossible_step, wrong_experiment
-from .shield import hang_doors, shielded
+from .messages import Failures, impossible_step, wrong_experiment
 from .values import INITIALIZING, INSTANTIATED, PHASES, STEPPING, TERMINATED, SlaveWithValues
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this

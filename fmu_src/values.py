@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
 
 from . import status
+from .interrupt_guard import shielded
 from .log import LoggedSlave, sentence
-from .shield import shielded
 
 MODEL_FILE = "model.bin"
 PHASES = INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = (0, 1, 2, 3)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.names import inventory_of_draft
 from solver.scene.quantities import quantities
 from solver.scene.report import Source

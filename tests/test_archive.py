@@ -160,7 +160,7 @@ def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
 
 def test_two_versions_in_one_process_do_not_run_each_others_code(tmp_path):
     def another_version(path, data):
-        if path.endswith("/objection.py"):
+        if path.endswith("/messages.py"):
             data = data.replace(b"must be > 0 s", b"must be > 0 s, says another version")
         return renamed(path, data, "holonom_0123456789ab")
 

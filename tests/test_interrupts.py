@@ -19,7 +19,7 @@ from fmu_src.slave import Slave
 from tests.fmu_instance import instance, pendulum, slave_of
 
 OF_THE_SLAVE = str(Path(fmu_src.__file__).parent)
-SHIELD = str(Path(OF_THE_SLAVE, "shield.py"))
+SHIELD = str(Path(OF_THE_SLAVE, "interrupt_guard.py"))
 
 SEQUENCE: dict[str, Callable[[Slave], object]] = {
     "setup_experiment": lambda slave: slave.setup_experiment(0.0, 1.0, 1e-6),

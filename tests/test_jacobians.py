@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.survey import constraint_jacobian
+from solver.mechanics.mobility import constraint_jacobian
 from tests.geared_scenes import TRAINS, train
 from tests.joint_rows import LOWER, OF_POINTS, Drawn, Joint, own_rows
 from tests.joint_scenes import PAIRS, pair

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.survey import survey
+from solver.mechanics.mobility import survey
 from tests.free_flight import assert_nothing_is_lost
 from tests.joint_scenes import PAIRS, PLANAR, SPATIAL, pair
 

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given
 from hypothesis import settings as trials
 
 import solver
-from solver.mechanics.survey import survey
+from solver.mechanics.mobility import survey
 from solver.runtime import StepError
 from solver.runtime.layout import measured_sections
 from tests.kernel_calls import kernel_of

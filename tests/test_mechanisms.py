@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import solver
-from solver.mechanics.survey import survey
+from solver.mechanics.mobility import survey
 from tests.mechanism_runs import SCENES, scene
 
 MECHANISMS = sorted(SCENES.glob("*.toml"))

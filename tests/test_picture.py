@@ -16,7 +16,7 @@ from build_fmu.canvas import Canvas
 from build_fmu.documentation import documentation, page
 from build_fmu.export import compile_scene
 from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
-from build_fmu.trial import trial
+from build_fmu.self_check import trial
 from tests.fmu_instance import SCENES, scene_fmu
 
 ALL_SCENES = sorted(path.stem for path in SCENES.glob("*.toml"))

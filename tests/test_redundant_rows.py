@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.survey import survey
+from solver.mechanics.mobility import survey
 from tests.mechanism_runs import scene
 from tests.problems import Array
 from tests.work_sums import vector

@@ -7,7 +7,7 @@ import pytest
 
 from solver import assemble
 from solver.scene import Expr, Rigid, SceneError, evaluate, loads
-from solver.scene.weight import principal_moments
+from solver.scene.inertia import principal_moments
 
 HEAD = 'name = "body"\n[parameters]\na = 0.7\n[bodies.b]\nposition = [1, 2, 3]\n'
 PLANE = HEAD.replace("[par", "dimension = 2\n[par").replace(", 3]", "]")

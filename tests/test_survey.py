@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.survey import constraint_jacobian, survey
+from solver.mechanics.mobility import constraint_jacobian, survey
 from tests.kernel_calls import kernel_of
 from tests.mechanism_runs import SCENES
 from tests.zoo import PLANE, SPACE

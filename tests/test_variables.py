@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 import solver
-from solver.mechanics.collect import collect
-from solver.mechanics.measures import Measures
+from solver.mechanics.build_mechanism import collect
 from solver.mechanics.outputs import named
+from solver.mechanics.sensors import Measures
 from solver.scene import Distance
 from tests.kernel_calls import kernel_of
 from tests.scene_quantities import quantities_of

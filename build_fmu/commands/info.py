@@ -21,7 +21,7 @@ from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, scene_model
 
 if TYPE_CHECKING:
-    from solver.mechanics.survey import Survey
+    from solver.mechanics.mobility import Survey
     from solver.runtime import Model, Variable
 
 FORCES = {
@@ -38,7 +38,7 @@ ROUNDING = 1e-10
 
 def run(arguments: argparse.Namespace) -> int:
     """Describe; exit code 0."""
-    from solver.mechanics.survey import survey
+    from solver.mechanics.mobility import survey
 
     if not is_fmu(arguments.target):
         entries = given_on_the_command_line(arguments.parameters, arguments.settings)

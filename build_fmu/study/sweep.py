@@ -19,10 +19,10 @@ from build_fmu.instance import check_platform, description_of, start_time_of
 from build_fmu.run import experiment_times
 from build_fmu.study.dask_workers import folder_of_worker
 from build_fmu.study.engines import engine_of
+from build_fmu.study.fmu_runner import KeptFmu
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.jobs import Task
-from build_fmu.study.kept import KeptFmu
 from build_fmu.study.names import outputs_of
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.settings import Source, entries_of, fmu_settings

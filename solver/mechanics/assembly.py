@@ -5,12 +5,12 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable, Sequence
 
-from solver.mechanics.collect import collect
-from solver.mechanics.measures import Measures, Named, Ref
+from solver.mechanics.build_mechanism import collect
+from solver.mechanics.kkt_pattern import eliminations
+from solver.mechanics.model_numbers import sections_of, sizes_of
 from solver.mechanics.numbers import Numbers
 from solver.mechanics.outputs import named
-from solver.mechanics.sections import sections_of, sizes_of
-from solver.mechanics.slots import eliminations
+from solver.mechanics.sensors import Measures, Named, Ref
 from solver.mechanics.structure import Structure, pointers
 from solver.mechanics.tape import Segment
 from solver.mechanics.variables import Symbols, distance_between, output, variable_table

@@ -1,7 +1,7 @@
 """The names of all that is measured, in the order in which a user finds them.
 
 Most are numbers that the kernel measures. What it does not - the torque and power of a driver, the
-force that belongs to a formula - is an expression over those (``results``).
+force that belongs to a formula - is an expression over those (``reactions``).
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from collections.abc import Iterator
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.measures import Measures, Named, Ref, components, references
-from solver.mechanics.results import of_a_driver, of_a_force, reaction
+from solver.mechanics.reactions import of_a_driver, of_a_force, reaction
+from solver.mechanics.sensors import Measures, Named, Ref, components, references
 from solver.scene import Rigid
 
 ENERGIES = {

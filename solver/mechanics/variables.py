@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
-from solver.mechanics.measures import Measures, Named, Ref
 from solver.mechanics.parts import AXES
+from solver.mechanics.sensors import Measures, Named, Ref
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Segment
 from solver.runtime.layout import measured_sections

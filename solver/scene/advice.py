@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.numbers import Numbers
 from solver.scene.report import Path, location_of
 from solver.scene.vocabulary_joints import BodyJoint, Joint

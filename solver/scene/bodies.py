@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from solver.scene import schema_bodies as schema
-from solver.scene.attitude import read_orientation, read_spin
 from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
+from solver.scene.inertia import read_weight
 from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
+from solver.scene.orientation import read_orientation, read_spin
 from solver.scene.references import References
 from solver.scene.vocabulary_parts import Bar, Body, Point, Rigid
-from solver.scene.weight import read_weight
 
 
 class Bodies:

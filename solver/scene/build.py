@@ -10,8 +10,7 @@ from typing import Any
 
 from solver.scene.advice import advise
 from solver.scene.bodies import Bodies
-from solver.scene.draft import Draft
-from solver.scene.elements import read_elements
+from solver.scene.diagnostics import Draft
 from solver.scene.fields import BROKEN
 from solver.scene.geometry import Geometry
 from solver.scene.names import (
@@ -22,6 +21,7 @@ from solver.scene.names import (
     kinds_of_names,
 )
 from solver.scene.numbers import OUTPUT, Known, Numbers
+from solver.scene.part_readers import read_elements
 from solver.scene.references import References
 from solver.scene.report import in_order
 from solver.scene.schema import File, Heading

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.numbers import Known
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.quantities import SHARED_POINT, Inventory

@@ -12,7 +12,7 @@ from functools import cached_property
 from math import pi
 from typing import Any
 
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.expression import ExpressionError, Number, evaluate
 from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, Reading

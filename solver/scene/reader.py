@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from solver.scene.build import build
 from solver.scene.collector import collector_paused
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.overrides import apply_overrides
 from solver.scene.report import SceneError, Source
 from solver.scene.tables import tables_of, text_of

@@ -6,7 +6,7 @@ from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.fields import BROKEN
 from solver.scene.numbers import PARAMETER, Numbers
 from solver.scene.report import Path

@@ -12,9 +12,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from solver.mechanics.anchors import Anchors
 from solver.mechanics.elimination import Graph, Integers, Pattern, eliminate
 from solver.mechanics.islands import Ordered
+from solver.mechanics.row_order import Anchors
 from solver.mechanics.structure import LINEAR, TURNED, Structure, flat, pointers
 from solver.runtime.layout import TABLES
 

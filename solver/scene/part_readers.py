@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from solver.scene.bodies import Bodies
-from solver.scene.draft import Draft
+from solver.scene.diagnostics import Draft
 from solver.scene.drivers import Drivers
 from solver.scene.fields import BROKEN
 from solver.scene.forces import Forces

@@ -8,13 +8,7 @@ from graphlib import TopologicalSorter
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid, demand_masses
 from solver.mechanics.combination import node
-from solver.mechanics.drivers import add_driver, driven_points
-from solver.mechanics.forces import add_force
-from solver.mechanics.formulas import Compiler
-from solver.mechanics.joints import add_joint
-from solver.mechanics.mechanism import Mechanism
-from solver.mechanics.parts import Parts
-from solver.mechanics.relations import (
+from solver.mechanics.couplings import (
     add_angle,
     add_constraint,
     add_gear,
@@ -24,6 +18,12 @@ from solver.mechanics.relations import (
     add_rod,
     add_rolling,
 )
+from solver.mechanics.drivers import add_driver, driven_points
+from solver.mechanics.forces import add_force
+from solver.mechanics.formulas import Compiler
+from solver.mechanics.joints import add_joint
+from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.parts import Parts
 from solver.mechanics.vectors import Vector
 from solver.runtime.model import Row
 from solver.scene import (

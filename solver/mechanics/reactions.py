@@ -11,7 +11,7 @@ from math import pi
 
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import rewritten
-from solver.mechanics.measures import Measures, Named, Ref, Values, components, references
+from solver.mechanics.sensors import Measures, Named, Ref, Values, components, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.scene import (
     BodyJoint,
