@@ -1,0 +1,44 @@
+"""Instances of one model in many threads share nothing that changes (thread sanitizer)."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import solver
+
+HERE = Path(__file__).parents[1]
+KERNEL = HERE.parent / "solver" / "kernel"
+SCENES = HERE.parent / "scenes"
+THREADS = 16
+
+
+def has_thread_sanitizer() -> bool:
+    if not shutil.which("gcc"):
+        return False
+    name = subprocess.run(["gcc", "-print-file-name=libtsan.so"], capture_output=True, text=True)
+    return Path(name.stdout.strip()).is_absolute()
+
+
+@pytest.mark.skipif(not has_thread_sanitizer(), reason="gcc has no thread sanitizer here")
+@pytest.mark.parametrize("scene", ["slider_crank", "heavy_top"])
+def test_threads_on_one_model_end_with_the_same_bits(scene, tmp_path):
+    model = solver.assemble(solver.load(SCENES / f"{scene}.toml"))
+    file, program = tmp_path / "model.bin", tmp_path / "threads"
+    file.write_bytes(model.file)
+    flags = ["-std=gnu99", "-O1", "-g", "-fsanitize=thread", f"-DDIM={model.sizes['dim']}"]
+    sources = [str(HERE / "core_threads.c"), *map(str, sorted(KERNEL.glob("*.c")))]
+    command = ["gcc", *flags, f"-I{KERNEL}", *sources, "-o", str(program), "-lm", "-lpthread"]
+    subprocess.run(command, check=True)
+    values = [k for k, v in enumerate(model.variables)]
+    hashes = []
+    for threads in (1, THREADS):
+        arguments = [str(program), str(file), str(len(values)), str(threads)]
+        run = subprocess.run(arguments, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr[-3000:]
+        hashes += run.stdout.split()
+    assert len(hashes) == 1 + THREADS
+    assert len(set(hashes)) == 1

@@ -1,0 +1,47 @@
+"""Each header of the kernel compiles alone, in the plane and in space, without a cycle."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import shutil
+import subprocess
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+KERNEL = Path(__file__).parents[2] / "solver" / "kernel"
+HEADERS = sorted(KERNEL.glob("*.h"))
+COMPILER = shlex.split(os.environ.get("CC", "cc"))
+
+
+@pytest.mark.skipif(shutil.which(COMPILER[0]) is None, reason="needs a C compiler")
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_each_header_compiles_alone(dimension):
+    options = [
+        "-std=c99",
+        f"-DDIM={dimension}",
+        "-fsyntax-only",
+        "-Werror=implicit-function-declaration",
+    ]
+    failed = {}
+    for header in HEADERS:
+        command = [*COMPILER, *options, "-x", "c", str(header)]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        if run.returncode:
+            failed[header.name] = run.stderr[:300]
+    assert failed == {}
+
+
+def test_no_header_includes_itself_through_others():
+    included = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+    graph = {header.name: included.findall(header.read_text("utf-8")) for header in HEADERS}
+    list(TopologicalSorter(graph).static_order())
+
+
+def test_no_function_is_declared_ahead_of_a_header_that_comes_later():
+    ahead = re.compile(r"^static [^={}\n]*\);$", re.MULTILINE)
+    found = {header.name: ahead.findall(header.read_text("utf-8")) for header in HEADERS}
+    assert not any(found.values()), found

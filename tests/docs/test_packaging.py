@@ -1,0 +1,250 @@
+"""The build: which compiler is taken, what a failure says, what the archives hold."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import platform
+import shutil
+import stat
+import subprocess
+import sys
+import tarfile
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from build_kernel import compiler
+from solver.runtime.kernel import library_path
+
+ROOT = Path(__file__).resolve().parents[2]
+TRAVELS = ("build_fmu", "build_kernel", "fmu_src", "holonom", "scenes", "solver")
+TOP_FILES = ("CHANGELOG.md", "LICENSE", "MANIFEST.in", "README.md", "pyproject.toml")
+
+
+def write_compiler(folder: Path, name: str, script: str = "exit 0") -> Path:
+    """Write a stand-in for a compiler, so that no test depends on this machine's."""
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(path.stat().st_mode | stat.S_IXUSR)
+    return path
+
+
+@pytest.fixture
+def path_folder(tmp_path, monkeypatch):
+    """The one folder of PATH, empty; $CC and $CFLAGS are unset."""
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    monkeypatch.setenv("PATH", str(folder))
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.delenv("CFLAGS", raising=False)
+    return folder
+
+
+@pytest.fixture
+def tree(tmp_path):
+    """A source tree with one C source."""
+    (tmp_path / compiler.SOURCES).mkdir(parents=True)
+    (tmp_path / compiler.SOURCES / "holonom.c").write_text("typedef int empty;\n")
+    (tmp_path / compiler.LIBRARIES.parent).mkdir(parents=True)
+    return tmp_path
+
+
+def copy_of_repository(folder: Path) -> Path:
+    """Copy what the archives are made of, without anything built."""
+    ignored = shutil.ignore_patterns("__pycache__", "_kernel", "*.fmu")
+    for name in filter(lambda name: (ROOT / name).exists(), TRAVELS):
+        shutil.copytree(ROOT / name, folder / name, ignore=ignored)
+    for name in TOP_FILES:
+        shutil.copy(ROOT / name, folder / name)
+    return folder
+
+
+def run_hook(tree: Path, call: str) -> str:
+    """Call one hook of the build backend in its own process, as pip does; its result as text."""
+    code = f"import sys; sys.stdout = sys.stderr; from build_kernel import backend; r = {call}\n"
+    run = subprocess.run(
+        [sys.executable, "-c", code + "print(r, file=sys.__stdout__)"],
+        cwd=tree,
+        env=os.environ | {"PYTHONPATH": str(tree)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    return run.stdout.strip()
+
+
+@pytest.mark.parametrize("name", compiler.SYSTEM_COMPILERS)
+def test_any_system_compiler_is_taken(path_folder, name):
+    path = write_compiler(path_folder, name)
+    assert compiler.system_compiler() == [str(path)]
+
+
+def test_the_compiler_named_by_cc_comes_first(path_folder, monkeypatch):
+    write_compiler(path_folder, "cc")
+    write_compiler(path_folder, "mine", "exit 1")  # named by the user: taken at the user's word
+    monkeypatch.setenv("CC", "mine -m64")
+    assert compiler.system_compiler() == ["mine", "-m64"]
+
+
+def test_a_compiler_that_cannot_link_counts_as_none(path_folder):
+    write_compiler(path_folder, "cc", "exit 1")
+    assert compiler.system_compiler() is None
+    path = write_compiler(path_folder, "gcc")
+    assert compiler.system_compiler() == [str(path)]
+
+
+@pytest.mark.parametrize(
+    "hook", ["get_requires_for_build_wheel", "get_requires_for_build_editable"]
+)
+def test_ziglang_is_required_only_without_a_compiler(tmp_path, path_folder, hook):
+    tree = copy_of_repository(tmp_path)
+    assert run_hook(tree, f"'ziglang' in backend.{hook}()") == "True"
+    write_compiler(path_folder, "cc")
+    assert run_hook(tree, f"'ziglang' in backend.{hook}()") == "False"
+
+
+def test_a_failed_compile_shows_the_compilers_message_and_the_remedy(
+    tree, path_folder, monkeypatch
+):
+    monkeypatch.setenv("CC", "cc")
+    write_compiler(path_folder, "cc", "echo 'holonom.c:1: error: unused variable'; exit 1")
+    library = tree / compiler.LIBRARIES / compiler.library_name("Linux", 2)
+    library.parent.mkdir()
+    library.write_text("the kernel of before")
+    with pytest.raises(compiler.CompilerError) as failure:
+        compiler.compile_kernel(tree)
+    text = str(failure.value)
+    assert "holonom.c:1: error: unused variable" in text
+    assert "cc -std=c99" in text
+    assert "remedy: CC=... chooses another compiler" in text
+    assert [path.name for path in library.parent.iterdir()] == [library.name]
+    assert library.read_text() == "the kernel of before"
+
+
+@pytest.mark.usefixtures("path_folder")
+def test_without_any_compiler_the_message_says_what_to_install(tree, monkeypatch):
+    monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
+    with pytest.raises(compiler.CompilerError, match="pip install ziglang"):
+        compiler.compile_kernel(tree)
+
+
+def test_a_tree_without_sources_is_refused(tmp_path):
+    with pytest.raises(compiler.CompilerError, match="source tree is incomplete"):
+        compiler.compile_kernel(tmp_path)
+
+
+def test_the_flags_of_the_user_come_last(monkeypatch):
+    monkeypatch.setenv("CFLAGS", "-Wno-error -O1")
+    assert compiler.flags("Linux")[-2:] == ["-Wno-error", "-O1"]
+
+
+def test_a_warning_stops_the_checks_of_the_project_but_no_installation(
+    tree, path_folder, monkeypatch
+):
+    # A newer compiler warns of what none did before: users must not be the ones who find out.
+    warns = """
+case "$*" in *-Werror*) echo "holonom.c:1: error: unused"; exit 1;; esac
+while [ "$1" != -o ]; do shift; done
+echo "holonom.c:1: warning: unused"
+echo library > "$2"
+"""
+    write_compiler(path_folder, "cc", warns)
+    monkeypatch.setenv("CC", "cc")
+    assert [path.read_text() for path in compiler.compile_kernel(tree)] == 2 * ["library\n"]
+    monkeypatch.setenv("CFLAGS", "-Werror")
+    with pytest.raises(compiler.CompilerError, match="error: unused"):
+        compiler.compile_kernel(tree)
+
+
+def test_the_checks_of_the_project_compile_without_a_warning():
+    recipe = (ROOT / "Makefile").read_text().partition("\nlint:")[2].partition("\n\n")[0]
+    (compiled,) = (line for line in recipe.splitlines() if "-m build_kernel" in line)
+    assert compiled.startswith('\tCFLAGS="-Werror -Wshadow -Wcast-qual -Wconversion ')
+
+
+@pytest.mark.parametrize(
+    ("machine", "target", "suffix"),
+    [
+        (("Linux", "x86_64", "glibc"), "x86_64-linux-gnu.2.17", ".so"),
+        (("Linux", "aarch64", "glibc"), "aarch64-linux-gnu.2.17", ".so"),
+        (("Linux", "x86_64", ""), "x86_64-linux-musl", ".so"),
+        (("Windows", "AMD64", ""), "x86_64-windows-gnu", ".dll"),
+        (("Darwin", "arm64", ""), "aarch64-macos", ".dylib"),
+    ],
+)
+def test_each_platform_has_its_target_and_its_libraries(machine, target, suffix):
+    assert compiler.zig_target(*machine) == target
+    names = [compiler.library_name(machine[0], dimension) for dimension in compiler.DIMENSIONS]
+    assert names == [f"libholonom_planar{suffix}", f"libholonom_spatial{suffix}"]
+
+
+def test_the_libraries_have_the_names_by_which_they_are_loaded():
+    for dimension in compiler.DIMENSIONS:
+        name = compiler.library_name(platform.system(), dimension)
+        assert Path(library_path(dimension)).name == name
+
+
+@pytest.mark.slow
+def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder):
+    """Source archive, wheel from it, kernel out of the wheel; takes ziglang from the registry."""
+    tree = copy_of_repository(tmp_path / "tree")
+    assert list(path_folder.iterdir()) == []
+    source = tmp_path / run_hook(tree, f"backend.build_sdist({str(tmp_path)!r})")
+    with tarfile.open(source) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert {
+        "solver/kernel/holonom.c",
+        "solver/kernel/holonom.h",
+        "build_kernel/backend.py",
+    } <= names
+
+    wheel = build_wheel(source, tmp_path)
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+        archive.extractall(tmp_path / "site")
+    assert wheel.name.startswith("holonom-")
+    assert "-py3-none-" in wheel.name
+    assert not wheel.name.endswith("-any.whl")
+    assert {name.partition("/")[0] for name in names if "dist-info" not in name} == {
+        "build_fmu",
+        "fmu_src",
+        "holonom",
+        "solver",
+    }
+    for dimension in compiler.DIMENSIONS:
+        name = compiler.library_name(platform.system(), dimension)
+        assert (compiler.LIBRARIES / name).as_posix() in names
+    # IEEE arithmetic without contraction: another compiler gives the same bits.
+    assert four_bar(tmp_path / "site") == four_bar(ROOT)
+
+
+def four_bar(packages: Path) -> str:
+    """Digest of a run of the four-bar by the kernel below a folder of packages."""
+    code = (
+        "import hashlib, solver; from pathlib import Path\n"
+        f"assert {str(packages)!r} == str(Path(solver.__file__).parent.parent)\n"
+        f"scene = solver.load({str(ROOT / 'scenes/four_bar.toml')!r})\n"
+        "run = solver.simulate(scene, stop_time=2.0)\n"
+        "print(hashlib.sha256(run.table.tobytes()).hexdigest())"
+    )
+    environment = os.environ | {"PYTHONPATH": str(packages)}
+    command = [sys.executable, "-c", code]
+    # From the parent folder, for `-c` puts the working folder before all packages.
+    return subprocess.check_output(command, cwd=packages.parent, env=environment, text=True)
+
+
+def build_wheel(source: Path, folder: Path) -> Path:
+    """Build a wheel with pip, in an environment of its own."""
+    command = [sys.executable, "-m", "pip", "wheel", "--no-deps", "--wheel-dir", str(folder)]
+    run = subprocess.run(
+        [*command, str(source)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
+    assert run.returncode == 0, run.stdout
+    return next(folder.glob("*.whl"))

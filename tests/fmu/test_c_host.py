@@ -1,0 +1,203 @@
+"""A host in C, without Python of its own: every function, reloads, threads, two FMUs at once."""
+
+from __future__ import annotations
+
+import ctypes.util
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import fmpy
+import pytest
+
+from build_kernel.compiler import system_compiler, zig_compiler
+from tests.fmu_instance import instance, pendulum, scene_fmu
+
+SOURCES = Path(__file__).parents[1].joinpath("c_host")
+H, STEPS = 0.01, 50
+"""Of the threads in host.c."""
+OK, DISCARD, ERROR = "0", "2", "3"
+NOT_SUPPORTED = {  # by pythonfmu's library
+    "fmi2GetStatus": ERROR,
+    "fmi2GetIntegerStatus": DISCARD,
+    "fmi2GetStringStatus": DISCARD,
+    "fmi2SetRealInputDerivatives": ERROR,
+    "fmi2GetRealOutputDerivatives": ERROR,
+    "fmi2GetDirectionalDerivative": ERROR,
+    "fmi2CancelStep": ERROR,
+}
+
+
+def libpython() -> str | None:
+    """A shared libpython of 3.10 or newer: this interpreter's, or one of the system."""
+    own = Path(str(sysconfig.get_config_var("LIBDIR")), str(sysconfig.get_config_var("INSTSONAME")))
+    if sysconfig.get_config_var("Py_ENABLE_SHARED") and own.is_file():
+        return str(own)
+    found = (ctypes.util.find_library(f"python3.{minor}") for minor in range(10, 20))
+    return next((name for name in found if name), None)
+
+
+pytestmark = [
+    pytest.mark.skipif(sys.platform != "linux", reason="the host is for Linux"),
+    pytest.mark.skipif(not (system_compiler() or zig_compiler()), reason="no C compiler"),
+    pytest.mark.skipif(sys.platform == "linux" and not libpython(), reason="no shared libpython"),
+]
+
+
+class Unpacked(NamedTuple):
+    """An FMU on disk, and the value references that the host is given."""
+
+    library: str
+    resources: str
+    references: dict[str, int]
+
+    def arguments(self, *names: str) -> list[str]:
+        return [self.library, self.resources, *(str(self.references[name]) for name in names)]
+
+
+@pytest.fixture(scope="module")
+def host(tmp_path_factory) -> Path:
+    program = tmp_path_factory.mktemp("host") / "host"
+    compiler = system_compiler() or zig_compiler() or []
+    flags = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+    sources = sorted(SOURCES.glob("*.c"))
+    command = [*compiler, *flags, "-o", program, *sources, "-ldl", "-lpthread"]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return program
+
+
+def unpacked(path: Path, folder: Path) -> Unpacked:
+    fmpy.extract(str(path), str(folder))
+    variables = fmpy.read_model_description(str(path)).modelVariables
+    library = next(folder.glob("binaries/linux64/*.so"))
+    references = {v.name: v.valueReference for v in variables}
+    return Unpacked(str(library), (folder / "resources").as_uri(), references)
+
+
+@pytest.fixture(scope="module")
+def swinging(tmp_path_factory) -> Unpacked:
+    return unpacked(pendulum(), tmp_path_factory.mktemp("pendulum"))
+
+
+@pytest.fixture(scope="module")
+def linked(tmp_path_factory) -> Unpacked:
+    return unpacked(scene_fmu("four_bar"), tmp_path_factory.mktemp("four_bar"))
+
+
+def run_host(host: Path, *arguments: str, preload="LD_PRELOAD") -> subprocess.CompletedProcess[str]:
+    """Run the host with a libpython, by the loader or by the host itself."""
+    kept = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
+    environment = kept | ({preload: libpython() or ""} if preload else {})
+    command = [str(host), *arguments]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+
+
+def lines(host: Path, *arguments: str, preload="LD_PRELOAD") -> list[str]:
+    run = run_host(host, *arguments, preload=preload)
+    assert run.returncode == 0, run.stderr
+    return run.stdout.splitlines()
+
+
+def in_fmpy(path: Path, push: str, output: str, h: float, steps: int) -> list[float]:
+    """Output after each step of size h, with an input of 1, 2, 3, ..., in fmpy."""
+    with instance(path) as fmu:
+        fmu.initialise()
+        return list(_values(fmu, push, output, h, steps))
+
+
+def _values(fmu, push: str, output: str, h: float, steps: int) -> Iterator[float]:
+    for i in range(steps):
+        fmu.set(**{push: 1.0 + i})
+        assert fmu.step(i * h, h)
+        yield fmu.get(output)
+
+
+# ----------------------------------------------------------------------------------- one FMU
+
+
+def test_without_libpython_the_library_does_not_load(host, swinging):
+    run = run_host(host, "run", *swinging.arguments("push", "A.x"), "3", "0.1", preload="")
+    assert run.returncode == 1
+    assert "undefined symbol: _Py" in run.stderr
+
+
+@pytest.mark.parametrize("preload", ["LD_PRELOAD", "HOST_PYTHON"])
+def test_with_libpython_it_moves_as_in_fmpy(host, swinging, preload):
+    arguments = swinging.arguments("push", "A.x")
+    shown = lines(host, "run", *arguments, "20", "0.05", preload=preload)
+    assert [*map(float, shown)] == in_fmpy(pendulum(), "push", "A.x", 0.05, 20)
+
+
+def test_the_readme_tells_of_the_preload_in_one_line():
+    readme = (SOURCES.parents[1] / "README.md").read_text(encoding="utf-8")
+    assert re.search(r"preloads libpython: `LD_PRELOAD=libpython3\.\d+\.so\.1\.0 host`", readme)
+
+
+def test_every_function_is_called_and_answers_as_documented(host, swinging):
+    arguments = swinging.arguments("push", "A.x", "solver.paired", "solver.algorithm")
+    values: dict[str, str] = {}
+    called = {}
+    for line in lines(host, "calls", *arguments):
+        what, _, value = line.rpartition(" ")
+        if what.startswith("value of "):
+            values[what.removeprefix("value of ")] = value
+            continue
+        expected = DISCARD if "beyond" in what else NOT_SUPPORTED.get(what, OK)
+        assert value == expected, line
+        called[what] = value
+    table = (SOURCES / "fmi2.h").read_text(encoding="utf-8")
+    functions = set(re.findall(r"\b(fmi2(?!Get##|Set##)\w+), \\?\s*\(", table))
+    functions |= {f"fmi2{way}{kind}" for way in ("Get", "Set") for kind in KINDS}
+    assert len(functions) == 34
+    assert functions - set(called) - set(values) == {"fmi2Instantiate"}
+    assert values["fmi2GetVersion"] == "2.0"
+    assert (values["fmi2GetBoolean"], values["fmi2GetString"]) == ("0", "simultaneous")
+    assert float(values["fmi2GetRealStatus"]) == 0.1
+
+
+KINDS = ("Real", "Integer", "Boolean", "String")
+
+
+def test_load_run_and_unload_many_times_gives_the_same_and_holds_little_memory(host, swinging):
+    shown = [
+        line.split() for line in lines(host, "cycles", *swinging.arguments("push", "A.x"), "60")
+    ]
+    values, pages, loaded = zip(*shown, strict=True)
+    assert len(set(values)) == 1
+    # Its unique C++ symbols keep the library where it is (docs/fmu.md, section 5).
+    assert set(loaded) == {"1"}
+    # Measured: two pages a cycle, whoever unloads; ten are let pass.
+    assert int(pages[-1]) - int(pages[9]) < 500
+
+
+# ----------------------------------------------------------------------------- several at once
+
+
+def test_instances_in_threads_move_as_one_alone(host, swinging):
+    expected = in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1]
+    shown = lines(host, "threads", *swinging.arguments("push", "A.x"), "8")
+    assert [*map(float, shown)] == [expected] * 8
+
+
+def test_two_fmus_in_threads_move_as_each_alone(host, swinging, linked):
+    expected = [
+        in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1],
+        in_fmpy(scene_fmu("four_bar"), "drive", "B0.x", H, STEPS)[-1],
+    ]
+    second = linked.arguments("drive", "B0.x")
+    shown = lines(host, "threads", *swinging.arguments("push", "A.x"), "6", *second)
+    assert [*map(float, shown)] == expected * 3
+
+
+def test_an_fmu_may_go_and_come_back_while_another_stays(host, swinging, linked):
+    a = in_fmpy(pendulum(), "push", "A.x", H, 30)[-1]
+    b = in_fmpy(scene_fmu("four_bar"), "drive", "B0.x", H, 30)[-1]
+    second = linked.arguments("drive", "B0.x")
+    shown = lines(host, "turns", *swinging.arguments("push", "A.x"), "30", *second)
+    assert [*map(float, shown)] == [a, b, a]

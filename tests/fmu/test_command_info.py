@@ -1,0 +1,246 @@
+"""`holonom info`: what a mechanism consists of, how it can move, and where it comes to rest."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+
+from build_fmu.commands.info import FORCES
+from solver.scene.schema import TYPES
+from tests.commands import run
+from tests.fmu.test_archive import repack
+from tests.fmu_instance import SCENES, scene_fmu
+
+DOUBLE_ROD = """
+name = "double_rod"
+dimension = 2
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1 }
+[joints]
+one = { type = "distance", points = ["O", "A"] }
+two = { type = "distance", points = ["O", "A"] }
+"""
+
+UNEVEN_BEAM = """
+name = "uneven_beam"
+dimension = 2
+gravity = [0, -10]
+[bodies]
+beam = { position = [1, 0], mass = 6.0, inertia = 2.0, points = { left = [-1, 0], right = [2, 0] } }
+[joints]
+pin = { type = "revolute", bodies = ["ground", "beam"], position = [0, 0] }
+roller = { type = "point_on_line", point = "beam.right", axis = [1, 0] }
+"""
+
+
+def info(capsys, target, *arguments) -> dict:
+    code, out, err = run(capsys, "info", target, "--json", *arguments)
+    assert (code, err) == (0, "")
+    return json.loads(out)
+
+
+def lines(capsys, target, *arguments) -> dict[str, str]:
+    """Rows of the first table, by their first column."""
+    code, out, _ = run(capsys, "info", target, *arguments)
+    assert code == 0
+    table = out.partition("\n\n")[2].partition("\n\n")[0]
+    rows = (re.split(r"\s{2,}", line, maxsplit=1) for line in table.splitlines())
+    return {name: text.strip() for name, text in rows}
+
+
+# -------------------------------------------------------------------------------------- counts
+
+
+def test_info_says_the_same_of_a_scene_and_its_fmu(capsys):
+    scene = run(capsys, "info", SCENES / "four_bar.toml", "--json")
+    assert scene == run(capsys, "info", scene_fmu("four_bar"), "--json")
+    document = json.loads(scene[1])
+    assert document["bodies"] == ["crank0", "crank1", "crank2", "coupler0", "coupler1"]
+    assert (document["coordinates"], document["rows"]) == (6, 5)
+    assert (document["degrees_of_freedom"], document["redundant_rows"]) == (1, 0)
+
+
+def test_redundant_rows_are_counted_and_their_joints_named(capsys, tmp_path):
+    scene = tmp_path / "double_rod.toml"
+    scene.write_text(DOUBLE_ROD)
+    table = lines(capsys, scene)
+    assert table["redundant rows"].startswith("1  among those of joint 'one', joint 'two' (")
+    assert table["mobility"] == "1 by rank, 0 by counting (Kutzbach), without drivers"
+    assert table["degrees of freedom"] == "1"
+
+
+def test_a_paradoxical_mechanism_moves_by_rank_alone(capsys):
+    found = info(capsys, SCENES / "bricard.toml")
+    assert (found["mobility"], found["mobility_by_count"]) == (1, 0)
+    assert found["redundant_parts"] == [f"joint 'hinge{i}'" for i in range(1, 7)]
+
+
+def test_rolling_takes_freedom_from_velocities_alone(capsys):
+    table = lines(capsys, SCENES / "rolling_disc.toml")
+    assert table["non-holonomic rows"] == "2  joint 'contact'"
+    assert table["degrees of freedom"] == "5 of positions, 3 of velocities"
+
+
+@pytest.mark.parametrize(
+    ("name", "drivers", "motions"),
+    [("stewart", [f"drive{i}" for i in range(1, 7)], 6), ("double_wishbone", ["profile"], 3)],
+)
+def test_drivers_are_named_whether_they_move_joints_or_points(capsys, name, drivers, motions):
+    found = info(capsys, SCENES / f"{name}.toml")
+    assert (found["drivers"], found["prescribed_motions"]) == (drivers, motions)
+
+
+def test_an_fmu_of_an_earlier_format_is_not_read_as_one_of_this(capsys, tmp_path):
+    def earlier(path, data):
+        return path, data.replace(b'"format":3', b'"format":2')[
+            :-4
+        ] if "model.bin" in path else data
+
+    old = repack(scene_fmu("four_bar"), tmp_path / "old.fmu", earlier)
+    code, out, err = run(capsys, "info", old)
+    assert (code, out) == (2, "")
+    assert "of an earlier version" in err
+
+
+# --------------------------------------------------------------------------------- equilibrium
+
+
+def test_a_mass_comes_to_rest_where_its_spring_carries_it(capsys):
+    # m g = 19.62 N stretches 200 N/m by 0.0981 m; the search stops at 1e-10 of the mechanism.
+    for target in (SCENES / "spring_pendulum.toml", scene_fmu("spring_pendulum")):
+        found = info(capsys, target, "--equilibrium")
+        assert found["positions"]["A"] == pytest.approx({"x": 0, "y": 0, "z": -0.9981}, abs=1e-9)
+        spring = {"length": 0.9981, "force": 19.62}
+        assert found["forces"]["spring"] == pytest.approx(spring, abs=1e-7)
+        assert found["outputs"] == pytest.approx({"stretch": 0.0981}, abs=1e-9)
+        assert not found["held"]
+
+
+def test_the_supports_of_a_beam_share_its_weight_by_the_lever(capsys, tmp_path):
+    # 60 N at a third of the way from the pin to the roller.
+    scene = tmp_path / "beam.toml"
+    scene.write_text(UNEVEN_BEAM)
+    found = info(capsys, scene, "--equilibrium")["reactions"]
+    assert found["pin"] == pytest.approx({"force.x": 0, "force.y": 40}, abs=1e-9)
+    assert found["roller"] == pytest.approx({"force.x": 0, "force.y": 20}, abs=1e-9)
+
+
+def test_reactions_that_are_not_unique_are_said_to_be(capsys, tmp_path):
+    scene = tmp_path / "double_rod.toml"
+    scene.write_text(DOUBLE_ROD)
+    out = run(capsys, "info", scene, "--equilibrium")[1]
+    assert "\nreactions, not unique in joint 'one', joint 'two'\n" in out
+
+
+def test_a_change_of_a_number_moves_the_equilibrium(capsys):
+    arguments = ("--equilibrium", "--set", "mass=4")
+    found = info(capsys, SCENES / "spring_pendulum.toml", *arguments)
+    assert found["forces"]["spring"]["force"] == pytest.approx(39.24, abs=1e-7)
+
+
+def test_a_driver_that_moves_is_held_where_it_is_at_the_start(capsys):
+    found = info(capsys, SCENES / "car_axis.toml", "--equilibrium")
+    assert found["held"]
+    out = run(capsys, "info", SCENES / "car_axis.toml", "--equilibrium")[1]
+    assert "drivers are held" in out.splitlines()[0]
+
+
+def test_the_tables_have_units_and_show_rounding_as_zero(capsys):
+    code, out, _ = run(capsys, "info", SCENES / "flyball_governor.toml", "--equilibrium")
+    assert code == 0
+    rows = [line.split() for line in out.splitlines()]
+    assert next(row[:2] for row in rows if "[N]" in row and "torque.x" in row) == ["force.x", "[N]"]
+    guide = next(row for row in rows if row[:1] == ["guide"] and len(row) == 7)
+    assert set(guide[1:]) == {"0"}
+
+
+def test_where_nothing_comes_to_rest_the_end_is_3_and_a_sentence(capsys):
+    code, out, err = run(capsys, "info", SCENES / "screw_jack.toml", "--equilibrium", "--json")
+    assert (code, out) == (3, "")
+    assert err.startswith("holonom: screw_jack: no static equilibrium was found")
+    assert err.count("\n") == 1
+
+
+HUNG = """
+name = "hung"
+dimension = 2
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [1, 0], mass = 1 }
+B = { position = [2, 0], mass = 1 }
+[joints]
+upper = { type = "distance", points = ["O", "A"] }
+[forces]
+hang = { type = "spring", points = ["ground", "B"], at = [[2, 1], [2, 0]], stiffness = 10.0 }
+hold = { type = "damper", points = ["ground", "B"], at = [[3, 1], [2, 0]], damping = 10.0 }
+"""
+
+
+def test_what_is_fixed_names_the_places_that_no_table_of_points_has(capsys, tmp_path):
+    """An FMU does not know which of its fixed places were points of the scene."""
+    scene = tmp_path / "hung.toml"
+    scene.write_text(HUNG)
+    _, out, _ = run(capsys, "info", scene)
+    points = "points 2 moving (origins of bodies count), 3 fixed (fixed points, and places where"
+    assert points in " ".join(out.split())
+
+
+def test_formulas_of_constraints_and_rows_of_the_mechanism_are_told_apart(capsys):
+    table = lines(capsys, SCENES / "four_bar.toml")
+    assert table["constraint formulas"] == "0"
+    assert table["constraint rows"].endswith("of bodies, joints, drivers and formulas")
+
+
+# -------------------------------------------------------------------------------------- forces
+
+FORCED = """
+name = "forced"
+dimension = 2
+[points]
+P = { position = [2, 0], mass = 1 }
+[bodies]
+arm = { position = [0, 0], mass = 1, inertia = 1 }
+[joints]
+pin = { type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }
+[forces]
+"""
+OF_TYPES = {
+    "spring": 'points = ["P", "arm"], stiffness = 0.0',
+    "damper": 'points = ["P", "arm"], damping = 0.0',
+    "torsion_spring": 'joint = "pin", stiffness = 0.0',
+    "torsion_damper": 'joint = "pin", damping = 0.0',
+    "joint_torque": 'joint = "pin", value = 0.0',
+    "torque": 'body = "arm", value = 0.0',
+    "force": 'point = "P", value = [0, 0]',
+    "potential": 'value = "P.x**2"',
+    "gravitation": 'points = ["P", "arm"], constant = 1.0',
+}
+
+
+def test_every_type_of_force_has_its_row():
+    assert {*OF_TYPES} == {*TYPES["forces"]}
+    assert sorted(word for types in FORCES.values() for word in types) == sorted(OF_TYPES)
+
+
+@pytest.mark.parametrize("word", OF_TYPES)
+def test_a_force_is_counted_as_what_it_is(capsys, tmp_path, word):
+    """Also where its numbers are 0 at the start."""
+    scene = tmp_path / "forced.toml"
+    scene.write_text(f'{FORCED}one = {{ type = "{word}", {OF_TYPES[word]} }}\n')
+    table = lines(capsys, scene)
+    for kind, types in FORCES.items():
+        assert table[kind] == ("1  one" if word in types else "0")
+    assert info(capsys, scene)["forces"] == {word: ["one"]}
+
+
+def test_the_mechanism_comes_first_and_the_solver_last(capsys):
+    out = run(capsys, "info", SCENES / "four_bar.toml")[1]
+    names = [
+        line.split()[0] for line in out.partition("meaning")[2].splitlines()[2:] if line[:1].strip()
+    ]
+    solvers = [name.startswith("solver.") for name in names]
+    assert solvers == sorted(solvers)
+    assert any(solvers)

@@ -1,0 +1,193 @@
+"""Energy and momenta are constants of the discrete motion, whatever the step.
+
+García Orden & Ortega, section 3: the conserving augmented Lagrangian keeps energy and constraints
+to round-off where the midpoint rule (their eq. 5) gains energy without bound.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+import solver
+from tests.problems import (
+    GRAVITY,
+    Array,
+    Content,
+    chain,
+    conical_pendulum,
+    double_pendulum,
+    four_bar,
+    free_system,
+    move,
+    observe,
+    observe_until_it_fails,
+    pendulum,
+    start,
+    tree,
+    view,
+)
+from tests.random_mechanisms import free_systems
+
+SCENES = Path(__file__).parents[2] / "scenes"
+DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
+PAIRED = pytest.mark.parametrize("paired", [False, True], ids=["plain", "pairs"])
+
+
+# ------------------------------------------------------------------- chains, and the midpoint rule
+
+
+@PAIRED
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_a_chain_from_the_horizontal_keeps_energy_and_length_for_20_s(n, paired):
+    # 1e-10 N m g L and 1e-12 are what a solve to 1e-12 of each step may leave after 2000 steps,
+    # with a factor of 100 to spare.
+    motion = move(start(chain(n), h=0.01, paired=paired), 0.01, 2000)
+    assert np.abs(motion.balance).max() < 1e-10 * n * GRAVITY
+    assert np.abs(motion.phi).max() < 1e-12
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_the_midpoint_rule_loses_the_same_chain_within_6_s(n):
+    # Eq. 5 satisfies the constraints at the midpoints; what the ends do feeds energy in: more than
+    # ten times what gravity could ever give, even where no further step can be solved after that.
+    integrator = start(chain(n), h=0.01, formulation="midpoint-al")
+    error = observe_until_it_fails(integrator, 0.01, 600, ["energy.balance"])
+    assert np.abs(error).max() > 10 * n * GRAVITY
+
+
+@PAIRED
+@pytest.mark.slow
+def test_a_double_pendulum_keeps_its_energy_to_a_picojoule_over_200000_steps(paired):
+    # Plain steps of 1 ms, and pairs of two half steps of 0.5 ms each: 2e5 and 4e5 solved steps.
+    # With increments as unknowns and compensated sums nothing adds up but the residuals, some 1e-16
+    # J each and of either sign.
+    balance = observe(start(double_pendulum(), h=1e-3, paired=paired), 1.0, 200, ["energy.balance"])
+    assert np.abs(balance).max() <= 1e-12
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "heavy_top", "flyball_governor"])
+def test_what_newton_leaves_of_the_momentum_balance_does_not_add_up_in_the_energy(name):
+    # Second differences of it are left, whose energies are those of round-off, 1e-16 of the energy
+    # in a step, of either sign: some 1e-20 a step in the mean of 20 000. Without them it is 1e-19.
+    integrator = solver.Integrator(solver.assemble(solver.load(SCENES / f"{name}.toml")))
+    steps = 20_000
+    for i in range(steps // 100):
+        integrator.advance(float(i), 1.0)  # 100 steps of the default length
+    head = integrator.state.head
+    left = head["residual"] + head["residual_low"]
+    assert abs(left) < 3e-20 * steps * head["energy_reference"]
+
+
+@pytest.mark.parametrize("h", [1e-3, 1e-2, 1e-1])
+@pytest.mark.parametrize(
+    "problem",
+    [
+        pendulum(1.0, 2.0),
+        double_pendulum(1.0),
+        conical_pendulum(1.0),
+        four_bar(2),
+        tree(6, dimension=3),
+    ],
+    ids=lambda content: content["name"],
+)
+def test_energy_and_constraints_hold_at_every_step_size(problem, h):
+    # Relative to the energy that is exchanged; 1e-12 is the tolerance of one step.
+    observed = observe(start(problem, h=h), h, 300, ["energy.error", "constraint.position"])
+    assert observed.max(axis=0) == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
+def test_the_energy_that_is_reported_is_that_of_the_definition():
+    content = free_system(3)
+    content["gravity"] = [0.3, -0.2, -9.81]
+    integrator = start(content, h=0.05)
+    motion = move(integrator, 0.05, 20)
+    kinetic, potential = energies(content, motion.q[-1], motion.v[-1])
+    assert integrator["energy.kinetic"] == pytest.approx(kinetic, rel=1e-13)
+    assert integrator["energy.potential"] == pytest.approx(potential, rel=1e-13)
+    first = sum(energies(content, motion.q[0], motion.v[0]))
+    assert motion.balance[-1] == pytest.approx(kinetic + potential - first, abs=1e-12 * abs(first))
+
+
+def energies(content: Content, q: Array, v: Array) -> tuple[float, float]:
+    """Kinetic and potential energy from the definitions, part by part: points, bars, springs."""
+    node = {name: place for place, name in enumerate(content["points"])}
+    down = np.array(content["gravity"])
+    kinetic = potential = 0.0
+    for name, point in content["points"].items():
+        kinetic += 0.5 * point["mass"] * v[node[name]] @ v[node[name]]
+        potential -= point["mass"] * down @ q[node[name]]
+    for bar in content["bodies"].values():
+        a, b = (node[name] for name in bar["points"])
+        kinetic += bar["mass"] / 6 * (v[a] @ v[a] + v[a] @ v[b] + v[b] @ v[b])
+        potential -= bar["mass"] * down @ (q[a] + q[b]) / 2
+    for spring in content["forces"].values():
+        a, b = (node[name] for name in spring["points"])
+        stretch = np.linalg.norm(q[b] - q[a]) - spring["free_length"]
+        potential += 0.5 * spring["stiffness"] * stretch**2
+    return kinetic, potential
+
+
+# ------------------------------------------------------------------------------------ free systems
+
+
+def momenta(dimension: int) -> list[str]:
+    return [
+        *(f"momentum.{axis}" for axis in "xyz"[:dimension]),
+        *(f"angular_momentum.{axis}" for axis in ("z" if dimension == 2 else "xyz")),
+    ]
+
+
+def assert_momenta_and_energy_hold(content: Content, h: float, n_steps: int) -> None:
+    """Watch a free system over `n_steps` steps, at a hundred times."""
+    dimension = content["dimension"]
+    integrator = start(content, h=h)
+    mass = integrator.model.numbers[integrator.model.offsets["node_mass"] :][
+        : len(content["points"])
+    ]
+    values = observe(
+        integrator,
+        h * n_steps / 100,
+        100,
+        ["energy.balance", "energy.kinetic", *momenta(dimension)],
+    )
+    energy, kinetic, moved = values[:, 0], values[:, 1], np.abs(values[:, 2:] - values[0, 2:])
+    # Scales: the energy in motion, and the momentum that it means for the whole mass, at the lever
+    # of the mechanism's farthest point from the origin.
+    speed = math.sqrt(2 * kinetic.max() / sum(mass))
+    momentum, lever = sum(mass) * speed, np.linalg.norm(view(integrator, "q"), axis=1).max()
+    assert np.abs(energy).max() < 1e-11 * kinetic.max()
+    assert moved[:, :dimension].max() < 1e-11 * momentum
+    assert moved[:, dimension:].max() < 1e-11 * momentum * lever
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("h", [0.1, 0.3, 0.5])
+@DIMENSIONS
+def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(dimension, h):
+    # Its parts turn at about 1 rad/s, so h is the angle that it turns in a step. 10^4 errors of the
+    # size of round-off that add up at random give 1e-14, all of one sign 1e-12.
+    assert_momenta_and_energy_hold(free_system(dimension), h, 10_000)
+
+
+@pytest.mark.slow
+@settings(max_examples=50, suppress_health_check=[HealthCheck.too_slow])
+@given(free_systems())
+def test_energy_and_momenta_of_any_free_system_hold_over_ten_thousand_large_steps(system):
+    content, h = system
+    assert_momenta_and_energy_hold(content, h, 10_000)
+
+
+@DIMENSIONS
+def test_the_mass_centre_of_a_free_system_moves_straight(dimension):
+    content = free_system(dimension)
+    integrator = start(content, h=0.2)
+    weights = integrator.model.numbers[integrator.model.offsets["node_mass"] :][:5] / np.float64(1)
+    first, velocity = weights @ view(integrator, "q"), weights @ view(integrator, "v")
+    integrator.advance(0.0, 100.0)
+    expected = first + 100.0 * velocity
+    assert weights @ view(integrator, "q") == pytest.approx(expected, rel=1e-13, abs=1e-12)

@@ -1,0 +1,220 @@
+"""Joints, constraints, forces and drivers arrive as written, and name what they measure."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+from solver.scene import (
+    BodyJoint,
+    ConstantAngle,
+    Constraint,
+    DistanceDriver,
+    Force,
+    Gear,
+    Gravitation,
+    JointDriver,
+    JointTorque,
+    PointOn,
+    PointReference,
+    PositionDriver,
+    Potential,
+    Rack,
+    Rolling,
+    SceneError,
+    Spring,
+    Torque,
+    TorsionDamper,
+    TorsionSpring,
+    loads,
+    parse,
+    schema,
+)
+from tests.scene_quantities import quantities_of
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+FOLDER = Path(__file__).parents[1] / "whole_scenes"
+SPACE = (FOLDER / "space.toml").read_text(encoding="utf-8")
+PLANE = (FOLDER / "plane.toml").read_text(encoding="utf-8")
+SCENE = loads(SPACE)
+POINT_A = PointReference(point="A")
+TIP = PointReference(point="b1.tip")
+
+
+def test_the_scenes_of_this_test_use_every_type_there_is():
+    data = tomllib.loads(SPACE), tomllib.loads(PLANE)
+    for table, types in schema.TYPES.items():
+        used = {part.get("type", "rigid") for d in data for part in d.get(table, {}).values()}
+        assert used == set(types), table
+
+
+@pytest.mark.parametrize(
+    ("name", "joint"),
+    [
+        ("j2", BodyJoint(type="spherical", bodies=None,
+                         points=(PointReference(point="S"), PointReference(point="b1")))),
+        ("j3", BodyJoint(type="revolute", bodies=(None, "b1"), position=(0.0, 0.0, 0.0),
+                         axis=(0.0, 0.0, 1.0))),
+        ("j4", BodyJoint(type="universal", bodies=("b1", "b2"), position=(0.0, 0.0, 0.0),
+                         axis=(0.0, 0.0, 1.0), second_axis=(1.0, 0.0, 0.0))),
+        ("j6", BodyJoint(type="prismatic", bodies=("b2", "b3"), position=(0.0, 0.0, 2.0),
+                         axis=(0.0, 0.0, 1.0))),
+        ("j9", BodyJoint(type="screw", bodies=("b3", "b4"), position=(0.0, 0.0, 0.0),
+                         axis=(0.0, 0.0, 1.0), pitch=0.01)),
+        ("k1", PointOn(type="point_on_line", point=POINT_A, body="b1", axis=(0.0, 0.0, 1.0))),
+        ("k2", PointOn(type="point_on_plane", point=TIP, body=None, axis=(0.0, 0.0, 1.0))),
+        ("k3", PointOn(type="point_on_surface",
+                       point=PointReference(point="b2", at=(0.0, 0.0, 1.0)), body=None,
+                       surface=parse("x**2 + a*y**2 + z - 1"))),
+        ("k4", ConstantAngle(bodies=("b1", "b2"), axes=((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)))),
+        ("k5", Gear(joints=("j3", "j5"), ratio=-2.0)),
+        ("k6", Rack(joints=("j3", "j6"), radius=parse("a"))),
+        ("k7", Rolling(body="b1", radius=0.5, axis=(0.0, 1.0, 0.0))),
+    ],
+)  # fmt: skip
+def test_joints_arrive_as_written(name, joint):
+    assert SCENE.joints[name] == joint
+
+
+def test_constraints_and_drivers_arrive_as_written():
+    assert SCENE.constraints == {
+        "c1": Constraint(value=parse("A.x**2 - b1.tip.x - sin(t)*u")),
+        "c2": Constraint(velocity=parse("A.vx*sin(A.x) - b1.vy")),
+    }
+    ends = (POINT_A, PointReference(point="b2"))
+    assert SCENE.drivers == {
+        "d1": PositionDriver(point=POINT_A, value=(parse("sin(t)"), 0.0, parse("u"))),
+        "d2": DistanceDriver(points=ends, value=parse("1 + t")),
+        "d3": JointDriver(type="angle", joint="j3", value=parse("t")),
+        "d4": JointDriver(type="displacement", joint="j6", value=parse("0.1*t")),
+    }
+    assert SCENE.inputs["u"].interpolation == "ramp"
+
+
+@pytest.mark.parametrize(
+    ("name", "force"),
+    [
+        ("f1", Spring(points=(POINT_A, TIP), energy=parse("k*(length - 1)**4"))),
+        ("f4", TorsionSpring(joint="j3", stiffness=2.0)),
+        ("f5", TorsionDamper(joint="j3", damping=2.0)),
+        ("f6", JointTorque(joint="j5", value=parse("-k*j5.angular_velocity + u"))),
+        ("f7", Force(point=TIP, value=(parse("u"), parse("-A.vx"), 0.0), axes="body")),
+        ("f8", Torque(body="b1", value=(0.0, 0.0, parse("j3.angle")))),
+        ("f9", Potential(value=parse("A.x**2 + distance(A, b1.tip)"))),
+        ("g1", Gravitation(points=(POINT_A, PointReference(point="b1")), masses=(1.0, 2.0))),
+        ("g2", Gravitation(points=(PointReference(point="S"), PointReference(point="b1")),
+                           masses=(1.0, 2.0), constant=1.0)),
+    ],
+)  # fmt: skip
+def test_forces_arrive_as_written(name, force):
+    assert SCENE.forces[name] == force
+
+
+def test_a_place_on_a_body_and_on_the_ground_are_kept_and_that_of_a_point_is_not():
+    assert SCENE.forces["f2"].points == (
+        PointReference(point=None, at=(1.0, 1.0, 1.0)),
+        PointReference(point="b1"),
+    )
+    assert SCENE.joints["j1"].points == (TIP, PointReference(point="b2", at=(0.0, 0.0, 1.0)))
+
+
+def own(names, *prefixes):
+    return {name for name in names if name.split(".")[0] in prefixes}
+
+
+def test_positions_and_rates_are_those_of_points_bodies_and_joints():
+    levels = quantities_of(PLANE)
+    positions, rates = (
+        {name for name, level in levels.items() if level == wanted}
+        for wanted in ("position", "rate")
+    )
+    assert own(positions, "A", "link") == {"A.x", "A.y", "link.angle"}
+    assert own(positions, "b1") == {"b1.x", "b1.y", "b1.angle", "b1.tip.x", "b1.tip.y"}
+    assert own(rates, "b2", "link") == {
+        "b2.vx", "b2.vy", "b2.angular_velocity", "link.angular_velocity",
+    }  # fmt: skip
+    assert own(positions | rates, "j1") == {"j1.angle", "j1.angular_velocity"}
+    assert own(positions | rates, "j3") == {"j3.displacement", "j3.velocity"}
+    assert not own(positions | rates, "j2", "f1", "energy")
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("j1", "force"),
+        ("j2", "force.x force.y force.z"),
+        ("j3", "angle angular_velocity force.x force.y force.z torque.x torque.y torque.z"),
+        ("j5", "angle angular_velocity displacement velocity force.x force.y force.z"
+               " torque.x torque.y torque.z"),
+        ("j8", "force.x force.y force.z torque.x torque.y torque.z"),
+        ("k1", "force.x force.y force.z"),
+        ("k4", "torque"),
+        ("k5", "torque"),
+        ("k6", "force"),
+        ("k7", "force.x force.y force.z"),
+        ("c1", "multiplier"),
+        ("f1", "length force"),
+        ("f4", "torque"),
+        ("f7", ""),
+        ("f9", "energy"),
+        ("g1", "length force"),
+        ("d1", "force.x force.y force.z power"),
+        ("d2", "force power"),
+        ("d3", "torque power"),
+        ("d4", "force power"),
+        ("b2", "x y z vx vy vz qw qx qy qz wx wy wz"),
+    ],
+)  # fmt: skip
+def test_quantities_in_space(name, words):
+    expected = {f"{name}.{word}" for word in words.split()}
+    assert own(quantities_of(SPACE), name) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("j1", "angle angular_velocity force.x force.y"),
+        ("j2", "force.x force.y"),
+        ("j3", "displacement velocity force.x force.y torque.z"),
+        ("j4", "force.x force.y torque.z"),
+        ("b2", "x y vx vy angle angular_velocity"),
+    ],
+)
+def test_quantities_in_the_plane(name, words):
+    expected = {f"{name}.{word}" for word in words.split()}
+    assert own(quantities_of(PLANE), name) == expected
+
+
+def test_a_joint_of_unknown_type_is_reported_alone():
+    """Neither the gear nor the output that name it add a mistake of their own."""
+    text = PLANE.replace('j1 = { type = "revolute"', 'j1 = { type = "revolut"')
+    with pytest.raises(SceneError) as caught:
+        loads(text)
+    (problem,) = caught.value.problems
+    assert problem.location == "joints.j1.type"
+
+
+@pytest.mark.parametrize(
+    ("expression", "linear"),
+    [
+        ("A.vx*sin(A.x) - A.vy", True),
+        ("(A.vx - 2*t)/(1 + A.x**2) + 3", True),
+        ("A.vx if A.x > 0 else A.vy", True),
+        ("A.vx*A.vy", False),
+        ("1/A.vx", False),
+        ("A.vx**2", False),
+        ("sin(A.vx)", False),
+        ("A.vy if A.vx > 0 else 1", False),
+    ],
+)
+def test_rows_on_velocities_must_be_linear_in_them(expression, linear):
+    text = PLANE + f'[constraints]\nrow = {{ velocity = "{expression}" }}\n'
+    if linear:
+        assert loads(text).constraints["row"].velocity == parse(expression)
+    else:
+        with pytest.raises(SceneError, match="must be linear in the velocities"):
+            loads(text)

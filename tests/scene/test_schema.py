@@ -1,0 +1,30 @@
+"""The JSON Schema of scenes, and what importing the reader costs."""
+
+import dataclasses
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from solver.scene import Scene, json_schema
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_the_published_schema_is_current():
+    """To renew it: json.dumps(solver.scene.json_schema(), indent=2) into docs/scene.schema.json."""
+    published = (ROOT / "docs" / "scene.schema.json").read_text(encoding="utf-8")
+    assert json.loads(published) == json_schema()
+
+
+def test_the_schema_lists_every_table_and_field():
+    schema = json_schema()
+    fields = {field.name for field in dataclasses.fields(Scene)}
+    assert set(schema["properties"]) == fields - {"source", "warnings"}
+    assert "stiffness" in schema["$defs"]["Spring"]["properties"]
+    assert "null" not in json.dumps(schema)
+
+
+def test_importing_the_reader_does_not_import_pydantic():
+    code = "import sys, solver.scene; sys.exit('pydantic' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=False).returncode == 0
