@@ -11,8 +11,8 @@ from benchmarks.effort import Effort
 from benchmarks.mechanisms import GRAVITY, hanging_chain, start
 from benchmarks.observe import Observer
 from benchmarks.report import Section, Table, Value
+from solver.options import CHOICES
 from solver.runtime import StepError
-from solver.runtime.options import CHOICES
 
 STOP = 20.0
 STEPS = (0.05, 0.02, 0.01, 0.005)

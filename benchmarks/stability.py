@@ -13,7 +13,7 @@ from benchmarks.stability_peers import present, scanned
 from benchmarks.stability_picture import draw as draw
 from benchmarks.stability_rules import CONSTRAINT, LOOKS, LOOSE, TIGHT, Seen, largest, scan
 from benchmarks.stability_runs import Ready, prepare, run
-from solver.runtime.options import CHOICES, DEFAULTS
+from solver.options import CHOICES, DEFAULTS
 
 PENALTIES = (1e4, 1e8, 1e12)
 CHAINS = ((10, 1.0), (100, 1.0), (1000, 1.0), (10, 10.0), (100, 10.0))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from build_fmu.payload import package_folder
 from build_fmu.report import as_text
 from build_fmu.study.values import counted
-from solver.runtime.options import TINY
+from solver.options import TINY
 
 if TYPE_CHECKING:
     from build_fmu.self_check import Trial

@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from solver.options import DEFAULTS
 from solver.runtime import Model
 from solver.runtime.layout import OFFSETS, SIZES, TABLES, measured_size
 from solver.runtime.model import Experiment, Row
 from solver.runtime.operations import CODES as NAMES
-from solver.runtime.options import DEFAULTS
 from tests.hand_factors import (
     SEGMENTS,
     Factors,

@@ -7,9 +7,10 @@ from array import array
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.options import DEFAULTS
 from solver.runtime import State, Status
 from solver.runtime.layout import measured_sections
-from solver.runtime.options import DEFAULTS, encode
+from solver.runtime.options import encode
 from tests.hand_models import Hand
 from tests.kernel_calls import Kernel
 

@@ -11,7 +11,7 @@ import warnings
 from pathlib import Path
 
 import solver
-from solver.runtime.options import CHOICES, ORDERS
+from solver.options import CHOICES, ORDERS
 from tests.hostile import models
 from tests.kernel_calls import kernel_of
 from tests.twins import EVERYTHING

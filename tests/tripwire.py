@@ -19,7 +19,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import solver
-from solver.runtime.options import CHOICES, ORDERS
+from solver.options import CHOICES, ORDERS
 from tests.twins import EVERYTHING
 
 Settings = dict[str, str | float | bool]

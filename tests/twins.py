@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import solver
+from solver.options import CHOICES
 from solver.runtime import Integrator, Model
-from solver.runtime.options import CHOICES
 from tests.kernel_calls import kernel_of
 
 Array = NDArray[np.float64]

@@ -14,10 +14,10 @@ from solver.mechanics.sensors import Measures, Named, Ref
 from solver.mechanics.structure import Structure, pointers
 from solver.mechanics.tape import Segment
 from solver.mechanics.variables import Symbols, distance_between, output, variable_table
+from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import TABLES, measured_sections
 from solver.runtime.model import Row, Rule, Variable
-from solver.runtime.options import DEFAULTS
 from solver.scene import Expr, ExpressionError, Scene
 from solver.scene.collector import collector_paused
 from solver.scene.schema import TYPES
@@ -108,7 +108,7 @@ def model_of(scene: Scene) -> Model:
 
 def _settings(scene: Scene) -> dict[str, float | str | bool]:
     """Return the settings; whole numbers become floats, as all numbers of a state are."""
-    given = {name: getattr(scene.solver, name) for name in DEFAULTS}
+    given = {name: getattr(scene.solver, name) for name in OPTIONS}
     return {
         name: float(value) if isinstance(value, int) and not isinstance(value, bool) else value
         for name, value in given.items()

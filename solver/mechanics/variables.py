@@ -9,9 +9,9 @@ from solver.mechanics.parts import AXES
 from solver.mechanics.sensors import Measures, Named, Ref
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Segment
+from solver.options import OPTIONS
 from solver.runtime.layout import measured_sections
 from solver.runtime.model import Variable
-from solver.runtime.options import DEFAULTS, LIMITS, MEANINGS, NO_LIMITS, RANGES
 from solver.scene import Expr, Number, Scene
 from solver.scene.expression import sqrt, symbol
 
@@ -123,13 +123,14 @@ def _parameters(scene: Scene, calculated: Mapping[str, int]) -> Iterator[Variabl
 
 
 def _settings(scene: Scene) -> Iterator[Variable]:
-    for name, default in DEFAULTS.items():
-        start = getattr(scene.solver, name, default)
-        kind = {str: "String", bool: "Boolean"}.get(type(start), "Real")
-        unit = RANGES[name][2] if name in RANGES else ""
+    for option in OPTIONS.values():
+        start = getattr(scene.solver, option.name)
+        kind = "String" if option.words else "Boolean" if option.is_switch else "Real"
+        words = f": one of {', '.join(option.words)}" if len(option.words) > 2 else ""
         yield Variable(
-            name=f"solver.{name}", type=kind, causality="parameter", variability="fixed",
-            unit=unit, description=MEANINGS[name], start=float(start) if kind == "Real" else start,
-            minimum=LIMITS.get(name, NO_LIMITS)[0], maximum=LIMITS.get(name, NO_LIMITS)[1],
-            kind="option",
+            name=f"solver.{option.name}", type=kind, causality="parameter", variability="fixed",
+            unit=option.unit, description=f"{option.meaning}{words}",
+            start=float(start) if kind == "Real" else start,
+            minimum=option.low if kind == "Real" else None,
+            maximum=option.high if kind == "Real" else None, kind="option",
         )  # fmt: skip

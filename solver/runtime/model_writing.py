@@ -10,6 +10,8 @@ import zlib
 from array import array
 from collections.abc import Iterable, Iterator
 
+from solver.options import OPTIONS
+
 from .layout import ABI, HEAD, OFFSETS, PLACE, SIZES, TABLES
 from .model import Model, Rule, Variable
 from .model_file import (
@@ -34,7 +36,7 @@ from .model_file import (
     VARIABLE,
     VERSION,
 )
-from .options import CHOICES, LEAST, WHOLE, encode
+from .options import encode
 
 
 class _Texts:
@@ -76,12 +78,12 @@ def rules_of_laws(model: Model) -> set[Rule]:
 def _record(variable: Variable, texts: _Texts) -> bytes:
     place, start, flags, words, least = variable.place, variable.start, 0, 0, 0.0
     if variable.kind == "option":
-        setting = variable.name.removeprefix("solver.")
-        name, start = encode(setting, start)
+        option = OPTIONS[variable.name.removeprefix("solver.")]
+        name, start = encode(option.name, start)
         place = PLACE[name]
-        words = texts.words(CHOICES[setting]) if setting in CHOICES else 0
-        flags = (IS_WHOLE if setting in WHOLE else 0) | (IS_ORDER if setting == "order" else 0)
-        least = LEAST.get(setting, 0.0)
+        words = texts.words(option.words) if option.words else 0
+        flags = (IS_WHOLE if option.whole else 0) | (IS_ORDER if option.allowed else 0)
+        least = option.least
     for flag, value in (
         (HAS_MINIMUM, variable.minimum), (HAS_MAXIMUM, variable.maximum), (HAS_START, start),
     ):  # fmt: skip

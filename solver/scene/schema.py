@@ -7,10 +7,11 @@ second to import, so only ``load`` imports this module.
 
 from __future__ import annotations
 
-from typing import Any, Literal, Union
+from typing import TYPE_CHECKING, Any, Literal, Optional, Union
 
-from pydantic import Field
+from pydantic import Field, create_model
 
+from solver.options import OPTIONS, Option
 from solver.scene.fields import Expression, Vector
 from solver.scene.grammar import Reading
 from solver.scene.schema_bodies import BODIES, Point
@@ -50,39 +51,34 @@ class Output(Part):
     description: str = ""
 
 
-class Solver(Part):
-    """The method and its settings."""
+def _field(option: Option) -> tuple[Any, Any]:
+    """Return type and default of a setting; numbers may be expressions."""
+    description = ", ".join(filter(None, (option.unit, option.meaning)))
+    if option.words:
+        return Literal[option.words], Field(option.default, description=description)
+    if option.is_switch:
+        return bool, Field(option.default, description=description)
+    if option.allowed:
+        return Literal[tuple(map(int, option.allowed))], Field(
+            int(option.default), description=description
+        )
+    if option.whole:
+        return int, Field(int(option.default), description=description)
+    return Optional[Expression], Field(None, description=description)  # noqa: UP045
 
-    formulation: Literal[
-        "conserving-al",
-        "midpoint-al",
-        "conserving-penalty",
-        "midpoint-penalty",
-        "penalty-velocity",
-        "conserving-al-beta",
-    ] = "conserving-al"
-    algorithm: Literal["nested", "simultaneous"] = "nested"
-    multiplier_update: Literal["end", "paper"] = "end"
-    order: Literal[0, 2, 4, 6, 8] = Field(
-        0, description="0: chosen by the tolerance, 2 without one"
+
+if TYPE_CHECKING:
+
+    class Solver(Part):
+        """The method and its settings."""
+
+else:
+    Solver = create_model(
+        "Solver",
+        __base__=Part,
+        __doc__="The method and its settings.",
+        **{name: _field(option) for name, option in OPTIONS.items()},
     )
-    paired: bool = True
-    step_size: Expression | None = Field(None, description="s, at most the communication step")
-    tolerance: Expression | None = Field(
-        None, description="relative error of a run, 1e-14 to 0.1; 0: steps of step_size"
-    )
-    absolute_tolerance: Expression | None = Field(None, description="m")
-    longest_step: Expression | None = Field(
-        None, description="s, longest internal step with a tolerance"
-    )
-    newton_tolerance: Expression | None = None
-    penalty: Expression | None = None
-    xi: Expression | None = None
-    omega: Expression | None = Field(None, description="rad/s")
-    max_newton: int = 20
-    max_uzawa: int = 20
-    assemble: bool = False
-    start: Literal["drawn", "equilibrium"] = "drawn"
 
 
 class Experiment(Part):

@@ -4,42 +4,36 @@ from __future__ import annotations
 
 from typing import Any
 
+from solver.options import OPTIONS, Option
 from solver.scene import schema
 from solver.scene.fields import BROKEN
-from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule, up_to
+from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule
 from solver.scene.vocabulary import Experiment, SolverSettings
 
-_COUNTS = ("max_newton", "max_uzawa")
-
 TOLERANCE = Rule(
-    lambda x: x == 0.0 or 1e-14 <= x <= 0.1,
+    OPTIONS["tolerance"].holds,
     "0 or from 1e-14 to 0.1",
     "write for instance tolerance = 1e-6, the error of the run relative to size and speed; no run "
     "comes closer than round-off, some 1e-14",
 )
 
-RANGES = {
-    "step_size": up_to(1e6),
-    "tolerance": TOLERANCE,
-    "absolute_tolerance": up_to(1e6, NOT_NEGATIVE),
-    "longest_step": up_to(1e6),
-    "newton_tolerance": up_to(1e-3),
-    "penalty": up_to(1e14),
-    "xi": up_to(1e6, NOT_NEGATIVE),
-    "omega": up_to(1e9),
-    **dict.fromkeys(_COUNTS, Rule(lambda x: 1 <= x <= 1000, "from 1 to 1000")),
-}
-"""Settings that are numbers; the ranges are those of ``solver.runtime.options``."""
+
+def _rule(option: Option) -> Rule:
+    if option.whole:
+        return Rule(option.holds, f"from {option.low:g} to {option.high:g}")
+    above = NOT_NEGATIVE if option.low == 0.0 else POSITIVE
+    return Rule(option.holds, f"{above.words} and <= {option.high:g}")
+
+
+RANGES = {name: _rule(option) for name, option in OPTIONS.items() if option.is_number}
+RANGES["tolerance"] = TOLERANCE
+"""Settings that are numbers."""
 
 ROWS, MOST_INTERNAL_STEPS = 100, 10
 """Communication steps of a default run, and the most internal steps in one of them."""
 
-_UNITS = {"absolute_tolerance": "m", "longest_step": "s", "omega": "rad/s"}
 _DEFAULT = SolverSettings()
-_CHOICES = (
-    *("formulation", "algorithm", "multiplier_update", "order", "paired"),
-    *("assemble", "start"), *_COUNTS,
-)  # fmt: skip
+_COUNTS = tuple(name for name, option in OPTIONS.items() if option.whole)
 
 
 def read_settings(numbers: Numbers) -> tuple[SolverSettings, Experiment]:
@@ -69,23 +63,11 @@ def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
             message = f"must be {RANGES[name].words}, got {count}"
             numbers.draft.error(("solver", name), message)
 
-    def setting(name: str) -> float:
-        given, default = getattr(solver, name), getattr(_DEFAULT, name)
-        return numbers.constant(
-            ("solver", name), given, default, RANGES[name], _UNITS.get(name, "")
-        )
-
-    return SolverSettings(
-        **{name: getattr(solver, name) for name in _CHOICES},
-        step_size=step_size,
-        tolerance=setting("tolerance"),
-        absolute_tolerance=setting("absolute_tolerance"),
-        longest_step=setting("longest_step"),
-        newton_tolerance=setting("newton_tolerance"),
-        penalty=setting("penalty"),
-        xi=setting("xi"),
-        omega=setting("omega"),
-    )
+    given = {name: getattr(solver, name) for name in OPTIONS}
+    for name in RANGES.keys() - {*_COUNTS, "step_size"}:
+        value, unit = getattr(_DEFAULT, name), OPTIONS[name].unit
+        given[name] = numbers.constant(("solver", name), given[name], value, RANGES[name], unit)
+    return SolverSettings(**given | {"step_size": step_size})
 
 
 def _experiment(numbers: Numbers, experiment: Any, inner: float, outer: float) -> Experiment:

@@ -8,9 +8,10 @@ the scene has dimensions. A ``Number`` that is not a float depends on parameters
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
-from typing import Literal, NoReturn
+from dataclasses import dataclass, field, make_dataclass
+from typing import TYPE_CHECKING, Any, Literal, NoReturn
 
+from solver.options import OPTIONS
 from solver.scene.expression import Number
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.vocabulary_forces import Driver, ForceElement
@@ -27,42 +28,23 @@ class Output:
     description: str = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SolverSettings:
-    """The method and its settings; each is a parameter of the FMU as well."""
+if TYPE_CHECKING:
 
-    formulation: str = "conserving-al"
-    algorithm: str = "nested"
-    multiplier_update: str = "end"
-    order: int = 0
-    """2, 4, 6 or 8: a step is a symmetric composition of 1, 5, 9 or 15 pairs; 0: chosen by the
-    tolerance, and 2 without one."""
-    paired: bool = True
-    """Advance by pairs of half steps, which smooths velocities and multipliers."""
-    step_size: float = 0.01
-    """Internal step in s without a tolerance; at most the communication step."""
-    tolerance: float = 0.0
-    """Relative error of a run that orders and steps are chosen for, from 1e-14 to 0.1; 0: steps of
-    `step_size`."""
-    absolute_tolerance: float = 0.0
-    """Error in m that is small enough, besides the relative one."""
-    longest_step: float = 1e6
-    """Longest internal step in s where the tolerance chooses."""
-    newton_tolerance: float = 1e-12
-    """What a step must be solved to: Newton's error relative to the energy (in the energy norm),
-    constraints relative to length squared."""
-    penalty: float = 1e8
-    """Penalty relative to the inertia term of each row; scaled with the step by the method."""
-    xi: float = 1.0
-    """Damping ratio of the `penalty-velocity` formulation."""
-    omega: float = 10.0
-    """Frequency in rad/s of the `penalty-velocity` formulation."""
-    max_newton: int = 20
-    max_uzawa: int = 20
-    assemble: bool = False
-    """Close a mechanism that is drawn inexactly, and make its velocities consistent."""
-    start: str = "drawn"
-    """"drawn", or "equilibrium": begin at rest in the static equilibrium next to it."""
+    class SolverSettings:
+        """The settings of `solver.options`."""
+
+        def __init__(self, **settings: Any) -> None: ...
+        def __getattr__(self, name: str) -> Any: ...
+
+else:
+    SolverSettings = make_dataclass(
+        "SolverSettings",
+        [(name, type(o.default), field(default=o.default)) for name, o in OPTIONS.items()],
+        frozen=True,
+        kw_only=True,
+    )
+    SolverSettings.__module__ = __name__
+    SolverSettings.__doc__ = """The settings of `solver.options`; each is a parameter of the FMU."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

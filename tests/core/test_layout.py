@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from solver.options import CHOICES
 from solver.runtime import Integrator, kernel
 from solver.runtime.errors import Status
 from solver.runtime.layout import ABI, HEAD, OFFSETS, SIZES, TABLES
-from solver.runtime.options import CHOICES
 from tests.twins import PENDULUM, model_of
 
 HEADER = (Path(__file__).parents[2] / "solver" / "kernel" / "holonom.h").read_text("utf-8")

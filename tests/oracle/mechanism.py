@@ -14,9 +14,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from solver.options import CHOICES
 from solver.runtime import Model
 from solver.runtime.layout import OFFSETS
-from solver.runtime.options import CHOICES
 from solver.runtime.state import State
 from tests.oracle.tape import run_tape
 
