@@ -132,7 +132,7 @@ def archive_entries(model: Model, seen: Trial, scene: Scene | None = None) -> di
     code = payload(model.sizes["dim"])
     name = identifier(model.name)
     entries = {f"resources/{file}": data for file, data in code.files.items()}
-    entries["resources/model.bin"] = model.to_bytes()
+    entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
     entries[f"resources/{SLAVE_NAME}"] = f"{code.slave_module}\n".encode()
     for library, data in wrapper_libraries().items():
         platform, suffix = library.split("/")

@@ -23,7 +23,7 @@ import importlib.util
 import io
 import re
 import tokenize
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
@@ -115,10 +115,7 @@ def _fmu_src() -> dict[str, bytes]:
 
 
 def _runtime() -> dict[str, bytes]:
-    files = _modules(package_folder("solver") / "runtime", "runtime/")
-    return {
-        name: files[name] for name in files if PurePosixPath(name).name not in MODULES_OF_BUILDS
-    }
+    return _modules(package_folder("solver") / "runtime", "runtime/", MODULES_OF_BUILDS)
 
 
 def _kernels(dimension: int) -> dict[str, bytes]:
@@ -145,10 +142,10 @@ def _pythonfmu() -> dict[str, bytes]:
     return files
 
 
-def _modules(folder: Path, prefix: str) -> dict[str, bytes]:
+def _modules(folder: Path, prefix: str, left_out: Sequence[str] = ()) -> dict[str, bytes]:
     """Python files of a package with relative imports, by path below the private package."""
     files = {}
-    for path in sorted(folder.rglob("*.py")):
+    for path in sorted(path for path in folder.rglob("*.py") if path.name not in left_out):
         name = prefix + path.relative_to(folder).as_posix()
         files[name] = _travelling(path.read_text(encoding="utf-8"), name)
     return files

@@ -61,14 +61,6 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
     return broken;
 }
 
-/* Words of the setting formulation: the one with this number. */
-static const char *formulation_word(const hm_model_file *f, double number)
-{
-    for (uint32_t k = 0; k < f->header->n_variables; k++)
-        if (f->variable[k].kind == AN_OPTION && f->variable[k].place == S_FORMULATION) return hm_word(f, f->variable + k, number);
-    return NULL;
-}
-
 /* Names of the sampled loads, each once. */
 static void say_sampled(hm_text *text, const hm_model_file *f)
 {
@@ -87,8 +79,8 @@ int hm_unknown_to_method(hm_text *text, const hm_model_file *f, const double *he
     int problems = 0;
     if (general && !hm_conserves_all((int)head[S_FORMULATION])) {
         hm_say(text, "solver.formulation: '%s' takes only quadratic rows, and that of %s is not; use '%s' or '%s'",
-               formulation_word(f, head[S_FORMULATION]), f->text + f->row[m->n_rows - general].name,
-               formulation_word(f, HOLONOM_CONSERVING_AL), formulation_word(f, HOLONOM_CONSERVING_AL_BETA));
+               hm_formulation_word(f, head[S_FORMULATION]), f->text + f->row[m->n_rows - general].name,
+               hm_formulation_word(f, HOLONOM_CONSERVING_AL), hm_formulation_word(f, HOLONOM_CONSERVING_AL_BETA));
         problems++;
     }
     if (head[S_EQUILIBRIUM] != 0.0 && m->sensing) {

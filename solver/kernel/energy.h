@@ -155,7 +155,7 @@ static void row_rates(const context *c, const double *x, const double *x_low, co
 }
 
 /* Rows at the state (n_rows, overwritten). */
-HM_SELDOM static void row_values(const context *c, double *phi)
+static void row_values(const context *c, double *phi)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];

@@ -16,8 +16,10 @@
 #include "norms.h"
 #include "step_halving.h"
 
-#define LEAST_MULTIPLE 0.25 /* times the mean, that an error is taken for ... */
-#define LARGEST_MULTIPLE 100.0 /* ... and the largest such multiple; of weighted covers, on which strong dampers show, LARGEST_MULTIPLE squared */
+/* Of the mean over mechanisms, the least and the largest multiple that an error is taken for; the largest one squared for
+   weighted covers, on which strong dampers show. */
+#define LEAST_MULTIPLE 0.25
+#define LARGEST_MULTIPLE 100.0
 
 enum { N_ORDERS = 1 + N_COMPOSED };
 static const int ORDERS[N_ORDERS] = {2, 4, 6, 8};
@@ -88,9 +90,9 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     return 1;
 }
 
-/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS_ROWS times the tolerance, and
-   NEGLIGIBLE_ACROSS_ROWS, below which nothing is done. Such velocities alternate from half step to half step: shorter steps that follow
-   do not undo them.                                                                                              */
+/* Bounds on what a step adds to velocities across the rows, over the fastest velocity: ACROSS_ROWS times the tolerance,
+   and NEGLIGIBLE_ACROSS_ROWS, below which nothing is done. Such velocities alternate from half step to half step:
+   shorter steps that follow do not undo them. */
 #define ACROSS_ROWS 10.0
 #define NEGLIGIBLE_ACROSS_ROWS 1e-6
 
@@ -175,7 +177,8 @@ static void learn(context *c, int order, double t, double h, double law_time, co
     if (checks < 0 || e->is_noise || c->m->sensing) return;
     const double error = method_of(c, p)->remains * difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
-    const double found = hm_log(fmin(fmax(error / e->mean, LEAST_MULTIPLE), c->damped ? LARGEST_MULTIPLE * LARGEST_MULTIPLE : LARGEST_MULTIPLE));
+    const double largest = c->damped ? LARGEST_MULTIPLE * LARGEST_MULTIPLE : LARGEST_MULTIPLE;
+    const double found = hm_log(fmin(fmax(error / e->mean, LEAST_MULTIPLE), largest));
     double *learned = c->s.head + S_LEARNED_4 + p - 1;
     *learned += (found - *learned) / (checks + 2.0); /* the mean counts as a check */
 }

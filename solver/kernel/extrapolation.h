@@ -20,9 +20,9 @@
 #include "tangent.h"
 
 enum { MAX_CORRECTIONS = 8 };
-#define LARGEST_CHANGE 1e-2   /* largest change by the weights, relative to size and speed: beyond, errors have no powers yet */
-#define MOMENTUM_ROUND_OFF 1e-12  /* relative change of a momentum that is round-off */
-#define LARGEST_SCALING 0.1  /* largest part by which velocities are changed for the energy */
+#define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
+#define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
+#define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
 
 typedef struct extrapolation {
     double work, dissipated;                /* weighted changes in the ledger                             */
@@ -121,7 +121,8 @@ static double unbalanced(const context *c)
     return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
 }
 
-/* Brings the energy onto the ledger by a change of the velocities along u, those that are free: u'Mu s^2/2 + v'Mu s + excess = 0. */
+/* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
+   u'Mu s^2/2 + v'Mu s + excess = 0. */
 static int32_t balance_energy(context *c)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);

@@ -77,7 +77,7 @@ typedef struct holonom_elimination {
 } holonom_elimination;
 
 /* Structure of a model: integers only, fixed when the mechanism is assembled. The numbers that belong to it
-   live in one vector `numbers`; the fields `*_at` are offsets into that vector. */
+   live in one vector `numbers`; the fields `*_at` are offsets into that vector.                            */
 typedef struct holonom_model {
     int32_t dim;          /* 2 or 3                                                                        */
     int32_t n_free;       /* moving nodes that are unknown                                                 */
@@ -127,8 +127,8 @@ typedef struct holonom_model {
     const int32_t *form_free;     /* n_forms: how many entries are free nodes; these come first            */
     const int32_t *form_moving;   /* n_forms: how many are free or driven                                  */
     const int32_t *form_node;     /* node of each entry                                                    */
-    const int32_t *form_kind;     /* n_forms: flags FORM_... */
-    const int32_t *quantity_kind; /* n_quantities: QUANTITY_... */
+    const int32_t *form_kind;     /* n_forms: flags FORM_...                                               */
+    const int32_t *quantity_kind; /* n_quantities: QUANTITY_...                                            */
     const int32_t *quantity_form; /* 2 n_quantities: one form or two                                       */
     const int32_t *linked_form;   /* n_linked: those of rows, composites and laws; the others are measured   */
     const int32_t *row_form;      /* n_form_rows                                                           */
@@ -201,7 +201,7 @@ enum holonom_island_column {
 enum { SAMPLED_LOAD = 0, SAMPLED_MOMENT = 1, SAMPLED_BODY_MOMENT = 2, SAMPLED_DRIVE = 3 };
 enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
 
-/* Places of the scalars at the head of a state; vectors follow in the order of hm_map_state (internal.h).         */
+/* Places of the scalars at the head of a state; vectors follow in the order of hm_map_state (internal.h). */
 enum holonom_state_place {
     S_TIME, S_KINETIC_START, S_POTENTIAL_START, S_STORED_START, S_ENERGY_REFERENCE, S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
     S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW, S_MEAN_TIME, S_MEAN_TIME_BEFORE, S_PARITY, S_KNOWN, S_HALVES,

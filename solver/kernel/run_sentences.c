@@ -60,21 +60,14 @@ const char *hm_about_start(int32_t status, int seeks_equilibrium)
     return hm_about_step(status);
 }
 
-static const hm_variable *formulation(const hm_model_file *f)
-{
-    const hm_variable *v = f->variable;
-    while (v->kind != AN_OPTION || v->place != S_FORMULATION) v++;
-    return v;
-}
-
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
 static void say_lasting_reason(hm_text *text, const hm_model_file *f, const double *head)
 {
     if (f->model.n_islands > 1)
         hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
     else if (!hm_conserves_all((int)head[S_FORMULATION]))
-        hm_say(text, "solver.formulation %s has no higher order; %s has", hm_word(f, formulation(f), head[S_FORMULATION]),
-               hm_word(f, formulation(f), HOLONOM_CONSERVING_AL));
+        hm_say(text, "solver.formulation %s has no higher order; %s has", hm_formulation_word(f, head[S_FORMULATION]),
+               hm_formulation_word(f, HOLONOM_CONSERVING_AL));
 }
 
 static int is_damped(const hm_model_file *f, const double *numbers)

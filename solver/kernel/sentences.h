@@ -20,6 +20,9 @@ double hm_limit_before(const hm_variable *variable, double value);
 /* Word number `value` of a String option, or NULL. */
 const char *hm_word(const hm_model_file *file, const hm_variable *variable, double value);
 
+/* Word number `value` of the setting formulation. */
+const char *hm_formulation_word(const hm_model_file *file, double value);
+
 /* Says a sentence for each rule that the numbers break, and returns how many. */
 int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
 

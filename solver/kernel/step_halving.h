@@ -9,6 +9,7 @@
 #include "inputs_signals.h"
 #include "predict.h"
 
+enum { MAX_HALVINGS = 6 };
 
 /* Adds the output after a stage to the difference from the embedded solution. */
 static void gather_estimate(context *c, int order, int i, int stages)
@@ -25,8 +26,6 @@ static void gather_estimate(context *c, int order, int i, int stages)
         v[k] = (i > 1 ? v[k] : 0.0) + weight * ((s->v[k] - v0[k]) + (s->v_low[k] - v0_low[k]));
     }
 }
-
-enum { MAX_HALVINGS = 6 };
 
 /* Whether steps come one by one, not in pairs. */
 static int is_unpaired(const context *c)

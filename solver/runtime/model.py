@@ -122,7 +122,7 @@ class Model(
     sampled : tuple of str
         What each load that reads the mechanism is called in a sentence.
     settings : mapping of str to float, str or bool
-        Of the solver, as in ``options.DEFAULTS``.
+        Of the solver, as in ``solver.options.DEFAULTS``.
     experiment : Experiment
     """
 

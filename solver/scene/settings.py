@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from solver.options import OPTIONS, Option
 from solver.scene import schema
 from solver.scene.fields import BROKEN
-from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule
+from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule, up_to
 from solver.scene.vocabulary import Experiment, SolverSettings
 
 TOLERANCE = Rule(
@@ -22,7 +23,7 @@ def _rule(option: Option) -> Rule:
     if option.whole:
         return Rule(option.holds, f"from {option.low:g} to {option.high:g}")
     above = NOT_NEGATIVE if option.low == 0.0 else POSITIVE
-    return Rule(option.holds, f"{above.words} and <= {option.high:g}")
+    return replace(up_to(option.high, above), holds=option.holds)
 
 
 RANGES = {name: _rule(option) for name, option in OPTIONS.items() if option.is_number}
