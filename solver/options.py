@@ -6,7 +6,7 @@ from this one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 TINY = 2.2250738585072014e-308
 """Least normal number, for what must be greater than zero."""
@@ -14,11 +14,17 @@ TINY = 2.2250738585072014e-308
 ORDERS = (2.0, 4.0, 6.0, 8.0)
 """Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
 
+FORMULATIONS = (
+    *("conserving-al", "midpoint-al", "conserving-penalty", "midpoint-penalty"),
+    *("penalty-velocity", "conserving-al-beta"),
+)
+"""How constraints act."""
+
 AUTOMATIC = 0.0
 """Order that the tolerance chooses; 2 without one."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Option:
     """One setting; `default` tells whether it is a word, true or false, or a number.
 
@@ -45,6 +51,7 @@ class Option:
     name: str
     default: str | bool | float
     meaning: str
+    _: KW_ONLY
     unit: str = ""
     words: tuple[str, ...] = ()
     low: float = TINY
@@ -85,136 +92,91 @@ class Option:
         return not self.whole or number == int(number)
 
 
-OPTIONS: dict[str, Option] = {
-    option.name: option
-    for option in (
-        Option(
-            name="formulation",
-            default="conserving-al",
-            words=(
-                "conserving-al",
-                "midpoint-al",
-                "conserving-penalty",
-                "midpoint-penalty",
-                "penalty-velocity",
-                "conserving-al-beta",
-            ),
-            meaning="how constraints act",
-        ),
-        Option(
-            name="algorithm",
-            default="nested",
-            words=("nested", "simultaneous"),
-            place="simultaneous",
-            meaning="multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
-        ),
-        Option(
-            name="multiplier_update",
-            default="end",
-            words=("end", "paper"),
-            place="paper_update",
-            meaning="with the constraint at the end of the step (end) or its mean (paper)",
-        ),
-        Option(
-            name="paired",
-            default=True,
-            meaning="advance by pairs of half steps, which makes velocities smooth",
-        ),
-        Option(
-            name="step_size",
-            default=0.01,
-            high=1e6,
-            unit="s",
-            meaning="internal step of a run without tolerance, at most the communication step",
-        ),
-        Option(
-            name="newton_tolerance",
-            default=1e-12,
-            high=1e-3,
-            meaning="relative error of a step's solution in the energy norm",
-        ),
-        Option(
-            name="penalty",
-            default=1e8,
-            high=1e14,
-            meaning="dimensionless penalty alpha h^2 sigma/4 of each constraint row",
-        ),
-        Option(
-            name="xi",
-            default=1.0,
-            low=0.0,
-            high=1e6,
-            meaning="damping ratio of penalty-velocity",
-        ),
-        Option(
-            name="omega",
-            default=10.0,
-            high=1e9,
-            unit="rad/s",
-            meaning="natural frequency of penalty-velocity",
-        ),
-        Option(
-            name="max_newton",
-            default=20.0,
-            low=1.0,
-            high=1e3,
-            whole=True,
-            meaning="Newton iterations for one value of the multipliers",
-        ),
-        Option(
-            name="max_uzawa",
-            default=20.0,
-            low=1.0,
-            high=1e3,
-            whole=True,
-            meaning="Uzawa updates in a step",
-        ),
-        Option(
-            name="order",
-            default=AUTOMATIC,
-            allowed=(AUTOMATIC, *ORDERS),
-            high=max(ORDERS),
-            low=0.0,
-            meaning="order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a "
-            "step; 0: chosen by the tolerance, 2 without one",
-        ),
-        Option(
-            name="tolerance",
-            default=0.0,
-            low=0.0,
-            high=0.1,
-            least=1e-14,
-            meaning="relative error of a run, or 0: steps of step_size",
-        ),
-        Option(
-            name="absolute_tolerance",
-            default=0.0,
-            low=0.0,
-            high=1e6,
-            unit="m",
-            meaning="allowed absolute error, added to the relative one",
-        ),
-        Option(
-            name="longest_step",
-            default=1e6,
-            high=1e6,
-            unit="s",
-            meaning="longest internal step with a tolerance",
-        ),
-        Option(
-            name="assemble",
-            default=False,
-            meaning="close a mechanism that is drawn inexactly, and make its velocities consistent",
-        ),
-        Option(
-            name="start",
-            default="drawn",
-            words=("drawn", "equilibrium"),
-            place="equilibrium",
-            meaning="begin as drawn, or at rest in the static equilibrium next to it",
-        ),
-    )
-}
+_TABLE = (
+    Option("formulation", "conserving-al", "how constraints act", words=FORMULATIONS),
+    Option(
+        "algorithm",
+        "nested",
+        "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
+        words=("nested", "simultaneous"),
+        place="simultaneous",
+    ),
+    Option(
+        "multiplier_update",
+        "end",
+        "with the constraint at the end of the step (end) or its mean (paper)",
+        words=("end", "paper"),
+        place="paper_update",
+    ),
+    Option("paired", True, "advance by pairs of half steps, which makes velocities smooth"),
+    Option(
+        "step_size",
+        0.01,
+        "internal step of a run without tolerance, at most the communication step",
+        high=1e6,
+        unit="s",
+    ),
+    Option(
+        "newton_tolerance",
+        1e-12,
+        "relative error of a step's solution in the energy norm",
+        high=1e-3,
+    ),
+    Option(
+        "penalty", 1e8, "dimensionless penalty alpha h^2 sigma/4 of each constraint row", high=1e14
+    ),
+    Option("xi", 1.0, "damping ratio of penalty-velocity", low=0.0, high=1e6),
+    Option("omega", 10.0, "natural frequency of penalty-velocity", high=1e9, unit="rad/s"),
+    Option(
+        "max_newton",
+        20.0,
+        "Newton iterations for one value of the multipliers",
+        low=1.0,
+        high=1e3,
+        whole=True,
+    ),
+    Option("max_uzawa", 20.0, "Uzawa updates in a step", low=1.0, high=1e3, whole=True),
+    Option(
+        "order",
+        AUTOMATIC,
+        "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a step; "
+        "0: chosen by the tolerance, 2 without one",
+        allowed=(AUTOMATIC, *ORDERS),
+        low=0.0,
+        high=max(ORDERS),
+    ),
+    Option(
+        "tolerance",
+        0.0,
+        "relative error of a run, or 0: steps of step_size",
+        low=0.0,
+        high=0.1,
+        least=1e-14,
+    ),
+    Option(
+        "absolute_tolerance",
+        0.0,
+        "allowed absolute error, added to the relative one",
+        low=0.0,
+        high=1e6,
+        unit="m",
+    ),
+    Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s"),
+    Option(
+        "assemble",
+        False,
+        "close a mechanism that is drawn inexactly, and make its velocities consistent",
+    ),
+    Option(
+        "start",
+        "drawn",
+        "begin as drawn, or at rest in the static equilibrium next to it",
+        words=("drawn", "equilibrium"),
+        place="equilibrium",
+    ),
+)
+
+OPTIONS: dict[str, Option] = {option.name: option for option in _TABLE}
 """All settings, by name."""
 
 CHOICES = {name: option.words for name, option in OPTIONS.items() if option.words}
