@@ -4,7 +4,6 @@
     holonom_<12 hex digits>/            slave.py, status.py, ... of fmu_src
         runtime/                        solver.runtime
         runtime/_kernel/                the kernel for the mechanism's dimension
-        pythonfmu/                      what a running Fmi2Slave needs of pythonfmu
 
 All FMUs of a process share Python's table of modules, and pythonfmu imports an FMU's code by plain
 name. The digits are a hash of the code, so two FMUs of different versions never run each other's
@@ -32,14 +31,10 @@ from solver.runtime.kernel import library_path
 
 SLAVE_NAME = "slavemodule.txt"
 """File below `resources/` in which pythonfmu's library looks for the name of the slave module."""
-PYTHONFMU_MODULES = ("enums.py", "logmsg.py")
 MODULES_OF_BUILDS = ("model_writing.py", "options.py")
 """Of solver.runtime, what only writes models; it does not travel."""
 SUFFIXES = (".so", ".dll", ".dylib")
-_IMPORT = re.compile(
-    r"^(?P<indent>[ \t]*)from (?P<package>solver\.runtime|pythonfmu)(?P<rest>[.\w]*) import ",
-    re.MULTILINE,
-)
+_IMPORT = re.compile(r"^([ \t]*from )solver(\.runtime[.\w]* import )", re.MULTILINE)
 _SLAVE_MODULE = """import ctypes
 import sys
 
@@ -52,7 +47,6 @@ from {package}.slave import Slave as Slave
 # dictionary that it does not own; without this one the second instance reads freed memory.
 ctypes.pythonapi.Py_IncRef(ctypes.py_object(globals()))
 """
-_DESTINATION = {"solver.runtime": "runtime", "pythonfmu": "pythonfmu"}
 
 
 @dataclass(frozen=True)
@@ -66,7 +60,9 @@ class Payload:
 @functools.cache
 def payload(dimension: int) -> Payload:
     """Code of this installation, ready to travel with mechanisms of this dimension, 2 or 3."""
-    sources = _fmu_src() | _runtime() | _kernels(dimension) | _pythonfmu()
+    sources = _modules(package_folder("fmu_src"), "")
+    sources |= _modules(package_folder("solver") / "runtime", "runtime/", MODULES_OF_BUILDS)
+    sources |= _kernels(dimension)
     package = package_name(sources)
     files = {f"{package}/{path}": data for path, data in sources.items()}
     files[f"{package}_slave.py"] = _SLAVE_MODULE.format(package=package).encode()
@@ -110,14 +106,6 @@ def package_folder(name: str) -> Path:
     return Path(next(iter(spec.submodule_search_locations)))
 
 
-def _fmu_src() -> dict[str, bytes]:
-    return _modules(package_folder("fmu_src"), "")
-
-
-def _runtime() -> dict[str, bytes]:
-    return _modules(package_folder("solver") / "runtime", "runtime/", MODULES_OF_BUILDS)
-
-
 def _kernels(dimension: int) -> dict[str, bytes]:
     """Libraries of the kernel for one dimension; an installation has that of its own platform."""
     folder = package_folder("solver") / "runtime" / "_kernel"
@@ -131,28 +119,14 @@ def _kernels(dimension: int) -> dict[str, bytes]:
     return {f"runtime/_kernel/{path.name}": path.read_bytes() for path in libraries}
 
 
-def _pythonfmu() -> dict[str, bytes]:
-    folder = package_folder("pythonfmu")
-    files = {f"pythonfmu/{name}": (folder / name).read_bytes() for name in PYTHONFMU_MODULES}
-    # pythonfmu's own __init__ imports its builder, 25 ms of modules that a slave never uses.
-    files["pythonfmu/__init__.py"] = b'"""Part of PythonFMU, MIT licence: what a slave needs."""\n'
-    path = "pythonfmu/fmi2slave.py"
-    text = Path(__file__).with_name("fmi2slave.py").read_text(encoding="utf-8")
-    files[path] = _travelling(text, path)
-    return files
-
-
 def _modules(folder: Path, prefix: str, left_out: Sequence[str] = ()) -> dict[str, bytes]:
     """Python files of a package with relative imports, by path below the private package."""
     files = {}
     for path in sorted(path for path in folder.rglob("*.py") if path.name not in left_out):
         name = prefix + path.relative_to(folder).as_posix()
-        files[name] = _travelling(path.read_text(encoding="utf-8"), name)
+        source = bare(path.read_text(encoding="utf-8"))
+        files[name] = relative_imports(source, PurePosixPath(name)).encode()
     return files
-
-
-def _travelling(source: str, path: str) -> bytes:
-    return relative_imports(bare(source), PurePosixPath(path)).encode()
 
 
 def _is_text(statement: ast.stmt) -> bool:
@@ -189,10 +163,5 @@ def relative_imports(source: str, path: PurePosixPath) -> str:
     >>> relative_imports("from solver.runtime import Model", PurePosixPath("slave.py"))
     'from .runtime import Model'
     """
-    dots = "." * len(path.parts)
-
-    def replace(match: re.Match[str]) -> str:
-        target = _DESTINATION[match["package"]] + match["rest"]
-        return f"{match['indent']}from {dots}{target} import "
-
-    return _IMPORT.sub(replace, source)
+    dots = "." * (len(path.parts) - 1)
+    return _IMPORT.sub(rf"\g<1>{dots}\g<2>", source)

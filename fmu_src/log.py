@@ -1,4 +1,4 @@
-"""An `Fmi2Slave` whose log takes any text, and the sentence for an error.
+"""The base of the slave: who it is, a log that takes any text, and the sentence for an error.
 
 pythonfmu hands nothing on to an importer that has not switched the log on, and many end a run at a
 discarded step without a word. So warnings, and what is refused or discarded, also go to Python's
@@ -7,50 +7,64 @@ own logging, which writes to stderr where the host has not said otherwise.
 
 from __future__ import annotations
 
-from pythonfmu.enums import Fmi2Status
-from pythonfmu.fmi2slave import Fmi2Slave
-
 from solver.runtime import AssemblyError, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
 from .snapshot import SnapshotError
-from .status import LOG_CATEGORIES, LOGGER
+from .status import LOGGER
 
 MOST_TOLD = 20
 """Sentences of an instance that go there: an importer may set a wrong value at every step."""
+LEVELS = OK, WARNING, DISCARD, ERROR = (0, 1, 2, 3)
+"""Of the standard, fmi2Status."""
+CATEGORIES = ("logAll", "logStatusWarning", "logStatusDiscard", "logStatusError")
+"""Of what is logged at each level."""
 
 
-class LoggedSlave(Fmi2Slave):
-    """Slave with one method per severity; the importer chooses what it hears."""
+class LogMsg:
+    """A message for the importer, with the attributes that pythonfmu's library reads."""
 
-    log_categories = LOG_CATEGORIES
+    def __init__(self, status: int, category: str, msg: str) -> None:
+        self.status, self.category, self.msg = status, category, msg
 
-    def __init__(self, **kwargs) -> None:
-        super().__init__(**kwargs)
+
+class Fmi2Slave:
+    """A slave that pythonfmu's library takes for one of its own: it looks for a base of this name.
+
+    pythonfmu's also describes variables in XML, and the modules it imports for this (uuid,
+    datetime, xml) take a third of the time in which an FMU is loaded.
+    """
+
+    def __init__(self, *, instance_name: str, resources: str | None = None, **_: object) -> None:
+        self.instance_name, self.resources = instance_name, resources
+        self.log_queue: list[LogMsg] = []
         self._told: set[str] = set()
+
+    def _get_log_queue(self) -> list[LogMsg]:
+        return self.log_queue
 
     def note(self, text: str) -> None:
         """Log what is as it should be."""
-        self._log(text, Fmi2Status.ok)
+        self._log(text, OK)
 
     def warn(self, text: str) -> None:
         """Log what works, but not as one might expect, aloud."""
-        self._log(text, Fmi2Status.warning)
+        self._log(text, WARNING)
         self._tell(text, text, "warning")
 
     def discard(self, text: str, what: str) -> None:
         """Log why a step was discarded; aloud the first time of each kind, as importers retry."""
-        self._log(text, Fmi2Status.discard)
+        self._log(text, DISCARD)
         self._tell(f"{what} step", text)
 
     def error(self, text: str) -> None:
         """Log what was refused, aloud."""
-        self._log(text, Fmi2Status.error)
+        self._log(text, ERROR)
         self._tell(text, text)
 
-    def _log(self, text: str, level: Fmi2Status) -> None:
+    def _log(self, text: str, level: int) -> None:
         # pythonfmu hands the text to a C function as its printf format, encoded strictly.
-        self.log(_encodable(text).replace("%", "%%"), level)
+        self.log_queue.append(LogMsg(level, CATEGORIES[level], _encodable(text).replace("%", "%%")))
 
     def _tell(self, what: str, text: str, level: str = "error") -> None:
         """Say a sentence to Python's logging, once for each `what`."""

@@ -18,7 +18,8 @@ from . import snapshot, status
 from .interrupt_guard import hang_doors, shielded
 from .log import sentence
 from .messages import Failures, impossible_step, wrong_experiment
-from .values import INITIALIZING, INSTANTIATED, PHASES, STEPPING, TERMINATED, SlaveWithValues
+from .status import INITIALIZING, INSTANTIATED, STEPPING, TERMINATED
+from .values import SlaveWithValues
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
 if TYPE_CHECKING:
@@ -157,14 +158,8 @@ class Slave(SlaveWithValues):
     # ---------------------------------------------------------------------------------- state
 
     def _packed(self, state: bytes) -> bytes:
-        header = {
-            "phase": self._phase,
-            "start_time": self._start_time,
-            "assembled": self._assembled,
-            "status": self._status,
-            "refusals": list(self._refusals.items()),
-        }
-        return snapshot.pack(header, state)
+        what = self._phase, self._assembled, self._status, self._start_time, self._refusals
+        return snapshot.pack(snapshot.Memory(*what), state)
 
     @shielded(lambda self: self._packed(b""))
     def _get_fmu_state(self) -> Any:
@@ -178,13 +173,12 @@ class Slave(SlaveWithValues):
     @shielded()
     def _set_fmu_state(self, state: Any) -> None:
         try:
-            header, data = snapshot.unpack(state)
-            memory = snapshot.memory(header, PHASES)
+            memory, data = snapshot.unpack(state)
             self._integrator.restore(data)
         except Exception as error:
             self._refuse(["state"], status.STATE_REFUSED, sentence(error))
             return
-        self._phase, self._start_time, self._assembled, self._status, self._refusals = memory
+        self._phase, self._assembled, self._status, self._start_time, self._refusals = memory
 
     # A state is bytes already. The library asks the class, where nobody could shield a method.
     _fmu_state_to_bytes = _fmu_state_from_bytes = bytes  # type: ignore[assignment]

@@ -14,10 +14,14 @@ from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepEr
 
 from . import status
 from .interrupt_guard import shielded
-from .log import LoggedSlave, sentence
+from .log import Fmi2Slave, sentence
+from .status import INSTANTIATED, STEPPING, TERMINATED
+
+TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
+if TYPE_CHECKING:
+    from typing import Any
 
 MODEL_FILE = "model.bin"
-PHASES = INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = (0, 1, 2, 3)
 ZERO = {"Real": 0.0, "Integer": 0, "Boolean": False, "String": ""}
 
 
@@ -25,7 +29,27 @@ _model_of = functools.lru_cache(maxsize=8)(Model.from_bytes)
 """The model of some bytes: instances share it, and one that is made again finds it."""
 
 
-class SlaveWithValues(LoggedSlave):
+def _getter(kind: str) -> Any:
+    """Method that reads variables of a type by their value references."""
+
+    @shielded(lambda self, vrs: self._substitutes(kind, vrs))
+    def get(self: SlaveWithValues, vrs: list[int]) -> list:
+        return self._get(kind, vrs)
+
+    return get
+
+
+def _setter(kind: str) -> Any:
+    """Method that sets variables of a type by their value references."""
+
+    @shielded()
+    def set(self: SlaveWithValues, vrs: list[int], values: Sequence) -> None:
+        self._set(kind, vrs, values)
+
+    return set
+
+
+class SlaveWithValues(Fmi2Slave):
     """A model with its state, as variables by their value references."""
 
     def __init__(self, **kwargs) -> None:
@@ -63,45 +87,9 @@ class SlaveWithValues(LoggedSlave):
 
     # --------------------------------------------------------------------------------- values
 
-    @shielded(lambda self, vrs: self._substitutes("Real", vrs))
-    def get_real(self, vrs: list[int]) -> list[float]:
-        """Values of Real variables; never NaN."""
-        return self._get("Real", vrs)
-
-    @shielded(lambda self, vrs: self._substitutes("Integer", vrs))
-    def get_integer(self, vrs: list[int]) -> list[int]:
-        """Values of Integer variables: there are none, so zeros and a line in the log."""
-        return self._get("Integer", vrs)
-
-    @shielded(lambda self, vrs: self._substitutes("Boolean", vrs))
-    def get_boolean(self, vrs: list[int]) -> list[bool]:
-        """Values of Boolean variables."""
-        return self._get("Boolean", vrs)
-
-    @shielded(lambda self, vrs: self._substitutes("String", vrs))
-    def get_string(self, vrs: list[int]) -> list[str]:
-        """Values of String variables."""
-        return self._get("String", vrs)
-
-    @shielded()
-    def set_real(self, vrs: list[int], values: list[float]) -> None:
-        """Take values of Real variables: all of them, or none and a line in the log."""
-        self._set("Real", vrs, values)
-
-    @shielded()
-    def set_integer(self, vrs: list[int], values: list[int]) -> None:
-        """Refuse: there are no Integer variables."""
-        self._set("Integer", vrs, values)
-
-    @shielded()
-    def set_boolean(self, vrs: list[int], values: list[bool]) -> None:
-        """Take values of Boolean variables: all of them, or none and a line in the log."""
-        self._set("Boolean", vrs, values)
-
-    @shielded()
-    def set_string(self, vrs: list[int], values: list[str]) -> None:
-        """Take values of String variables: all of them, or none and a line in the log."""
-        self._set("String", vrs, values)
+    # A getter never hands out NaN; a setter takes all values, or none and a line in the log.
+    get_real, get_integer, get_boolean, get_string = map(_getter, ZERO)
+    set_real, set_integer, set_boolean, set_string = map(_setter, ZERO)
 
     def _get(self, kind: str, vrs: list[int]) -> list:
         try:

@@ -14,7 +14,6 @@ import fmpy
 import pytest
 from pythonfmu import fmi2slave
 
-import build_fmu.fmi2slave
 from build_fmu import build
 from build_fmu.archive import archive as archive_bytes
 from build_fmu.archive import write_archive
@@ -23,6 +22,7 @@ from build_fmu.export import identifier
 from build_fmu.instance import Log, instantiated
 from build_fmu.payload import payload
 from build_fmu.run import run_fmu
+from fmu_src.log import LEVELS, Fmi2Slave
 from fmu_src.status import LOG_CATEGORIES
 from solver.runtime.model_file import HEADER
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
@@ -151,7 +151,7 @@ def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
     name = private_package()
     assert name.startswith("holonom_")
     assert len(name) == len("holonom_") + 12
-    monkeypatch.setattr("build_fmu.payload._fmu_src", lambda: {"slave.py": b"other"})
+    monkeypatch.setattr("build_fmu.payload._kernels", lambda _: {"runtime/_kernel/a.so": b"other"})
     payload.cache_clear()
     other = private_package()
     payload.cache_clear()
@@ -230,25 +230,15 @@ def test_a_damaged_archive_is_not_instantiated_and_harms_nothing(tmp_path):
         run_fmu(damaged)
 
 
-def test_the_travelling_half_of_pythonfmus_slave_does_what_the_whole_does():
-    class Whole(fmi2slave.Fmi2Slave):
-        log_categories = LOG_CATEGORIES
-
-        def do_step(self, *_):
-            return True
-
-    class Half(build_fmu.fmi2slave.Fmi2Slave):
-        log_categories = LOG_CATEGORIES
-
-    half, whole = (kind(instance_name="a", resources="b", visible=1) for kind in (Half, Whole))
-    for slave in (half, whole):
-        for level in fmi2slave.Fmi2Status:
-            slave.log("text", level)
-            slave.log("text", level, "logAll")
-    assert [vars(m) for m in half._get_log_queue()] == [vars(m) for m in whole._get_log_queue()]
-    assert vars(half).keys() < vars(whole).keys()
-    for name in ("instance_name", "resources", "visible"):
-        assert getattr(half, name) == getattr(whole, name)
+def test_the_log_hands_over_the_levels_and_categories_of_pythonfmus_own():
+    slave, theirs = Fmi2Slave(instance_name="a"), fmi2slave.Fmi2Slave
+    whole = type("Whole", (theirs,), {"do_step": None, "log_categories": LOG_CATEGORIES})
+    whole = whole(instance_name="a")
+    for level in LEVELS:
+        slave._log("text", level)
+        whole.log("text", fmi2slave.Fmi2Status(level))
+    ours = slave._get_log_queue()
+    assert [vars(message) for message in ours] == [vars(m) for m in whole._get_log_queue()]
 
 
 # ------------------------------------------------------------------------------- bare Python

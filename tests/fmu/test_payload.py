@@ -24,7 +24,6 @@ SOURCES = {
     ("path", "line", "expected"),
     [
         ("slave.py", "from solver.runtime import Model", "from .runtime import Model"),
-        ("slave.py", "from pythonfmu.enums import E", "from .pythonfmu.enums import E"),
         ("runtime/a.py", "    from solver.runtime.b import c", "    from ..runtime.b import c"),
         ("slave.py", "from solver import runtime", "from solver import runtime"),
         ("slave.py", "import json", "import json"),

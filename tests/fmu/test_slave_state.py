@@ -53,41 +53,25 @@ def test_a_good_state_ends_a_refusal():
         assert not fmu.step(0.0, 0.1)
 
 
-def test_a_snapshot_comes_back_as_it_was():
-    header = {"phase": 2, "refusals": [[3, "text"]], "start_time": 0.1 + 0.2}
-    state = bytes(range(256))
-    assert snapshot.unpack(snapshot.pack(header, state)) == (header, state)
+MEMORY = snapshot.Memory(2, True, -1, 0.1 + 0.2, {3: "text", "assembly": "ü\n"})
+
+
+@pytest.mark.parametrize("start", [0.1 + 0.2, None])
+def test_a_snapshot_comes_back_as_it_was(start):
+    memory, state = MEMORY._replace(start_time=start), bytes(range(256))
+    assert snapshot.unpack(snapshot.pack(memory, state)) == (memory, state)
 
 
 @pytest.mark.parametrize(
-    "header",
-    [
-        {},
-        [],
-        None,
-        {"phase": "2"},
-        {"phase": 9},
-        {"phase": True},
-        {"start_time": "0"},
-        {"start_time": math.nan},
-        {"assembled": 1},
-        {"status": None},
-        {"refusals": 5},
-        {"refusals": [5]},
-        {"refusals": [["length"]]},
-        {"refusals": [[[], "text"]]},
-        {"refusals": [["length", 5]]},
-        {"more": 1},
-    ],
-    ids=str,
+    "wrong", [{"phase": 9}, {"start_time": math.inf}, {"refusals": [5]}, {"refusals": "3"}], ids=str
 )
-def test_a_header_of_other_types_is_refused_and_nothing_is_taken_over(header):
+def test_a_memory_that_no_slave_has_is_refused_and_nothing_is_taken_over(wrong):
     slave = stepping_slave()
     good = slave._get_fmu_state()
     right, data = snapshot.unpack(good)
     assert slave.do_step(0.0, 0.1)
     before = slave._integrator.save()
-    slave._set_fmu_state(snapshot.pack(right | header if header else header, data))
+    slave._set_fmu_state(snapshot.pack(right._replace(**wrong), data))
     assert slave.get_real([slave._status_index]) == [status.STATE_REFUSED]
     assert slave._integrator.save() == before
     assert not slave.do_step(0.1, 0.1)
