@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import sysconfig
 from collections.abc import Iterable, Iterator
 from html import escape
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.payload import package_folder
@@ -68,8 +66,7 @@ _SECTIONS = {
 
 def documentation(model: Model, seen: Trial, *, pictured: bool) -> dict[str, bytes]:
     """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
-    pythonfmu = _licence("pythonfmu", package_folder("pythonfmu"))
-    ours = _licence("holonom", Path(__file__).parents[1])
+    ours, pythonfmu = _licence("build_fmu", "holonom"), _licence("pythonfmu", "pythonfmu")
     return {
         "documentation/index.html": page(model, seen, pictured=pictured).encode(),
         "documentation/externalDependencies.txt": f"{_NEEDS}\n".encode(),
@@ -180,14 +177,11 @@ def _range(least: float | None, most: float | None) -> str:
     return f"{low} to {as_text(most)}"
 
 
-def _licence(distribution: str, source_tree: Path) -> str:
-    """Licence text of an installed distribution, else of the source tree it runs from."""
-    try:
-        files = importlib.metadata.files(distribution) or []
-    except importlib.metadata.PackageNotFoundError:
-        files = []
-    for file in files:
-        if file.name == "LICENSE":
-            return file.read_text(encoding="utf-8")
-    local = source_tree / "LICENSE"
-    return local.read_text(encoding="utf-8") if local.is_file() else f"{distribution}: MIT\n"
+def _licence(package: str, name: str) -> str:
+    """Licence text of the distribution with a package, else of the source tree it runs from."""
+    folder = package_folder(package).parent
+    installed = sorted(folder.glob(f"{name}-*.dist-info/**/LICENSE"))
+    for path in (*installed, folder / "LICENSE"):
+        if path.is_file():
+            return path.read_text(encoding="utf-8")
+    return f"{name}: MIT\n"

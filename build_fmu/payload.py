@@ -19,9 +19,7 @@ import ast
 import functools
 import hashlib
 import importlib.util
-import io
 import re
-import tokenize
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -35,6 +33,9 @@ MODULES_OF_BUILDS = ("model_writing.py", "options.py")
 """Of solver.runtime, what only writes models; it does not travel."""
 SUFFIXES = (".so", ".dll", ".dylib")
 _IMPORT = re.compile(r"^([ \t]*from )solver(\.runtime[.\w]* import )", re.MULTILINE)
+_TEXT_OR_COMMENT = re.compile(
+    r"""(?P<text>"{3}(?:.|\n)*?"{3}|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')|[ \t]*#.*"""
+)
 _SLAVE_MODULE = """import ctypes
 import sys
 
@@ -129,11 +130,6 @@ def _modules(folder: Path, prefix: str, left_out: Sequence[str] = ()) -> dict[st
     return files
 
 
-def _is_text(statement: ast.stmt) -> bool:
-    value = statement.value if isinstance(statement, ast.Expr) else None
-    return isinstance(value, ast.Constant) and isinstance(value.value, str)
-
-
 def bare(source: str) -> str:
     """Source text without comments and docstrings, all else at its line and column.
 
@@ -144,17 +140,14 @@ def bare(source: str) -> str:
     for node in ast.walk(ast.parse(source)):
         if not isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
             continue
-        for text in filter(_is_text, node.body):
-            first, last = text.lineno - 1, text.end_lineno or text.lineno
-            lines[first:last] = [""] * (last - first)
-            if len(node.body) == 1:
-                lines[first] = " " * text.col_offset + "..."
-    remaining = "\n".join(lines)
-    for token in tokenize.generate_tokens(io.StringIO(remaining).readline):
-        if token.type == tokenize.COMMENT:
-            row, column = token.start
-            lines[row - 1] = lines[row - 1][:column].rstrip()
-    return "\n".join(lines)
+        for text in node.body:
+            value = text.value if isinstance(text, ast.Expr) else None
+            if isinstance(value, ast.Constant) and isinstance(value.value, str):
+                first, last = text.lineno - 1, text.end_lineno or text.lineno
+                lines[first:last] = [""] * (last - first)
+                if len(node.body) == 1:
+                    lines[first] = " " * text.col_offset + "..."
+    return _TEXT_OR_COMMENT.sub(lambda match: match["text"] or "", "\n".join(lines))
 
 
 def relative_imports(source: str, path: PurePosixPath) -> str:
