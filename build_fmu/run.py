@@ -6,34 +6,27 @@ the FMU logs on its way. Here both are facts of the result, with the sentence th
 
 from __future__ import annotations
 
+import contextlib
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from build_fmu.errors import UsageError
-from build_fmu.instance import (
-    FATAL,
-    Log,
-    description_of,
-    instantiated,
-    interrupts_held,
-    not_said_twice,
-    start_time_of,
-    unpacked,
-)
+from build_fmu.fmu_runner import KeptFmu
+from build_fmu.instance import start_time_of
 from build_fmu.poses import Poses, largest_by_unit
 from build_fmu.reference import Reference
 from build_fmu.signals import inputs_of
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 from build_fmu.study.values import is_finite, shown
+from solver.signals import communication_points
 
 if TYPE_CHECKING:
-    from fmpy.fmi2 import FMU2Slave
     from fmpy.model_description import ModelDescription
-    from fmpy.simulation import Recorder
-    from numpy import ndarray
 
 RECORDED = ("input", "output")
 """What a run collects, by causality."""
@@ -45,7 +38,7 @@ MOST_STEPS = 10_000_000
 class Run:
     """Result of `run_fmu`."""
 
-    values: ndarray
+    values: np.ndarray
     """Structured array: "time", all outputs, and all inputs as they were given, one row per
     communication point."""
     stop_time: float
@@ -118,72 +111,38 @@ def run_fmu(
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
-    description = description_of(path)
-    given = inputs_of(inputs)
-    entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}
-    start_values = fmu_settings(description, [entries])[0]
-    stop_time, step_size = experiment_times(description, stop_time, step_size)
-    start = start_time_of(description)
-    signals = given.sampled(description, start_values, _times(start, stop_time, step_size))
-    log = Log()
     begin = time.perf_counter()
-    with unpacked(path) as folder, not_said_twice(), interrupts_held() as pass_interrupts:
-        values, failed = _simulate(
-            folder,
-            instantiated(description, folder, log),
-            model_description=description,
-            stop_time=stop_time,
-            output_interval=step_size,
-            start_values=start_values,
-            input=signals,
-            output=[v.name for v in description.modelVariables if v.causality in RECORDED],
-            step_finished=_reporter(progress, stop_time, pass_interrupts),
-        )
+    with contextlib.closing(KeptFmu(path)) as fmu:
+        description = fmu.description
+        given = inputs_of(inputs)
+        entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}
+        start_values = fmu_settings(description, [entries])[0]
+        times = communication_times(description, stop_time, step_size)
+        signals = given.sampled(description, start_values, times)
+        variables = [v for v in description.modelVariables if v.causality in RECORDED]
+        names = [v.name for v in variables if v.type != "String"]
+        record = fmu.run(start_values, times, names, signals, progress)
     wall_time = time.perf_counter() - begin
-    if values is None:
-        raise UsageError(log.reason(failed))
-    if signals is not None:
-        _record(values, signals, given.changing.keys() - {"time"})
-    values = _last_of_each_time(values)
-    finished = bool(values["time"][-1] >= stop_time - 1e-6 * step_size)
-    reason = log.error if finished else log.reason()
-    messages = (*given.notes(start), *log.messages)
-    units = {v.name: v.unit for v in description.modelVariables if v.causality == "output"}
-    names = values.dtype.names or ()
-    sizes = {name: float(abs(values[name]).max()) for name in units if name in names}
-    moved, largest = _moved(units, values), largest_by_unit(units, sizes)
-    return Run(values, stop_time, wall_time, messages, finished, reason, moved, largest)
-
-
-def _times(start: float, stop: float, step: float) -> ndarray:
-    """Communication points in s."""
-    import numpy as np
-
-    from solver.trajectory import communication_points
-
-    return np.array([*(t for t, _ in communication_points(start, stop, step)), stop])
-
-
-def _last_of_each_time(values: ndarray) -> ndarray:
-    """Rows at different times; fmpy records the end of the last good step again if one fails."""
-    import numpy as np
-
-    return values[np.append(np.diff(values["time"]) != 0.0, True)]
-
-
-def _record(values: ndarray, signals: ndarray, names: Iterable[str]) -> None:
-    """Replace inputs by those of the times of the rows; fmpy has those of the step before."""
-    import numpy as np
-
-    for name in names:
-        values[name] = np.interp(values["time"], signals["time"], signals[name])
-
-
-def _moved(units: Mapping[str, str | None], values: ndarray) -> bool:
-    import numpy as np
-
-    poses = Poses(units)
-    return poses.moved(np.array([values[name] for name in ("time", *poses.names)])[1:].T)
+    if not len(record.values):
+        raise UsageError(record.reason)
+    values = np.empty(len(record.values), [(name, float) for name in ("time", *names)])
+    columns = dict(zip(names, record.values.T, strict=True), time=times)
+    for name, column in {**columns, **signals}.items():  # the FMU has inputs of the step before
+        values[name] = column[: len(values)]
+    outputs = {v.name: v.unit for v in variables if v.causality == "output" and v.name in names}
+    largest = {name: float(abs(values[name]).max()) for name in outputs}
+    poses = Poses(outputs)
+    motion = np.reshape([values[name] for name in poses.names], (-1, len(values))).T
+    return Run(
+        values=values,
+        stop_time=times[-1],
+        wall_time=wall_time,
+        messages=(*given.notes(times[0]), *record.messages),
+        finished=len(values) == len(times),
+        reason=record.reason,
+        moved=poses.moved(motion),
+        largest_by_unit=largest_by_unit(outputs, largest),
+    )
 
 
 def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> str:
@@ -195,41 +154,16 @@ def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> s
     return f"the run ended at t = {end_time!r} s, before {stop_time!r} s: {reason}"
 
 
-def _reporter(
-    progress: Callable[[float], object] | None,
-    stop_time: float,
-    pass_interrupts: Callable[[], None],
-) -> Callable[[float, Recorder], bool]:
-    def step_finished(now: float, recorder: Recorder) -> bool:
-        pass_interrupts()
-        if progress is not None:
-            start = recorder.rows[0][0]
-            progress((now - start) / (stop_time - start))
-        return True
-
-    return step_finished
-
-
-def _simulate(folder: str, fmu: FMU2Slave, **options: Any) -> tuple[ndarray | None, str]:
-    """Result of fmpy, None with a text if an FMI function returned an error; frees the instance."""
-    import fmpy
-    from fmpy.fmi1 import FMICallException
-
-    fatal = False
-    try:
-        return fmpy.simulate_fmu(folder, fmu_instance=fmu, **options), ""
-    except FMICallException as error:
-        fatal = error.status == FATAL  # its memory is gone
-        return None, str(error)
-    finally:
-        if not fatal:
-            fmu.freeInstance()
-
-
-def experiment_times(
+def communication_times(
     description: ModelDescription, stop_time: float | None, step_size: float | None
-) -> tuple[float, float]:
-    """Stop time and communication step, checked: a run must come to an end."""
+) -> list[float]:
+    """Communication points from start to stop time [s]; the experiment's own where None.
+
+    Raises
+    ------
+    UsageError
+        If they make no sense, or are so many that the run would not come to an end.
+    """
     experiment = description.defaultExperiment
     start = start_time_of(description)
     if stop_time is None:
@@ -256,4 +190,4 @@ def experiment_times(
             f"steps, more than the {MOST_STEPS:g} of one run; take a longer step"
         )
         raise UsageError(text)
-    return stop_time, step_size
+    return communication_points(start, stop_time, step_size)

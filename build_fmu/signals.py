@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -25,34 +25,25 @@ class Inputs:
     held: Mapping[str, Any]
 
     def sampled(
-        self, description: ModelDescription, values: Mapping[str, object], times: ndarray
-    ) -> ndarray | None:
-        """Inputs at the communication points `times` [s], as fmpy takes them: a row for each.
-
-        `values` has those that do not change; what is neither there nor among `changing` keeps its
-        start value. None if nothing changes.
+        self, description: ModelDescription, values: Mapping[str, object], times: Sequence[float]
+    ) -> dict[str, ndarray]:
+        """Inputs that change at the communication points `times` [s]; `values` has the others.
 
         Raises
         ------
         UsageError
             If a name is no input, an input has a value besides its signal, or a signal is wrong.
         """
-        import numpy as np
-
         if not self.changing:
-            return None
-        known = {v.name: v.start for v in description.modelVariables if v.causality == "input"}
+            return {}
+        known = [v.name for v in description.modelVariables if v.causality == "input"]
         self._check(description.modelName or "", known, values)
         problems: list[Problem] = []
         columns = sampled(self.changing, times, problems)
         refuse(Mistake(self.where, *problem) for problem in problems)
-        signals = np.empty(len(times), [(name, float) for name in ("time", *known)])
-        signals["time"] = times
-        for name, start in known.items():
-            signals[name] = columns.get(name, float(values.get(name, start or 0.0)))  # type: ignore[arg-type]
-        return signals
+        return columns
 
-    def _check(self, model: str, known: Mapping[str, Any], values: Mapping[str, object]) -> None:
+    def _check(self, model: str, known: Sequence[str], values: Mapping[str, object]) -> None:
         mistakes = []
         for name in self.changing.keys() - {"time"}:
             if name not in known:

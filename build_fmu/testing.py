@@ -26,8 +26,8 @@ if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
     from numpy import ndarray
 
+    from build_fmu.fmu_runner import Record
     from build_fmu.run import Run
-    from build_fmu.study.fmu_runner import Record
 
 __all__ = ["assert_conserves", "assert_follows"]
 
@@ -150,7 +150,7 @@ def _run_along(
     where: str,
 ) -> tuple[list[str], dict[str, str], Record]:
     """Names to compare, the units of variables, and the run through the times of a reference."""
-    from build_fmu.study.fmu_runner import KeptFmu
+    from build_fmu.fmu_runner import KeptFmu
     from build_fmu.study.settings import fmu_settings
     from build_fmu.target import runnable
 

@@ -1,4 +1,4 @@
-"""Inputs that change during a run: arrays over time, or functions of it.
+"""Communication points of a run, and inputs that change at them: arrays, or functions of time.
 
 Between the times of an array an input goes in a straight line; before and after them it stays.
 """
@@ -15,6 +15,15 @@ if TYPE_CHECKING:
 
 Problem = tuple[str, str]
 """What is wrong, and what helps."""
+
+
+def communication_points(start: float, stop: float, step: float) -> list[float]:
+    """Start of each communication step and the end of the last, which is exactly `stop` [s].
+
+    Point i is ``start + i * step``, so that rounding does not add up.
+    """
+    count = max(1, round((stop - start) / step + 0.499999))
+    return [*(start + i * step for i in range(count)), stop]
 
 
 def changes(signal: object) -> bool:

@@ -14,7 +14,7 @@ from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.errors import UnknownNameError, is_double, shown
 from solver.scene import Scene, load
-from solver.signals import Problem, changes, sampled
+from solver.signals import Problem, changes, communication_points, sampled
 
 if TYPE_CHECKING:
     import pandas  # pyright: ignore[reportMissingImports]
@@ -62,17 +62,6 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
 
         index = pd.Index(self.t, name="time")
         return pd.DataFrame(self.table, index=index, columns=list(self.names))
-
-
-def communication_points(start: float, stop: float, step: float) -> Iterator[tuple[float, float]]:
-    """Yield the time and length of each communication step; the last ends exactly at `stop`.
-
-    Point i is ``start + i * step``, so that rounding does not add up.
-    """
-    count = max(1, round((stop - start) / step + 0.499999))
-    for i in range(count):
-        t = start + i * step
-        yield t, (stop if i + 1 == count else start + (i + 1) * step) - t
 
 
 def simulate(
@@ -128,31 +117,30 @@ def simulate(
     names = _collected(model, outputs)
     start, stop, step = _times(model, stop_time, step_size)
     integrator.state.head["horizon"] = stop - start
-    steps = [*communication_points(start, stop, step)]
-    signals = _sampled(inputs or {}, held, [*(t for t, _ in steps), stop])
-    rows = _rows(integrator, steps, signals, [model.index(name) for name in names])
+    times = communication_points(start, stop, step)
+    signals = _sampled(inputs or {}, held, times)
+    rows = _rows(integrator, times, signals, [model.index(name) for name in names])
     table = np.array(rows, dtype=float)
     for name in signals.keys() & set(names):
         table[:, names.index(name)] = signals[name]
-    return Trajectory(np.array([start, *(t + h for t, h in steps)]), names, table)
+    return Trajectory(np.array(times), names, table)
 
 
 def _rows(
     integrator: Integrator,
-    steps: Sequence[tuple[float, float]],
+    times: Sequence[float],
     signals: Mapping[str, NDArray[np.float64]],
     indices: Sequence[int],
 ) -> list[list[float | str | bool]]:
     """Values at all communication points; each step begins with the inputs of its time."""
     driven = [integrator.model.index(name) for name in signals]
     values = np.array([*signals.values()]).T.tolist()
-    if driven:
-        integrator.set(driven, values[0])
-    rows = [integrator.get(indices)]
-    for k, (t, h) in enumerate(steps):
+    rows = []
+    for k, time in enumerate(times):
         if driven:
-            integrator.set(driven, values[k])
-        integrator.advance(t, h)
+            integrator.set(driven, values[max(k - 1, 0)])
+        if k:
+            integrator.advance(times[k - 1], time - times[k - 1])
         rows.append(integrator.get(indices))
     if driven:
         integrator.set(driven, values[-1])  # checks the last value too, which moves nothing

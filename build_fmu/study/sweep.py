@@ -15,11 +15,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.instance import check_platform, description_of, start_time_of
-from build_fmu.run import experiment_times
+from build_fmu.fmu_runner import KeptFmu
+from build_fmu.instance import check_platform, description_of
+from build_fmu.run import communication_times
 from build_fmu.study.dask_workers import folder_of_worker
 from build_fmu.study.engines import engine_of
-from build_fmu.study.fmu_runner import KeptFmu
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.jobs import Task
@@ -31,7 +31,7 @@ from build_fmu.study.values import Entry, Mistake, refuse
 from build_fmu.target import runnable
 
 if TYPE_CHECKING:
-    from fmpy.model_description import ModelDescription
+    pass
 
 MOST_VALUES = 500_000_000
 """Most numbers of the trajectories of one sweep: 4 GB."""
@@ -189,7 +189,7 @@ def _plan(
         rows=settings,
         fixed=fixed,
         outputs=names,
-        times=_times(*experiment_times(description, stop_time, step_size), description),
+        times=communication_times(description, stop_time, step_size),
         units={v.name: v.unit or "" for v in description.modelVariables},
     )
 
@@ -217,14 +217,6 @@ def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str)
 def _lost(plan: Plan, job: tuple[int, Mapping[str, Any]], reason: str) -> Result:
     """Result of a run whose process died: nobody knows what its outputs were."""
     return Result(job[0], plan.times[0], reason, [(math.nan,) * 3] * len(plan.outputs))
-
-
-def _times(stop: float, step: float, description: ModelDescription) -> list[float]:
-    """Communication points from the start to the stop time; the last step may be shorter."""
-    start = start_time_of(description)
-    count = (stop - start) / step
-    whole = round(count) if abs(count - round(count)) < 1e-6 else math.ceil(count)
-    return [*(start + i * step for i in range(max(whole, 1))), stop]
 
 
 # ----------------------------------------------------------------------------- in each process

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -24,10 +25,13 @@ from build_fmu.instance import (
 )
 
 if TYPE_CHECKING:
+    from tempfile import TemporaryDirectory
+
     from fmpy.fmi2 import FMU2Slave
     from numpy import ndarray
 
-KINDS = ("Real", "Integer", "Boolean", "String")
+KINDS = {"Real": float, "Integer": int, "Boolean": bool, "String": str}
+"""What values of each type are in Python."""
 
 
 @dataclass(frozen=True)
@@ -39,36 +43,51 @@ class Record:
     end_time: float
     reason: str
     """Why it ended early, or the first error that the FMU logged; empty if it is a clean run."""
+    messages: tuple[str, ...] = ()
+    """Sentences with status Warning and above that the FMU logged."""
     warnings: tuple[str, ...] = ()
-    """Sentences with status Warning that the FMU logged."""
+    """Those of them with status Warning."""
 
 
 class KeptFmu:
     """An FMU in fmpy, ready to run."""
 
     def __init__(self, path: str | PathLike[str], folder: str | None = None) -> None:
-        """Unpack into a folder of its own below `folder`; None: that for temporary files."""
+        """Take an FMU, which is unpacked below `folder` when it runs; None: that for such files."""
         self.description = description_of(path)
-        self._folder = unpacked(path, folder)
+        self._unpack = partial(unpacked, path, folder)
+        self._folder: TemporaryDirectory[str] | None = None
         self._variables = {v.name: v for v in self.description.modelVariables}
         self._fmu: FMU2Slave | None = None
         self._was_made = False
         self._log = Log()
 
     def run(
-        self, settings: Mapping[str, object], times: Sequence[float], outputs: Sequence[str]
+        self,
+        settings: Mapping[str, object],
+        times: Sequence[float],
+        outputs: Sequence[str],
+        inputs: Mapping[str, ndarray] | None = None,
+        progress: Callable[[float], object] | None = None,
     ) -> Record:
         """Run from the first to the last of the times, and read outputs at each of them.
+
+        `inputs` has those that change, with a value for each of the times; each step begins with
+        those of its time. `progress` is called after each step with the part that is done.
 
         Raises
         ------
         UsageError
             If the FMU cannot be instantiated; if it could before, that is a run that failed.
+        EnvironmentLackError
+            As `unpacked`.
         """
         import numpy as np
         from fmpy.fmi1 import FMICallException
 
         values = np.full((len(times), len(outputs)), np.nan)
+        steps = list(zip(times, np.diff(times).tolist(), strict=False))
+        driven = [{n: x[i] for n, x in inputs.items()} for i in range(len(steps))] if inputs else []
         self._log.clear()
         reached = 0
         try:
@@ -77,32 +96,40 @@ class KeptFmu:
                 fmu.setupExperiment(startTime=times[0], stopTime=times[-1])
                 self._set(fmu, settings)
                 fmu.enterInitializationMode()
+                self._set(fmu, driven[0] if driven else {})
                 fmu.exitInitializationMode()
-                read, step = self._reader(fmu, outputs), _function(fmu, "fmi2DoStep")
+                read, advance = self._reader(fmu, outputs), _function(fmu, "fmi2DoStep")
                 values[0] = read()
                 reached = 1
-                for i in range(1, len(times)):
-                    step(times[i - 1], times[i] - times[i - 1], True)
+                for i, (time, step) in enumerate(steps, start=1):
+                    if driven:
+                        self._set(fmu, driven[i - 1])
+                    advance(time, step, True)
                     values[i] = read()
                     reached = i + 1
                     pass_interrupts()
+                    if progress:
+                        progress((times[i] - times[0]) / (times[-1] - times[0]))
         except FMICallException as error:
             if error.status == FATAL:
                 self._fmu = None  # its memory is gone
-            end, reason = times[max(reached - 1, 0)], self._log.reason(str(error))
-            return Record(values[:reached], end, reason, self._log.warnings)
+            reason = self._log.reason(str(error))
         except UsageError as error:
             if not self._was_made:
                 raise
-            return Record(values[:0], times[0], str(error))
-        return Record(values, times[-1], self._log.error, self._log.warnings)
+            reason = str(error)
+        else:
+            reason = self._log.error
+        said = self._log.messages, self._log.warnings
+        return Record(values[:reached], times[max(reached - 1, 0)], reason, *said)
 
     def close(self) -> None:
         """Free the instance and remove the folder."""
         fmu, self._fmu = self._fmu, None
         if fmu is not None:
             fmu.freeInstance()
-        self._folder.cleanup()
+        if self._folder is not None:
+            self._folder.cleanup()
 
     def _ready(self) -> FMU2Slave:
         """Instance as after instantiation: reset, or a new one where that is not possible."""
@@ -116,13 +143,14 @@ class KeptFmu:
                 if error.status != FATAL:  # after which it is freed already
                     fmu.freeInstance()
                 fmu = None
+        self._folder = self._folder or self._unpack()
         self._fmu = fmu or instantiated(self.description, self._folder.name, self._log)
         self._was_made = True
         return self._fmu
 
     def _set(self, fmu: FMU2Slave, settings: Mapping[str, object]) -> None:
-        for kind in KINDS:
-            given = {n: x for n, x in settings.items() if self._kind(n) == kind}
+        for kind, python_type in KINDS.items():
+            given = {n: python_type(x) for n, x in settings.items() if self._kind(n) == kind}  # type: ignore[arg-type]
             if given:
                 references = [self._variables[name].valueReference for name in given]
                 getattr(fmu, f"set{kind}")(references, list(given.values()))
