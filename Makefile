@@ -25,7 +25,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
 .PHONY: demo test lint sanitize hostile benchmark importers cofmupy kernel clean
 
 demo: $(VENV)/installed
-	@$(BIN)/python -m build_fmu.demo
+	@$(BIN)/python -m examples.demo
 
 test: lint
 	$(BIN)/python -m pytest -n $(JOBS)

@@ -11,13 +11,14 @@ from pathlib import Path
 
 import pytest
 
-from build_fmu import build, demo, payload
+from build_fmu import build, payload
 from build_fmu.command_line import main, setting
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.instance import check_unpack_folder
 from build_fmu.report import progress_bar
 from build_fmu.run import run_fmu
 from build_fmu.version import VERSION
+from examples import demo
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 

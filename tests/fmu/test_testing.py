@@ -10,11 +10,11 @@ import fmpy
 import numpy as np
 import pytest
 
-from build_fmu import demo
 from build_fmu.errors import UsageError
 from build_fmu.reference import limits
 from build_fmu.run import run_fmu
 from build_fmu.testing import assert_conserves, assert_follows
+from examples import demo
 from tests.commands import run
 from tests.fmu_instance import SCENES, pendulum, scene_fmu
 
