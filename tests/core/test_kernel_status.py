@@ -10,7 +10,7 @@ import pytest
 from solver.runtime import AssemblyError, Integrator, OptionError, Status, StepError
 from solver.runtime.layout import PLACE
 from tests.kernel_calls import kernel_of
-from tests.twins import PENDULUM, advance, block, internal_step, model_of, start
+from tests.twins import PENDULUM, advance, block, internal_step, model_of, start, vector
 
 SPRUNG = """
 name = "sprung"
@@ -143,6 +143,23 @@ def test_a_step_that_fails_says_why_and_leaves_the_state_as_before(status):
     assert run.state.head["status"] == status
     run.state.head["status"] = Status.OK
     assert run.save() == before
+
+
+@pytest.mark.parametrize(("speed", "status"), [(250.0, Status.OK), (1e5, Status.TURN_TOO_LARGE)])
+def test_a_body_in_space_turns_no_further_in_a_step_than_its_directors_can_tell(speed, status):
+    """Forty turns a second against half steps of 0.1 s, and in the end of 0.1/64 s."""
+    text = SPINNING.replace("dimension = 2", "").replace("[0, 0]", "[0, 0, 0]")
+    text = text.replace("inertia = 1.0", "inertia = [1, 1, 1]").replace(
+        "4000.0", f"[0, 0, {speed}]"
+    )
+    run = start(text, step_size=0.2)
+    if status is Status.OK:
+        run.advance(0.0, 0.2)
+    else:
+        with pytest.raises(StepError):
+            run.advance(0.0, 0.2)
+    assert run.status is status
+    assert vector(run, "q")[:3] == pytest.approx([0.0] * 3)
 
 
 @pytest.mark.parametrize("step", [-0.1, 0.0, math.nan, math.inf])

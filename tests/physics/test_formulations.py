@@ -1,6 +1,6 @@
 """The ladder of formulations of García Orden & Ortega, from penalties to the conserving method.
 
-Each is checked against its equation as the paper writes it, and for what the paper says of it.
+What the paper says of each; their equations are in `tests/core/test_step_equations.py`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import pytest
 from tests.exact_motions import pendulum_angle
 from tests.problems import (
     GRAVITY,
-    Array,
     Motion,
     chain,
     double_pendulum,
@@ -26,84 +25,6 @@ from tests.problems import (
     tree,
     view,
 )
-
-H, CHI, XI, OMEGA = 0.02, 50.0, 0.7, 8.0
-ALPHA = 4 * CHI / (H**2 * 4)
-"""Penalty [N/m^3] of the unit pendulum: chi = alpha h^2 sigma/4 with sigma = G M^-1 G' = 4."""
-
-
-def swing(formulation: str, **settings: object) -> Motion:
-    """Forty steps of the unit pendulum from 1 rad, 2 rad/s."""
-    options = {"h": H, "penalty": CHI, "xi": XI, "omega": OMEGA, "max_uzawa": 500} | settings
-    return move(start(pendulum(1.0, 2.0), formulation=formulation, **options), H, 40)
-
-
-def row(x: Array) -> Array:
-    """Phi = |q|^2 - 1 at each time."""
-    return np.einsum("ik,ik->i", x, x) - 1.0
-
-
-def impulses(motion: Motion) -> Array:
-    """Multipliers of M (v_1 - v_0) + h (G(q_m)' mu - Q) = 0, and that nothing is left across."""
-    q, v = motion.q[:, 0], motion.v[:, 0]
-    force = np.diff(v, axis=0) / H - [0.0, -GRAVITY]
-    gradient = q[1:] + q[:-1]
-    mu = -np.einsum("ik,ik->i", force, gradient) / np.einsum("ik,ik->i", gradient, gradient)
-    assert np.abs(force + gradient * mu[:, np.newaxis]).max() < 1e-11
-    assert (v[1:] + v[:-1]) / 2 == pytest.approx(np.diff(q, axis=0) / H, abs=1e-12)
-    return mu
-
-
-# ---------------------------------------------------------------- each formulation is its equation
-
-
-@pytest.mark.parametrize("algorithm", ["nested", "simultaneous"])
-def test_conserving_al_solves_eq_15_with_the_constraint_at_the_end(algorithm):
-    motion = swing("conserving-al", algorithm=algorithm, penalty=1e6)
-    assert impulses(motion) == pytest.approx(motion.mu[:, 0], rel=1e-9)
-    assert np.abs(row(motion.q[:, 0])).max() < 1e-12
-
-
-def test_midpoint_al_solves_eq_5_with_the_constraint_in_the_middle():
-    motion = swing("midpoint-al")
-    q = motion.q[:, 0]
-    assert impulses(motion) == pytest.approx(motion.mu[:, 0], rel=1e-9)
-    assert np.abs(row((q[1:] + q[:-1]) / 2)).max() < 1e-12
-    assert np.abs(row(q)).max() > 1e-5
-
-
-def test_conserving_penalty_solves_eq_9():
-    motion = swing("conserving-penalty")
-    phi = row(motion.q[:, 0])
-    assert impulses(motion) == pytest.approx(ALPHA * (phi[1:] + phi[:-1]) / 2, rel=1e-7)
-
-
-def test_conserving_penalty_is_the_closed_form_of_eq_11():
-    # The printed force alpha (Phi_1^2 - Phi_0^2)/(q_1^2 - q_0^2) q_m, with q the distance.
-    motion = swing("conserving-penalty")
-    phi, square = row(motion.q[:, 0]), np.einsum("ik,ik->i", motion.q[:, 0], motion.q[:, 0])
-    closed = ALPHA * np.diff(phi**2) / np.diff(square)
-    assert 2 * impulses(motion) == pytest.approx(closed, rel=1e-6)
-
-
-def test_midpoint_penalty_solves_eq_7():
-    motion = swing("midpoint-penalty")
-    q = motion.q[:, 0]
-    assert impulses(motion) == pytest.approx(ALPHA * row((q[1:] + q[:-1]) / 2), rel=1e-7)
-
-
-def test_penalty_velocity_solves_eq_3_under_the_midpoint_rule():
-    motion = swing("penalty-velocity")
-    q, v = motion.q[:, 0], motion.v[:, 0]
-    q_mid, v_mid, a_mid = (q[1:] + q[:-1]) / 2, (v[1:] + v[:-1]) / 2, np.diff(v, axis=0) / H
-    rate = 2 * np.einsum("ik,ik->i", q_mid, v_mid)
-    acceleration = 2 * np.einsum("ik,ik->i", q_mid, a_mid) + 2 * np.einsum("ik,ik->i", v_mid, v_mid)
-    bracket = acceleration + 2 * XI * OMEGA * rate + OMEGA**2 * row(q_mid)
-    # Here alpha is an added mass, chi/sigma; it does not scale with the step.
-    assert impulses(motion) == pytest.approx(CHI / 4 * bracket, rel=1e-7)
-
-
-# --------------------------------------------------------------------- what the paper says of them
 
 
 @pytest.mark.parametrize("h", [0.01, 0.05])

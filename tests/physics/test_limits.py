@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 import solver
 from tests.kernel_calls import kernel_of
-from tests.twins import PENDULUM, model_of, start
+from tests.twins import PENDULUM, start
 
 ROD = """
 name = "rod"
@@ -108,113 +106,6 @@ def test_the_force_in_a_rod_does_not_overshoot_at_a_jump_of_an_input():
     for _ in range(4):
         run.advance(run.time, 0.01)
         assert run["rod.force"] == pytest.approx(10.0, rel=1e-9)
-
-
-# ------------------------------------------------------------------- forms of two different links
-
-
-def two_links(scale: float):
-    """Double pendulum whose rows are u . w with u = x/scale and w = x scale, and not |x|^2."""
-    model = model_of(PENDULUM.replace("[joints]", "").split("rod =")[0] + DOUBLE)
-    numbers = model.numbers[:]
-    for entry in range(len(model.tables["form_node"])):
-        numbers[model.offsets["alpha"] + entry] /= scale
-        numbers[model.offsets["beta"] + entry] *= scale
-    tables = {**model.tables, "form_kind": model.tables["form_kind"][:]}
-    for form in range(model.sizes["n_forms"]):
-        tables["form_kind"][form] = 0
-    return model._replace(numbers=numbers, tables=tables)
-
-
-DOUBLE = """
-B = { position = [1.4, -0.2], mass = 1.0 , velocity = [0.8, 0.6] }
-[joints]
-rod = { type = "distance", points = ["O", "A"] }
-second = { type = "distance", points = ["A", "B"] }
-"""
-
-
-@pytest.mark.parametrize("scale", [1.0, 2.0, 3.0])
-def test_rows_of_two_links_move_as_rows_of_one(scale):
-    # u . w is the same number: to the bit if the scale is a power of two, else up to its rounding.
-    plain = solver.Integrator(two_links(1.0)._replace(tables=model_of_double().tables))
-    linked = solver.Integrator(two_links(scale))
-    for run in (plain, linked):
-        run.advance(0.0, 0.2)
-    assert linked["B.x"] == pytest.approx(plain["B.x"], abs=1e-13)
-    assert linked["energy.error"] < 1e-13
-    assert linked["constraint.position"] < 1e-15
-
-
-def model_of_double():
-    """The double pendulum of `two_links` with its square forms."""
-    return model_of(PENDULUM.replace("[joints]", "").split("rod =")[0] + DOUBLE)
-
-
-def bilinear():
-    """Two pendulums on one pivot at the origin, their product x_A . x_B held: a fixed angle."""
-    text = (
-        PENDULUM.replace("[joints]", "")
-        .split("rod =")[0]
-        .replace("velocity = [0.8, 0.6]", "velocity = [0, 0]")
-    )
-    model = model_of(
-        text
-        + """
-B = { position = [-0.6, -0.8], mass = 1.0 }
-[joints]
-rod = { type = "distance", points = ["O", "A"] }
-other = { type = "distance", points = ["O", "B"] }
-angle = { type = "distance", points = ["A", "B"] }
-"""
-    )
-    numbers, offsets = model.numbers[:], model.offsets
-    form = model.tables["row_form"][2]
-    first = model.tables["form_ptr"][form]
-    for place, value in ((0, (1.0, 0.0)), (1, (0.0, 1.0))):
-        numbers[offsets["alpha"] + first + place] = value[0]
-        numbers[offsets["beta"] + first + place] = value[1]
-    numbers[offsets["row_constant"] + 2] = -0.36 + 0.64
-    numbers[offsets["row_base"] + 2] = 1.0
-    tables = {**model.tables, "form_kind": model.tables["form_kind"][:]}
-    tables["form_kind"][form] = 0
-    tape = model.tables["tape"][:0]
-    sizes = {**model.sizes, "n_tape_parameters": 0}
-    return model._replace(numbers=numbers, tables={**tables, "tape": tape}, sizes=sizes)
-
-
-def test_a_product_of_two_different_vectors_can_be_held():
-    # The two rods then swing as one rigid body: I phi'' = sum of the weights' moments.
-    engine = solver.Integrator(bilinear())
-    engine.initialise()
-    for i in range(10):
-        engine.advance(i * 0.1, 0.1)
-    q = np.asarray(engine.state.vectors["q"])
-    assert q[:2] @ q[2:] == pytest.approx(0.28, abs=1e-14)
-    assert engine["energy.error"] < 1e-14
-    a0, b0 = math.atan2(-0.8, 0.6), math.atan2(-0.8, -0.6)
-
-    def rates(_, y):
-        return [y[1], -9.81 * (2 * math.cos(a0 + y[0]) + math.cos(b0 + y[0])) / 3.0]
-
-    exact = solve_ivp(rates, (0, 1), [0.0, 0.0], rtol=1e-10, atol=1e-12)
-    angle = a0 + exact.y[0, -1]
-    assert q[:2] == pytest.approx([math.cos(angle), math.sin(angle)], abs=5e-4)  # order 2, h = 0.01
-
-
-def test_the_tangent_of_a_product_of_two_vectors_is_its_derivative():
-    engine = solver.Integrator(bilinear())
-    engine.initialise()
-    rng, h, n, r = np.random.default_rng(1), 0.01, 4, 3
-    w, mu, x = rng.normal(size=n) * 1e-3, rng.normal(size=r), rng.normal(size=n + r)
-    _, _, tx = kernel_of(engine).probe(h, w, mu, x)
-    step = 1e-6
-    ahead, behind = (
-        np.array(kernel_of(engine).probe(h, w + s * x[:n], mu + s * x[n:], x)[1])
-        for s in (step, -step)
-    )
-    # Central differences of a cubic residual: exact up to step^2 and rounding over step.
-    assert tx == pytest.approx((ahead - behind) / (2 * step), abs=1e-8)
 
 
 def test_an_input_that_is_set_to_what_it_is_changes_nothing():

@@ -111,3 +111,9 @@ def test_dzhanibekovs_body_keeps_its_energy_and_all_of_its_moment_of_momentum():
     values = run("dzhanibekov", names, 0.02, 20.0, every=0.5)
     size = np.array([values[0, 0], *[np.linalg.norm(values[0, 1:])] * 3])
     assert np.abs((values - values[0]) / size).max() < 1e-11
+
+
+def test_the_quaternion_of_a_tumbling_body_is_continuous_and_of_length_one():
+    q = run("dzhanibekov", [f"nut.q{part}" for part in "wxyz"], 0.01, 20.0, every=0.02)
+    assert np.einsum("ni,ni->n", q[1:], q[:-1]).min() > 0.99
+    assert np.linalg.norm(q, axis=1) == pytest.approx(1.0, rel=1e-15)
