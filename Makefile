@@ -1,5 +1,6 @@
 # make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
 # make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
+# make long        what takes longer: long tests, sanitize, hostile
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
 # make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
 # make benchmark   time and accuracy, on this machine
@@ -22,13 +23,17 @@ COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h)
 
-.PHONY: demo test lint sanitize hostile benchmark importers cofmupy kernel clean
+.PHONY: demo test long lint sanitize hostile benchmark importers cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
 
 test: lint
-	$(BIN)/python -m pytest -n $(JOBS)
+	$(BIN)/python -m pytest -n $(JOBS) -m "not long"
+
+long: $(VENV)/installed-tools
+	$(BIN)/python -m pytest -n $(JOBS) -m long
+	$(MAKE) sanitize hostile
 
 lint: $(VENV)/installed-tools
 	$(BIN)/ruff format --check .

@@ -16,7 +16,7 @@ from functools import cache
 from pathlib import Path
 
 import solver
-from benchmarks.effort import TINY, Effort
+from benchmarks.effort import Effort
 from benchmarks.mechanisms import (
     Content,
     chains_beside,
@@ -71,10 +71,8 @@ METHOD = (
 
 
 @cache
-def variant(without: int, dimension: int, *options: str) -> ctypes.CDLL:
+def variant(without: int, dimension: int) -> ctypes.CDLL:
     """Kernel of a dimension compiled without the skips of these bits, loaded; once a process.
-
-    `options` are added to the flags of the kernel that is delivered.
 
     Raises
     ------
@@ -85,19 +83,19 @@ def variant(without: int, dimension: int, *options: str) -> ctypes.CDLL:
     if compiler is None:
         text = "there is no C compiler here for kernels without skips; install one, or ziglang"
         raise CompilerError(text)
-    options = (*options, f"-DHOLONOM_WITHOUT={without}")
     # A library that is loaded cannot be deleted on every system.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         target = Path(folder, f"without{without}.library")
-        compile_library(compiler, ROOT / SOURCES, dimension, target, *options)
+        skipped = f"-DHOLONOM_WITHOUT={without}"
+        compile_library(compiler, ROOT / SOURCES, dimension, target, skipped)
         return load_library(dimension, str(target))
 
 
-def variants(bits: Iterable[int], *options: str) -> dict[tuple[int, int], ctypes.CDLL]:
+def variants(bits: Iterable[int]) -> dict[tuple[int, int], ctypes.CDLL]:
     """Kernels by bits and dimension without the skips of these bits, two compiled at a time."""
     wanted = [(without, dimension) for without in bits for dimension in DIMENSIONS]
     with ThreadPoolExecutor(2) as pool:
-        libraries = pool.map(lambda each: variant(*each, *options), wanted)
+        libraries = pool.map(lambda each: variant(*each), wanted)
         return dict(zip(wanted, libraries, strict=True))
 
 
@@ -165,7 +163,7 @@ def _ablation(effort: Effort) -> list[Table]:
         When the kernels cannot be compiled.
     """
     columns = {"none": 0} | SKIPS | {"all": ALL}
-    libraries = variants(columns.values(), *(["-O0"] if effort.largest <= TINY.largest else []))
+    libraries = variants(columns.values())
     ratios: list[Mapping[str, Value]] = []
     iterations: list[Mapping[str, Value]] = []
     for name, (model, parts) in mechanisms(effort.largest).items():

@@ -1,6 +1,15 @@
 /* Counts what factorisations and solves of a kernel multiply: linked in their place with --wrap, which hands on to them. */
 #include <stdint.h>
 
+#ifdef _WIN32
+__declspec(dllexport)
+#else
+__attribute__((visibility("default")))
+#endif
+int holonom_without; /* bits of the skips that are left out */
+
+#ifndef UNWRAPPED
+
 void __real_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x);
 int32_t __real_hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value);
 __attribute__((visibility("default"))) int64_t counted[4]; /* factorisations, their products, solves, their products */
@@ -22,3 +31,4 @@ void __wrap_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const in
     counted[3] += ptr[end] - ptr[begin];
     __real_hm_lu_solve(begin, end, ptr, column, value, x);
 }
+#endif

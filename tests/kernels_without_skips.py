@@ -1,4 +1,7 @@
-"""Kernels without some of the skips of docs/skips.md, each compiled once and kept in a file."""
+"""Kernels without some of the skips of docs/skips.md, compiled once for each dimension.
+
+Which skips are left out is then a variable of the library, of which each choice loads a copy.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ import functools
 import hashlib
 import os
 import platform
+import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -23,6 +27,8 @@ OPTIMISATION = "-O1"
 """Times are not measured, and a kernel takes 4 s to compile."""
 
 COUNTER = Path(__file__).with_name("count_products.c")
+CHOICE = COUNTER.with_suffix(".h")
+"""Declares the variable that has the bits of the skips that are left out."""
 WRAPPED = [f"-Wl,--wrap=hm_lu_{name}" for name in ("factor", "solve")]
 """The linker of Linux puts the counter in place of factorisations and solves."""
 
@@ -34,27 +40,36 @@ needs_compiler = pytest.mark.skipif(
 def _digest() -> str:
     """Hash of all that makes a kernel."""
     digest = hashlib.sha256(" ".join([*flags(platform.system()), OPTIMISATION]).encode())
-    for path in [*sorted(FOLDER.iterdir()), COUNTER]:
+    for path in [*sorted(FOLDER.iterdir()), COUNTER, CHOICE]:
         digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()[:16]
+
+
+def _compiled(dimension: int) -> Path:
+    """Kernel of a dimension that asks a variable which skips it may take."""
+    folder = Path(tempfile.gettempdir(), f"holonom-kernels-{_digest()}")
+    folder.mkdir(exist_ok=True)
+    target = folder / f"kernel{dimension}.library"
+    if not target.exists():
+        compiler = system_compiler() or zig_compiler()
+        assert compiler is not None
+        mine = folder / f"{os.getpid()}-{target.name}"  # another process may compile it as well
+        options = [OPTIMISATION, "-DHOLONOM_WITHOUT=holonom_without", "-include", str(CHOICE)]
+        options += [*(WRAPPED if sys.platform == "linux" else ["-DUNWRAPPED"]), str(COUNTER)]
+        compile_library(compiler, FOLDER, dimension, mine, *options)
+        mine.replace(target)
+    return target
 
 
 @functools.cache
 def kernel_without(bits: int, dimension: int) -> ctypes.CDLL:
     """Kernel of a dimension without the skips of these bits (`enum skip` of internal.h)."""
-    folder = Path(tempfile.gettempdir(), f"holonom-kernels-{_digest()}")
-    folder.mkdir(exist_ok=True)
-    target = folder / f"without{bits}in{dimension}.library"
-    if not target.exists():
-        compiler = system_compiler() or zig_compiler()
-        assert compiler is not None
-        mine = folder / f"{os.getpid()}-{target.name}"  # another process may compile it as well
-        options = [OPTIMISATION, f"-DHOLONOM_WITHOUT={bits}"]
-        if sys.platform == "linux":
-            options += [*WRAPPED, str(COUNTER)]
-        compile_library(compiler, FOLDER, dimension, mine, *options)
-        mine.replace(target)
-    return load_library(dimension, str(target))
+    # A library that is loaded cannot be deleted on every system.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        copy = shutil.copy(_compiled(dimension), Path(folder, f"without{bits}.library"))
+        library = load_library(dimension, str(copy))
+    ctypes.c_int.in_dll(library, "holonom_without").value = bits
+    return library
 
 
 class Counts(NamedTuple):

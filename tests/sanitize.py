@@ -19,7 +19,7 @@ from build_kernel.compiler import DIMENSIONS, LIBRARIES, SOURCES, compile_librar
 
 ROOT = Path(__file__).parent.parent
 OPTIONS = (
-    *("-O1", "-g", "-fno-omit-frame-pointer", "-fno-sanitize-recover=all"),
+    *("-g", "-fno-omit-frame-pointer", "-fno-sanitize-recover=all"),
     "-fsanitize=address,undefined,float-cast-overflow,bounds-strict",
 )
 SETTINGS = {
@@ -44,14 +44,14 @@ def _preloaded() -> list[str]:
     ]
 
 
-def copy_with_sanitizers(folder: Path) -> None:
-    """Copy `solver` below a folder, and compile the kernel there."""
+def copy_with_sanitizers(folder: Path, optimisation: str) -> None:
+    """Copy `solver` below a folder, and compile the kernel there: quick to compile, or to run."""
     kept = shutil.ignore_patterns("__pycache__", "*.so")
     shutil.copytree(ROOT / "solver", folder / "solver", ignore=kept)
     for dimension in DIMENSIONS:
         target = folder / LIBRARIES / library_name("Linux", dimension)
         target.parent.mkdir(exist_ok=True)
-        compile_library(["gcc"], folder / SOURCES, dimension, target, *OPTIONS)
+        compile_library(["gcc"], folder / SOURCES, dimension, target, optimisation, *OPTIONS)
 
 
 def run_in(folder: Path, every: int) -> subprocess.CompletedProcess[str]:
@@ -71,7 +71,7 @@ def main() -> int:
     if not can_sanitize():
         sys.exit("the sanitizers need gcc with libasan and libubsan")
     with tempfile.TemporaryDirectory(prefix="sanitize-") as name:
-        copy_with_sanitizers(Path(name))
+        copy_with_sanitizers(Path(name), "-O1")
         run = run_in(Path(name), every)
     print(run.stdout + run.stderr[-4000:])
     return 1 if run.returncode else 0

@@ -121,7 +121,6 @@ def test_a_record_says_where_it_comes_from(name):
     assert content["values"].keys() == content["uncertainty"].keys() >= CASES[name].names.keys()
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_the_record_is_what_the_other_code_computes(name):
     pytest.importorskip("exudyn")

@@ -88,6 +88,15 @@ def test_the_benchmark_knows_every_skip_of_the_kernel_and_the_page_lists_it():
         assert f"| {name} |" in page
 
 
+@needs_compiler
+@pytest.mark.long
+def test_the_benchmark_compiles_kernels_without_skips():
+    model, _ = MODELS["heavy_top"]
+    _, q, *_ = moved(model, skips.variant(skips.ALL, 3))
+    _, expected, *_ = moved(model, kernel_without(skips.ALL, 3))
+    assert q == pytest.approx(expected, abs=ROUND_OFF)
+
+
 def test_scenes_that_are_compared_move_alike():
     for cheap, dear, _ in skips.pairs(10).values():
         _, q, *_ = delivered(cheap)

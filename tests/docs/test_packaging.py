@@ -187,7 +187,6 @@ def test_the_libraries_have_the_names_by_which_they_are_loaded():
         assert Path(library_path(dimension)).name == name
 
 
-@pytest.mark.slow
 def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder):
     """Source archive, wheel from it, kernel out of the wheel; takes ziglang from the registry."""
     tree = copy_of_repository(tmp_path / "tree")

@@ -61,7 +61,6 @@ def test_the_midpoint_rule_loses_the_same_chain_within_6_s(n):
 
 
 @PAIRED
-@pytest.mark.slow
 def test_a_double_pendulum_keeps_its_energy_to_a_picojoule_over_200000_steps(paired):
     # Plain steps of 1 ms, and pairs of two half steps of 0.5 ms each: 2e5 and 4e5 solved steps.
     # With increments as unknowns and compensated sums nothing adds up but the residuals, some 1e-16
@@ -165,7 +164,6 @@ def assert_momenta_and_energy_hold(content: Content, h: float, n_steps: int) -> 
     assert moved[:, dimension:].max() < 1e-11 * momentum * lever
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("h", [0.1, 0.3, 0.5])
 @DIMENSIONS
 def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(dimension, h):
@@ -174,7 +172,6 @@ def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(
     assert_momenta_and_energy_hold(free_system(dimension), h, 10_000)
 
 
-@pytest.mark.slow
 @settings(max_examples=50, suppress_health_check=[HealthCheck.too_slow])
 @given(free_systems())
 def test_energy_and_momenta_of_any_free_system_hold_over_ten_thousand_large_steps(system):

@@ -113,7 +113,6 @@ def test_long_chains_keep_energy_and_lengths(text):
     assert run(solver.loads(text), QUIET, 0.002, 0.2, every=0.02).max() < 1e-11
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("text", [hanging_chain(1000), rigid_chain(1000, 2), rigid_chain(1000, 3)])
 def test_chains_of_a_thousand_links_keep_energy_and_lengths(text):
     assert run(solver.loads(text), QUIET, 0.002, 0.1, every=0.02).max() < 1e-10
