@@ -9,20 +9,20 @@ from build_fmu.study import variants as variants_module
 
 FATAL = 7
 FATAL_VARIANT = 2
-run_some, export = sweep_module._run_some, variants_module._export
+run_row, export = sweep_module.run_row, variants_module._export
 
 
-def crashing(shared, jobs):
+def crashing(shared, job):
     """What a process of a sweep is given to do."""
-    if FATAL in [run for run, _ in jobs]:
-        run_some(shared, jobs[:1])  # the FMU is unpacked
+    result = run_row(shared, job)  # the FMU is unpacked
+    if job[0] == FATAL:
         os._exit(3)
-    return run_some(shared, jobs)
+    return result
 
 
-def crashing_export(shared, jobs):
+def crashing_export(shared, job):
     """What a process that writes variants is given to do."""
-    made = export(shared, jobs)
-    if FATAL_VARIANT in [number for number, _ in jobs]:
+    made = export(shared, job)
+    if job[0] == FATAL_VARIANT:
         os._exit(3)
     return made

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
-from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from build_fmu.errors import EnvironmentLackError
-from build_fmu.study.jobs import DIED, Results, Task, chunked
+from build_fmu.study.jobs import DIED, Results, Task
 
 CONNECTION = 10.0
 """Seconds in which a scheduler must answer."""
+MOST_CHUNK = 64
 
 
 def require_scheduler(address: str) -> None:
@@ -24,37 +23,31 @@ def run_on_dask(task: Task, jobs: Sequence[Any], address: str) -> Results:
 
     The workers have this package installed as well.
     """
-    client = _client(address)
-    from distributed import KilledWorker, as_completed  # pyright: ignore[reportMissingImports]
+    with _client(address) as client:
+        from distributed import KilledWorker, as_completed  # pyright: ignore[reportMissingImports]
 
-    with client:
-        threads = sum(client.nthreads().values()) or 1
-        chunks = chunked(jobs, math.ceil(len(jobs) / (8 * threads)), threads)
         # A result, which is computed anew where the worker that has it dies; scattered data is not.
         shared = client.submit(_itself, task.shared, pure=False)
 
         def submit(chunk: Sequence[Any]) -> Any:
-            return client.submit(task.function, shared, chunk, pure=False)
+            return client.submit(_each, task.function, shared, chunk, pure=False)
 
+        threads = sum(client.nthreads().values()) or 1
+        size = max(1, min(len(jobs) // (8 * threads), MOST_CHUNK))
+        chunks = [jobs[i : i + size] for i in range(0, len(jobs), size)]
         running = {submit(chunk): chunk for chunk in chunks}
-        finished = as_completed(running)
-        suspects: deque[Any] = deque()
-        on_trial = False
-        for future in finished:
+        suspects: list[Any] = []
+        for future in as_completed(list(running)):
             chunk = running.pop(future)
-            error = future.exception() if future.status == "error" else None
-            if not isinstance(error, KilledWorker):
+            try:
                 yield from future.result()
-            elif on_trial:
-                yield task.lost(chunk[0], DIED)
-            else:
-                suspects.extend(chunk)
-            if suspects and not running:  # alone: a worker takes what waits for it along
-                on_trial = True
-                job = suspects.popleft()
-                future = submit([job])
-                running[future] = [job]
-                finished.add(future)
+            except KilledWorker:
+                suspects += chunk
+        for job in suspects:  # alone: a worker takes what waits for it along
+            try:
+                yield from submit([job]).result()
+            except KilledWorker:
+                yield task.lost(job, DIED)
 
 
 def _client(address: str) -> Any:
@@ -75,6 +68,10 @@ def folder_of_worker() -> str:
     from distributed import get_worker  # pyright: ignore[reportMissingImports]
 
     return get_worker().local_directory
+
+
+def _each(function: Callable[[Any, Any], Any], shared: Any, jobs: Sequence[Any]) -> list[Any]:
+    return [function(shared, job) for job in jobs]
 
 
 def _itself(value: Any) -> Any:

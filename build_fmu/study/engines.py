@@ -14,18 +14,8 @@ from build_fmu.study.jobs import Results, Task
 from build_fmu.study.processes import run_in_processes
 
 POOL_PAYS = 2.0
-"""Seconds of work left above which processes are started, each of which takes half a second."""
-CHUNK = 0.3
-"""Seconds of work that a process is given at a time: messages cost little then, and it is the most
-that is repeated after an interruption."""
+"""Seconds of work left above which processes are started, each of which takes a third of one."""
 FORMS = "auto, serial, processes, processes:N or dask://HOST:PORT"
-
-
-def run_jobs(
-    task: Task, jobs: Sequence[Any], engine: str = "auto", workers: int | None = None
-) -> Results:
-    """Results of all jobs, not in their order, from the engine of this name."""
-    return engine_of(engine, workers)(task, jobs)
 
 
 def engine_of(name: str, workers: int | None = None) -> Callable[[Task, Sequence[Any]], Results]:
@@ -48,7 +38,7 @@ def engine_of(name: str, workers: int | None = None) -> Callable[[Task, Sequence
     if kind == "auto" and not rest:
         return partial(_auto, workers=workers)
     if kind == "serial" and not rest:
-        return _serial
+        return partial(_auto, workers=1)
     if kind == "processes" and (not rest or (rest.isdecimal() and int(rest) > 0)):
         return partial(run_in_processes, workers=int(rest or workers))
     if kind == "dask" and rest.startswith("//") and len(rest) > 2:
@@ -64,23 +54,18 @@ def processors() -> int:
     return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
-def _serial(task: Task, jobs: Sequence[Any]) -> Results:
-    for job in jobs:
-        yield from task.function(task.shared, [job])
-
-
 def _auto(task: Task, jobs: Sequence[Any], workers: int) -> Results:
     """Here, until it is known that what is left is worth the start of processes."""
     first = spent = 0.0
     for done, job in enumerate(jobs, start=1):
         begin = time.perf_counter()
-        results = task.function(task.shared, [job])
+        result = task.function(task.shared, job)
         spent += time.perf_counter() - begin
-        yield from results
+        yield result
         if done == 1:
             first = spent  # with loading: the others take less
         usual = (spent - first) / (done - 1) if done > 1 else 0.5 * first
         left = len(jobs) - done
         if workers > 1 and left > 1 and usual * left > POOL_PAYS:
-            yield from run_in_processes(task, jobs[done:], workers, int(CHUNK / usual) + 1)
+            yield from run_in_processes(task, jobs[done:], workers)
             return

@@ -1,136 +1,146 @@
-"""Jobs in several processes of this machine.
+"""Jobs in several processes of this machine, each with a pipe of its own.
 
-One that dies takes its job with it and nothing else: what was on its way is repeated one by one,
-and the job that ends a process again is lost.
+What the first process has not got back from one that died is known, so a death costs nothing but
+the job that was worked on. That one is repeated alone in a new process, as the system may have
+taken the old one's memory for another's sake; a job that ends a process again is lost.
 """
 
 from __future__ import annotations
 
 import contextlib
-import math
 import multiprocessing
-import multiprocessing.util
 import os
 import signal
 import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from multiprocessing.connection import Connection
+from multiprocessing.connection import Connection, wait
+from queue import SimpleQueue
 from typing import Any
 
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.instance import interrupts_held
-from build_fmu.study.jobs import DIED, Results, Task, chunked
+from build_fmu.study.jobs import DIED, Results, Task
 
 
-def run_in_processes(
-    task: Task, jobs: Sequence[Any], workers: int, size: int | None = None
-) -> Results:
-    """Results of all jobs, not in their order, from processes that get `size` of them at a time."""
-    return _Processes(task, jobs, workers, size or math.ceil(len(jobs) / (8 * workers))).results()
+def run_in_processes(task: Task, jobs: Sequence[Any], workers: int) -> Results:
+    """Results of all jobs, not in their order."""
+    return _Team(task, jobs).results(min(workers, len(jobs)))
 
 
-class _Processes:
-    """Processes that know nothing of this one (spawn): an FMU cannot be loaded and forked."""
+class _Team:
+    """Processes and the jobs that wait for them."""
 
-    def __init__(self, task: Task, jobs: Sequence[Any], workers: int, size: int) -> None:
+    def __init__(self, task: Task, jobs: Sequence[Any]) -> None:
         self._task = task
-        self._workers = min(workers, len(jobs)) or 1
-        self._chunks = deque(chunked(jobs, size, self._workers))
-        self._suspects: deque[Sequence[Any]] = deque()
-        """Jobs of which one has ended its process, each as a chunk of its own."""
-        self._running: dict[Future, Sequence[Any]] = {}
+        self._waiting = deque(jobs)
+        self._suspects: deque[Any] = deque()
+        """Jobs whose process has died once."""
         self._on_trial = False
-        """Whether all that runs is one suspect, in processes that have done nothing before."""
-        self._pool = _Pool(self._workers)
+        """Whether all that runs is one suspect."""
+        self._failed_starts = 0
+        self._processes: list[_Process] = []
 
-    def results(self) -> Results:
+    def results(self, count: int) -> Results:
         try:
-            while self._chunks or self._suspects or self._running:
-                alive = self._submit()
-                for future in wait(self._running, return_when=FIRST_COMPLETED).done:
-                    if isinstance(future.exception(), BrokenProcessPool):
-                        alive = False
+            with _interrupts_wait():
+                self._processes += [_Process(self._task) for _ in range(count)]
+            while self._hand_out():
+                ready = wait([process.pipe for process in self._processes])
+                for process in [each for each in self._processes if each.pipe in ready]:
+                    try:
+                        message = process.pipe.recv()
+                    except (EOFError, OSError):
+                        yield from self._replaced(process)
                     else:
-                        del self._running[future]
-                        self._on_trial = False
-                        yield from future.result()
-                if not alive:
-                    yield from self._recovered()
-        except BaseException:  # nobody waits for what they do
-            self._pool.kill()
-            raise
-        finally:
-            self._pool.shutdown(cancel_futures=True)
+                        yield from self._taken(process, message)
+        finally:  # nobody waits for what they do
+            for process in self._processes:
+                process.end()
 
-    def _submit(self) -> bool:
-        """Hand out jobs; False if a process has died since the last time."""
-        if self._suspects:
-            return bool(self._running) or self._start(self._suspects)
-        while self._chunks and len(self._running) < 2 * self._workers:
-            if not self._start(self._chunks):
-                return False
-        return True
+    def _hand_out(self) -> bool:
+        """Give jobs to processes; False if there are no more, and all are done."""
+        busy = any(process.jobs for process in self._processes)
+        if self._suspects and not busy:
+            self._renewed(self._processes[0]).give(self._suspects.popleft())
+            self._on_trial = True
+        elif not self._suspects and not self._on_trial:
+            for most in (1, 2):  # a second one, so that none need wait, where there are many
+                for process in self._processes:
+                    left = len(self._waiting) - (most - 1) * len(self._processes)
+                    if len(process.jobs) < most and left > 0:
+                        process.give(self._waiting.popleft())
+        return any(process.jobs for process in self._processes)
 
-    def _start(self, queue: deque[Sequence[Any]]) -> bool:
-        try:
-            future = self._pool.submit(self._task.function, self._task.shared, queue[0])
-        except BrokenProcessPool:
-            return False
-        self._running[future] = queue.popleft()
-        return True
+    def _taken(self, process: _Process, message: tuple[Any, Exception | None] | None) -> Results:
+        if message is None:
+            process.is_started, self._failed_starts = True, 0
+            return
+        process.jobs.popleft()
+        self._on_trial = False
+        result, error = message
+        if error is not None:
+            raise error
+        yield result
 
-    def _recovered(self) -> Results:
-        """Processes anew; a job that was on trial is lost, any other gets one."""
-        suspects = [job for chunk in self._running.values() for job in chunk]
-        self._running.clear()
-        self._pool.kill()  # one that has just begun would else wait for a lock of a dead one
-        self._pool.shutdown(cancel_futures=True)
-        self._pool = _Pool(self._workers)
-        try:
-            self._pool.submit(os.getpid).result()
-        except BrokenProcessPool:
+    def _replaced(self, process: _Process) -> Results:
+        """A process anew; a job that was on trial is lost, any other gets one."""
+        self._failed_starts += not process.is_started
+        if self._failed_starts > len(self._processes):
             text = (
                 "processes cannot be started; in a script, call this below "
                 '`if __name__ == "__main__":`, or take the engine "serial"'
             )
-            raise EnvironmentLackError(text) from None
-        if self._on_trial:
-            yield from (self._task.lost(job, DIED) for job in suspects)
-        else:
-            self._suspects.extendleft([job] for job in reversed(suspects))
-        self._on_trial = bool(self._suspects)
+            raise EnvironmentLackError(text)
+        self._renewed(process)
+        if process.jobs and self._on_trial:
+            self._on_trial = False
+            yield self._task.lost(process.jobs[0], DIED)
+        elif process.jobs:
+            suspect, *others = process.jobs
+            self._suspects.append(suspect)
+            self._waiting.extendleft(reversed(others))
+
+    def _renewed(self, process: _Process) -> _Process:
+        with _interrupts_wait():
+            process.end()
+            new = _Process(self._task)
+            self._processes[self._processes.index(process)] = new
+        return new
 
 
-class _Pool(ProcessPoolExecutor):
-    """Processes that end with this one, and at once if that is wanted.
+class _Process:
+    """A process that knows nothing of this one (spawn): an FMU cannot be loaded and forked."""
 
-    Each waits for the end of a pipe of which only this process has the other side.
-    """
-
-    def __init__(self, workers: int) -> None:
+    def __init__(self, task: Task) -> None:
         context = multiprocessing.get_context("spawn")
-        end, self._leash = context.Pipe(duplex=False)
-        with _interrupts_wait():
-            super().__init__(workers, context, _begin_process, (end,))
+        self.jobs: deque[Any] = deque()
+        """What it was given and has not done; it works on the first."""
+        self.is_started = False
+        self.pipe, theirs = context.Pipe()
+        arguments = (theirs, task.function, task.shared)
+        self._process = context.Process(target=_work, args=arguments)
+        self._process.start()
+        theirs.close()
 
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future:
-        """Hand out a job, which may start processes."""
-        with _interrupts_wait():
-            return super().submit(fn, *args, **kwargs)
+    def give(self, job: Any) -> None:
+        """Hand out a job."""
+        self.jobs.append(job)
+        with contextlib.suppress(OSError):  # it has died, as its pipe is about to say
+            self.pipe.send(job)
 
-    def kill(self) -> None:
-        """End all processes, whatever they are doing."""
-        self._leash.close()
+    def end(self) -> None:
+        """End it, whatever it is doing."""
+        self._process.kill()
+        self._process.join()
+        self.pipe.close()
 
 
 @contextlib.contextmanager
 def _interrupts_wait() -> Iterator[None]:
-    """Let Ctrl-C wait until the pool is whole.
+    """Let Ctrl-C wait until the processes are known to this one.
 
-    Processes begin with the mask of this thread: it cannot end their imports with a traceback.
+    They begin with the mask of this thread: it cannot end their imports with a traceback.
     """
     with interrupts_held():  # another thread of this process may take the signal in spite of a mask
         if not hasattr(signal, "pthread_sigmask"):  # Windows
@@ -146,16 +156,24 @@ def _interrupts_wait() -> Iterator[None]:
             signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _begin_process(leash: Connection) -> None:
-    """Prepare a process of the pool."""
-    # The handler of pythonfmu's library aborts now and then when a process ends.
-    multiprocessing.util.Finalize(None, os._exit, args=(0,), exitpriority=-100)
+def _work(pipe: Connection, function: Callable[[Any, Any], Any], shared: Any) -> None:
+    """Do jobs of the first process until it ends this one."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to all; the first process decides
-    threading.Thread(target=_end_with, args=(leash,), daemon=True).start()
+    jobs: SimpleQueue[Any] = SimpleQueue()
+    threading.Thread(target=_listen, args=(pipe, jobs), daemon=True).start()
+    pipe.send(None)  # it is started
+    while True:
+        job = jobs.get()
+        try:
+            message = function(shared, job), None
+        except Exception as error:
+            message = None, error
+        pipe.send(message)
 
 
-def _end_with(leash: Connection) -> None:
-    try:
-        leash.recv_bytes()
-    except (EOFError, OSError):
-        os._exit(1)
+def _listen(pipe: Connection, jobs: SimpleQueue[Any]) -> None:
+    """Take jobs, and end this process with the first one, whatever it is doing."""
+    with contextlib.suppress(EOFError, OSError):
+        while True:
+            jobs.put(pipe.recv())
+    os._exit(1)

@@ -6,32 +6,27 @@ import contextlib
 import hashlib
 import math
 import tempfile
-import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from build_fmu.errors import UsageError
-from build_fmu.fmu_runner import KeptFmu
 from build_fmu.instance import check_platform, description_of
 from build_fmu.run import communication_times
-from build_fmu.study.dask_workers import folder_of_worker
 from build_fmu.study.engines import engine_of
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.jobs import Task
 from build_fmu.study.names import outputs_of
 from build_fmu.study.plan import Plan, Result
+from build_fmu.study.run_row import Shared, release, run_row
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 from build_fmu.study.stores import by_run, check_name, holds_trajectories, store_for
 from build_fmu.study.values import Entry, Mistake, refuse
 from build_fmu.target import runnable
-
-if TYPE_CHECKING:
-    pass
 
 MOST_VALUES = 500_000_000
 """Most numbers of the trajectories of one sweep: 4 GB."""
@@ -52,21 +47,6 @@ class Sweep:
     def failed(self) -> list[Result]:
         """Runs that did not come to their end."""
         return [result for result in self.results if result.reason]
-
-
-@dataclass(frozen=True)
-class _Shared:
-    """What every process needs: a path, or the archive itself for other machines."""
-
-    path: str
-    folder: str | None
-    """Where it is unpacked, removed at the end; None: in the one of a worker elsewhere."""
-    data: bytes | None
-    digest: str
-    fixed: Mapping[str, Any]
-    outputs: Sequence[str]
-    times: Sequence[float]
-    trajectories: bool
 
 
 def sweep(
@@ -142,9 +122,7 @@ def sweep(
                 n for n, x in store.results.items() if x.values is not None or not trajectories
             }
             jobs = [(n, row) for n, row in enumerate(plan.rows, start=1) if n not in known]
-            task = Task(
-                _run_some, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan)
-            )
+            task = Task(run_row, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan))
             said: set[str] = set()
             try:
                 with contextlib.closing(run_jobs(task, jobs)) as results:
@@ -156,7 +134,7 @@ def sweep(
             except KeyboardInterrupt:
                 raise _interruption(len(store.results), plan.count, file, fresh) from None
             finally:
-                _release()
+                release()
     found = Sweep(plan, by_run(store.results), len(known), sorted(said))
     return in_form(found, form, trajectories)
 
@@ -200,9 +178,9 @@ def _check_size(plan: Plan, trajectories: bool) -> None:
         raise UsageError(text)
 
 
-def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str) -> _Shared:
+def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str) -> Shared:
     elsewhere = engine.startswith("dask")
-    return _Shared(
+    return Shared(
         path=unit,
         folder=None if elsewhere else folder,
         data=Path(unit).read_bytes() if elsewhere else None,
@@ -217,49 +195,3 @@ def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str)
 def _lost(plan: Plan, job: tuple[int, Mapping[str, Any]], reason: str) -> Result:
     """Result of a run whose process died: nobody knows what its outputs were."""
     return Result(job[0], plan.times[0], reason, [(math.nan,) * 3] * len(plan.outputs))
-
-
-# ----------------------------------------------------------------------------- in each process
-
-_HERE = threading.local()
-"""The FMU that this thread keeps ready: its digest and the `KeptFmu`."""
-
-
-def _run_some(shared: _Shared, jobs: Sequence[tuple[int, Mapping[str, Any]]]) -> list[Result]:
-    """Run some rows; a job is a number and values."""
-    fmu = _kept(shared)
-    return [_one(fmu, shared, run, values) for run, values in jobs]
-
-
-def _one(fmu: KeptFmu, shared: _Shared, run: int, row: Mapping[str, Any]) -> Result:
-    record = fmu.run({**shared.fixed, **row}, shared.times, shared.outputs)
-    # Before the first step outputs may be no more than 0.
-    values = record.values if len(record.values) > 1 or not record.reason else record.values[:0]
-    if len(values):
-        columns = (values[-1], values.min(axis=0), values.max(axis=0))
-        summary = list(zip(*(column.tolist() for column in columns), strict=True))
-    else:
-        summary = [(math.nan,) * 3] * len(shared.outputs)
-    kept = values if shared.trajectories else None
-    return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
-
-
-def _kept(shared: _Shared) -> KeptFmu:
-    if getattr(_HERE, "digest", None) != shared.digest:
-        _release()
-        if shared.data is None:
-            _HERE.fmu = KeptFmu(shared.path, shared.folder)
-        else:
-            with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-                copy = Path(folder, "unit.fmu")
-                copy.write_bytes(shared.data)
-                _HERE.fmu = KeptFmu(copy, folder_of_worker())
-        _HERE.digest = shared.digest
-    return _HERE.fmu
-
-
-def _release() -> None:
-    """Free what this thread keeps."""
-    if getattr(_HERE, "digest", None) is not None:
-        _HERE.fmu.close()
-    _HERE.digest = None

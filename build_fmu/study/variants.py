@@ -153,15 +153,12 @@ def _shared(
     )
 
 
-def _export(shared: _Shared, jobs: Sequence[tuple[int, Row]]) -> list[Variant]:
-    """Build some of the FMUs; a job is a number and a row."""
-    return [_exported(shared, number, row) for number, row in jobs]
-
-
-def _exported(shared: _Shared, number: int, row: Row) -> Variant:
+def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
+    """Build one of the FMUs, from its number and row."""
     from build_fmu.export import compile_scene, write_fmu, write_parameter_set
     from solver.scene.reader import read_file
 
+    number, row = job
     own = {name: Given(entry.value, entry.where, entry.named) for name, entry in row.items()}
     values = {name: entry.value for name, entry in row.items()}
     try:

@@ -11,7 +11,7 @@ import pytest
 import build_fmu
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.study import dask_workers
-from build_fmu.study.engines import run_jobs
+from build_fmu.study.engines import engine_of
 from build_fmu.study.jobs import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
 from tests.fmu_instance import pendulum
@@ -54,7 +54,7 @@ def test_a_sweep_has_the_results_of_this_process(engine):
 
 
 def test_a_job_that_ends_its_worker_is_lost_and_no_other(engine):
-    found = dict(run_jobs(Task(square, -1, lost), range(10), engine))
+    found = dict(engine_of(engine)(Task(square, -1, lost), range(10)))
     assert found == {i: i * i for i in range(10)} | {FATAL: DIED}
 
 
@@ -63,4 +63,4 @@ def test_without_a_scheduler_the_environment_lacks_something(monkeypatch):
     with pytest.raises(
         EnvironmentLackError, match=r"no scheduler of dask answers at 127\.0\.0\.1:9"
     ):
-        list(run_jobs(Task(square, 0, lost), [1], "dask://127.0.0.1:9"))
+        engine_of("dask://127.0.0.1:9")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import subprocess
 import sys
 import time
 from collections.abc import Sequence
@@ -11,7 +12,7 @@ from collections.abc import Sequence
 import pytest
 
 from build_fmu.errors import EnvironmentLackError, UsageError
-from build_fmu.study.engines import run_jobs
+from build_fmu.study.engines import engine_of
 from build_fmu.study.jobs import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
 
@@ -20,22 +21,21 @@ PATIENCE = 60.0
 
 
 @pytest.mark.parametrize("engine", ["auto", "serial", "processes:2"])
-def test_every_job_has_its_result(engine):
-    found = run_jobs(Task(square, 0, lost), range(20), engine)
-    assert sorted(found) == [(i, i * i) for i in range(20)]
-
-
-def test_a_job_that_ends_its_process_is_lost_and_no_other():
-    found = dict(run_jobs(Task(square, -1, lost), range(20), "processes:2"))
-    assert found == {i: i * i for i in range(20)} | {FATAL: DIED}
+@pytest.mark.parametrize("count", [0, 1, 20])
+def test_every_job_has_its_result(engine, count):
+    found = engine_of(engine)(Task(square, 0, lost), range(count))
+    assert sorted(found) == [(i, i * i) for i in range(count)]
+    assert multiprocessing.active_children() == []
 
 
 @pytest.mark.parametrize("engine", ["processes:1", "processes:2"])
-def test_a_death_while_results_are_taken_costs_one_job(engine):
-    jobs = range(FATAL - 3, 24)  # it is in the second chunk, which runs while the first is taken
+@pytest.mark.parametrize("first", [0, FATAL - 1, FATAL])
+def test_a_job_that_ends_its_process_is_lost_and_no_other(engine, first):
+    """Also where none went before it, and where a result is taken meanwhile."""
+    jobs = range(first, 20)
     found = {}
-    for job, result in run_jobs(Task(square, -1, lost), jobs, engine):
-        if not found:
+    for job, result in engine_of(engine)(Task(square, -1, lost), jobs):
+        if job == FATAL - 1 and engine == "processes:1":
             wait_until(lambda: not multiprocessing.active_children())
         found[job] = result
     assert found == {i: i * i for i in jobs} | {FATAL: DIED}
@@ -50,7 +50,7 @@ def wait_until(condition) -> None:
 
 def test_processes_that_are_killed_while_idle_cost_nothing():
     found = {}
-    for job, result in run_jobs(Task(square, 0, lost), range(12), "processes:2"):
+    for job, result in engine_of("processes:2")(Task(square, 0, lost), range(12)):
         found[job] = result
         for process in multiprocessing.active_children():
             process.kill()
@@ -60,15 +60,44 @@ def test_processes_that_are_killed_while_idle_cost_nothing():
 
 def test_a_job_is_lost_when_it_has_ended_two_processes(tmp_path):
     task = Task(end_once, str(tmp_path / "seen"), lost)
-    assert list(run_jobs(task, [1], "processes:1")) == [(1, 1)]
+    assert list(engine_of("processes:1")(task, [1])) == [(1, 1)]
 
 
-def end_once(seen: str, jobs) -> list[tuple[int, int]]:
+def end_once(seen: str, job) -> tuple[int, int]:
     """End the process at the first time, as one does that the system takes the memory from."""
     if not os.path.exists(seen):
         os.mkdir(seen)
         os._exit(3)
-    return square(0, jobs)
+    return square(0, job)
+
+
+def test_an_error_of_a_job_is_one_of_the_first_process():
+    with pytest.raises(UsageError, match="no such unit"):
+        list(engine_of("processes:2")(Task(refuse, 0, lost), range(20)))
+    assert multiprocessing.active_children() == []
+
+
+def refuse(_shared: int, _job: int) -> None:
+    text = "no such unit"
+    raise UsageError(text)
+
+
+UNGUARDED = """
+from build_fmu.study.engines import engine_of
+from build_fmu.study.jobs import Task
+from tests.ending_jobs import lost, square
+list(engine_of("processes:2")(Task(square, 0, lost), range(4)))
+"""
+
+
+def test_a_script_without_a_guard_is_told_about_it(tmp_path):
+    """Each process runs it anew."""
+    (tmp_path / "script.py").write_text(UNGUARDED)
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, tmp_path / "script.py"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    last = done.stderr.splitlines()[-1]
+    assert last.startswith("build_fmu.errors.EnvironmentLackError: processes cannot be started")
 
 
 class Watched(Sequence):
@@ -87,26 +116,22 @@ class Watched(Sequence):
 
 def test_the_effort_for_jobs_is_linear_in_their_number():
     jobs = Watched(2000)
-    assert len(list(run_jobs(Task(square, 0, lost), jobs, "auto", 2))) == 2000
+    assert len(list(engine_of("auto", 2)(Task(square, 0, lost), jobs))) == 2000
     assert jobs.looks <= 2 * 2000 + 1
-
-
-def test_no_jobs_have_no_results():
-    assert list(run_jobs(Task(square, 0, lost), [], "processes:2")) == []
 
 
 @pytest.mark.parametrize("engine", ["threads", "processes:0", "processes:x", "dask", "dask://"])
 def test_an_engine_that_is_not_there_is_refused(engine):
     with pytest.raises(UsageError, match=f"no engine '{engine}'; write auto, serial"):
-        run_jobs(Task(square, 0, lost), [1], engine)
+        engine_of(engine)
 
 
 def test_a_number_of_processes_is_at_least_one():
     with pytest.raises(UsageError, match="must be at least 1, got 0"):
-        run_jobs(Task(square, 0, lost), [1], "processes", 0)
+        engine_of("processes", 0)
 
 
 def test_without_dask_the_environment_lacks_something(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(EnvironmentLackError, match=r"pip install 'holonom\[dask\]'"):
-        list(run_jobs(Task(square, 0, lost), [1], "dask://127.0.0.1:9"))
+        engine_of("dask://127.0.0.1:9")

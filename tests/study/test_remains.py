@@ -41,7 +41,7 @@ def stopped_after(count: int):
 
 def written_ahead(shared, jobs):
     """Variants that are written, and of which only the first is reported in time."""
-    made = [variants_module._exported(shared, number, row) for number, row in jobs]
+    made = [variants_module._export(shared, job) for job in jobs]
     yield made[0]
     raise KeyboardInterrupt
 

@@ -25,17 +25,17 @@ def files_of(tmp_path) -> list:
 def test_an_interrupted_sweep_goes_on_where_it_stopped(tmp_path, monkeypatch):
     whole = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS, engine="serial")
     arguments = {"grid": GRID, "outputs": OUTPUTS, "engine": "serial"}
-    one = sweep_module._one
+    one = sweep_module.run_row
     for file in files_of(tmp_path):
         begun = []
 
-        def interrupted(fmu, shared, number, values, begun=begun):
-            begun.append(number)
+        def interrupted(shared, job, begun=begun):
+            begun.append(job[0])
             if len(begun) == 4:
                 raise KeyboardInterrupt
-            return one(fmu, shared, number, values)
+            return one(shared, job)
 
-        monkeypatch.setattr(sweep_module, "_one", interrupted)
+        monkeypatch.setattr(sweep_module, "run_row", interrupted)
         with pytest.raises(KeyboardInterrupt):
             build_fmu.sweep(pendulum(), path=file, **arguments)
         again = build_fmu.sweep(pendulum(), path=file, **arguments)

@@ -44,7 +44,7 @@ def test_no_folder_is_left(temporary, engine):
 def test_a_run_that_ends_its_process_is_the_only_one_lost(temporary, monkeypatch):
     arguments = {"grid": ["mass=1:2:20"], "outputs": ["A.x"], "engine": "processes:2"}
     whole = build_fmu.sweep(pendulum(), **arguments)
-    monkeypatch.setattr(sweep_module, "_run_some", crashing)
+    monkeypatch.setattr(sweep_module, "run_row", crashing)
     found = build_fmu.sweep(pendulum(), **arguments)
     lost = found[FATAL - 1]
     assert (lost["finished"], lost["reason"], lost["end_time"]) == (False, DIED, 0.0)

@@ -28,13 +28,13 @@ def interrupt(*_, **__):
 def begun(monkeypatch) -> list[int]:
     """Numbers of the runs that are made."""
     numbers: list[int] = []
-    one = sweep_module._one
+    one = sweep_module.run_row
 
-    def counted(fmu, shared, number, values):
-        numbers.append(number)
-        return one(fmu, shared, number, values)
+    def counted(shared, job):
+        numbers.append(job[0])
+        return one(shared, job)
 
-    monkeypatch.setattr(sweep_module, "_one", counted)
+    monkeypatch.setattr(sweep_module, "run_row", counted)
     return numbers
 
 

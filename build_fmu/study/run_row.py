@@ -1,0 +1,70 @@
+"""One run of a sweep, in whatever process: the FMU stays ready there for the next one."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from build_fmu.fmu_runner import KeptFmu
+from build_fmu.study.plan import Result
+
+
+@dataclass(frozen=True)
+class Shared:
+    """What every process of a sweep needs: a path, or the archive itself for other machines."""
+
+    path: str
+    folder: str | None
+    """Where it is unpacked, removed at the end; None: in the one of a worker elsewhere."""
+    data: bytes | None
+    digest: str
+    fixed: Mapping[str, Any]
+    outputs: Sequence[str]
+    times: Sequence[float]
+    trajectories: bool
+
+
+_HERE = threading.local()
+"""The FMU that this thread keeps ready: its digest and the `KeptFmu`."""
+
+
+def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
+    """Run one row of a sweep, from its number and values."""
+    run, row = job
+    record = _kept(shared).run({**shared.fixed, **row}, shared.times, shared.outputs)
+    # Before the first step outputs may be no more than 0.
+    values = record.values if len(record.values) > 1 or not record.reason else record.values[:0]
+    if len(values):
+        columns = (values[-1], values.min(axis=0), values.max(axis=0))
+        summary = list(zip(*(column.tolist() for column in columns), strict=True))
+    else:
+        summary = [(math.nan,) * 3] * len(shared.outputs)
+    kept = values if shared.trajectories else None
+    return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
+
+
+def _kept(shared: Shared) -> KeptFmu:
+    if getattr(_HERE, "digest", None) != shared.digest:
+        release()
+        if shared.data is None:
+            _HERE.fmu = KeptFmu(shared.path, shared.folder)
+        else:
+            from build_fmu.study.dask_workers import folder_of_worker
+
+            folder = folder_of_worker()
+            copy = Path(folder, f"{shared.digest}-{threading.get_ident()}.fmu")
+            copy.write_bytes(shared.data)
+            _HERE.fmu = KeptFmu(copy, folder)
+        _HERE.digest = shared.digest
+    return _HERE.fmu
+
+
+def release() -> None:
+    """Free what this thread keeps."""
+    if getattr(_HERE, "digest", None) is not None:
+        _HERE.fmu.close()
+    _HERE.digest = None
