@@ -10,7 +10,6 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from build_fmu.dependencies import dependencies
 from build_fmu.units import base_unit_attributes, declared_types
 from build_fmu.xml_text import legible
 from fmu_src.status import LOG_CATEGORIES
@@ -38,6 +37,7 @@ EXPERIMENT = {
     "tolerance": "tolerance",
     "stepSize": "step_size",
 }
+UNKNOWNS = {"Outputs": ("output",), "InitialUnknowns": ("output", "calculatedParameter")}
 
 
 def model_description(
@@ -170,15 +170,17 @@ def _text(value: object) -> str:
 
 
 def _structure(root: Element, model: Model) -> None:
-    """Outputs and InitialUnknowns, each with what it depends on; indices count from 1."""
-    structure, known = SubElement(root, "ModelStructure"), dependencies(model)
-    outputs = {i: x.directly for i, x in known.items() if model.variables[i].causality == "output"}
-    first = {i: x.at_the_start for i, x in known.items()}
-    for name, unknowns in (("Outputs", outputs), ("InitialUnknowns", first)):
-        if unknowns:
-            SubElement(structure, name).extend(_unknown(i, x) for i, x in unknowns.items())
+    """Outputs and InitialUnknowns, each with what it depends on; indices count from 1.
 
-
-def _unknown(index: int, known: tuple[int, ...]) -> Element:
-    listed = " ".join(str(i + 1) for i in known)
-    return Element("Unknown", {"index": str(index + 1), "dependencies": listed})
+    Of a model that was read from bytes that is not known, which means all.
+    """
+    structure, variables = SubElement(root, "ModelStructure"), model.variables
+    of_unknown = model.dependencies or {}
+    for place, (name, kinds) in enumerate(UNKNOWNS.items()):
+        unknowns = [i for i, variable in enumerate(variables) if variable.causality in kinds]
+        element = SubElement(structure, name) if unknowns else structure
+        for i in unknowns:
+            attributes = {"index": str(i + 1)}
+            if i in of_unknown:
+                attributes["dependencies"] = " ".join(str(k + 1) for k in of_unknown[i][place])
+            SubElement(element, "Unknown", attributes)

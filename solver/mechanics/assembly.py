@@ -6,6 +6,7 @@ from array import array
 from collections.abc import Iterable, Sequence
 
 from solver.mechanics.build_mechanism import collect
+from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.model_numbers import sections_of, sizes_of
 from solver.mechanics.numbers import Numbers
@@ -17,7 +18,7 @@ from solver.mechanics.variables import Symbols, distance_between, output, variab
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import TABLES, measured_sections
-from solver.runtime.model import Row, Rule, Variable
+from solver.runtime.model import Rule, Variable
 from solver.scene import Expr, ExpressionError, Scene
 from solver.scene.collector import collector_paused
 from solver.scene.schema import TYPES
@@ -71,29 +72,30 @@ def model_of(scene: Scene) -> Model:
     measures = Measures(parts)
     table = list(named(measures))
     structure = Structure(parts.mechanism)
-    counts = _counts(scene, structure)
-    known = Symbols(scene, measures, table, structure, counts)
-    sections = sections_of(scene, structure, counts)
+    known = Symbols(scene, measures, table, structure)
+    sections = sections_of(scene, structure)
     dim = scene.dimension
     mechanism = parts.mechanism
     signals = [*mechanism.driven_signals, *mechanism.signals]
-    numbers = Numbers(sections, signals, known.meaning, lambda call: distance_between(dim, call))
+    numbers = Numbers(
+        sections, signals, known.meaning, lambda call: distance_between(dim, str(call))
+    )
     tables = structure.tables() | eliminations(structure) | _functions(structure, numbers)
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
     tables["input_ramp"] = array("i", (x.interpolation == "ramp" for x in scene.inputs.values()))
-    variables = _variables(scene, table, structure, counts, numbers)
+    variables = _variables(scene, table, structure, numbers)
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
-    return Model(
+    model = Model(
         name=scene.name,
         description=scene.description,
-        sizes=sizes_of(scene, structure, counts, numbers, tables),
+        sizes=sizes_of(scene, structure, numbers, tables),
         tables={name: tables[name] for name in TABLES},
         offsets=numbers.offsets,
         numbers=numbers.finish(),
         variables=variables,
         rules=rules,
-        rows=tuple(_rows(structure)),
+        rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
         forces={name: FORCE_TYPES[type(force).__name__] for name, force in scene.forces.items()},
         settings=_settings(scene),
@@ -104,6 +106,8 @@ def model_of(scene: Scene) -> Model:
             tolerance=scene.experiment.tolerance or scene.solver.tolerance or None,
         ),
     )
+    model.dependencies = dependencies(scene, structure, known, variables)
+    return model
 
 
 def _settings(scene: Scene) -> dict[str, float | str | bool]:
@@ -115,17 +119,8 @@ def _settings(scene: Scene) -> dict[str, float | str | bool]:
     }
 
 
-def _rows(structure: Structure) -> Iterable[Row]:
-    """What each multiplier belongs to."""
-    yield from (row.row for row in structure.form_rows.items)
-    for coincidence in structure.coincidences.items:
-        yield from [coincidence.row] * structure.mechanism.dim
-    yield from (row.row for row in structure.functions)
-
-
 def _variables(
-    scene: Scene, table: Sequence[Named], structure: Structure, counts: dict[str, int],
-    numbers: Numbers,
+    scene: Scene, table: Sequence[Named], structure: Structure, numbers: Numbers
 ) -> tuple[Variable, ...]:  # fmt: skip
     calculated = {
         name: numbers.place(parameter.value)
@@ -136,7 +131,7 @@ def _variables(
         output(name, x.unit, x.description, "number", numbers.place(x.value, Segment.OUTPUTS))
         for name, x in scene.outputs.items()
     ]
-    sections = measured_sections(counts)
+    sections = measured_sections(structure.sizes)
     measured = [
         output(x.name, x.unit, x.text, "measured", x.meaning.place(structure, sections))
         if isinstance(x.meaning, Ref)
@@ -154,42 +149,3 @@ def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
     counted = pointers([range(len(x) // 4) for x in operations])
     flat = array("i", (x for listed in operations for x in listed))
     return {"function_ptr": counted, "operation": flat}
-
-
-def _counts(scene: Scene, structure: Structure) -> dict[str, int]:
-    """Return the sizes that do not depend on the tape or the elimination."""
-    mechanism = structure.mechanism
-    n_vectors = len(mechanism.coincidences)
-    functions = len(mechanism.function_rows) + len(mechanism.velocity_rows)
-    n_form_rows = len(mechanism.form_rows)
-    free = [p for p in scene.parameters.values() if not isinstance(p.value, Expr)]
-    return {
-        "dim": mechanism.dim,
-        "n_free": structure.n_free,
-        "n_driven": structure.n_driven,
-        "n_support": structure.n_support,
-        "n_forms": len(mechanism.forms),
-        "n_entries": sum(len(entries) for entries in structure.entries),
-        "n_quantities": len(mechanism.quantities),
-        "n_active": len(mechanism.active),
-        "n_linked": len(structure.linked),
-        "n_form_rows": n_form_rows,
-        "n_coincidences": n_vectors,
-        "n_function_rows": len(mechanism.function_rows),
-        "n_velocity_rows": len(mechanism.velocity_rows),
-        "n_rows": n_form_rows + mechanism.dim * n_vectors + functions,
-        "n_elements": len(mechanism.elements),
-        "n_potentials": len(mechanism.potentials),
-        "n_loads": len(mechanism.loads),
-        "n_moments": len(mechanism.moments),
-        "n_body_moments": len(mechanism.body_moments),
-        "n_mass": len(structure.masses),
-        "n_mass_free": len(structure.free_masses),
-        "n_bodies": len(mechanism.bodies),
-        "n_places": len(mechanism.places),
-        "n_reactions": len(mechanism.reactions),
-        "n_reaction_entries": sum(len(entries) for entries in mechanism.reactions),
-        "n_signals": len(mechanism.driven_signals) + len(mechanism.signals),
-        "n_parameters": len(free),
-        "n_inputs": len(scene.inputs),
-    }

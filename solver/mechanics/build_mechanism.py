@@ -19,13 +19,13 @@ from solver.mechanics.couplings import (
     add_rolling,
 )
 from solver.mechanics.drivers import add_driver, driven_points
+from solver.mechanics.equations import FREE
 from solver.mechanics.forces import add_force
 from solver.mechanics.formulas import Compiler
 from solver.mechanics.joints import add_joint
 from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.parts import Parts
 from solver.mechanics.vectors import Vector
-from solver.runtime.model import Row
 from solver.scene import (
     Bar,
     BodyJoint,
@@ -159,19 +159,13 @@ def _add_joint(parts: Parts, compiler: Compiler, name: str, joint: Joint) -> Non
 def _check_rows(parts: Parts) -> None:
     """Report rows in which nothing can move: no multiplier could change them."""
     mechanism = parts.mechanism
-    forms = [(row.form, row.row) for row in (*mechanism.form_rows, *mechanism.coincidences)]
-    named: list[tuple[tuple[int, ...], Row]] = [((form,), row) for form, row in forms]
-    for row in (*mechanism.function_rows, *mechanism.velocity_rows):
-        quantities = [leaf.index for leaf in row.formula.leaves if leaf.kind != 2]
-        used = tuple(f for q in quantities for f in mechanism.quantities[q].forms)
-        named.append((used, row.row))
     found = {
-        row.location: None
-        for used, row in named
-        if not any(
-            mechanism.is_free(side)
-            for f in used
-            for side in (mechanism.forms[f].u, mechanism.forms[f].w)
+        row.row.location: None
+        for rows in (
+            mechanism.form_rows, mechanism.coincidences, mechanism.function_rows,
+            mechanism.velocity_rows,
         )
-    }
+        for row in rows
+        if not any(mechanism.nodes[n].motion == FREE for n in mechanism.joined(row))
+    }  # fmt: skip
     parts.problems.extend((location, "joins only parts that cannot move") for location in found)

@@ -93,6 +93,7 @@ class Coincidence(NamedTuple):
 
     form: int
     row: Row
+    scale: Scale = Scale(1.0, 1)
 
 
 class FunctionRow(NamedTuple):
@@ -114,6 +115,11 @@ class Element(NamedTuple):
     sampled: str = ""
     """What it is called in a sentence, if the drive reads the mechanism; likewise of loads."""
 
+    @property
+    def numbers(self) -> tuple[Number, ...]:
+        """All that its law contains."""
+        return self.stiffness, self.rest, self.damping, self.drive
+
 
 class Load(NamedTuple):
     """A force on a link, in global axes (None) or in those of the body with this first director."""
@@ -125,10 +131,21 @@ class Load(NamedTuple):
 
 
 class Moment(NamedTuple):
-    """A moment that turns a link (a bar or a planar body), or a spatial body's directors."""
+    """A moment that turns a link: a bar, or a body in the plane."""
 
-    place: int
-    """Form of the link, or node of the first director."""
+    form: int
     value: Vector
-    body_axes: bool = False
     sampled: str = ""
+
+
+class BodyMoment(NamedTuple):
+    """A moment on a spatial body with this first director, in global axes or its own."""
+
+    node: int
+    value: Vector
+    body_axes: bool
+    sampled: str = ""
+
+
+Part = FormRow | Coincidence | FunctionRow | Element | Formula | Load | Moment | BodyMoment
+"""What makes nodes depend on each other."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import VALUE, Element, Formula, Leaf, Load, Moment
+from solver.mechanics.equations import VALUE, BodyMoment, Element, Formula, Leaf, Load, Moment
 from solver.mechanics.formulas import Compiler, leaf_symbol
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.parts import Parts
@@ -133,13 +133,13 @@ def _torque(parts: Parts, compiler: Compiler, force: Torque, part: Part) -> None
     frame = parts.frames.get(force.body)
     in_body = force.axes == "body" and mechanism.dim == 3
     if isinstance(frame, RigidFrame) and mechanism.dim == 3:
-        mechanism.body_moments.append(Moment(frame.directors[0], value, in_body, sampled))
+        mechanism.body_moments.append(BodyMoment(frame.directors[0], value, in_body, sampled))
         return
     if in_body:
         text = "a bar between two points has no axes of its own: give the torque in global axes"
         parts.problems.append((f"{part[0]}.axes", text))
     arm = frame.along((1.0, 0.0)) if isinstance(frame, RigidFrame) else parts.links[force.body]
-    mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value, sampled=sampled))
+    mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value, sampled))
 
 
 def _value(

@@ -98,9 +98,9 @@ class Layout:
         """Nodes that moments and follower loads couple."""
         structure = self.structure
         for moment in structure.moments.items:
-            yield structure.free(moment.place)
+            yield structure.free(moment.form)
         for moment in structure.body_moments.items:
-            yield self.directors(structure.node_of[moment.place], 3)
+            yield self.directors(structure.node_of[moment.node], 3)
         for load in structure.loads.items:
             if load.axes is not None:
                 first = structure.node_of[load.axes]
@@ -172,7 +172,7 @@ class Layout:
         return flat((pivot, targets[pivot]) for pivot in pivots)
 
     def _moment_forms(self) -> list[int]:
-        return [moment.place for moment in self.structure.moments.items]
+        return [moment.form for moment in self.structure.moments.items]
 
     def _slots(self, name: str, elements: Iterable[Sequence[int]]) -> dict[str, array]:
         """Slots of lists of elements, one list after the other, and where each begins."""
@@ -251,7 +251,7 @@ class Layout:
 
     def _of_body_moments(self) -> Iterator[list[int]]:
         for moment in self.structure.body_moments.items:
-            yield self._square(self.directors(self.structure.node_of[moment.place], 3))
+            yield self._square(self.directors(self.structure.node_of[moment.node], 3))
 
 
 def eliminations(structure: Structure) -> dict[str, array]:

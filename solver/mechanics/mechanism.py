@@ -6,7 +6,7 @@ Nodes are counted as they come; the order of a model (free, driven, fixed) is ma
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from sys import intern
 from typing import Literal
@@ -16,18 +16,21 @@ from solver.mechanics.equations import (
     ANGLE,
     FIXED,
     FORM,
-    FREE,
     LENGTH,
     POINT,
+    SIGNAL,
+    BodyMoment,
     Coincidence,
     Element,
     Form,
     FormRow,
     Formula,
     FunctionRow,
+    Leaf,
     Load,
     Moment,
     Node,
+    Part,
     Quantity,
 )
 from solver.mechanics.vectors import Vector, add, dot, scale, turned
@@ -63,7 +66,7 @@ class Mechanism:
     elements: list[Element] = field(default_factory=list)
     loads: list[Load] = field(default_factory=list)
     moments: list[Moment] = field(default_factory=list)
-    body_moments: list[Moment] = field(default_factory=list)
+    body_moments: list[BodyMoment] = field(default_factory=list)
     rigid: list[tuple[int, ...]] = field(default_factory=list)
     """Nodes of each rigid body: its centre of mass and directors."""
     bodies: dict[int, int] = field(default_factory=dict)
@@ -101,10 +104,6 @@ class Mechanism:
     def moves(self, combination: Combination) -> bool:
         """Whether any node of a combination moves."""
         return any([self.nodes[n].motion != FIXED for n, _, _ in combination.terms])
-
-    def is_free(self, combination: Combination) -> bool:
-        """Whether any node of a combination is unknown."""
-        return any([self.nodes[n].motion == FREE for n, _, _ in combination.terms])
 
     def add_mass(self, a: int, b: int, mass: Number) -> None:
         """Couple two nodes by a mass, in both triangles; to nodes that stay it does nothing."""
@@ -198,6 +197,43 @@ class Mechanism:
             self._signals[number] = len(self.signals)
             self.signals.append(number)
         return self._signals[number]
+
+    # ------------------------------------------------------------------------ what joins nodes
+
+    @property
+    def parts(self) -> tuple[Sequence[Part], ...]:
+        """All that makes nodes depend on each other: rows, then forces, each kind for itself."""
+        rows = self.form_rows, self.coincidences, self.function_rows, self.velocity_rows
+        return *rows, self.elements, self.potentials, self.loads, self.moments, self.body_moments
+
+    def joined(self, part: Part) -> list[int]:
+        """Return the moving nodes that depend on each other by a part."""
+        match part:
+            case FormRow() | Coincidence() | Moment():
+                return self.moving(part.form)
+            case Element():
+                return self.moving(*self.quantities[part.quantity].forms)
+            case Load():
+                return [*self.moving(part.form), *self.directors(part.axes)]
+            case BodyMoment():
+                return self.directors(part.node)
+        formula = part.formula if isinstance(part, FunctionRow) else part
+        return self.moving(*self.forms_of(formula.leaves))
+
+    def forms_of(self, leaves: Iterable[Leaf]) -> list[int]:
+        """Return the forms of some leaves."""
+        moving = [self.quantities[leaf.index] for leaf in leaves if leaf.kind != SIGNAL]
+        return [form for quantity in moving for form in quantity.forms]
+
+    def moving(self, *forms: int) -> list[int]:
+        """Return the nodes of some forms that move."""
+        nodes = self.nodes
+        sides = [side for form in forms for side in self.forms[form]]
+        return [n for side in sides for n, _, _ in side.terms if nodes[n].motion != FIXED]
+
+    def directors(self, first: int | None) -> list[int]:
+        """Return the nodes of the body with this first director."""
+        return [] if first is None else [*range(first, first + (1 if self.dim == 2 else 3))]
 
     # ---------------------------------------------------------------------------------- rules
 

@@ -41,7 +41,7 @@ class Ref(NamedTuple):
         elif self.section in ("quantity", "quantity_rate"):
             item = structure.quantity_of[item]
         elif self.section == "multiplier":
-            item = structure.row_of(item)
+            item = structure.multiplier_of[item]
         elif self.section in (parts := structure.parts):
             item = parts[self.section].place[item]
         width = WIDTHS[structure.mechanism.dim].get(self.section, 1)

@@ -12,13 +12,29 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from solver.mechanics.equations import DRIVEN, FIXED, FREE, SIGNAL, VALUE, Form, FunctionRow, Leaf
+from solver.mechanics.equations import (
+    DRIVEN,
+    FIXED,
+    FREE,
+    SIGNAL,
+    VALUE,
+    Coincidence,
+    Form,
+    FormRow,
+    FunctionRow,
+    Leaf,
+)
 from solver.mechanics.islands import Islands, Ordered
 from solver.mechanics.mechanism import Mechanism
 from solver.scene import Number
 
 SQUARE, LINEAR, TURNED = 1, 2, 4
 """Flags of forms."""
+COUNTED = (
+    "forms", "quantities", "active", "form_rows", "coincidences", "function_rows", "velocity_rows",
+    "elements", "potentials", "loads", "moments", "body_moments", "bodies", "places", "reactions",
+)  # fmt: skip
+"""Lists of a mechanism whose lengths a model has."""
 
 
 class Entry(NamedTuple):
@@ -49,58 +65,39 @@ class Structure:
         self.mechanism = mechanism
         self.islands = islands = Islands(mechanism)
         motions = [node.motion for node in mechanism.nodes]
-        indices = range(len(motions))
         free, driven, fixed = (
-            [n for n in indices if motions[n] == motion] for motion in (FREE, DRIVEN, FIXED)
+            [n for n, found in enumerate(motions) if found == motion]
+            for motion in (FREE, DRIVEN, FIXED)
         )
-        self.free_nodes, self.driven_nodes = (
-            islands.ordered(nodes, islands.of_node.__getitem__) for nodes in (free, driven)
-        )
+        ordered, joined = islands.ordered, mechanism.joined
+        self.free_nodes, self.driven_nodes = (ordered(x, lambda n: (n,)) for x in (free, driven))
         order = [*self.free_nodes.items, *self.driven_nodes.items, *fixed]
         self.nodes = [mechanism.nodes[n] for n in order]
         self.node_of = {n: k for k, n in enumerate(order)}
         self.n_free, self.n_driven, self.n_support = len(free), len(driven), len(fixed)
+        self.n_moving = self.n_free + self.n_driven
         self.entries = [self._entries(form) for form in mechanism.forms]
-        self._order_parts(islands)
-        self.active = islands.ordered(
-            mechanism.active, lambda q: islands.of_forms(mechanism.quantities[q].forms)
-        )
-        rest = (q for q in range(len(mechanism.quantities)) if q not in mechanism.active)
+
+        self.form_rows = ordered(mechanism.form_rows, joined)
+        self.coincidences = ordered(mechanism.coincidences, joined)
+        self.function_rows = ordered(mechanism.function_rows, joined)
+        self.velocity_rows = ordered(mechanism.velocity_rows, joined)
+        self.functions = [*self.function_rows.items, *self.velocity_rows.items]
+        self.elements = ordered(mechanism.elements, joined)
+        self.potentials = ordered(mechanism.potentials, joined)
+        self.loads = ordered(mechanism.loads, joined)
+        self.moments = ordered(mechanism.moments, joined)
+        self.body_moments = ordered(mechanism.body_moments, joined)
+        self.bodies = ordered(mechanism.bodies, mechanism.directors)
+        free_pairs = (pair for pair in mechanism.masses if {motions[n] for n in pair} == {FREE})
+        self.free_masses = ordered(free_pairs, lambda pair: pair)
+        pairs = dict.fromkeys((*self.free_masses.items, *mechanism.masses))
+        self.masses = [(self.node_of[a], self.node_of[b], mechanism.masses[a, b]) for a, b in pairs]
+        forms_of = [quantity.forms for quantity in mechanism.quantities]
+        self.active = ordered(mechanism.active, lambda q: mechanism.moving(*forms_of[q]))
+        rest = (q for q in range(len(forms_of)) if q not in mechanism.active)
         self.quantities = [*self.active.items, *rest]
         self.quantity_of = {q: k for k, q in enumerate(self.quantities)}
-
-    def _order_parts(self, islands: Islands) -> None:
-        mechanism, of_node = self.mechanism, islands.of_node
-        ordered, of_forms, forms = islands.ordered, islands.of_forms, islands.forms
-        self.form_rows = ordered(mechanism.form_rows, lambda row: of_forms((row.form,)))
-        self.coincidences = ordered(mechanism.coincidences, lambda row: of_forms((row.form,)))
-        self.function_rows, self.velocity_rows = (
-            ordered(rows, lambda row: of_forms(forms(row.formula)))
-            for rows in (mechanism.function_rows, mechanism.velocity_rows)
-        )
-        self.elements = ordered(
-            mechanism.elements, lambda x: of_forms(mechanism.quantities[x.quantity].forms)
-        )
-        self.potentials = ordered(mechanism.potentials, lambda x: of_forms(forms(x)))
-        self.loads = ordered(
-            mechanism.loads,
-            lambda load: of_forms((load.form,)) if load.axes is None else of_node[load.axes],
-        )
-        self.moments = ordered(mechanism.moments, lambda moment: of_forms((moment.place,)))
-        self.body_moments = ordered(mechanism.body_moments, lambda moment: of_node[moment.place])
-        self.bodies = ordered(mechanism.bodies, of_node.__getitem__)
-        masses = [*mechanism.masses.items()]
-        nodes = mechanism.nodes
-        free = [x for x in masses if all([nodes[n].motion == FREE for n in x[0]])]
-        with_driven = [x for x in masses if any([nodes[n].motion != FREE for n in x[0]])]
-        self.free_masses = ordered(free, lambda x: of_node[x[0][0]])
-        pairs = (*self.free_masses.items, *with_driven)
-        self.masses = [(self.node_of[a], self.node_of[b], mass) for (a, b), mass in pairs]
-
-    @property
-    def n_moving(self) -> int:
-        """Nodes that move."""
-        return self.n_free + self.n_driven
 
     def _entries(self, form: Form) -> list[Entry]:
         nothing: tuple[Number, Number] = (0.0, 0.0)
@@ -133,28 +130,30 @@ class Structure:
         return any(kind & TURNED for kind in self.kinds)
 
     @property
-    def functions(self) -> list[FunctionRow]:
-        """Function rows, then velocity rows."""
-        return [*self.function_rows.items, *self.velocity_rows.items]
-
-    @property
     def parts(self) -> dict[str, Ordered]:
         """What sections of measurements have an item for each of."""
         bodies = dict.fromkeys(("quaternion", "body_rate"), self.bodies)
         return {"element_force": self.elements, "rod_force": self.form_rows, **bodies}
 
-    def row_of(self, row: int) -> int:
-        """Return the place of a multiplier among all, by its index before ordering."""
-        dim, first = self.mechanism.dim, 0
-        for rows, width in (
-            (self.form_rows, 1), (self.coincidences, dim), (self.function_rows, 1),
-            (self.velocity_rows, 1),
-        ):  # fmt: skip
-            if row < first + width * len(rows):
-                index, component = divmod(row - first, width)
-                return first + width * rows.place[index] + component
-            first += width * len(rows)
-        raise IndexError(row)
+    @property
+    def _rows(self) -> tuple[tuple[Ordered, int], ...]:
+        """Kinds of rows, and how many multipliers one has."""
+        vectors = self.coincidences, self.mechanism.dim
+        return (self.form_rows, 1), vectors, (self.function_rows, 1), (self.velocity_rows, 1)
+
+    @cached_property
+    def multipliers(self) -> list[FormRow | Coincidence | FunctionRow]:
+        """The row of each multiplier."""
+        return [row for rows, width in self._rows for row in rows.items for _ in range(width)]
+
+    @cached_property
+    def multiplier_of(self) -> list[int]:
+        """Place of each multiplier among all, by its index before ordering."""
+        found: list[int] = []
+        for rows, width in self._rows:
+            first = len(found)
+            found += [first + width * place + k for place in rows.place for k in range(width)]
+        return found
 
     # ------------------------------------------------------------------------------ composites
 
@@ -185,13 +184,36 @@ class Structure:
     def linked(self) -> Ordered[int]:
         """Forms that a step needs at its beginning: all but those that are only measured."""
         mechanism = self.mechanism
-        needed = {row.form for row in mechanism.form_rows}
+        needed = {row.form for row in (*mechanism.form_rows, *mechanism.moments)}
         needed.update(form for composite in self.composites for form in composite.forms)
-        needed.update(moment.place for moment in mechanism.moments)
         needed.update(f for q in mechanism.active for f in mechanism.quantities[q].forms)
-        return self.islands.ordered(sorted(needed), lambda form: self.islands.of_forms((form,)))
+        return self.islands.ordered(sorted(needed), mechanism.moving)
 
-    # ---------------------------------------------------------------------------------- tables
+    # ----------------------------------------------------------------------- sizes and tables
+
+    @cached_property
+    def sizes(self) -> dict[str, int]:
+        """Sizes of the mechanism's arrays."""
+        mechanism, composites = self.mechanism, self.composites
+        return {
+            **{f"n_{name}": len(getattr(mechanism, name)) for name in COUNTED},
+            "dim": mechanism.dim,
+            "n_free": self.n_free,
+            "n_driven": self.n_driven,
+            "n_support": self.n_support,
+            "n_entries": sum(map(len, self.entries)),
+            "n_linked": len(self.linked),
+            "n_rows": len(self.multipliers),
+            "n_mass": len(self.masses),
+            "n_mass_free": len(self.free_masses),
+            "n_reaction_entries": sum(map(len, mechanism.reactions)),
+            "n_signals": len(mechanism.driven_signals) + len(mechanism.signals),
+            "n_local_forms": max([1, *(len(c.forms) for c in composites)]),
+            "n_local_nodes": max([1, *(len(c.nodes) for c in composites)]),
+            "n_islands": self.islands.count,
+            "n_sampled": len(self.sampled),
+            "sensing": int(mechanism.sensing),
+        }
 
     def tables(self) -> dict[str, array]:
         """Return the tables that describe the mechanism, without those of the elimination."""
@@ -210,7 +232,7 @@ class Structure:
             "quantity_form": flat(pairs),
             "linked_form": array("i", self.linked.items),
             "row_form": array("i", (row.form for row in self.form_rows.items)),
-            "row_power": array("i", self._row_powers()),
+            "row_power": array("i", (row.scale.power for row in self.multipliers)),
             "coincidence_form": array("i", (row.form for row in self.coincidences.items)),
             "composite_form_ptr": pointers(c.forms for c in composites),
             "composite_form": flat(c.forms for c in composites),
@@ -222,8 +244,8 @@ class Structure:
             "leaf": flat(leaf for c in composites for leaf in c.leaves),
             "load_form": array("i", (load.form for load in loads)),
             "load_axes": array("i", (-1 if x.axes is None else node_of[x.axes] for x in loads)),
-            "moment_form": array("i", (moment.place for moment in self.moments.items)),
-            "body_moment": flat((node_of[m.place], m.body_axes) for m in self.body_moments.items),
+            "moment_form": array("i", (moment.form for moment in self.moments.items)),
+            "body_moment": flat((node_of[m.node], m.body_axes) for m in self.body_moments.items),
             "sampled_load": flat(place[:2] for place in self.sampled),
             "body_node": array("i", (node_of[body] for body in self.bodies.items)),
             "place_form": array("i", mechanism.places),
@@ -268,13 +290,6 @@ class Structure:
             self.linked.begin,
             self.active.begin,
             self.bodies.begin,
-        ]
-
-    def _row_powers(self) -> list[int]:
-        return [
-            *(row.scale.power for row in self.form_rows.items),
-            *([1] * (self.mechanism.dim * len(self.coincidences))),
-            *(row.scale.power for row in self.functions),
         ]
 
 

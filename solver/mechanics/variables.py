@@ -27,11 +27,10 @@ class Symbols:
     """
 
     def __init__(
-        self, scene: Scene, measures: Measures, table: Iterable[Named], structure: Structure,
-        sizes: Mapping[str, int],
+        self, scene: Scene, measures: Measures, table: Iterable[Named], structure: Structure
     ) -> None:  # fmt: skip
         self._structure, self._measures, self._table = structure, measures, table
-        self._sections = measured_sections(sizes)
+        self._sections = measured_sections(structure.sizes)
         self._given = dict(_given(scene))
 
     def meaning(self, name: str) -> Meaning:
@@ -41,10 +40,14 @@ class Symbols:
         kind, _, quantity = name.partition(" ")
         if kind in SENSORS:
             return SENSORS[kind], self._structure.quantity_of[int(quantity)], Segment.LAWS
-        found = self._measures.refs.get(name) or self._named[name]
+        found = self.measured(name)
         if not isinstance(found, Ref):
             return found
         return "measured", found.place(self._structure, self._sections), Segment.OUTPUTS
+
+    def measured(self, name: str) -> Ref | Number:
+        """Return what is measured under a name, or by the symbol of an expression."""
+        return self._measures.refs.get(name) or self._named[name]
 
     @cached_property
     def _named(self) -> dict[str, Ref | Number]:
@@ -69,10 +72,9 @@ def _given(scene: Scene) -> Iterator[tuple[str, Meaning]]:
         yield name, ("input", place, Segment.LAWS)
 
 
-def distance_between(dim: int, call: Expr) -> Number:
+def distance_between(dim: int, call: str) -> Number:
     """Return the expression of ``distance(A, B)`` in the coordinates of its places."""
-    function, first, second = (str(arg) for arg in call.args)
-    assert function == "distance"
+    first, second = call.removeprefix("distance(").removesuffix(")").split(", ")
     total: Number = 0.0
     for axis in AXES[:dim]:
         gap = symbol(f"{second}.{axis}") - symbol(f"{first}.{axis}")

@@ -21,6 +21,10 @@ from functools import cached_property
 from .errors import OptionError, UnknownNameError
 from .model_file import fingerprint, from_bytes
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
 
 class Variable(
     namedtuple(
@@ -124,8 +128,12 @@ class Model(
     settings : mapping of str to float, str or bool
         Of the solver, as in ``solver.options.DEFAULTS``.
     experiment : Experiment
+    dependencies : dict or None
+        Variables on which outputs and calculated parameters depend, by the index of each: at a
+        communication point, and in the initialization mode. The bytes do not have it.
     """
 
+    dependencies: Mapping[int, tuple[tuple[int, ...], tuple[int, ...]]] | None = None
     _checked: tuple[ctypes.Array[ctypes.c_double], int] | None = None
 
     @property

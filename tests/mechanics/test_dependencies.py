@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import solver
-from build_fmu.dependencies import AT_THE_START, Known, dependencies
+from solver.mechanics.dependencies import AT_THE_START, Known
 from solver.runtime import AssemblyError, Integrator, Model, OptionError
 from tests.fmu_instance import SCENES
 
@@ -67,7 +67,9 @@ def model_of(name: str) -> Model:
 
 @cache
 def known_of(name: str) -> dict[int, Known]:
-    return dependencies(model_of(name))
+    found = model_of(name).dependencies
+    assert found is not None
+    return found
 
 
 def names(model: Model, indices) -> set[str]:
