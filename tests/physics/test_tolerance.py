@@ -1,0 +1,382 @@
+"""A tolerance instead of a step: what a run's error is, and what stays exact whatever is chosen.
+
+Dampers leave orders above 2 open, and judge them by weights: the difference of the weighted end
+from that of one order less tells the error of a step; where the weighted end is not taken, its
+difference from the end that is.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+import solver
+from solver.runtime import Integrator
+from tests.exact_motions import double_pendulum_motion
+from tests.kernel_calls import kernel_of
+from tests.mechanism_runs import scene
+from tests.physics.test_high_orders import DRIVEN, FLYING, OSCILLATOR, RESTLESS
+from tests.problems import Array, assemble, double_pendulum
+from tests.twins import block, vector
+
+SWING = double_pendulum(math.pi / 6)
+POINTS = [f"{point}.{part}" for part in "xy" for point in "AB"]
+RELATIVE = math.sqrt(2.0 * (2.0 * math.sin(math.pi / 6)) ** 2)
+
+
+def swinging(tolerance: float, **settings: float) -> Integrator:
+    """Double pendulum from 30 degrees over 10 s."""
+    return Integrator(assemble(SWING, tolerance=tolerance, **settings))
+
+
+def error_at_the_end(integrator: Integrator, step: float = 10.0) -> float:
+    """Largest error of a coordinate at 10 s, in m; the mechanism is 2 m long."""
+    for _ in range(round(10.0 / step)):
+        integrator.advance(integrator.time, step)
+    q, _ = double_pendulum_motion(np.array([0.0, 10.0]), math.pi / 6)
+    return float(np.abs([integrator[name] for name in POINTS] - q[-1].T.ravel()).max())
+
+
+def test_the_error_of_a_run_follows_the_request_within_a_decade():
+    asked = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
+    errors = [error_at_the_end(swinging(tolerance)) / 2.0 for tolerance in asked]
+    for tolerance, error in zip(asked, errors, strict=True):
+        assert 0.01 * tolerance < error < 10.0 * tolerance
+    assert errors == sorted(errors, reverse=True)
+
+
+def test_all_orders_are_open_to_a_tolerance_that_the_scene_did_not_ask_for():
+    # It is assembled for order 2: higher ones begin with a poorer guess, and still take less.
+    run = Integrator(assemble(SWING, order=2))
+    run["solver.tolerance"], run["solver.order"], run["solver.longest_step"] = 1e-7, 0.0, 1e6
+    assert error_at_the_end(run) / 2.0 < 1e-6
+    assert run["solver.order_in_use"] > 4.0
+    assert run["solver.substeps"] < 5000.0
+
+
+def test_shorter_communication_steps_choose_lower_orders_and_meet_them_exactly():
+    orders = []
+    for step in (5.0, 0.05, 0.001):
+        run = swinging(1e-4)
+        for _ in range(10):
+            run.advance(run.time, step)
+        assert run.time == pytest.approx(10 * step, abs=1e-15)
+        orders.append(float(run["solver.order_in_use"]))
+    assert orders == sorted(orders, reverse=True)
+    assert orders[0] > 2.0 == orders[-1]
+    assert run["solver.substeps"] == 2.0
+
+
+def test_an_absolute_tolerance_is_a_floor_under_the_relative_one():
+    coarse, fine = swinging(1e-8, absolute_tolerance=1e-3), swinging(1e-8)
+    assert 1e-6 < error_at_the_end(coarse) < 1e-2
+    assert error_at_the_end(fine) < 1e-7
+    assert coarse["solver.substeps"] < fine["solver.substeps"]
+
+
+def test_longest_step_is_then_the_longest_internal_step():
+    run = swinging(0.1, longest_step=0.01, order=2)
+    run.advance(0.0, 1.0)
+    assert run["solver.substeps"] >= 200.0
+
+
+PUSHED = """
+name = "pushed"
+dimension = 2
+[points]
+A = { position = [0, 0], mass = 1.0 }
+[inputs]
+push = { unit = "N" }
+[forces]
+pull = { type = "force", point = "A", value = ["push", 0] }
+spring = { type = "spring", points = ["ground", "A"], at = [[-1, 0], [0, 0]], stiffness = 40.0 }
+damper = { type = "damper", points = ["ground", "A"], at = [[-1, 0], [0, 0]], damping = 0.5 }
+"""
+
+
+def pushed(**settings: float) -> float:
+    """Place after 5 s of a damped mass, pushed anew at each communication point."""
+    run = Integrator(solver.assemble(solver.loads(PUSHED)))
+    for name, value in settings.items():
+        run[f"solver.{name}"] = value
+    for k in range(20):
+        run["push"] = 5.0 * math.sin(1.7 * k)
+        run.advance(run.time, 0.25)
+    return float(run["A.x"])
+
+
+def test_pushes_from_rest_are_followed_to_the_tolerance_by_any_order():
+    # Before the first push nothing tells a length. A pair is judged by the one before it, which a
+    # jump forgets: two are taken then.
+    exact = pushed(order=8.0, step_size=5e-3)
+    for tolerance in (1e-2, 1e-3, 1e-4):
+        assert abs(pushed(tolerance=tolerance) - exact) < 10.0 * tolerance
+    for tolerance in (1e-4, 1e-6):
+        end = pushed(tolerance=tolerance, order=0.0, longest_step=1e6)
+        assert abs(end - exact) < 3.0 * tolerance
+
+
+def test_the_order_and_length_of_steps_are_left_to_the_tolerance_in_a_scene_too():
+    settings = solver.loads(
+        'name = "one"\n[points.A]\nposition = [0, 0, 0]\nmass = 1.0\n[solver]\ntolerance = 1e-5\n'
+    ).solver
+    assert (settings.order, settings.tolerance) == (0, 1e-5)
+    assert settings.longest_step == solver.scene.SolverSettings().longest_step
+
+
+def test_a_mechanism_that_nothing_has_moved_yet_begins_as_well():
+    # Its reference energy is 0, so that an error of its velocities has nothing to be relative to.
+    run = Integrator(solver.assemble(solver.load(scene("snakeboard"))))
+    run["solver.tolerance"] = 1e-5
+    for _ in range(5):
+        run.advance(run.time, 0.1)
+    assert float(run["constraint.velocity"]) < 1.0
+    assert abs(float(run["energy.balance"])) < 1e-12
+
+
+def test_steps_do_not_shrink_to_nothing_where_round_off_is_all_that_is_left():
+    # Jansen's legs pass near singular places, where velocities have few digits.
+    run = Integrator(solver.assemble(solver.load(scene("jansen"))))
+    run["solver.tolerance"] = 1e-9
+    run["solver.order"] = 4.0
+    for _ in range(3):
+        run.advance(run.time, 0.1)
+    assert run.state.head["wanted"] > 1e-5
+
+
+def test_an_error_far_from_the_mean_over_mechanisms_is_learned_from_steps_of_half_the_length():
+    # Order 6 errs ten times more in a rolling disc than in the mean, and less in a spinning top.
+    learned: dict[str, float] = {}
+    for name in ("rolling_disc", "heavy_top"):
+        run = Integrator(solver.assemble(solver.load(scene(name))))
+        run["solver.tolerance"], run["solver.order"] = 1e-6, 6.0
+        run.state.head["horizon"] = 1.0
+        run.advance(run.time, 0.5)
+        learned[name] = math.exp(run.state.head["learned_6"])
+    assert learned["rolling_disc"] > 2.0
+    assert learned["heavy_top"] < 0.8
+
+
+@pytest.mark.parametrize("order", [4, 6, 8])
+def test_measuring_the_error_of_a_step_leaves_the_motion_as_it_is(order):
+    # Nothing but the choice of steps may follow from it: one step is too few to be measured, and
+    # the second is measured, but as long as both have their greatest length they are the same.
+    ends = []
+    for judged in (0.0, 10.0):
+        run = swinging(1e-1, order=order, step_size=0.05)
+        run.initialise()
+        run.state.head["wanted"], run.state.head[f"judged_{order}"] = 0.05, judged
+        run.advance(0.0, 0.1)
+        ends.append(vector(run, "q"))
+        assert (run.state.head[f"learned_{order}"] != 0.0) == (judged == 0.0)
+    assert np.array_equal(*ends)
+
+
+def test_a_mechanism_of_nanometres_moves_like_one_of_metres():
+    # Periods go with the root of the length: all steps are then shorter than 1e-5 of `step_size`,
+    # which under a tolerance says nothing about them. Forces are the same, places in proportion.
+    places: list[Array] = []
+    forces: list[float] = []
+    for size in (1.0, 1e-14):
+        points = [(0.5 * size * k, -math.sqrt(0.75) * size * k) for k in range(3)]
+        text = f"""
+            name = "scaled"
+            dimension = 2
+            gravity = [0, -9.81]
+            [points]
+            O = {{ position = [0, 0], fixed = true }}
+            A = {{ position = {list(points[1])}, mass = 1.0 }}
+            B = {{ position = {list(points[2])}, mass = 1.0 }}
+            [joints]
+            upper = {{ type = "distance", points = ["O", "A"] }}
+            lower = {{ type = "distance", points = ["A", "B"] }}
+            [solver]
+            tolerance = 1e-6
+        """
+        run = Integrator(solver.assemble(solver.loads(text)))
+        run.initialise()
+        run.state.head["horizon"] = math.sqrt(size)
+        run.advance(0.0, math.sqrt(size))
+        places.append(vector(run, "q") / size)
+        forces.append(float(run["upper.force"]))
+    assert np.abs(places[1] - places[0]).max() < 1e-5
+    assert forces[1] == pytest.approx(forces[0], rel=1e-3)
+
+
+# ------------------------------------------------------------- scenes, with and without dampers
+
+TEXTS = {"driven": DRIVEN, "flying": FLYING, "restless": RESTLESS, "oscillator": OSCILLATOR}
+DAMPED = ("flyball_governor", "spring_pendulum", "double_wishbone", "flying", "restless")
+UNDAMPED = (
+    *("andrews", "bricard", "car_axis", "double_pendulum", "dzhanibekov", "four_bar"),
+    *("heavy_top", "pendulum", "rolling_disc", "snakeboard", "triangle", "watt"),
+)
+STOPS = dict.fromkeys(TEXTS, 2.0) | {"flyball_governor": 1.0, "double_wishbone": 1.0}
+"""Seconds; of others as long as the scene says, and 5 s at most."""
+
+RESTING = """
+name = "resting"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = [0.8, -0.6], mass = 1.0 }
+[joints]
+rod = { type = "distance", points = ["O", "A"] }
+[forces]
+brake = { type = "damper", points = ["A", "ground"], at = [2, 0], damping = 5 }
+"""
+"""A pendulum that comes to rest within a few seconds."""
+
+
+def prepared(name: str, stop: float = 0.0, **settings: float) -> Integrator:
+    """Scene that is about to run for `stop` s, or as long as `STOPS` says if that is 0."""
+    drawn = solver.loads(TEXTS[name]) if name in TEXTS else solver.load(scene(name))
+    run = Integrator(solver.assemble(drawn))
+    for setting, value in ({"longest_step": 1e6, "order": 0.0} | settings).items():
+        run[f"solver.{setting}"] = value
+    run.initialise()
+    stop = stop or STOPS.get(name, min(5.0, drawn.experiment.stop_time))
+    run.state.head["horizon"] = stop
+    return run
+
+
+def parts_of(run: Integrator, points: int = 10) -> Iterator[float]:
+    """Move over the horizon; yield the half steps solved in each communication step."""
+    for _ in range(points):
+        run.advance(run.time, run.state.head["horizon"] / points)
+        yield run.state.head["substeps"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Course:
+    """Places over size and rates (points, n) in the mass norm, and the speed to compare with."""
+
+    q: Array
+    v: Array
+    speed: float
+    halves: float
+    order: float
+
+    def error(self, exact: Course) -> float:
+        of_q, of_v = (self.q - exact.q), (self.v - exact.v) / exact.speed
+        return max(float(np.linalg.norm(part, axis=1).max()) for part in (of_q, of_v))
+
+
+def course_of(name: str, **settings: float) -> Course:
+    run, found, halves = prepared(name, **settings), list[Array](), 0.0
+    sizes, at = run.model.sizes, run.model.offsets["node_mass"]
+    free = sizes["dim"] * sizes["n_free"]
+    mass = np.array(kernel_of(run).numbers[at : at + sizes["n_free"]])
+    root = np.sqrt(np.repeat(mass, sizes["dim"]))
+    for solved in parts_of(run):
+        halves += solved
+        found.append(np.array([root * vector(run, part)[:free] for part in "qv"]))
+    places, rates = np.swapaxes(np.array(found), 0, 1)
+    speed = math.sqrt(2.0 * run.state.head["energy_reference"])
+    size = float(run.state.vectors["derived"][1])
+    return Course(places / size, rates, speed, halves, run.state.head["order_in_use"])
+
+
+@pytest.mark.parametrize("name", [*UNDAMPED, *DAMPED])
+def test_scenes_stay_within_a_decade_of_the_request_which_errors_follow(name):
+    # Places and rates in the mass norm over size and speed, at ten points; the order is chosen.
+    # Steps of order 8 are exact to 2e-11 in the governor and 1e-13 in the others (half the length).
+    sharpest = {"tolerance": 1e-11}
+    if name in DAMPED:
+        stop = prepared(name).state.head["horizon"]
+        sharpest = {"order": 8.0, "step_size": stop / 1000, "tolerance": 0.0}
+    exact, asked = course_of(name, **sharpest), (1e-3, 1e-5, 1e-7, 1e-9)
+    courses = [course_of(name, tolerance=tolerance) for tolerance in asked]
+    errors = [course.error(exact) for course in courses]
+    for tolerance, error in zip(asked, errors, strict=True):
+        assert 0.1 * tolerance < error < 10.0 * tolerance
+    assert errors == sorted(errors, reverse=True)
+    assert courses[-1].order > 4.0
+
+
+@pytest.mark.parametrize(
+    ("name", "times"), [("spring_pendulum", 8.0), ("flyball_governor", 4.0), ("driven", 6.0)]
+)
+def test_a_narrow_tolerance_takes_fewer_half_steps_than_with_order_two(name, times):
+    chosen, second = (sum(parts_of(prepared(name, tolerance=1e-6, order=p))) for p in (0.0, 2.0))
+    assert times * chosen < second
+
+
+@pytest.mark.parametrize("order", [2, 4, 6, 8])
+@pytest.mark.parametrize("name", ["double_pendulum", "flying", "driven"])
+def test_an_order_that_is_given_is_kept(name, order):
+    run = prepared(name, tolerance=1e-4, order=order)
+    for _ in parts_of(run):
+        assert run["solver.order_in_use"] == order
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-5, 1e-8])
+@pytest.mark.parametrize("name", [*UNDAMPED, *DAMPED])
+def test_ledger_and_constraints_hold_under_a_tolerance_and_no_step_gives_energy(name, tolerance):
+    run, lost = prepared(name, tolerance=tolerance), [0.0]
+    for _ in parts_of(run):
+        lost.append(float(run["energy.dissipated"]))
+        assert float(run["energy.error"]) < 1e-12
+        assert float(run["constraint.position"]) < 1e-13
+    assert run.time == pytest.approx(run.state.head["horizon"], abs=1e-14)
+    assert min(np.diff(lost)) >= 0.0
+    assert (lost[-1] > 0.0) == (name in DAMPED)
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "driven"])
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-5])
+def test_a_saved_state_chooses_the_same_to_the_last_bit(name, tolerance):
+    first, second = (prepared(name, tolerance=tolerance) for _ in range(2))
+    for _ in range(3):
+        first.advance(first.time, 0.1)
+    second.restore(first.save())
+    for run in (first, second):
+        for _ in range(3):
+            run.advance(run.time, 0.1)
+    assert np.array_equal(block(first), block(second))
+
+
+def test_an_end_whose_weighted_one_is_not_taken_is_judged_by_its_own_order():
+    # Under so wide a tolerance a step of half a second is taken for good, though weights change it
+    # by more than is sure: it is of order 2, and said to be so.
+    run = prepared("oscillator", stop=10.0, tolerance=0.1, order=4.0)
+    orders: list[float] = []
+    for _ in parts_of(run):
+        orders.append(float(run["solver.order_in_use"]))
+        assert abs(float(run["energy.balance"])) < 1e-13
+    assert 2.0 in orders
+    # Under a narrow one it is repeated by shorter ones, whose weighted ends are taken.
+    narrow = prepared("oscillator", stop=10.0, tolerance=1e-5, order=4.0)
+    narrow.advance(0.0, 1.0)
+    assert narrow["solver.order_in_use"] == 4.0
+    # x'' + x' + 9 x = 0 from (0.5, 0.5)
+    w, b = math.sqrt(8.75), 0.75 / math.sqrt(8.75)
+    x = math.exp(-0.5) * (0.5 * math.cos(w) + b * math.sin(w))
+    assert narrow["A.x"] == pytest.approx(1.5 + x, abs=1e-4)
+
+
+@pytest.mark.parametrize("order", [0, 4, 8])
+def test_steps_do_not_shrink_where_dampers_bring_a_mechanism_to_rest(order):
+    # Without velocities no energy can be brought onto the ledger by them.
+    run = Integrator(solver.assemble(solver.loads(RESTING)))
+    run["solver.tolerance"], run["solver.order"], run["solver.longest_step"] = 1e-6, order, 1e6
+    run.initialise()
+    for _ in range(10):
+        run.advance(run.time, 5.0)
+    assert run["solver.substeps"] <= 20.0
+    assert run["A.x"] == pytest.approx(0.0, abs=1e-6)
+    assert abs(float(run["energy.balance"])) < 1e-13
+
+
+def test_loads_that_read_a_damped_mechanism_leave_the_choice_at_order_two():
+    follows = PUSHED.replace('["push", 0]', '["push - 0.3*A.vx", 0]')
+    run = Integrator(solver.assemble(solver.loads(follows)))
+    run["solver.tolerance"], run["solver.order"], run["push"] = 1e-4, 0.0, 1.0
+    with pytest.warns(RuntimeWarning, match="a load reads the mechanism"):
+        run.advance(0.0, 0.5)
+    assert run["solver.order_in_use"] == 2.0
