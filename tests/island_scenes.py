@@ -2,34 +2,33 @@
 
 from __future__ import annotations
 
-import json
+from typing import Any
 
-import solver
 from solver.runtime import Integrator, Model
-from tests.problems import double_pendulum, pendulum
+from tests.problems import Content, assemble, double_pendulum, pendulum
 
 H = 0.01
-MASS, GRAVITY = 1.0, 9.81
 
 
-def assembled(content: dict, **settings) -> Model:
-    text = json.dumps(content | {"solver": {"step_size": H} | settings})
-    return solver.assemble(solver.loads(text, name="islands.json", format="json"))
+def assembled(content: Content, **settings: Any) -> Model:
+    return assemble(content, **({"step_size": H} | settings))
 
 
-def beside(*contents: dict, **more) -> dict:
-    """One scene of several, their names with the number of each behind them."""
-    first, joined = contents[0], {"points": {}, "joints": {}}
-    for k, content in enumerate(contents):
-        for name, point in content["points"].items():
-            joined["points"][f"{name}_{k}"] = dict(point)
-        for name, joint in content["joints"].items():
-            ends = [f"{point}_{k}" for point in joint["points"]]
-            joined["joints"][f"{name}_{k}"] = joint | {"points": ends}
-    return first | joined | more
+def beside(*contents: Content, **more: Any) -> Content:
+    """One scene of several, the names of their parts with the number of each behind them."""
+    joined: Content = {table: {} for table in ("points", "joints", "bodies", "forces")}
+    for number, content in enumerate(contents):
+        for table, parts in joined.items():
+            for name, part in content.get(table, {}).items():
+                parts[f"{name}_{number}"] = renamed = dict(part)
+                for key in part.keys() & {"point", "body"}:
+                    renamed[key] = f"{part[key]}_{number}"
+                if "points" in part:
+                    renamed["points"] = [f"{end}_{number}" for end in part["points"]]
+    return contents[0] | joined | more
 
 
-def driven(content: dict, *numbers: int) -> dict:
+def driven(content: Content, *numbers: int) -> Content:
     """The scene with the supports of some of its parts as points that move."""
     for k in numbers:
         del content["points"][f"O_{k}"]["fixed"]

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.runtime import Integrator
-from tests.island_scenes import assembled, started
+from tests.island_scenes import assembled, beside, started
 from tests.problems import Content
 from tests.random_mechanisms import driven_systems, free_systems
 
@@ -27,47 +27,25 @@ METHODS: list[dict[str, Any]] = [
 ]
 
 
-def renamed(content: Content, number: int) -> Content:
-    """The same mechanism with other names."""
-    tables: Content = {}
-    for table in ("points", "joints", "bodies", "forces"):
-        tables[table] = {f"{name}_{number}": dict(v) for name, v in content[table].items()}
-        for part in tables[table].values():
-            for key in part.keys() & {"point", "body"}:
-                part[key] = f"{part[key]}_{number}"
-            if "points" in part:
-                part["points"] = [f"{name}_{number}" for name in part["points"]]
-    return content | tables
-
-
-def side_by_side(contents: list[Content]) -> Content:
-    """One scene of all these, whose names differ."""
-    joined = dict(contents[0])
-    for table in ("points", "joints", "bodies", "forces"):
-        joined[table] = {name: v for content in contents for name, v in content[table].items()}
-    return joined
-
-
-def motion(run: Integrator, content: Content) -> np.ndarray:
+def motion(run: Integrator, content: Content, behind: str = "") -> np.ndarray:
     """Positions and velocities of the moving points [m, m/s], after some steps."""
     axes = "xyz"[: content["dimension"]]
     moving = [name for name, point in content["points"].items() if not point.get("fixed")]
     return np.array(
-        [[run[f"{p}.{kind}{axis}"] for axis in axes for kind in ("", "v")] for p in moving]
+        [[run[f"{p}{behind}.{kind}{axis}"] for axis in axes for kind in ("", "v")] for p in moving]
     )
 
 
 def assert_all_move_as_alone(contents: list[Content], **method: Any) -> None:
-    contents = [renamed(content, number) for number, content in enumerate(contents)]
-    together = started(assembled(side_by_side(contents), step_size=H, **method))
+    together = started(assembled(beside(*contents), step_size=H, **method))
     assert together.model.sizes["n_islands"] >= len(contents)
     each = [started(assembled(content, step_size=H, **method)) for content in contents]
     for run in (together, *each):
         for _ in range(STEPS):
             run.advance(run.time, H)
-    for run, content in zip(each, contents, strict=True):
+    for number, (run, content) in enumerate(zip(each, contents, strict=True)):
         # Rounding differs with the size of the whole, on which floors of the iterations rest.
-        alone, beside = motion(run, content), motion(together, content)
+        alone, beside = motion(run, content), motion(together, content, f"_{number}")
         assert beside == pytest.approx(alone, rel=1e-9, abs=1e-9)
 
 
