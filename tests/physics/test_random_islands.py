@@ -45,8 +45,8 @@ def assert_all_move_as_alone(contents: list[Content], **method: Any) -> None:
             run.advance(run.time, H)
     for number, (run, content) in enumerate(zip(each, contents, strict=True)):
         # Rounding differs with the size of the whole, on which floors of the iterations rest.
-        alone, beside = motion(run, content), motion(together, content, f"_{number}")
-        assert beside == pytest.approx(alone, rel=1e-9, abs=1e-9)
+        alone, with_others = motion(run, content), motion(together, content, f"_{number}")
+        assert with_others == pytest.approx(alone, rel=1e-9, abs=1e-9)
 
 
 def scenes(kind: st.SearchStrategy, dimension: int) -> st.SearchStrategy[list[Content]]:
