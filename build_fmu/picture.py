@@ -28,13 +28,13 @@ from solver.scene import (
     Distance,
     DistanceDriver,
     PointOn,
+    PointOnLine,
     PointReference,
     PositionDriver,
     Rigid,
     Rolling,
     Spring,
 )
-from solver.scene.quantities import WITH_DISPLACEMENT
 
 if TYPE_CHECKING:
     from solver.mechanics.combination import Combination
@@ -143,7 +143,7 @@ class _Drawing:
                 self._joint(joint)
             elif isinstance(joint, PointOn):
                 (place,) = self._ends((joint.point,))
-                axis = joint.axis if joint.type == "point_on_line" else None
+                axis = joint.axis if isinstance(joint, PointOnLine) else None
                 self._pin(place, ground=joint.body is None, axis=axis)
             elif isinstance(joint, Rolling):
                 self._disc(joint)
@@ -159,7 +159,7 @@ class _Drawing:
                 self._held[body].append(place)
         else:
             return
-        axis = joint.axis if joint.type in WITH_DISPLACEMENT else None
+        axis = joint.axis if joint.has("displacement") else None
         self._pin(place, ground=ground, axis=axis, turns=joint.type != "prismatic")
 
     def _pin(

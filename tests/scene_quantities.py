@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 
-from solver.scene.diagnostics import Draft
-from solver.scene.names import inventory_of_draft
+from solver.scene.draft import Draft
+from solver.scene.names import offered
 from solver.scene.quantities import quantities
 from solver.scene.report import Source
 
@@ -18,4 +18,4 @@ else:
 def quantities_of(text):
     """Names of all quantities of a scene in TOML, each with its level."""
     data = tomllib.loads(text)
-    return quantities(inventory_of_draft(Draft(data, Source(), []), data.get("dimension", 3)))
+    return quantities(offered(Draft(data, Source(), [])), data.get("dimension", 3))

@@ -20,11 +20,7 @@ from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionE
 from solver.runtime.layout import TABLES, measured_sections
 from solver.runtime.model import Rule, Variable
 from solver.scene import Expr, ExpressionError, Scene
-from solver.scene.collector import collector_paused
-from solver.scene.schema import TYPES
-
-FORCE_TYPES = {part.__name__: word for word, part in TYPES["forces"].items()}
-"""Type of a force as a scene has it, by the name of its class."""
+from solver.scene.reader import collector_paused
 
 
 def assemble(scene: Scene) -> Model:
@@ -97,7 +93,7 @@ def model_of(scene: Scene) -> Model:
         rules=rules,
         rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
-        forces={name: FORCE_TYPES[type(force).__name__] for name, force in scene.forces.items()},
+        forces={name: force.type for name, force in scene.forces.items()},
         settings=_settings(scene),
         experiment=Experiment(
             start_time=scene.experiment.start_time,

@@ -47,12 +47,13 @@ def add_point(mechanism: Mechanism, name: str, point: Point, path: Vector | None
     """Add a point, whose coordinates follow `path` unless that is None; return its node."""
     part = (f"points.{name}", f"point '{name}'")
     mechanism.finite(point.position, part, "position")
-    mechanism.finite(point.velocity, part, "velocity")
+    velocity = point.velocity or (0.0,) * mechanism.dim
+    mechanism.finite(velocity, part, "velocity")
     motion = FIXED if point.fixed else FREE if path is None else DRIVEN
     index = mechanism.add_node(
         Node(
-            motion, POINT, point.position, point.velocity, point.mass, point.mass,
-            GIVEN if point.velocity_given else 1.0,
+            motion, POINT, point.position, velocity, point.mass, point.mass,
+            GIVEN if point.velocity is not None else 1.0,
         )
     )  # fmt: skip
     if motion == FIXED:

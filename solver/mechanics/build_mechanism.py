@@ -34,7 +34,9 @@ from solver.scene import (
     ExpressionError,
     Gear,
     Joint,
-    PointOn,
+    PointOnLine,
+    PointOnPlane,
+    PointOnSurface,
     PointReference,
     Rack,
     Rolling,
@@ -142,9 +144,9 @@ def _add_joint(parts: Parts, compiler: Compiler, name: str, joint: Joint) -> Non
             add_rod(parts, name, joint)
         case BodyJoint():
             add_joint(parts, name, joint)
-        case PointOn(type="point_on_surface"):
+        case PointOnSurface():
             add_point_on_surface(parts, compiler, name, joint)
-        case PointOn():
+        case PointOnLine() | PointOnPlane():
             add_point_on(parts, name, joint)
         case ConstantAngle():
             add_angle(parts, name, joint)

@@ -26,7 +26,18 @@ from solver.mechanics.vectors import (
     unit,
 )
 from solver.runtime.model import Row
-from solver.scene import ConstantAngle, Constraint, Distance, Gear, Number, PointOn, Rack, Rolling
+from solver.scene import (
+    ConstantAngle,
+    Constraint,
+    Distance,
+    Gear,
+    Number,
+    PointOnLine,
+    PointOnPlane,
+    PointOnSurface,
+    Rack,
+    Rolling,
+)
 from solver.scene.expression import cos, sqrt
 
 PARALLEL = 1e-12
@@ -44,19 +55,18 @@ def add_rod(parts: Parts, name: str, joint: Distance) -> None:
     parts.joints[name] = JointParts(row=("form", len(parts.mechanism.form_rows) - 1))
 
 
-def add_point_on(parts: Parts, name: str, joint: PointOn) -> None:
+def add_point_on(parts: Parts, name: str, joint: PointOnLine | PointOnPlane) -> None:
     """Let a point stay on a line or plane of a body."""
     mechanism, frame = parts.mechanism, parts.frame(joint.body)
     rows = _rows(parts, name)
     place = parts.place(joint.point)
     found = parts.joints[name] = JointParts()
-    assert joint.axis is not None
     part = (rows.location, rows.name)
     mechanism.rule(dot(joint.axis, joint.axis), ">", part, "axis must not be of length zero")
     axis = unit(joint.axis)
     link = place - frame.place(joint.position or mechanism.drawn(place))
     normals: tuple[Vector, ...] = (axis,)
-    if joint.type == "point_on_line":
+    if isinstance(joint, PointOnLine):
         plane = mechanism.dim == 2
         normals = (turned(axis),) if plane else perpendicular(axis, mechanism.default)
     for normal in normals:
@@ -64,9 +74,10 @@ def add_point_on(parts: Parts, name: str, joint: PointOn) -> None:
     found.reaction = rows.close()
 
 
-def add_point_on_surface(parts: Parts, compiler: Compiler, name: str, joint: PointOn) -> None:
+def add_point_on_surface(
+    parts: Parts, compiler: Compiler, name: str, joint: PointOnSurface
+) -> None:
     """Let a point stay on a surface F = 0 of a body."""
-    assert joint.surface is not None
     mechanism, frame = parts.mechanism, parts.frame(joint.body)
     forms = frame.coordinates(parts.place(joint.point))
     own = {

@@ -19,7 +19,7 @@ from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import METRES, Rows
 from solver.mechanics.vectors import Vector, dot, perpendicular, turned, unit
-from solver.scene import BodyJoint
+from solver.scene import BodyJoint, Screw, Universal
 
 
 @dataclass(slots=True)
@@ -101,9 +101,9 @@ def _spherical(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
 
 
 def _universal(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
-    assert pair.joint.second_axis is not None
+    assert isinstance(pair.joint, Universal)
     pair.meet()
-    pair.rows.direction(pair.A.direction(pair.axis), pair.B.direction(unit(pair.joint.second_axis)))
+    pair.rows.direction(pair.A.direction(pair.axis), pair.B.direction(unit(pair.joint.axes[1])))
 
 
 def _cylindrical(pair: Pair, found: JointParts) -> None:
@@ -138,7 +138,7 @@ def _fixed(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
 
 def _screw(pair: Pair, found: JointParts) -> None:
     _cylindrical(pair, found)
-    assert pair.joint.pitch is not None
+    assert isinstance(pair.joint, Screw)
     assert found.displacement is not None
     assert found.angle is not None
     leaves = tuple(Leaf(VALUE, pair.mechanism.use(q)) for q in (found.displacement, found.angle))

@@ -1,38 +1,45 @@
-"""The names of all that is measured, in the order in which a user finds them.
+"""What is measured of a mechanism, under the names and in the order in which a user finds it.
 
-Most are numbers that the kernel measures. What it does not - the torque and power of a driver, the
-force that belongs to a formula - is an expression over those (``reactions``).
+The classes of the scene declare names, units and texts. Most values are numbers that the kernel
+measures. What it does not - the torque and power of a driver, the force that belongs to a formula -
+is an expression over those.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import count
+from math import pi
+from typing import Any, TypeAlias
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.derivative import derivative
+from solver.mechanics.formulas import rewritten
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.reactions import of_a_driver, of_a_force, reaction
-from solver.mechanics.sensors import Measures, Named, Ref, components, references
-from solver.scene import Rigid
+from solver.mechanics.parts import JointParts
+from solver.mechanics.sensors import Measures, Named, Ref, Values, references
+from solver.mechanics.vectors import add, dot, scale
+from solver.scene import (
+    BodyJoint,
+    Distance,
+    Driver,
+    Expr,
+    ForceElement,
+    Gravitation,
+    Joint,
+    JointTorque,
+    Number,
+    PositionDriver,
+    Potential,
+    Rigid,
+    Screw,
+    Spring,
+)
+from solver.scene.expression import symbol
+from solver.scene.quantities import MOTION, WHOLE, Offer
 
-ENERGIES = {
-    "kinetic": "kinetic energy",
-    "potential": "energy of gravity, springs and potentials",
-    "total": "kinetic and potential energy",
-    "work": "work done by forces, torques, drivers and inputs since the start",
-    "dissipated": "energy taken out by dampers since the start",
-    "balance": "total - initial - work + dissipated: zero up to round-off",
-    "error": "size of the balance over the reference energy",
-}
-
-COUNTERS = {
-    "newton_iterations": "Newton iterations of the last communication step",
-    "uzawa_iterations": "Uzawa updates of the last communication step",
-    "substeps": "implicit steps solved in the last communication step",
-    "order_in_use": "order of the last internal step, 0 before it",
-    "sampling": "for forces that read the motion: part of their work that they missed, as they "
-    "are evaluated once in a half step; above 1 the step is too long",
-    "status": "0 after a solved step, else the code of what failed",
-}
+Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
+"""Value of each quantity of a part, by its word; components as a list."""
 
 
 def named(measures: Measures) -> Iterator[Named]:
@@ -41,82 +48,167 @@ def named(measures: Measures) -> Iterator[Named]:
     for name in scene.points:
         yield from _motion(measures, name, parts.named(name))
     for name, body in scene.bodies.items():
-        yield from _body(measures, name, isinstance(body, Rigid))
+        if isinstance(body, Rigid):
+            yield from _motion(measures, name, parts.named(name))
+        yield from _named(measures, name, body, body.offers, _turn(measures, name))
+        frame = parts.frames.get(name)
+        for point in frame.points if isinstance(frame, RigidFrame) else ():
+            yield from _motion(measures, f"{name}.{point}", parts.named(f"{name}.{point}"))
     for name, joint in scene.joints.items():
-        yield from _joint_motion(measures, name)
-        yield from reaction(measures, name, joint)
-    for name in scene.constraints:
+        found, joins_points = parts.joints[name], getattr(joint, "bodies", ()) is None
+        values = _joint_motion(found) | _reaction(measures, joint, found)
+        offers = joint.offered(joins_points=joins_points)
+        yield from _named(measures, name, joint, offers, values)
+    for name, constraint in scene.constraints.items():
         row = parts.joints[name].row
         assert row is not None
-        text = f"multiplier of {name}: its force is -multiplier times its gradient"
-        yield Named(f"{name}.multiplier", "", text, measures.ref(row))
+        values = {"multiplier": measures.ref(row)}
+        yield from _named(measures, name, constraint, constraint.offers, values)
     for name, force in scene.forces.items():
-        yield from of_a_force(measures, name, force)
+        values = _of_a_force(measures, name, force) if force.offers else {}
+        yield from _named(measures, name, force, force.offers, values)
     for name, driver in scene.drivers.items():
-        yield from of_a_driver(measures, name, driver)
-    yield from _whole(parts.mechanism.dim)
+        values = _of_a_driver(measures, name, driver)
+        yield from _named(measures, name, driver, driver.offers, values)
+    for name, offers in WHOLE.items():
+        section, k = {"constraint": "residual"}.get(name, name), count()
+        for offer in offers:
+            for full, text in offer.named(name, scene.dimension):
+                yield Named(full, offer.unit, text, Ref(section, next(k)))
+
+
+def _named(
+    measures: Measures, name: str, part: Any, offers: Iterable[Offer], values: Found,
+    listed: bool = True,
+) -> Iterator[Named]:  # fmt: skip
+    """Name the values of a part."""
+    for offer in offers:
+        value = values.get(offer.word)
+        if value is None:
+            continue
+        components = (value,) if isinstance(value, (Ref, float, int, Expr)) else value
+        names = offer.named(name, measures.parts.scene.dimension, part)
+        for (full, text), meaning in zip(names, components, strict=False):
+            yield Named(full, offer.unit, text, meaning, listed)
 
 
 def _motion(measures: Measures, name: str, place: Combination) -> Iterator[Named]:
     """Position and velocity of a place."""
     x, v = measures.motion(place)
     listed = measures.parts.mechanism.moves(place)
-    yield from components(f"{name}.", "m", f"position of {name}", x, listed)
-    yield from components(f"{name}.v", "m/s", f"velocity of {name}", v, listed)
+    yield from _named(measures, name, None, MOTION, {"{}": x, "v{}": v}, listed)
 
 
-def _body(measures: Measures, name: str, rigid: bool) -> Iterator[Named]:
+def _turn(measures: Measures, name: str) -> Found:
     parts, mechanism = measures.parts, measures.parts.mechanism
     frame = parts.frames.get(name)
-    if rigid:
-        yield from _motion(measures, name, parts.named(name))
     if mechanism.dim == 2:
         angle = parts.body_angle(name)
         assert angle is not None
-        text = f"angle of {name} from the x axis, unwrapped"
-        yield Named(f"{name}.angle", "rad", text, Ref("quantity", angle))
-        rate = Ref("quantity_rate", angle)
-        yield Named(f"{name}.angular_velocity", "rad/s", f"angular velocity of {name}", rate)
-    elif isinstance(frame, RigidFrame):
-        body = mechanism.bodies[frame.directors[0]]
-        for k, axis in enumerate("wxyz"):
-            text = f"quaternion of {name}, {axis}, of continuous sign"
-            yield Named(f"{name}.q{axis}", "1", text, Ref("quaternion", body, k))
-        rates = references("body_rate", body, 3)
-        yield from components(f"{name}.w", "rad/s", f"angular velocity of {name}", rates)
-    for point in frame.points if isinstance(frame, RigidFrame) else ():
-        yield from _motion(measures, f"{name}.{point}", parts.named(f"{name}.{point}"))
+        return _of_quantity("angle", "angular_velocity", angle)
+    if not isinstance(frame, RigidFrame):
+        return {}
+    body = mechanism.bodies[frame.directors[0]]
+    return {"q{}": references("quaternion", body, 4), "w{}": references("body_rate", body, 3)}
 
 
-def _joint_motion(measures: Measures, name: str) -> Iterator[Named]:
-    found = measures.parts.joints[name]
+def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
+    return {word: Ref("quantity", quantity), rate: Ref("quantity_rate", quantity)}
+
+
+# -------------------------------------------------------------------------------------- joints
+
+
+def _joint_motion(found: JointParts) -> dict[str, Any]:
+    motion = {}
     if found.angle is not None:
-        text = f"angle of {name}, zero as drawn, unwrapped"
-        yield Named(f"{name}.angle", "rad", text, Ref("quantity", found.angle))
-        rate = Ref("quantity_rate", found.angle)
-        yield Named(f"{name}.angular_velocity", "rad/s", f"angular velocity of {name}", rate)
+        motion |= _of_quantity("angle", "angular_velocity", found.angle)
     if found.displacement is not None:
-        text = f"displacement of {name}, zero as drawn"
-        yield Named(f"{name}.displacement", "m", text, Ref("quantity", found.displacement))
-        rate = Ref("quantity_rate", found.displacement)
-        yield Named(f"{name}.velocity", "m/s", f"velocity along {name}", rate)
+        motion |= _of_quantity("displacement", "velocity", found.displacement)
+    return motion
 
 
-def _whole(dim: int) -> Iterator[Named]:
-    """Energies, residuals, momenta and counters."""
-    for k, (name, text) in enumerate(ENERGIES.items()):
-        yield Named(f"energy.{name}", "1" if name == "error" else "J", text, Ref("energy", k))
-    text = "largest constraint residual over the size of its row"
-    yield Named("constraint.position", "1", text, Ref("residual", 0))
-    text = (
-        "largest rate of a constraint residual over the size of its row; a discretization error, "
-        "which at order 2 falls with the square of the step"
+def _reaction(measures: Measures, joint: Joint, found: JointParts) -> dict[str, Any]:
+    """Force and torque on the second body, the point or the disc, or on what a row couples."""
+    mechanism = measures.parts.mechanism
+    if isinstance(joint, Distance):
+        assert found.row is not None
+        return {"force": Ref("rod_force", found.row[1])}
+    if joint.has("force") or joint.has("torque"):
+        assert found.row is not None
+        return dict.fromkeys(
+            ("force", "torque"), -1.0 * found.factor * measures.multiplier(found.row)
+        )
+    if found.reaction is None or found.pushes:
+        return {"force.{}": measures.pushed(found)}
+    force: Values = references("reaction_force", found.reaction, mechanism.dim)
+    if not isinstance(joint, BodyJoint):
+        return {"force.{}": force}
+    torque: Values = references("reaction_torque", found.reaction, 1 if mechanism.dim == 2 else 3)
+    if isinstance(joint, Screw):
+        # The row s - p/(2 pi) theta pushes along the axis and turns about it.
+        assert found.row is not None
+        assert found.axis is not None
+        axis, mu = measures.vector(found.axis), measures.multiplier(found.row)
+        lead = joint.pitch / (2.0 * pi)
+        force = add([measures.value(ref) for ref in force], scale(-1.0 * mu, axis))
+        torque = add([measures.value(ref) for ref in torque], scale(mu * lead, axis))
+    return {"force.{}": force, "torque.{}": torque}
+
+
+# -------------------------------------------------------------------------------------- forces
+
+
+def _of_a_force(measures: Measures, name: str, force: ForceElement) -> Found:
+    """Length and force, torque or energy of a force."""
+    parts = measures.parts
+    if name in parts.links:
+        length = Ref("quantity", parts.mechanism.length(parts.links[name]))
+        return {"length": length, "force": _tension(measures, name, force, length)}
+    if isinstance(force, Potential):
+        return {"energy": force.value}
+    torque = Ref("element_force", parts.elements[name])
+    return {"torque": -1.0 * measures.value(torque) if isinstance(force, JointTorque) else torque}
+
+
+def _tension(
+    measures: Measures, name: str, force: ForceElement, length: Ref
+) -> Ref | Number:  # fmt: skip
+    """Return dV/dl of a spring with an energy and of gravitation, else what is measured."""
+    if isinstance(force, Gravitation):
+        value = measures.value(length)
+        return force.constant * force.masses[0] * force.masses[1] / (value * value)
+    if not isinstance(force, Spring) or force.energy is None:
+        return Ref("element_force", measures.parts.elements[name])
+
+    def seen(part: Expr) -> Number | None:
+        if part.op != "symbol":
+            return None
+        return measures.value(length) if part == symbol("length") else part
+
+    return rewritten(derivative(force.energy, "length"), seen)
+
+
+# ------------------------------------------------------------------------------------- drivers
+
+
+def _of_a_driver(measures: Measures, name: str, driver: Driver) -> Found:
+    """Force or torque of a driver, and its power."""
+    parts = measures.parts
+    if not isinstance(driver, PositionDriver):
+        row = parts.joints[name].row
+        assert row is not None
+        value = -1.0 * measures.multiplier(row)
+        rate = measures.value(Ref("quantity_rate", parts.driven[name]))
+        return {"force": value, "torque": value, "power": value * rate}
+    place = parts.place(driver.point)
+    force: Values = measures.pushed(parts.joints[name])
+    if (driver.point.point or "") in parts.paths:
+        assert place.single is not None
+        force = references("driven_force", place.single, parts.mechanism.dim)
+    velocity = measures.motion(place)[1]
+    f, v = (
+        [measures.value(x) if isinstance(x, Ref) else x for x in values]
+        for values in (force, velocity)
     )
-    yield Named("constraint.velocity", "1/s", text, Ref("residual", 1))
-    momentum = [Ref("momentum", k) for k in range(dim)]
-    yield from components("momentum.", "kg.m/s", "linear momentum", momentum)
-    turning = [Ref("angular_momentum", k) for k in range(1 if dim == 2 else 3)]
-    text = "angular momentum about the origin"
-    yield from components("angular_momentum.", "kg.m2/s", text, turning)
-    for k, (name, text) in enumerate(COUNTERS.items()):
-        yield Named(f"solver.{name}", "1", text, Ref("solver", k))
+    return {"force.{}": force, "power": dot(f, v)}

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.equations import FIXED
 from solver.mechanics.formulas import rewritten
-from solver.mechanics.parts import AXES, JointParts, Parts
+from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.structure import Structure
 from solver.mechanics.vectors import Vector, add, scale, turned
 from solver.scene import Expr, Number
@@ -59,15 +58,6 @@ class Named(NamedTuple):
 
 
 Values = list[Ref] | Vector
-
-
-def components(
-    prefix: str, unit: str, text: str, values: Values, listed: bool = True
-) -> Iterator[Named]:  # fmt: skip
-    """Name the components of a vector, ``prefix`` and the axis; of a torque in the plane only z."""
-    axes = "z" if len(values) == 1 else AXES
-    for axis, value in zip(axes, values, strict=False):
-        yield Named(f"{prefix}{axis}", unit, f"{text}, {axis} component", value, listed)
 
 
 @dataclass(slots=True)

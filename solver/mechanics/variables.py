@@ -93,7 +93,7 @@ def variable_table(
             Variable(
                 name=name, type="Real", causality="input", variability="continuous",
                 unit=given.unit, description=given.description, start=given.start,
-                minimum=given.minimum, maximum=given.maximum, kind="input", place=place,
+                minimum=given.min, maximum=given.max, kind="input", place=place,
                 clips=given.limit == "clip",
             )
             for place, (name, given) in enumerate(scene.inputs.items())
@@ -118,7 +118,7 @@ def _parameters(scene: Scene, calculated: Mapping[str, int]) -> Iterator[Variabl
             name=name, type="Real", causality="parameter" if free else "calculatedParameter",
             variability=given.variability, unit=given.unit, description=given.description,
             start=None if isinstance(given.value, Expr) else float(given.value),
-            minimum=given.minimum, maximum=given.maximum,
+            minimum=given.min, maximum=given.max,
             kind="parameter" if free else "number", place=place if free else calculated[name],
         )  # fmt: skip
         place += free

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
-from solver.scene.diagnostics import Draft
+from solver.scene.draft import Draft
+from solver.scene.joints import BodyJoint, Fixed, Joint
 from solver.scene.numbers import Numbers
+from solver.scene.parameters import Input
 from solver.scene.report import Path, location_of
-from solver.scene.vocabulary_joints import BodyJoint, Joint
-from solver.scene.vocabulary_parts import Input
 
 LARGE = 100.0
 """Length in m from which it may be one in mm, and ratio of one to the next smaller of the scene."""
@@ -68,13 +68,13 @@ def _welded_twice(draft: Draft, joints: dict[str, Joint]) -> None:
         return body
 
     of_bodies = ((n, j) for n, j in joints.items() if isinstance(j, BodyJoint))
-    for name, joint in sorted(of_bodies, key=lambda item: item[1].type != "fixed"):
+    for name, joint in sorted(of_bodies, key=lambda item: not isinstance(item[1], Fixed)):
         first, second = map(last_of, joint.bodies or ("", None))
         if first == second:
             message = "fixed joints hold these bodies together already, so that it is redundant"
             help = "leave it out: the reactions of redundant joints are not unique"
             draft.warn(("joints", name), message, help)
-        elif joint.type == "fixed":
+        elif isinstance(joint, Fixed):
             welded_to[first] = second
 
 

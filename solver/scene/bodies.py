@@ -1,126 +1,214 @@
 """Points, bars and rigid bodies of a scene: what they are made of and where they are drawn."""
 
-from __future__ import annotations
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
-from typing import Any
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import (
+    BROKEN,
+    COMPONENTS,
+    NAME,
+    NUMBER,
+    ByShape,
+    Components,
+    Kind,
+    ListOf,
+    Part,
+    Plain,
+    PointNames,
+    Quantity,
+    Table,
+    shown,
+)
+from solver.scene.inertia import SHAPES, read_inertia
+from solver.scene.orientation import InBodyAxes, Orientation, read_orientation, read_spin
+from solver.scene.quantities import (
+    MOTION,
+    QUATERNION,
+    ROTATION_IN_SPACE,
+    SCALAR_IN_THE_PLANE,
+    Offer,
+)
+from solver.scene.report import Path
+from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
-from solver.scene import schema_bodies as schema
-from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry
-from solver.scene.inertia import read_weight
-from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
-from solver.scene.orientation import read_orientation, read_spin
-from solver.scene.references import References
-from solver.scene.vocabulary_parts import Bar, Body, Point, Rigid
+if TYPE_CHECKING:
+    from solver.scene.draft import Draft
+    from solver.scene.references import Reader
+
+_TURN = (
+    Offer(
+        "angle", "rad", "angle of {name} from the x axis, unwrapped", "position",
+        SCALAR_IN_THE_PLANE,
+    ),
+    Offer(
+        "angular_velocity", "rad/s", "angular velocity of {name}", "rate", SCALAR_IN_THE_PLANE
+    ),
+)  # fmt: skip
 
 
-class Bodies:
-    """Reader of the tables [points] and [bodies]."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point(Part):
+    """A point, free or fixed to the ground."""
 
-    def __init__(self, geometry: Geometry, references: References, gravity: Any) -> None:
-        self.geometry = geometry
-        self.references = references
-        self.draft = geometry.draft
-        self.parts: dict[str, dict[str, Any]] = {
-            table: geometry.draft.parts(table) for table in ("points", "bodies")
-        }
-        self._forgotten_dimension(gravity)
+    offers = MOTION
 
-    def _forgotten_dimension(self, gravity: Any) -> None:
-        """Say once, not at every vector, that a planar scene does not call itself planar."""
-        places = [
-            (table, part.position)
-            for table, parts in self.parts.items()
-            for part in parts.values()
-            if getattr(part, "position", BROKEN) is not BROKEN
-        ]
-        if gravity not in (None, BROKEN):
-            places.append(("gravity", gravity))
-        lengths = {len(vector) for _, vector in places}
-        if lengths == {2} and "dimension" not in self.draft.data:
-            self.geometry.dimension = 2
-            what = "gravity has" if places[0][0] == "gravity" else "positions have"
-            message = f"{what} 2 numbers, but the scene has dimension 3 (the default)"
-            help = "write dimension = 2 at the top of the file"
-            self.draft.error((places[0][0],), message, help)
+    position: Annotated[Vector, Components("m", "as drawn", example=[0, 0, 0])]
+    velocity: Annotated[Vector | None, Components("m/s", "at the start", example=[0, 0, 0])] = None
+    """None: not given, at rest; `assemble` is free to choose it."""
+    mass: Annotated[Number, Quantity("kg", rule=NOT_NEGATIVE)] = 0.0
+    fixed: Annotated[bool, Plain(type=bool)] = False
 
-    def read(self) -> tuple[dict[str, Point], dict[str, Body]]:
-        """Read points and bodies, and note where they are drawn."""
-        points = {name: self._point(name, part) for name, part in self.parts["points"].items()}
-        bodies = {name: self._body(name, part) for name, part in self.parts["bodies"].items()}
-        return points, bodies
-
-    def _point(self, name: str, part: schema.Point) -> Point:
-        path, geometry = ("points", name), self.geometry
-        position = geometry.vector((*path, "position"), part.position)
-        velocity = geometry.optional((*path, "velocity"), part.velocity)
-        mass = geometry.numbers.optional((*path, "mass"), part.mass, GEOMETRY, NOT_NEGATIVE, "kg")
-        if part.fixed is True:
-            self.references.fixed.add(name)
-            if any(component != 0.0 for component in velocity or ()):
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that a fixed point has no velocity, and note where it is drawn."""
+        point, name = super(Point, cls).read(reader, path, given), str(path[1])
+        if point.fixed is True:
+            reader.fixed.add(name)
+            if any(component != 0.0 for component in point.velocity or ()):
                 message = "a fixed point cannot have a velocity"
-                self.draft.error((*path, "velocity"), message, "leave out velocity or fixed")
-        if part.position is not BROKEN:
-            self.references.places.drawn[name] = position
-        return Point(
-            position=position,
-            velocity=geometry.zero() if velocity is None else velocity,
-            mass=0.0 if mass is None else mass,
-            fixed=part.fixed is True,
-            velocity_given=velocity is not None,
-        )
+                reader.draft.error((*path, "velocity"), message, "leave out velocity or fixed")
+        if given.position is not BROKEN:
+            reader.places.drawn[name] = point.position
+        return point
 
-    def _body(self, name: str, part: Any) -> Body:
-        return self._bar(name, part) if isinstance(part, schema.Bar) else self._rigid(name, part)
 
-    def _bar(self, name: str, part: schema.Bar) -> Bar:
-        path, mass_at = ("bodies", name), ("bodies", name, "mass")
-        mass = self.geometry.numbers.number(mass_at, part.mass, GEOMETRY, POSITIVE, "kg")
-        if part.points is BROKEN:
-            return Bar(points=("", ""), mass=mass)
-        first, second = part.points
-        for i, point in enumerate(part.points):
-            self._end_of_a_bar(("bodies", name, "points", i), point)
+class BarEnds(PointNames):
+    """Names of two points of the table [points]."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+        """Check that they are two such points, of which one can move."""
+        if value is BROKEN:
+            return "", ""
+        first, second = value
+        for i, point in enumerate(value):
+            _check_end(reader, (*path, i), point)
         if first == second:
-            self.draft.error((*path, "points"), f"both ends are '{first}'")
-        elif {first, second} <= self.references.fixed:
+            reader.draft.error(path, f"both ends are '{first}'")
+        elif {first, second} <= reader.fixed:
             message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
-            self.draft.error((*path, "points"), message)
-        self.references.places.add_bar(name, (first, second))
-        return Bar(points=(first, second), mass=mass)
+            reader.draft.error(path, message)
+        reader.places.add_bar(str(path[1]), (first, second))
+        return first, second
 
-    def _end_of_a_bar(self, path: tuple[str | int, ...], point: str) -> None:
-        if point == "ground":
-            message = "a bar ends in points, not in 'ground'"
-            self.draft.error(path, message, "make a point with fixed = true")
-        elif self.references.exists(path, point) and self.references.owner(point) is not None:
-            message = f"a bar ends in points of the table [points], not in '{point}' of a body"
-            help = "end it in a point of [points], and join the two with points = [...]"
-            self.draft.error(path, message, help)
 
-    def _rigid(self, name: str, part: schema.Rigid) -> Rigid:
-        path, geometry = ("bodies", name), self.geometry
-        position = geometry.vector((*path, "position"), part.position)
-        orientation = read_orientation(geometry, (*path, "orientation"), part.orientation)
-        center = geometry.optional((*path, "center_of_mass"), part.center_of_mass)
-        mass, inertia = read_weight(geometry, path, part)
-        spin_at = (*path, "angular_velocity")
-        spin = read_spin(geometry, spin_at, part.angular_velocity, orientation)
-        given = {} if part.points is BROKEN else part.points
-        points = {
-            point: geometry.vector((*path, "points", point), place)
-            for point, place in given.items()
-        }
-        body = Rigid(
-            mass=mass,
-            inertia=inertia,
-            center_of_mass=geometry.zero() if center is None else center,
-            position=position,
-            orientation=orientation,
-            velocity=geometry.optional((*path, "velocity"), part.velocity),
-            angular_velocity=spin,
-            points=points,
+def _check_end(reader: "Reader", path: Path, point: str) -> None:
+    if point == "ground":
+        message = "a bar ends in points, not in 'ground'"
+        reader.draft.error(path, message, "make a point with fixed = true")
+    elif reader.exists(path, point) and reader.owner(point) is not None:
+        message = f"a bar ends in points of the table [points], not in '{point}' of a body"
+        help = "end it in a point of [points], and join the two with points = [...]"
+        reader.draft.error(path, message, help)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bar(Part):
+    """A uniform slender rigid bar between two points."""
+
+    type = "bar"
+    offers = _TURN
+
+    points: Annotated[tuple[str, str], BarEnds(item=NAME, two=True, example=["A", "B"])]
+    mass: Annotated[Number, Quantity("kg", rule=POSITIVE, example=1.0)]
+
+
+class NoList(Kind):
+    """Stands where a list is a mistake."""
+
+    def parse(self, draft: "Draft", path: Path, value: Any) -> Any:
+        """Report the list."""
+        message = f"must be a number in dimension 2 and a table in dimension 3, got {shown(value)}"
+        help = 'angles are in rad: write for instance { axis = [0, 1, 0], angle = "pi/2" }'
+        draft.error(path, message, help)
+        return BROKEN
+
+
+class NamedPlaces(Table):
+    """Places in the axes of a body, by name."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
+        """Check all places."""
+        given = {} if value is BROKEN else value
+        return {name: reader.vector((*path, name), place) for name, place in given.items()}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rigid(Part):
+    """A rigid body: an origin, axes, mass and inertia, or a shape."""
+
+    type = "rigid"
+    is_usual = True
+    offers = (
+        *(*MOTION, *_TURN),
+        Offer("q{}", "1", "quaternion of {name}, {axis}, of continuous sign", axes=QUATERNION),
+        Offer(
+            "w{}", "rad/s", "angular velocity of {name}, {axis} component", axes=ROTATION_IN_SPACE
+        ),
+    )
+    also = {  # noqa: RUF012
+        "shape": Table(
+            text="box, cylinder or sphere; in 2-D box, disc or rod; with a density or mass",
+            parts=tuple((SHAPES[3] | SHAPES[2]).values()),
         )
-        if part.position is not BROKEN:
-            self.references.places.add_rigid(name, body)
+    }
+
+    mass: Annotated[Number, Quantity("kg", rule=POSITIVE, required=False)]
+    inertia: Annotated[
+        Number | tuple[Vector, Vector, Vector],
+        ByShape(
+            text="kg.m2 about the centre of mass: a number in 2-D, [Jx, Jy, Jz] or 3 x 3 in 3-D",
+            required=False, number=NUMBER, vector=COMPONENTS, vectors=ListOf(item=COMPONENTS),
+        ),
+    ]  # fmt: skip
+    """A number in 2-D, a symmetric 3 x 3 matrix in body axes in 3-D."""
+    center_of_mass: Annotated[
+        Vector, Components("m", "in body axes, from the origin", required=False)
+    ]  # fmt: skip
+    position: Annotated[Vector, Components("m", "of the origin, as drawn", example=[0, 0, 0])]
+    orientation: Annotated[
+        Number | tuple[Vector, Vector, Vector],
+        ByShape(
+            text="rad in 2-D; in 3-D { axis, angle }, { quaternion }, { rotation_vector } or "
+            "{ matrix }",
+            required=False, number=NUMBER, vector=NoList(), table=Table(parts=(Orientation,)),
+        ),
+    ]  # fmt: skip
+    """An angle in 2-D; in 3-D the rotation matrix, whose columns are the body's axes."""
+    velocity: Annotated[Vector | None, Components("m/s", "of the origin, at the start")] = None
+    """None: not given, at rest."""
+    angular_velocity: Annotated[
+        Number | Vector | None,
+        ByShape(
+            text="rad/s: a number in 2-D; in 3-D a vector, or { body = [...] }",
+            number=NUMBER, vector=COMPONENTS, table=Table(parts=(InBodyAxes,)),
+        ),
+    ] = None  # fmt: skip
+    """A number in 2-D, a vector in global axes in 3-D; None: not given, at rest."""
+    points: Annotated[
+        dict[str, Vector], NamedPlaces("m", "named points in body axes", item=COMPONENTS)
+    ] = field(default_factory=dict)
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Turn shape, orientation and spin into what they mean, and note where it is drawn."""
+        values: dict[str, Any] = {
+            "center_of_mass": reader.zero(),
+            **reader.fields(cls, path, given),
+        }
+        turned = read_orientation(reader, (*path, "orientation"), given.orientation)
+        values["orientation"] = turned
+        values["mass"], values["inertia"] = read_inertia(reader, path, given, values.get("mass"))
+        values["angular_velocity"] = read_spin(
+            reader, (*path, "angular_velocity"), given.angular_velocity, turned
+        )
+        body = cls(**values)
+        if given.position is not BROKEN:
+            reader.places.add_rigid(str(path[1]), body)
         return body
+
+
+BODIES: dict[str, type[Part]] = {"rigid": Rigid, "bar": Bar}
+"""Types of bodies."""
+
+Body: TypeAlias = Bar | Rigid

@@ -1,125 +1,177 @@
-"""Prescribed motions and general constraints of a scene."""
+"""Prescribed motions and general constraints of a scene.
 
-from __future__ import annotations
+The force of a driver is the one that it exerts, positive along what it drives.
+"""
 
-from typing import Any
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
-from solver.scene import schema_forces as schema
-from solver.scene.expression import Expr, Number
-from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry
-from solver.scene.joint_names import JointNames
-from solver.scene.numbers import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW
-from solver.scene.quantities import Level
-from solver.scene.references import References
+from solver.scene.expression import Expr, Number, Vector
+from solver.scene.fields import (
+    BROKEN,
+    ONE_END,
+    TWO_ENDS,
+    Components,
+    JointName,
+    Part,
+    PointReference,
+    Quantity,
+)
+from solver.scene.quantities import VECTOR, Level, Offer
 from solver.scene.report import Path
-from solver.scene.vocabulary_forces import DistanceDriver, Driver, JointDriver, PositionDriver
-from solver.scene.vocabulary_joints import Constraint
+from solver.scene.rules import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
+
+_POWER = Offer("power", "W", "power of {name}")
 
 
-class Drivers:
-    """Reader of the tables [drivers] and [constraints]."""
+def _along(word: str, unit: str, what: str) -> tuple[Offer, ...]:
+    return Offer(word, unit, f"{word} of {{name}}, positive along its {what}"), _POWER
 
-    def __init__(self, geometry: Geometry, references: References, joints: JointNames) -> None:
-        self.geometry = geometry
-        self.references = references
-        self.joints = joints
-        self.draft = geometry.draft
-        self.driven: dict[tuple[str, str], str] = {}
-        """Driver of each point, and of the angle or displacement of each joint."""
 
-    def read(self) -> dict[str, Driver]:
-        """Read all drivers."""
-        parts = self.draft.parts("drivers")
-        return {
-            name: _READERS[type(part)](self, ("drivers", name), part)
-            for name, part in parts.items()
-        }
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PositionDriver(Part):
+    """A point follows a path."""
 
-    def _position(self, path: Path, part: schema.PositionDriver) -> PositionDriver:
-        point, where = self.references.point(path, part), (*path, "point")
-        if point.point in self.references.fixed:
+    type = "position"
+    offers = (
+        Offer(
+            "force.{}", "N", "force of {name} on the point that it moves, {axis} component",
+            axes=VECTOR,
+        ),
+        _POWER,
+    )  # fmt: skip
+
+    point: Annotated[PointReference, ONE_END]
+    value: Annotated[Vector, Components("m", place=DRIVER, example=[0, 0, "sin(t)"])]
+    """One expression in time, inputs and parameters for each axis."""
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the point can move, and that no other driver moves it."""
+        driver = super(PositionDriver, cls).read(reader, path, given)
+        point, where = driver.point, (*path, "point")
+        if point.point in reader.fixed:
             message = f"the point '{point.point}' is fixed, and cannot be driven"
-            self.draft.error(where, message, "leave out its fixed = true")
+            reader.draft.error(where, message, "leave out its fixed = true")
         if point.point is not None and point.at is None:
-            self._once(where, "position", point.point)
-        return PositionDriver(
-            point=point, value=self.geometry.vector((*path, "value"), part.value, DRIVER)
-        )
+            _once(reader, where, cls.type, point.point)
+        return driver
 
-    def _distance(self, path: Path, part: schema.DistanceDriver) -> DistanceDriver:
-        number, where = self.geometry.numbers.number, (*path, "value")
-        return DistanceDriver(
-            points=self.references.ends(path, part),
-            value=number(where, part.value, DRIVER, POSITIVE, "m"),
-        )
 
-    def _joint(self, path: Path, part: Any) -> JointDriver:
-        where = (*path, "joint")
-        fits = self.joints.with_angle if part.type == "angle" else self.joints.with_displacement
-        if fits(where, part.joint):
-            self._once(where, part.type, part.joint)
-        return JointDriver(
-            type=part.type,
-            joint=part.joint if isinstance(part.joint, str) else "",
-            value=self.geometry.numbers.number((*path, "value"), part.value, DRIVER),
-        )
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DistanceDriver(Part):
+    """The distance of two points follows an expression."""
 
-    def _once(self, where: Path, what: str, name: str) -> None:
-        """Report what two drivers move at once."""
-        first = self.driven.setdefault((what, name), str(where[1]))
-        if first != where[1]:
-            message = f"the {what} of '{name}' is driven by '{first}' already"
-            self.draft.error(where, message, "leave out one of the two")
+    type = "distance"
+    offers = _along("force", "N", "distance")
 
-    def constraints(self) -> dict[str, Constraint]:
-        """Read all constraints."""
-        parts = self.draft.parts("constraints")
-        return {name: self._constraint(name, part) for name, part in parts.items()}
+    points: Annotated[tuple[PointReference, PointReference], TWO_ENDS]
+    value: Annotated[Number, Quantity("m", "", POSITIVE, DRIVER, "1 + 0.1*sin(t)")]
 
-    def _constraint(self, name: str, part: Any) -> Constraint:
-        path = ("constraints", name)
-        if (part.value is None) == (part.velocity is None):
-            message = "neither 'value' nor 'velocity' is given"
-            if part.value is not None:
-                message = "either 'value' or 'velocity' is possible, not both"
-            help = "write value = ... for positions, or velocity = ... for velocities"
-            self.draft.error(path, message, help)
-        value = self._row((*path, "value"), part.value, CONSTRAINT, "position")
-        velocity = self._row((*path, "velocity"), part.velocity, VELOCITY_ROW, "rate")
-        return Constraint(value=value, velocity=velocity)
 
-    def _row(self, path: Path, reading: Any, place: Any, level: Level) -> Number | None:
-        """Read one row, which depends on positions, or linearly on velocities."""
-        before = len(self.draft.problems)
-        number = self.geometry.numbers.optional(path, reading, place)
-        if reading is None or reading is BROKEN or len(self.draft.problems) > before:
+class JointDriver(Part):
+    """A motion of a joint, zero as drawn, follows an expression."""
+
+    __slots__ = ()
+    joint: str
+    value: Number
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that no other driver moves the joint in the same way."""
+        driver = cls(**reader.fields(cls, path, given))
+        if reader.has(driver.joint, cls.type):
+            _once(reader, (*path, "joint"), cls.type, driver.joint)
+        return driver
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AngleDriver(JointDriver):
+    """The angle of a joint follows an expression."""
+
+    type = "angle"
+    offers = _along("torque", "N.m", "angle")
+
+    joint: Annotated[str, JointName(example="bearing")]
+    value: Annotated[Number, Quantity("rad", "0 as drawn", place=DRIVER, example="2*pi*t")]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DisplacementDriver(JointDriver):
+    """The displacement of a joint follows an expression."""
+
+    type = "displacement"
+    offers = _along("force", "N", "displacement")
+
+    joint: Annotated[str, JointName(example="guide", has="displacement")]
+    value: Annotated[Number, Quantity("m", "0 as drawn", place=DRIVER, example="0.1*sin(t)")]
+
+
+def _once(reader: "Reader", where: Path, what: str, name: str) -> None:
+    """Report what two drivers move at once."""
+    first = reader.driven.setdefault((what, name), str(where[1]))
+    if first != where[1]:
+        message = f"the {what} of '{name}' is driven by '{first}' already"
+        reader.draft.error(where, message, "leave out one of the two")
+
+
+class Row(Quantity):
+    """An expression that stays zero: of positions, or linear in velocities."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
+        """Check that it constrains the mechanism."""
+        before = len(reader.draft.problems)
+        number = super().read(reader, path, value, given)
+        if value is BROKEN or len(reader.draft.problems) > before:
             return number
-        levels = {self.geometry.known.quantities.get(m.name) for m in reading.mentions}
-        calls = any(mention.role == "function" for mention in reading.mentions)
+        level: Level = "position" if self.place is CONSTRAINT else "rate"
+        levels = {reader.known.quantities.get(mention.name) for mention in value.mentions}
+        calls = any(mention.role == "function" for mention in value.mentions)
         if level not in levels and not (level == "position" and calls):
             what = "position" if level == "position" else "velocity"
-            self.draft.error(path, f"mentions no {what} of the mechanism: it constrains nothing")
-        elif level == "rate" and _degree(number, self.geometry.known.quantities) > 1:
+            reader.draft.error(path, f"mentions no {what} of the mechanism: it constrains nothing")
+        elif level == "rate" and _degree(number, reader.known.quantities) > 1:
             message = "must be linear in the velocities"
-            self.draft.error(path, message, 'such as "A.vx*sin(b) - A.vy*cos(b)"')
+            reader.draft.error(path, message, 'such as "A.vx*sin(b) - A.vy*cos(b)"')
         return number
 
 
-_READERS: dict[type, Any] = {
-    schema.PositionDriver: Drivers._position,
-    schema.DistanceDriver: Drivers._distance,
-    schema.AngleDriver: Drivers._joint,
-    schema.DisplacementDriver: Drivers._joint,
-}
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Constraint(Part):
+    """An expression that stays zero: of positions, or linear in velocities."""
+
+    offers = (
+        Offer(
+            "multiplier", "", "multiplier of {name}: its force is -multiplier times its gradient"
+        ),
+    )
+
+    value: Annotated[Number | None, Row(place=CONSTRAINT)] = None
+    velocity: Annotated[Number | None, Row(place=VELOCITY_ROW)] = None
+    """Exactly one of the two is given."""
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that one of the two is given."""
+        if (given.value is None) == (given.velocity is None):
+            message = "neither 'value' nor 'velocity' is given"
+            if given.value is not None:
+                message = "either 'value' or 'velocity' is possible, not both"
+            help = "write value = ... for positions, or velocity = ... for velocities"
+            reader.draft.error(path, message, help)
+        return super(Constraint, cls).read(reader, path, given)
 
 
-def _degree(number: Any, levels: Any) -> int:
+def _degree(number: Any, levels: Mapping[str, Level]) -> int:
     """Degree of an expression in the velocities; 2 stands for everything but linear."""
     if not isinstance(number, Expr) or number.op == "call":
         return 0
     if number.op == "symbol":
-        return int(levels.get(number.args[0]) == "rate")
+        return int(levels.get(str(number.args[0])) == "rate")
     degrees = [_degree(arg, levels) for arg in number.args]
     if number.op in ("add", "sub", "neg"):
         return max(degrees)
@@ -130,3 +182,12 @@ def _degree(number: Any, levels: Any) -> int:
     if number.op == "select":
         return max(degrees[1:]) if degrees[0] == 0 else 2
     return 2 if any(degrees) else 0
+
+
+DRIVERS: dict[str, type[Part]] = {
+    driver.type: driver
+    for driver in (PositionDriver, DistanceDriver, AngleDriver, DisplacementDriver)
+}
+"""Types of drivers."""
+
+Driver: TypeAlias = PositionDriver | DistanceDriver | JointDriver

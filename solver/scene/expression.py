@@ -10,12 +10,13 @@ from collections.abc import Mapping
 
 from solver.scene.grammar import parse, read
 from solver.scene.operations import ExpressionError, apply
-from solver.scene.tree import Expr, Number, operate, symbol
+from solver.scene.tree import Expr, Number, Vector, operate, symbol
 
 __all__ = [
     "Expr",
     "ExpressionError",
     "Number",
+    "Vector",
     "atan2",
     "cos",
     "evaluate",

@@ -1,203 +1,292 @@
-"""Forces, torques and potentials of a scene: what they act on, and what they may depend on."""
+"""Forces, torques and potentials of a scene: what they act on, and what they may depend on.
 
-from __future__ import annotations
+Forces of springs and dampers are positive in tension, torques of their torsional kin against the
+angle.
+"""
 
-from typing import Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from solver.scene import schema_forces as schema
-from solver.scene.expression import Number
-from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry
-from solver.scene.joint_names import JointNames
-from solver.scene.numbers import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
-from solver.scene.references import References
-from solver.scene.report import Path
-from solver.scene.vocabulary_forces import (
-    Damper,
-    Force,
-    ForceElement,
-    Gravitation,
-    JointTorque,
-    Potential,
-    Spring,
-    Torque,
-    TorsionDamper,
-    TorsionSpring,
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import (
+    BROKEN,
+    COMPONENTS,
+    ONE_END,
+    TWO_ENDS,
+    Angle,
+    ByShape,
+    Choice,
+    Components,
+    JointName,
+    ListOf,
+    Part,
+    Plain,
+    PointReference,
+    Quantity,
 )
-from solver.scene.vocabulary_parts import Body, Point, Rigid, Vector
+from solver.scene.quantities import Offer
+from solver.scene.report import Path
+from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
 
-STORED = Place(own=("length",))
-"""Where the energy of a spring stands."""
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
+
+Ends: TypeAlias = tuple[PointReference, PointReference]
+
+_ON_A_LINE = (
+    Offer("length", "m", "length of {name}"),
+    Offer("force", "N", "force in {name}, positive in tension: it pulls its ends together"),
+)
+_AGAINST = Offer(
+    "torque",
+    "N.m",
+    "torque of {name}, positive against the angle of {part.joint}: it turns it back",
+)
+_AXES = Choice(words=("global", "body"))
+_JOINT = JointName(example="bearing")
 
 
-class Forces:
-    """Reader of the table [forces]."""
+def _quantity(unit: str, example: float | None = None, text: str = "") -> Quantity:
+    return Quantity(unit, text, NOT_NEGATIVE, FORCE, example)
 
-    def __init__(self, geometry: Geometry, references: References, joints: JointNames) -> None:
-        self.geometry = geometry
-        self.references = references
-        self.joints = joints
-        self.draft = geometry.draft
-        self.numbers = geometry.numbers
-        self.masses: dict[str, Number] = {}
-        """Of points, and of bodies by the name of their origin."""
 
-    def read(self, points: dict[str, Point], bodies: dict[str, Body]) -> dict[str, ForceElement]:
-        """Read all forces."""
-        self.masses = {name: point.mass for name, point in points.items()}
-        self.masses |= {name: b.mass for name, b in bodies.items() if isinstance(b, Rigid)}
-        parts = self.draft.parts("forces")
-        return {
-            name: _READERS[type(part)](self, ("forces", name), part) for name, part in parts.items()
-        }
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spring(Part):
+    """A spring between two points: linear, or with an energy that depends on its length."""
 
-    def _spring(self, path: Path, part: schema.Spring) -> Spring:
-        optional, energy = self.numbers.optional, (*path, "energy")
-        if part.stiffness is None and part.energy is None:
+    type = "spring"
+    offers = _ON_A_LINE
+
+    points: Annotated[Ends, TWO_ENDS]
+    stiffness: Annotated[Number | None, _quantity("N/m", 100.0)] = None
+    """None where `energy` is given."""
+    free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
+    energy: Annotated[
+        Number | None, Quantity("J", "an expression in `length`", place=Place(own=("length",)))
+    ] = None
+    """Stored energy, an expression in the symbol ``length`` (m)."""
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that it is linear or has an energy in its length, and not both."""
+        draft, energy = reader.draft, (*path, "energy")
+        if given.stiffness is None and given.energy is None:
             help = "write stiffness = 100.0, or an energy in 'length'"
-            self.draft.error(path, "'stiffness' is missing", help)
-        elif part.stiffness is not None and part.energy is not None:
+            draft.error(path, "'stiffness' is missing", help)
+        elif given.stiffness is not None and given.energy is not None:
             message = "a spring has a stiffness or an energy, not both"
-            self.draft.error(energy, message, "leave out one of them")
-        elif part.energy is not None and part.free_length is not None:
+            draft.error(energy, message, "leave out one of them")
+        elif given.energy is not None and given.free_length is not None:
             message = "the energy already defines the free length of the spring"
-            self.draft.error((*path, "free_length"), message, "leave it out")
-        if part.energy not in (None, BROKEN) and "length" not in _mentioned(part.energy):
+            draft.error((*path, "free_length"), message, "leave it out")
+        mentions = () if given.energy in (None, BROKEN) else given.energy.mentions
+        if given.energy not in (None, BROKEN) and "length" not in {x.name for x in mentions}:
             message = "mentions no 'length', the length of the spring in m"
-            self.draft.error(energy, message, 'such as "50*(length - 1)**2"')
-        free = (*path, "free_length")
-        return Spring(
-            points=self.references.ends(path, part),
-            stiffness=optional((*path, "stiffness"), part.stiffness, FORCE, NOT_NEGATIVE, "N/m"),
-            free_length=optional(free, part.free_length, FORCE, NOT_NEGATIVE, "m"),
-            energy=optional(energy, part.energy, STORED),
-        )
+            draft.error(energy, message, 'such as "50*(length - 1)**2"')
+        return super(Spring, cls).read(reader, path, given)
 
-    def _damper(self, path: Path, part: schema.Damper) -> Damper:
-        where = (*path, "damping")
-        damping = self.numbers.number(where, part.damping, FORCE, NOT_NEGATIVE, "N.s/m")
-        return Damper(points=self.references.ends(path, part), damping=damping)
 
-    def _torsion_spring(self, path: Path, part: schema.TorsionSpring) -> TorsionSpring:
-        where, number = (*path, "stiffness"), self.numbers.number
-        joint = self._joint(path, part)
-        stiffness = number(where, part.stiffness, FORCE, NOT_NEGATIVE, "N.m/rad")
-        free = part.free_angle
-        if free is not None:
-            free = self.numbers.angle((*path, "free_angle"), free, FORCE)
-        return TorsionSpring(
-            joint=joint,
-            stiffness=stiffness,
-            free_angle=0.0 if free is None else free,
-        )
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damper(Part):
+    """A linear damper between two points."""
 
-    def _torsion_damper(self, path: Path, part: schema.TorsionDamper) -> TorsionDamper:
-        where = (*path, "damping")
-        damping = self.numbers.number(where, part.damping, FORCE, NOT_NEGATIVE, "N.m.s/rad")
-        return TorsionDamper(joint=self._joint(path, part), damping=damping)
+    type = "damper"
+    offers = _ON_A_LINE
 
-    def _joint_torque(self, path: Path, part: schema.JointTorque) -> JointTorque:
-        value = self.numbers.number((*path, "value"), part.value, LOAD)
-        return JointTorque(joint=self._joint(path, part), value=value)
+    points: Annotated[Ends, TWO_ENDS]
+    damping: Annotated[Number, _quantity("N.s/m", 1.0)]
 
-    def _joint(self, path: Path, part: Any) -> str:
-        self.joints.with_angle((*path, "joint"), part.joint)
-        return part.joint if isinstance(part.joint, str) else ""
 
-    def _force(self, path: Path, part: schema.Force) -> Force:
-        point = self.references.point(path, part)
-        if point.point in self.references.fixed:
-            self.draft.error((*path, "point"), f"a force on the fixed point '{point.point}'")
-        axes = "global" if part.axes is BROKEN else part.axes
-        if axes == "body" and point.point and self.references.owner(point.point) is None:
-            message = f"'{point.point}' is a point, which has no axes of a body"
-            self.draft.error((*path, "axes"), message, "name a point of a rigid body")
-        value = self.geometry.vector((*path, "value"), part.value, LOAD)
-        return Force(point=point, value=value, axes=axes)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TorsionSpring(Part):
+    """A torsion spring at a joint that has an angle: stiffness * (angle - free_angle)."""
 
-    def _torque(self, path: Path, part: schema.Torque) -> Torque:
-        axes = "global" if part.axes is BROKEN else part.axes
-        if part.body is not BROKEN and self.references.body((*path, "body"), part.body, bar=True):
-            kind = self.geometry.known.parts.get(part.body)
-            if axes == "body" and kind == "bar" and self.geometry.dimension == 3:
-                message = f"the bar '{part.body}' has no axes in space"
-                self.draft.error((*path, "axes"), message, "leave it out: global axes")
-        body = part.body if isinstance(part.body, str) else ""
-        return Torque(body=body, value=self._moment((*path, "value"), part.value), axes=axes)
+    type = "torsion_spring"
+    offers = (_AGAINST,)
 
-    def _moment(self, where: Path, value: Any) -> Number | Vector:
+    joint: Annotated[str, _JOINT]
+    stiffness: Annotated[Number, _quantity("N.m/rad", 10.0)]
+    free_angle: Annotated[Number, Angle("rad", "as drawn unless given", place=FORCE)] = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TorsionDamper(Part):
+    """A torsion damper at a joint that has an angle."""
+
+    type = "torsion_damper"
+    offers = (_AGAINST,)
+
+    joint: Annotated[str, _JOINT]
+    damping: Annotated[Number, _quantity("N.m.s/rad", 1.0)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointTorque(Part):
+    """A torque about a joint's angle, on the second body; the opposite one on the first."""
+
+    type = "joint_torque"
+    offers = (
+        Offer("torque", "N.m", "torque of {name}, positive along the angle of {part.joint}"),
+    )  # fmt: skip
+
+    joint: Annotated[str, _JOINT]
+    value: Annotated[Number, Quantity("N.m", place=LOAD, example=1.0)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Force(Part):
+    """A force on a point, in global or body axes."""
+
+    type = "force"
+
+    point: Annotated[PointReference, ONE_END]
+    value: Annotated[Vector, Components("N", place=LOAD, example=[0, 0, 1])]
+    axes: Annotated[Literal["global", "body"], _AXES] = "global"
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the point can move, and has the axes that are asked for."""
+        force = super(Force, cls).read(reader, path, given)
+        point = force.point.point
+        if point in reader.fixed:
+            reader.draft.error((*path, "point"), f"a force on the fixed point '{point}'")
+        if force.axes == "body" and point and reader.owner(point) is None:
+            message = f"'{point}' is a point, which has no axes of a body"
+            reader.draft.error((*path, "axes"), message, "name a point of a rigid body")
+        return force
+
+
+class Moment(ByShape):
+    """A torque: a number in the plane, a vector in space."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+        """Check that it has the dimension of the scene."""
         if value is BROKEN:
             return 0.0
         if isinstance(value, list):
-            if self.geometry.dimension == 2:
-                self.draft.error(where, "must be a number in dimension 2, got a vector")
+            if reader.dimension == 2:
+                reader.draft.error(path, "must be a number in dimension 2, got a vector")
                 return 0.0
-            return self.geometry.vector(where, value, LOAD)
-        if self.geometry.dimension == 3:
+            return reader.vector(path, value, LOAD)
+        if reader.dimension == 3:
             help = 'write value = [0, 0, "..."]'
-            self.draft.error(where, "must be a vector of 3 numbers in dimension 3", help)
-        return self.numbers.number(where, value, LOAD)
+            reader.draft.error(path, "must be a vector of 3 numbers in dimension 3", help)
+        return reader.number(path, value, LOAD)
 
-    def _potential(self, path: Path, part: schema.Potential) -> Potential:
-        where = (*path, "value")
-        value = self.numbers.number(where, part.value, POTENTIAL)
-        if part.value is not BROKEN and not _mentions_the_mechanism(self.geometry, part.value):
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Torque(Part):
+    """A torque on a body."""
+
+    type = "torque"
+
+    body: Annotated[str, Plain(example="crank")]
+    value: Annotated[
+        Number | Vector,
+        Moment(
+            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=Quantity(),
+            vector=COMPONENTS,
+        ),
+    ]  # fmt: skip
+    axes: Annotated[Literal["global", "body"], _AXES] = "global"
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that there is such a body, with the axes that are asked for."""
+        body = given.body
+        if body is not BROKEN and reader.body((*path, "body"), body, bar=True):
+            bar = reader.known.parts.get(body) == "bar" and reader.dimension == 3
+            if bar and given.axes == "body":
+                message = f"the bar '{body}' has no axes in space"
+                reader.draft.error((*path, "axes"), message, "leave it out: global axes")
+        return super(Torque, cls).read(reader, path, given)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Potential(Part):
+    """A potential energy, an expression over positions of the mechanism."""
+
+    type = "potential"
+    offers = (Offer("energy", "J", "energy of {name}"),)
+
+    value: Annotated[Number, Quantity("J", place=POTENTIAL, example="2.0*A.x**2")]
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that it depends on the mechanism, if it is not wrong for another reason."""
+        potential = super(Potential, cls).read(reader, path, given)
+        if given.value is not BROKEN and not any(
+            mention.role == "function" or mention.name not in reader.known.parts
+            for mention in given.value.mentions
+            if mention.name != "t"
+        ):
             message = "mentions no position of the mechanism, and so makes no force"
-            self.draft.error(where, message, 'such as "2.0*A.x**2"')
-        return Potential(value=value)
-
-    def _gravitation(self, path: Path, part: schema.Gravitation) -> Gravitation:
-        number, optional = self.numbers.number, self.numbers.optional
-        ends = self.references.ends(path, part)
-        if part.masses is None:
-            first, second = (self._mass(path, part, i) for i in range(2))
-        elif part.masses is BROKEN:
-            first = second = 1.0
-        else:
-            first, second = (
-                number((*path, "masses", i), mass, PROPERTY, POSITIVE, "kg")
-                for i, mass in enumerate(part.masses)
-            )
-        constant = optional((*path, "constant"), part.constant, PROPERTY)
-        given = {} if constant is None else {"constant": constant}
-        return Gravitation(points=ends, masses=(first, second), **given)
-
-    def _mass(self, path: Path, part: Any, end: int) -> Number:
-        """Mass of a named point or body."""
-        if part.points is BROKEN or part.points[end] not in self.masses:
-            name = "" if part.points is BROKEN else part.points[end]
-            if name == "ground" or name in self.geometry.known.ends:
-                message = f"'masses' is missing: '{name}' has no mass of its own"
-                self.draft.error(path, message, "write masses = [..., ...]")
-            return 1.0
-        mass = self.masses[part.points[end]]
-        if self.numbers.value(mass) == 0.0:
-            message = f"'masses' is missing: '{part.points[end]}' has no mass of its own"
-            self.draft.error(path, message, "write masses = [..., ...]")
-        return mass
+            reader.draft.error((*path, "value"), message, 'such as "2.0*A.x**2"')
+        return potential
 
 
-def _mentioned(reading: Any) -> set[str]:
-    return {mention.name for mention in reading.mentions}
+class Masses(ListOf):
+    """The two masses that attract each other."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+        """Check both."""
+        if value is BROKEN:
+            return 1.0, 1.0
+        return tuple(
+            reader.number((*path, i), mass, PROPERTY, POSITIVE, "kg")
+            for i, mass in enumerate(value)
+        )
 
 
-def _mentions_the_mechanism(geometry: Geometry, reading: Any) -> bool:
-    """Whether an expression depends on the mechanism, or is wrong for another reason."""
-    return any(
-        mention.role == "function" or mention.name not in geometry.known.parts
-        for mention in reading.mentions
-        if mention.name != "t"
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Gravitation(Part):
+    """Attraction of two masses, V = -constant m1 m2/distance."""
+
+    type = "gravitation"
+    offers = _ON_A_LINE
+
+    points: Annotated[Ends, TWO_ENDS]
+    masses: Annotated[
+        tuple[Number, Number],
+        Masses(
+            "kg", "those of the points unless given", example=[1.0, 1.0], required=False, two=True
+        ),
+    ]
+    constant: Annotated[
+        Number, Quantity("m3/(kg.s2)", "CODATA 2018 unless given", place=PROPERTY)
+    ] = 6.6743e-11
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Find the masses of points and bodies, which stand for those that are not given."""
+        values = reader.fields(cls, path, given)
+        if given.masses is None:
+            names = ("", "") if given.points is BROKEN else given.points
+            values["masses"] = tuple(_mass(reader, path, name) for name in names)
+        return cls(**values)
+
+
+def _mass(reader: "Reader", path: Path, name: str) -> Number:
+    """Mass of a named point or body."""
+    found = reader.parts["points"].get(name) or reader.parts["bodies"].get(name)
+    mass = found.mass if found and reader.known.parts[name] != "bar" else None
+    named = mass is not None or name == "ground" or name in reader.known.ends
+    if named and (mass is None or reader.value(mass) == 0.0):
+        message = f"'masses' is missing: '{name}' has no mass of its own"
+        reader.draft.error(path, message, "write masses = [..., ...]")
+    return 1.0 if mass is None else mass
+
+
+FORCES: dict[str, type[Part]] = {
+    force.type: force
+    for force in (
+        *(Spring, Damper, TorsionSpring, TorsionDamper, Force, Torque, JointTorque, Potential),
+        Gravitation,
     )
-
-
-_READERS: dict[type, Any] = {
-    schema.Spring: Forces._spring,
-    schema.Damper: Forces._damper,
-    schema.TorsionSpring: Forces._torsion_spring,
-    schema.TorsionDamper: Forces._torsion_damper,
-    schema.JointTorque: Forces._joint_torque,
-    schema.Force: Forces._force,
-    schema.Torque: Forces._torque,
-    schema.Potential: Forces._potential,
-    schema.Gravitation: Forces._gravitation,
 }
+"""Types of forces."""
+
+ForceElement: TypeAlias = (
+    Spring | Damper | TorsionSpring | TorsionDamper | JointTorque | Force | Torque | Potential
+    | Gravitation
+)  # fmt: skip

@@ -4,24 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from solver.scene.expression import ExpressionError, Number
+from solver.scene.expression import ExpressionError, Number, Vector
 from solver.scene.fields import BROKEN
-from solver.scene.numbers import GEOMETRY, LARGEST_NUMBER, Numbers, Place
+from solver.scene.numbers import LARGEST_NUMBER, Known, Numbers
 from solver.scene.report import Path
-from solver.scene.vocabulary_parts import Vector
+from solver.scene.rules import GEOMETRY, Place
+
+if TYPE_CHECKING:
+    from solver.scene.draft import Draft
 
 T = TypeVar("T")
 
 
-class Geometry:
-    """Reader of the vectors of one scene."""
+class Vectors(Numbers):
+    """Judge of every number and vector of a scene."""
 
-    def __init__(self, numbers: Numbers, dimension: Any) -> None:
-        self.numbers = numbers
-        self.draft = numbers.draft
-        self.known = numbers.known
+    def __init__(self, draft: Draft, known: Known, dimension: Any) -> None:
+        super().__init__(draft, known)
         self.dimension: int | None = None if dimension is BROKEN else dimension
         """None: broken, so that vectors may have two or three numbers."""
 
@@ -46,13 +47,7 @@ class Geometry:
             numbers = tuple([reading.number for reading in readings])
             if all([-LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in numbers]):
                 return numbers
-        return tuple(
-            self.numbers.number((*path, i), reading, place) for i, reading in enumerate(readings)
-        )
-
-    def optional(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector | None:
-        """Read a vector that may be missing."""
-        return None if readings is None else self.vector(path, readings, place)
+        return tuple(self.number((*path, i), reading, place) for i, reading in enumerate(readings))
 
     def axis(self, path: Path, readings: Any) -> Vector:
         """Read a direction of any length but zero."""
@@ -76,7 +71,7 @@ class Geometry:
 
     def values(self, vector: Vector) -> list[float] | None:
         """Values with the default parameters; None where one of them has none."""
-        values = [self.numbers.value(number) for number in vector]
+        values = [self.value(number) for number in vector]
         known = [value for value in values if value is not None]
         return known if len(known) == len(values) else None
 

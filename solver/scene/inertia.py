@@ -4,19 +4,17 @@ An inertia J about the centre of mass belongs to a body when no principal moment
 the sum of the other two; equality is a slender or flat body, zero a point.
 """
 
-from __future__ import annotations
-
 import math
-from typing import Any, TypeAlias
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
-from solver.scene.expression import Number
-from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry
-from solver.scene.numbers import GEOMETRY, NOT_NEGATIVE, POSITIVE
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import BROKEN, Choice, Components, Part, Quantity, fields_of, shown
 from solver.scene.report import Path
-from solver.scene.schema_shapes import SHAPES
-from solver.scene.shapes import GYRATION, Sizes
-from solver.scene.vocabulary_parts import Vector
+from solver.scene.rules import NOT_NEGATIVE, POSITIVE
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
 
 Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
 
@@ -24,116 +22,259 @@ NOTHING: tuple[Vector, Vector, Vector] = ((0.0,) * 3, (0.0,) * 3, (0.0,) * 3)
 ROUND_OFF = 1e-12
 """By which a moment may exceed the sum of the others, relative to that sum."""
 
-_DENSITY = {"box": "kg/m3", "cylinder": "kg/m3", "sphere": "kg/m3", "disc": "kg/m2", "rod": "kg/m"}
+# --------------------------------------------------------------------------------------- shapes
+
+_RADIUS = Quantity("m", rule=POSITIVE, example=0.1)
+_INNER = Quantity("m", rule=NOT_NEGATIVE)
+_LENGTH = Quantity("m", rule=POSITIVE, example=1.0)
 
 
-def read_weight(geometry: Geometry, path: Path, part: Any) -> tuple[Number, Inertia]:
-    """Read the mass in kg and the inertia in kg.m2 of a rigid body."""
-    mass = geometry.numbers.optional((*path, "mass"), part.mass, GEOMETRY, POSITIVE, "kg")
-    inertia = _inertia(geometry, (*path, "inertia"), part.inertia)
-    if part.shape is not None:
-        if part.shape is BROKEN:
-            return _known(mass), inertia
-        return _from_shape(geometry, path, part, mass)
-    missing = [f"'{name}'" for name in ("mass", "inertia") if getattr(part, name) is None]
-    if missing:
+def _density(unit: str, text: str = "") -> Quantity:
+    return Quantity(unit, text, POSITIVE)
+
+
+class Shape(Part):
+    """A homogeneous body about its centre."""
+
+    __slots__ = ()
+    density: Number | None
+
+    def gyration(self) -> tuple[Number, Vector]:
+        """Volume (2-D: area, length) and squared radii of gyration, in m."""
+        raise NotImplementedError
+
+
+class Edges(Components):
+    """Edges of a box."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
+        """Check that they are positive."""
+        edges, ones = super().read(reader, path, value, given), (1.0,) * len(reader.zero())
+        values = None if value is BROKEN else reader.values(edges)
+        if values is not None and min(values, default=1.0) <= 0.0:
+            reader.draft.error(path, f"sizes must be > 0 m, got {shown(values)}")
+        return edges if value is not BROKEN and len(edges) == len(ones) else ones
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Box(Shape):
+    """A cuboid; in the plane a rectangle."""
+
+    type = "box"
+
+    size: Annotated[Vector, Edges("m", "along x, y, z", example=[0.2, 0.1, 0.1])]
+    density: Annotated[Number | None, _density("kg/m3", "in 2-D kg/m2")] = None
+
+    def gyration(self) -> tuple[Number, Vector]:
+        """Squares of the edges across each axis, over twelve."""
+        if len(self.size) == 2:
+            a, b = self.size
+            return a * b, ((a * a + b * b) / 12.0,)
+        a, b, c = self.size
+        across = ((b * b + c * c) / 12.0, (a * a + c * c) / 12.0, (a * a + b * b) / 12.0)
+        return a * b * c, across
+
+
+class Round(Shape):
+    """A shape with an outer and an inner radius."""
+
+    __slots__ = ()
+    radius: Number
+    inner_radius: Number
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the inner radius is the smaller one."""
+        values = reader.fields(cls, path, given)
+        large, small = (reader.value(values.get(name, 0.0)) for name in ("radius", "inner_radius"))
+        if large is not None and small is not None and 0.0 < large <= small:
+            message = f"must be less than the radius {large:.15g} m, got {small:.15g}"
+            reader.draft.error((*path, "inner_radius"), message)
+            values["inner_radius"] = 0.0
+        return cls(**values)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cylinder(Round):
+    """A cylinder, or a tube."""
+
+    type = "cylinder"
+
+    radius: Annotated[Number, _RADIUS]
+    length: Annotated[Number, _LENGTH]
+    inner_radius: Annotated[Number, _INNER] = 0.0
+    axis: Annotated[Literal["x", "y", "z"], Choice(words=("x", "y", "z"))] = "z"
+    density: Annotated[Number | None, _density("kg/m3")] = None
+
+    def gyration(self) -> tuple[Number, Vector]:
+        """Squares along the axis and across it."""
+        square = self.radius * self.radius + self.inner_radius * self.inner_radius
+        along, across = square / 2.0, (3.0 * square + self.length * self.length) / 12.0
+        radii = tuple(along if name == self.axis else across for name in "xyz")
+        return math.pi * _ring(self) * self.length, radii
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sphere(Round):
+    """A ball, or a hollow one."""
+
+    type = "sphere"
+
+    radius: Annotated[Number, _RADIUS]
+    inner_radius: Annotated[Number, _INNER] = 0.0
+    density: Annotated[Number | None, _density("kg/m3")] = None
+
+    def gyration(self) -> tuple[Number, Vector]:
+        """Fifth powers over cubes."""
+        outer, inner = self.radius, self.inner_radius
+        cubes = outer**3.0 - inner**3.0
+        radius = 0.4 * (outer * outer)
+        if not isinstance(inner, float) or inner != 0.0:
+            radius = 0.4 * (outer**5.0 - inner**5.0) / cubes
+        return 4.0 / 3.0 * math.pi * cubes, (radius,) * 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Disc(Round):
+    """A disc in the plane, or a ring."""
+
+    type = "disc"
+
+    radius: Annotated[Number, _RADIUS]
+    inner_radius: Annotated[Number, _INNER] = 0.0
+    density: Annotated[Number | None, _density("kg/m2")] = None
+
+    def gyration(self) -> tuple[Number, Vector]:
+        """Half the squares of the radii."""
+        square = self.radius * self.radius + self.inner_radius * self.inner_radius
+        return math.pi * _ring(self), (square / 2.0,)
+
+
+def _ring(shape: Round) -> Number:
+    return shape.radius * shape.radius - shape.inner_radius * shape.inner_radius
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rod(Shape):
+    """A slender rod in the plane, along x."""
+
+    type = "rod"
+
+    length: Annotated[Number, _LENGTH]
+    density: Annotated[Number | None, _density("kg/m")] = None
+
+    def gyration(self) -> tuple[Number, Vector]:
+        """Square of the length over twelve."""
+        return self.length, (self.length * self.length / 12.0,)
+
+
+SHAPES: dict[int, dict[str, type[Shape]]] = {
+    2: {"box": Box, "disc": Disc, "rod": Rod},
+    3: {"box": Box, "cylinder": Cylinder, "sphere": Sphere},
+}
+"""Shapes that a rigid body may have, by dimension."""
+
+# --------------------------------------------------------------------------------------- inertia
+
+
+def read_inertia(
+    reader: "Reader", path: Path, given: Any, mass: Number | None
+) -> tuple[Number, Inertia]:
+    """Return mass in kg and inertia in kg.m2 of a rigid body; its own mass is read already."""
+    inertia = _inertia(reader, (*path, "inertia"), given.inertia)
+    known = 0.0 if mass is None else mass
+    if isinstance(given.shape, dict):
+        return _from_shape(reader, path, given, mass)
+    missing = [f"'{name}'" for name in ("mass", "inertia") if getattr(given, name) is None]
+    if missing and given.shape is None:
         message = f"{' and '.join(missing)} {'are' if len(missing) == 2 else 'is'} missing"
         help = "write mass and inertia, or a shape with a density"
-        geometry.draft.error(path, message, help)
-    return _known(mass), inertia
+        reader.draft.error(path, message, help)
+    return known, inertia
 
 
 def _from_shape(
-    geometry: Geometry, path: Path, part: Any, mass: Number | None
+    reader: "Reader", path: Path, given: Any, mass: Number | None
 ) -> tuple[Number, Inertia]:
-    draft, where = geometry.draft, (*path, "shape")
-    otherwise: Inertia = 0.0 if geometry.dimension == 2 else NOTHING
-    if part.inertia is not None:
+    draft, where = reader.draft, (*path, "shape")
+    otherwise: Inertia = 0.0 if reader.dimension == 2 else NOTHING
+    if given.inertia is not None:
         help = "leave out 'inertia' or 'shape'"
         draft.error((*path, "inertia"), "the shape gives the inertia already", help)
-    shape = _shape(geometry, where, part.shape)
-    if shape is None:
-        return _known(mass), otherwise
-    density_at = (*where, "density")
-    unit = _DENSITY[shape.type]
-    density = geometry.numbers.optional(density_at, shape.density, GEOMETRY, POSITIVE, unit)
-    if part.mass is not None and shape.density is not None:
+    kind = _class_of_shape(reader, where, given.shape)
+    if kind is None:
+        return (0.0 if mass is None else mass), otherwise
+    fields = draft.part(where, kind, given.shape)
+    shape = kind.read(reader, where, fields)
+    if mass is not None and fields.density is not None:
         help = "leave out 'mass' or 'density'"
         draft.error((*path, "mass"), "the density of the shape gives the mass already", help)
-    if part.mass is None and shape.density is None:
-        help = f"write a density in {unit} into the shape, or a mass"
+    if mass is None and fields.density is None:
+        help = (
+            f"write a density in {fields_of(kind)['density'].kind.unit} into the shape, or a mass"
+        )
         draft.error(where, "neither 'density' nor the body's 'mass' is given", help)
-    sizes = Sizes(geometry, where, shape)
 
-    def weight() -> tuple[Number, Inertia]:
-        volume, radii = GYRATION[shape.type](sizes)
-        given = _known(density) * volume if mass is None else mass
-        return given, _scaled(given, radii)
+    def scaled() -> tuple[Number, Inertia]:
+        volume, radii = shape.gyration()
+        own = (0.0 if shape.density is None else shape.density) * volume if mass is None else mass
+        if len(radii) == 1:
+            return own, own * radii[0]
+        return own, _diagonal(*(own * radius for radius in radii))
 
-    return geometry.calculated(where, weight, (0.0, otherwise))
-
-
-def _known(number: Number | None) -> Number:
-    """Put a number in the place of one whose absence has been reported."""
-    return 0.0 if number is None else number
+    return reader.calculated(where, scaled, (0.0, otherwise))
 
 
-def _scaled(mass: Number, radii: Vector) -> Inertia:
-    """Inertia from the squared radii of gyration: a number, or a diagonal matrix."""
-    if len(radii) == 1:
-        return mass * radii[0]
-    x, y, z = (mass * radius for radius in radii)
+def _diagonal(x: Number, y: Number, z: Number) -> tuple[Vector, Vector, Vector]:
     return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
 
 
-def _shape(geometry: Geometry, path: Path, data: dict[str, Any]) -> Any:
-    """Check the fields of a shape; None where its type is of no use."""
-    known = SHAPES.get(geometry.dimension or 0, SHAPES[3] | SHAPES[2])
-    title = f"shapes in dimension {geometry.dimension or 3}"
+def _class_of_shape(reader: "Reader", path: Path, data: dict[str, Any]) -> type[Shape] | None:
+    """Class of a shape; None where its type is of no use."""
+    known = SHAPES.get(reader.dimension or 0, SHAPES[3] | SHAPES[2])
+    title = f"shapes in dimension {reader.dimension or 3}"
 
     def elsewhere(kind: str) -> tuple[str, str] | None:
         possible = [dimension for dimension, shapes in SHAPES.items() if kind in shapes]
         message = f"'{kind}' is possible only in dimension {(*possible, 0)[0]}"
         return (message, f"{title}: {', '.join(known)}") if possible else None
 
-    model = geometry.draft.model(path, data, known, title, elsewhere)
-    return None if model is None else geometry.draft.part(path, model, data)
+    return reader.draft.class_of(path, data, known, title, elsewhere)
 
 
-def _inertia(geometry: Geometry, path: Path, given: Any) -> Inertia:
+def _inertia(reader: "Reader", path: Path, given: Any) -> Inertia:
     """Read an inertia: a number in 2-D; principal moments or a matrix in 3-D."""
-    draft, planar = geometry.draft, geometry.dimension == 2
-    if given is None or given is BROKEN or geometry.dimension is None:
+    draft, planar = reader.draft, reader.dimension == 2
+    if given is None or given is BROKEN or reader.dimension is None:
         return 0.0 if planar else NOTHING
     if planar:
         if isinstance(given, list):
             draft.error(path, "must be a number in dimension 2, got a list")
             return 0.0
-        return geometry.numbers.number(path, given, GEOMETRY, NOT_NEGATIVE, "kg.m2")
+        return reader.number(path, given, rule=NOT_NEGATIVE, unit="kg.m2")
     if not isinstance(given, list):
         message = "must be [Jx, Jy, Jz] or 3 rows of 3 numbers in dimension 3, got a number"
         draft.error(path, message)
         return NOTHING
     if any(isinstance(row, list) for row in given):
-        return _matrix(geometry, path, given)
-    moments = geometry.vector(path, given)
-    values = geometry.values(moments)
+        return _matrix(reader, path, given)
+    moments = reader.vector(path, given)
+    values = reader.values(moments)
     if len(moments) != 3:
         return NOTHING
     if values is not None:
         names = ["Jx", "Jy", "Jz"]
         order = sorted(range(3), key=lambda i: values[i])
-        _possible(geometry, path, [values[i] for i in order], [names[i] for i in order])
-    x, y, z = moments
-    return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
+        _possible(reader, path, [values[i] for i in order], [names[i] for i in order])
+    return _diagonal(*moments)
 
 
-def _matrix(geometry: Geometry, path: Path, given: Any) -> Inertia:
+def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
     if [len(row) for row in given] != [3, 3, 3]:
-        geometry.draft.error(path, "must have 3 rows of 3 numbers")
+        reader.draft.error(path, "must have 3 rows of 3 numbers")
         return NOTHING
-    rows = [geometry.vector((*path, i), row) for i, row in enumerate(given)]
-    values = [geometry.values(row) for row in rows]
+    rows = [reader.vector((*path, i), row) for i, row in enumerate(given)]
+    values = [reader.values(row) for row in rows]
     if not any(row is None for row in values):
         matrix = [list(row or ()) for row in values]
         size = max(abs(x) for row in matrix for x in row)
@@ -141,27 +282,27 @@ def _matrix(geometry: Geometry, path: Path, given: Any) -> Inertia:
             if abs(matrix[i][j] - matrix[j][i]) > 1e-9 * size:
                 names = "xyz"[i] + "xyz"[j]
                 message = f"must be symmetric: J{names} = {matrix[i][j]:.15g}, but J{names[::-1]} ="
-                geometry.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
+                reader.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
                 return NOTHING
         names = ["J1", "J2", "J3"]
-        _possible(geometry, path, principal_moments(matrix), names)
+        _possible(reader, path, principal_moments(matrix), names)
     (a, d, e), (_, b, f), (_, _, c) = rows
     return (a, d, e), (d, b, f), (e, f, c)
 
 
-def _possible(geometry: Geometry, path: Path, moments: list[float], names: list[str]) -> None:
+def _possible(reader: "Reader", path: Path, moments: list[float], names: list[str]) -> None:
     """Report moments, the largest last, that no body can have."""
     small, middle, large = moments
     principal = "" if "Jx" in names else " (principal moments)"
     if small < -ROUND_OFF * large or large < 0.0:
         message = f"inertia that no body can have: {names[0]} = {small:.12g} < 0 kg.m2{principal}"
-        geometry.draft.error(path, message)
+        reader.draft.error(path, message)
     elif large > (small + middle) * (1.0 + ROUND_OFF):
         message = (
             f"inertia that no body can have: {names[2]} = {large:.12g} > "
             f"{names[0]} + {names[1]} = {small + middle:.12g} kg.m2{principal}"
         )
-        geometry.draft.error(path, message, "give it about the centre of mass, in kg.m2")
+        reader.draft.error(path, message, "give it about the centre of mass, in kg.m2")
 
 
 def principal_moments(matrix: list[list[float]]) -> list[float]:

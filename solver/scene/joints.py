@@ -1,160 +1,502 @@
-"""Joints of a scene: which bodies and points they join, where, and along which axes."""
+"""Joints of a scene: what they join, where and along which axes, and what they offer.
 
-from __future__ import annotations
+Places and axes are those of the drawn configuration, in global axes. Angles and displacements of
+joints are zero as drawn; forces and torques are those on the second body, the point or the disc.
+"""
 
 import math
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
-from solver.scene import schema_joints as schema
-from solver.scene.body_joints import ALIGNED, BodyJoints
-from solver.scene.expression import Number
-from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry
-from solver.scene.joint_names import JointNames
-from solver.scene.numbers import GEOMETRY, NOT_ZERO, POSITIVE, Place
-from solver.scene.references import References
-from solver.scene.report import Path
-from solver.scene.vocabulary_joints import (
-    ConstantAngle,
-    Distance,
-    Gear,
-    Joint,
-    PointOn,
-    Rack,
-    Rolling,
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import (
+    BROKEN,
+    ONE_END,
+    TWO_AXES,
+    TWO_BODIES,
+    TWO_ENDS,
+    BodyName,
+    Components,
+    Direction,
+    JointNames,
+    Part,
+    Plain,
+    PointReference,
+    Quantity,
 )
+from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, VECTOR, Offer
+from solver.scene.report import Path
+from solver.scene.rules import NOT_ZERO, POSITIVE, Place
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
+
+ALIGNED = 1e-6
+"""Sine of an angle below which directions count as parallel, and its cosine as perpendicular."""
+
+ANGLE = (
+    Offer("angle", "rad", "angle of {name}, zero as drawn, unwrapped", "position"),
+    Offer("angular_velocity", "rad/s", "angular velocity of {name}", "rate"),
+)
+DISPLACEMENT = (
+    Offer("displacement", "m", "displacement of {name}, zero as drawn", "position"),
+    Offer("velocity", "m/s", "velocity along {name}", "rate"),
+)
+_TORQUE_TEXT = "torque of {name} on its second body, about the joint's place, {axis} component"
+TORQUE = Offer("torque.{}", "N.m", _TORQUE_TEXT, axes=ROTATION)
+TORQUE_IN_SPACE = Offer("torque.{}", "N.m", _TORQUE_TEXT, axes=ROTATION_IN_SPACE)
 
 
-class Joints:
-    """Reader of the table [joints]."""
+def _force_on(what: str) -> Offer:
+    return Offer("force.{}", "N", f"force of {{name}} on {what}, {{axis}} component", axes=VECTOR)
 
-    def __init__(self, geometry: Geometry, references: References, names: JointNames) -> None:
-        self.geometry = geometry
-        self.references = references
-        self.draft = geometry.draft
-        self.names = names
-        self.of_bodies = BodyJoints(geometry, references)
 
-    def read(self) -> dict[str, Joint]:
-        """Read all joints."""
-        return {name: self._joint(name, part) for name, part in self.draft.parts("joints").items()}
+def _on_the_second(word: str, unit: str) -> tuple[Offer]:
+    return (Offer(word, unit, f"{word} of {{name}} on the motion of its second part"),)
 
-    def _joint(self, name: str, part: Any) -> Joint:
-        reader, path = _READERS.get(type(part)), ("joints", name)
-        return self.of_bodies.read(path, part) if reader is None else reader(self, path, part)
 
-    def _distance(self, path: Path, part: schema.Distance) -> Distance:
-        number = self.geometry.numbers.optional
-        return Distance(
-            points=self.references.ends(path, part),
-            length=number((*path, "length"), part.length, GEOMETRY, POSITIVE, "m"),
-        )
+FORCE = _force_on("its second body")
 
-    def _point_on(self, path: Path, part: Any) -> PointOn:
-        """Read a point that stays on a line, plane or surface of a body."""
-        point = self.references.point(path, part)
-        where = (*path, "point")
-        if point.point in self.references.fixed and part.body == "ground":
-            self.draft.error(where, f"the point '{point.point}' is fixed, and so is the ground")
-        body = None
-        if part.body is not BROKEN and self.references.body((*path, "body"), part.body, True):
-            body = None if part.body == "ground" else part.body
-        if body is not None and point.point and self.references.owner(point.point) == body:
-            self.draft.error(where, f"'{point.point}' is a point of the body '{body}' itself")
-        if isinstance(part, schema.PointOnSurface):
-            return PointOn(
-                type=part.type, point=point, body=body, surface=self._surface(path, part)
-            )
-        return PointOn(
-            type=part.type,
-            point=point,
-            body=body,
-            position=self.geometry.optional((*path, "position"), part.position),
-            axis=self.geometry.axis((*path, "axis"), part.axis),
-        )
+Ends: TypeAlias = tuple[PointReference, PointReference]
+Pair: TypeAlias = tuple[str | None, str | None]
+"""Names of two rigid bodies (in the plane also of bars); None is the ground."""
 
-    def _surface(self, path: Path, part: schema.PointOnSurface) -> Number:
-        where = (*path, "surface")
-        own = ("x", "y") if self.geometry.dimension == 2 else ("x", "y", "z")
-        surface = self.geometry.numbers.number(where, part.surface, Place(tunable=False, own=own))
-        if part.surface is not BROKEN and not any(m.name in own for m in part.surface.mentions):
+_PLACE = Components("m", "place of the joint as drawn", example=[0, 0, 0])
+_PLACE_OR_ORIGIN = Components("m", "place of the joint as drawn; origin of the second body")
+_AXIS = Direction(text="direction as drawn, of any length", example=[0, 0, 1], required=True)
+_NORMAL = Direction(text="normal of the plane, as drawn", example=[0, 0, 1], required=True)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Distance(Part):
+    """A massless rod: two points keep their distance."""
+
+    type = "distance"
+    offers = (
+        Offer(
+            "force",
+            "N",
+            "force in joint '{name}', positive in tension: it pulls its points together",
+        ),
+    )
+
+    points: Annotated[Ends, TWO_ENDS]
+    length: Annotated[Number | None, Quantity("m", "as drawn unless given", POSITIVE)] = None
+
+
+# ------------------------------------------------------------------------- joints of two bodies
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BodyJoint(Part):
+    """A lower pair between two bodies, or two points that coincide."""
+
+    meets: ClassVar[bool] = False
+    """Whether a place of one body and one of the other are the same, at the position."""
+    takes_points: ClassVar[bool] = False
+    """Whether it may join two points instead of two bodies."""
+
+    bodies: Annotated[Pair | None, TWO_BODIES]
+    position: Annotated[Vector | None, _PLACE]
+    axis: Vector | None = None
+    """Fixed in the first body."""
+    points: Ends | None = None
+    """Instead of `bodies` and `position`."""
+    on: Pair = (None, None)
+    """Named points of the two bodies that `position` means, since it lies there: "rod.tip"."""
+
+    @classmethod
+    def offered(cls, *, joins_points: bool) -> tuple[Offer, ...]:
+        """Points that are one have a force between them and nothing else."""
+        return (FORCE,) if joins_points and cls.takes_points else cls.offers
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that it joins two bodies at a place, and find their points that are there."""
+        how = "write bodies = [...] and position = [...]"
+        if getattr(given, "points", None) is not None:
+            return cls(**_shared_point(reader, path, given, cls.type, how))
+        if given.bodies is None:
+            reader.draft.error(path, "'bodies' is missing", how)
+        if getattr(given, "at", None) is not None:
+            message = "'at' belongs to 'points'; bodies meet at 'position'"
+            reader.draft.error((*path, "at"), message)
+        values = reader.fields(cls, path, given)
+        if given.position is None and given.bodies is not None:
+            values["position"] = _origin(reader, values["bodies"])
+            if cls.meets and cls is not Fixed:
+                help = f"write position = {'[0, 0]' if reader.dimension == 2 else '[0, 0, 0]'}"
+                message = "'position' is missing: where the bodies meet"
+                reader.draft.error(path, message, help)
+        if cls.meets and given.position is not None and given.bodies is not None:
+            values["on"] = _named_points(reader, path, cls, values)
+        return cls(**values)
+
+
+def _shared_point(
+    reader: "Reader", path: Path, given: Any, kind: str, how: str
+) -> dict[str, Any]:  # fmt: skip
+    """Read two points that become one."""
+    if given.bodies is not None:
+        message = "either 'points' or 'bodies' is possible, not both"
+        reader.draft.error((*path, "bodies"), message, "leave out one of them")
+    for field in ("position", "axis"):
+        if getattr(given, field, None) is not None:
+            message = f"points that become one need no '{field}'"
+            reader.draft.error((*path, field), message, "leave it out")
+    if kind == "revolute" and reader.dimension == 3:
+        message = "a revolute joint in space joins bodies, not points"
+        reader.draft.error((*path, "points"), message, f'{how}, or type = "spherical"')
+    return {"points": reader.ends(path, given.points, given.at)}
+
+
+def _origin(reader: "Reader", pair: Pair) -> Vector:
+    """Place of a joint whose position does not matter: the origin of the second body, if any."""
+    places = [reader.places.drawn[name] for name in pair[::-1] if name in reader.places.drawn]
+    return places[0] if places else reader.zero()
+
+
+def _named_points(
+    reader: "Reader", path: Path, joint: type[BodyJoint], values: dict[str, Any]
+) -> Pair:
+    """Named points of the two bodies that are one at the position of a joint."""
+    pair, where = values["bodies"], (*path, "position")
+    first, second = (
+        reader.places.point_at(where, body, values["position"]) for body in pair
+    )  # fmt: skip
+    held = {*reader.fixed, None} if None in pair else {first}
+    if (first or second) and {first, second} <= held:
+        message = f"the bar ends in the fixed point '{first or second}', which holds it already"
+        if None not in pair:
+            message = f"both bars end in '{first}', about which they turn already"
+        bar = pair[1] or pair[0]
+        help = f"leave the joint out: '{bar}' turns about its ends"
+        if joint is Fixed:
+            help = f'hold its angle instead, by a constraint with value = "{bar}.angle - ..."'
+        reader.draft.error(path, message, help)
+    return first, second
+
+
+def _cosine(reader: "Reader", axes: tuple[Vector, Vector]) -> float | None:
+    """Cosine of the angle between two directions; None where one has no direction."""
+    first, second = (reader.values(axis) for axis in axes)
+    if not first or not second or len(first) != len(second):
+        return None
+    lengths = math.hypot(*first) * math.hypot(*second)
+    if not 0.0 < lengths < math.inf:
+        return None
+    cosine = math.fsum(x * y for x, y in zip(first, second, strict=True)) / lengths
+    return max(-1.0, min(1.0, cosine))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spherical(BodyJoint):
+    """Two bodies share a point; or two points are one."""
+
+    type = "spherical"
+    offers = (FORCE,)
+    only_in_space = "in the plane 'revolute' lets two bodies share a point"
+    meets = takes_points = True
+
+    bodies: Annotated[Pair | None, TWO_BODIES] = None
+    position: Annotated[Vector | None, _PLACE] = None
+    points: Annotated[Ends | None, TWO_ENDS] = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Revolute(BodyJoint):
+    """A hinge; in the plane two bodies share a point, or two points are one."""
+
+    type = "revolute"
+    offers = (*ANGLE, FORCE, TORQUE_IN_SPACE)
+    meets = takes_points = True
+
+    bodies: Annotated[Pair | None, TWO_BODIES] = None
+    position: Annotated[Vector | None, _PLACE] = None
+    axis: Annotated[
+        Vector | None,
+        Direction(text="direction as drawn, of any length; only in 3-D", example=[0, 0, 1]),
+    ] = None
+    points: Annotated[Ends | None, TWO_ENDS] = None
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that there is an axis in space, and none in the plane."""
+        if given.points is None and reader.dimension == 2 and given.axis is not None:
+            message = "a revolute joint in the plane has no axis: it turns about z"
+            reader.draft.error((*path, "axis"), message, "leave it out")
+            given.axis = None
+        elif given.points is None and reader.dimension == 3 and given.axis is None:
+            reader.draft.error(path, "'axis' is missing", "write axis = [0, 0, 1]")
+        return super(Revolute, cls).read(reader, path, given)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Universal(BodyJoint):
+    """A Cardan joint: a cross of two perpendicular axes, one in each body."""
+
+    type = "universal"
+    offers = (FORCE, TORQUE)
+    only_in_space = "in the plane bodies turn about one axis only: 'revolute'"
+    meets = True
+
+    axes: Annotated[
+        tuple[Vector, Vector],
+        replace(TWO_AXES, text="axis in the first and in the second body, as drawn"),
+    ]
+
+    def __post_init__(self) -> None:
+        """The axis of the joint is the one in the first body."""
+        object.__setattr__(self, "axis", self.axes[0])
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the axes are at right angles."""
+        joint = super(Universal, cls).read(reader, path, given)
+        cosine = _cosine(reader, joint.axes)
+        if cosine is not None and abs(cosine) > ALIGNED:
+            angle = math.degrees(math.acos(cosine))
+            message = f"the two axes must be perpendicular, got {angle:.6g} degrees between them"
+            reader.draft.error((*path, "axes"), message)
+        return joint
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cylindrical(BodyJoint):
+    """The second body turns about an axis of the first and slides along it."""
+
+    type = "cylindrical"
+    offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
+    only_in_space = "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot"
+
+    axis: Annotated[Vector | None, _AXIS] = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Prismatic(BodyJoint):
+    """The second body slides along an axis of the first without turning."""
+
+    type = "prismatic"
+    offers = (*DISPLACEMENT, FORCE, TORQUE)
+
+    position: Annotated[Vector | None, _PLACE_OR_ORIGIN] = None
+    axis: Annotated[Vector | None, _AXIS] = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Planar(BodyJoint):
+    """The second body slides on a plane of the first."""
+
+    type = "planar"
+    offers = (FORCE, TORQUE)
+    only_in_space = "in the plane it has no effect: leave it out"
+
+    axis: Annotated[Vector | None, _NORMAL] = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fixed(BodyJoint):
+    """Two bodies move as one."""
+
+    type = "fixed"
+    offers = (FORCE, TORQUE)
+    meets = True
+
+    position: Annotated[Vector | None, _PLACE_OR_ORIGIN] = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Screw(BodyJoint):
+    """A cylindrical joint whose turning and sliding go together."""
+
+    type = "screw"
+    offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
+    only_in_space = "in the plane write 'rack'"
+
+    axis: Annotated[Vector | None, _AXIS] = None
+    pitch: Annotated[Number, Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
+    """Advance of the second body."""
+
+
+# --------------------------------------------------------------------------- joints of one point
+
+
+class PointOn(Part):
+    """A point stays on a line, a plane or a surface that a body carries."""
+
+    __slots__ = ()
+    offers = (_force_on("the point"),)
+
+    point: PointReference
+    body: str | None
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the point is none of the body, and that one of the two can move."""
+        values, where = reader.fields(cls, path, given), (*path, "point")
+        point, body = values["point"].point, values.get("body")
+        if point in reader.fixed and given.body in (None, "ground"):
+            reader.draft.error(where, f"the point '{point}' is fixed, and so is the ground")
+        if body is not None and point and reader.owner(point) == body:
+            reader.draft.error(where, f"'{point}' is a point of the body '{body}' itself")
+        return cls(**values)
+
+
+class Surface(Quantity):
+    """An expression that depends on the coordinates of a point."""
+
+    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Number:  # noqa: ARG002
+        """Check that it mentions them."""
+        own = ("x", "y", "z")[: reader.dimension or 3]
+        number = reader.number(path, value, Place(tunable=False, own=own))
+        if value is not BROKEN and not any(mention.name in own for mention in value.mentions):
             message = f"mentions none of the coordinates {', '.join(own)} of the point"
-            self.draft.error(where, message, "write an expression that is 0 on the surface")
-        return surface
+            reader.draft.error(path, message, "write an expression that is 0 on the surface")
+        return number
 
-    def _angle(self, path: Path, part: schema.Angle) -> ConstantAngle:
-        pair = self.references.pair((*path, "bodies"), part.bodies)
-        axes = self.of_bodies.two_axes((*path, "axes"), part.axes)
-        value = self.geometry.numbers.optional((*path, "value"), part.value, GEOMETRY)
-        cosine = self.of_bodies.cosine(axes)
-        given = None if value is None else self.geometry.numbers.value(value)
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointOnLine(PointOn):
+    """A point stays on a line of a body."""
+
+    type = "point_on_line"
+
+    point: Annotated[PointReference, ONE_END]
+    body: Annotated[str | None, BodyName()] = None
+    position: Annotated[Vector | None, Components("m", "a place of the line as drawn")] = None
+    """None: where the point is drawn."""
+    axis: Annotated[Vector, _AXIS]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointOnPlane(PointOn):
+    """A point stays on a plane of a body."""
+
+    type = "point_on_plane"
+    only_in_space = "in the plane write 'point_on_line'"
+
+    point: Annotated[PointReference, ONE_END]
+    body: Annotated[str | None, BodyName()] = None
+    position: Annotated[Vector | None, Components("m", "a place of the plane as drawn")] = None
+    axis: Annotated[Vector, _NORMAL]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointOnSurface(PointOn):
+    """A point stays on a surface F(x, y, z) = 0 of a body; in the plane on a curve F(x, y) = 0.
+
+    The coordinates are those in the axes of the body, from its origin.
+    """
+
+    type = "point_on_surface"
+
+    point: Annotated[PointReference, ONE_END]
+    body: Annotated[str | None, BodyName()] = None
+    surface: Annotated[
+        Number, Surface(text="zero on the surface, in body axes", example="x**2 + y**2 - 1")
+    ]
+
+
+# ------------------------------------------------------------------------------ other relations
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConstantAngle(Part):
+    """The angle between an axis of one body and one of another is constant."""
+
+    type = "angle"
+    offers = _on_the_second("torque", "N.m")
+    only_in_space = "in the plane write 'prismatic', which keeps the angle of two bodies"
+
+    bodies: Annotated[Pair, TWO_BODIES]
+    axes: Annotated[tuple[Vector, Vector], TWO_AXES]
+    value: Annotated[Number | None, Quantity("rad", "as drawn unless given")] = None
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the axes are not parallel, where the joint is singular."""
+        joint = super(ConstantAngle, cls).read(reader, path, given)
+        value, cosine = joint.value, _cosine(reader, joint.axes)
+        angle = None if value is None else reader.value(value)
         help = "for parallel axes write 'prismatic', 'cylindrical' or 'planar'"
-        if given is not None and not (ALIGNED < given < math.pi - ALIGNED):
-            if given > math.pi:
-                help = f'if these are degrees, write "{given:.12g}*pi/180"'
-            message = f"must be > 0 and < pi rad, where the joint is singular, got {given:.15g}"
-            self.draft.error((*path, "value"), message, help)
+        if angle is not None and not (ALIGNED < angle < math.pi - ALIGNED):
+            if angle > math.pi:
+                help = f'if these are degrees, write "{angle:.12g}*pi/180"'
+            message = f"must be > 0 and < pi rad, where the joint is singular, got {angle:.15g}"
+            reader.draft.error((*path, "value"), message, help)
         elif value is None and cosine is not None and 1.0 - abs(cosine) < 0.5 * ALIGNED**2:
             message = "the axes are parallel as drawn, where the joint is singular"
-            self.draft.error((*path, "axes"), message, help)
-        return ConstantAngle(bodies=pair, axes=axes, value=value)
+            reader.draft.error((*path, "axes"), message, help)
+        return joint
 
-    def _gear(self, path: Path, part: schema.Gear) -> Gear:
-        number = self.geometry.numbers.number
-        return Gear(
-            joints=self._two_joints(path, part, self.names.with_angle),
-            ratio=number((*path, "ratio"), part.ratio, GEOMETRY, NOT_ZERO),
-        )
 
-    def _rack(self, path: Path, part: schema.Rack) -> Rack:
-        number = self.geometry.numbers.number
-        return Rack(
-            joints=self._two_joints(path, part, self.names.with_displacement),
-            radius=number((*path, "radius"), part.radius, GEOMETRY, NOT_ZERO, "m"),
-        )
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Gear(Part):
+    """angle of the second joint = ratio * angle of the first."""
 
-    def _two_joints(self, path: Path, part: Any, second_fits: Any) -> tuple[str, str]:
-        if part.joints is BROKEN:
-            return "", ""
-        first, second = part.joints
-        fine = self.names.with_angle((*path, "joints", 0), first)
-        fine = second_fits((*path, "joints", 1), second) and fine
-        if fine and first == second and part.type == "gear":
-            self.draft.error((*path, "joints"), f"both joints are '{first}'")
-        return first, second
+    type = "gear"
+    offers = _on_the_second("torque", "N.m")
 
-    def _rolling(self, path: Path, part: schema.Rolling) -> Rolling:
-        geometry, planar = self.geometry, self.geometry.dimension == 2
-        if part.body is not BROKEN:
-            if geometry.known.parts.get(part.body) == "bar":
-                self.draft.error((*path, "body"), f"'{part.body}' is a bar, and does not roll")
-            else:
-                self.references.body((*path, "body"), part.body)
-        axis = None
-        if planar and part.axis is not None:
+    joints: Annotated[
+        tuple[str, str], JointNames(item=Plain(), two=True, example=["first", "second"])
+    ]
+    ratio: Annotated[Number, Quantity(rule=NOT_ZERO, example=-2.0)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rack(Part):
+    """displacement of the second joint = radius * angle of the first."""
+
+    type = "rack"
+    offers = _on_the_second("force", "N")
+
+    joints: Annotated[
+        tuple[str, str],
+        JointNames(item=Plain(), two=True, example=["first", "second"], second="displacement"),
+    ]
+    radius: Annotated[Number, Quantity("m", "of the pinion", NOT_ZERO, example=0.1)]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rolling(Part):
+    """A thin disc rolls without slip on a plane; in the plane on a line."""
+
+    type = "rolling"
+    offers = (_force_on("the disc"),)
+
+    body: Annotated[str, Plain(example="wheel")]
+    """Its origin is the centre of the disc."""
+    radius: Annotated[Number, Quantity("m", rule=POSITIVE, example=0.1)]
+    axis: Annotated[
+        Vector | None, Direction(text="of the disc; only in 3-D", example=[0, 1, 0])
+    ] = None
+    position: Annotated[Vector | None, Components("m", "a place of the plane; the origin")] = None
+    normal: Annotated[Vector | None, Direction(text="towards the disc; +z, in 2-D +y")] = None
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Check that the body can roll, about an axis in space."""
+        draft, body = reader.draft, given.body
+        if body is not BROKEN and reader.known.parts.get(body) == "bar":
+            draft.error((*path, "body"), f"'{body}' is a bar, and does not roll")
+        elif body is not BROKEN:
+            reader.body((*path, "body"), body)
+        if reader.dimension == 2 and given.axis is not None:
             message = "a disc in the plane has no axis: it turns about z"
-            self.draft.error((*path, "axis"), message, "leave it out")
-        elif not planar and part.axis is None:
-            self.draft.error(path, "'axis' is missing: that of the disc", "write axis = [0, 1, 0]")
-        elif part.axis is not None:
-            axis = geometry.axis((*path, "axis"), part.axis)
-        normal = part.normal
-        return Rolling(
-            body=part.body if isinstance(part.body, str) else "",
-            radius=geometry.numbers.number((*path, "radius"), part.radius, GEOMETRY, POSITIVE, "m"),
-            axis=axis,
-            position=geometry.optional((*path, "position"), part.position),
-            normal=None if normal is None else geometry.axis((*path, "normal"), normal),
-        )
+            draft.error((*path, "axis"), message, "leave it out")
+            given.axis = None
+        elif reader.dimension != 2 and given.axis is None:
+            draft.error(path, "'axis' is missing: that of the disc", "write axis = [0, 1, 0]")
+        return super(Rolling, cls).read(reader, path, given)
 
 
-_READERS: dict[type, Any] = {
-    schema.Distance: Joints._distance,
-    schema.PointOnLine: Joints._point_on,
-    schema.PointOnPlane: Joints._point_on,
-    schema.PointOnSurface: Joints._point_on,
-    schema.Angle: Joints._angle,
-    schema.Gear: Joints._gear,
-    schema.Rack: Joints._rack,
-    schema.Rolling: Joints._rolling,
+JOINTS: dict[str, type[Part]] = {
+    joint.type: joint
+    for joint in (
+        *(Distance, Spherical, Revolute, Universal, Cylindrical, Prismatic, Planar, Fixed),
+        *(PointOnLine, PointOnPlane, PointOnSurface, ConstantAngle, Gear, Rack, Screw, Rolling),
+    )
 }
+"""Types of joints."""
+
+Joint: TypeAlias = Distance | BodyJoint | PointOn | ConstantAngle | Gear | Rack | Rolling

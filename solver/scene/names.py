@@ -7,22 +7,16 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from solver.scene.diagnostics import Draft
+from solver.scene.draft import Draft
+from solver.scene.fields import Part
 from solver.scene.numbers import Known
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
-from solver.scene.quantities import SHARED_POINT, Inventory
+from solver.scene.quantities import MOTION, Offer
 from solver.scene.report import Path
-from solver.scene.schema import TYPES
+from solver.scene.scene import NOUNS, TABLES, TYPES
 from solver.scene.words import a
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
-
-KINDS: dict[str, str] = {
-    "parameters": "parameter", "inputs": "input", "outputs": "output", "points": "point",
-    "bodies": "body", "joints": "joint", "constraints": "constraint", "forces": "force",
-    "drivers": "driver",
-}  # fmt: skip
-"""Tables whose keys are names, and what they name; one name stands for one thing in all tables."""
 
 RESERVED: dict[str, str] = {
     "ground": "the fixed body",
@@ -54,7 +48,7 @@ def check_names(draft: Draft) -> None:
     """Report names that cannot be used and names used twice."""
     taken: dict[str, Path] = {}
     for table in draft.data:  # in the order of the file: the second use is the mistake
-        entries = draft.data[table] if table in KINDS else None
+        entries = draft.data[table] if table in NOUNS else None
         for name in entries if isinstance(entries, dict) else ():
             path = (table, name)
             check_name(draft, path, name)
@@ -62,14 +56,14 @@ def check_names(draft: Draft) -> None:
                 first = taken[name]
                 line = draft.source.problem(first, "").line
                 where = f" in line {line}" if line else ""
-                owner = KINDS[str(first[0])]
+                owner = NOUNS[str(first[0])]
                 draft.error(path, f"the name '{name}' is already that of {a(owner)}{where}")
             taken.setdefault(name, path)
 
 
 def check_body_points(draft: Draft, known: Known) -> None:
     """Report points of bodies whose names cannot be used after the name of their body."""
-    for body, point in _body_points(draft):
+    for body, point in body_points(draft):
         path = ("bodies", body, "points", point)
         if not NAME.fullmatch(point):
             draft.error(path, f"'{point}' is not a name: a letter, then letters, digits or _")
@@ -82,46 +76,45 @@ def check_body_points(draft: Draft, known: Known) -> None:
 def kinds_of_names(draft: Draft) -> dict[str, str]:
     """What each name stands for, "point", "body", "bar", "parameter", ...; the first use counts."""
     kinds: dict[str, str] = {}
-    for table in KINDS:
-        for name in _names(draft, table):
-            bar = table == "bodies" and _type(draft, table, name) == "bar"
-            kinds.setdefault(name, "bar" if bar else KINDS[table])
+    for table, noun in NOUNS.items():
+        for name in draft.names(table):
+            bar = table == "bodies" and class_of(draft, table, name) is TYPES["bodies"]["bar"]
+            kinds.setdefault(name, "bar" if bar else noun)
     return kinds
 
 
-def inventory_of_draft(draft: Draft, dimension: int) -> Inventory:
-    """List the parts of a scene that is being read; a part of unknown type may be any."""
-    types = {
-        table: {name: _type(draft, table, name) for name in _names(draft, table)} for table in TYPES
-    }
-    return Inventory(
-        dimension=dimension,
-        points=_names(draft, "points"),
-        constraints=_names(draft, "constraints"),
-        body_points=tuple(f"{body}.{point}" for body, point in _body_points(draft)),
-        **types,
-    )
+def offered(draft: Draft) -> dict[str, tuple[Offer, ...]]:
+    """What each part of a scene that is being read offers; one of unknown type may offer all."""
+    offers: dict[str, tuple[Offer, ...]] = {}
+    for table in NOUNS:
+        for name in draft.names(table):
+            part, data = class_of(draft, table, name), draft.data[table][name]
+            before = offers.get(name, ())  # of a name that is taken twice
+            if part is None:
+                kinds = TABLES[table].types
+                offers[name] = (*before, *(offer for kind in kinds for offer in kind.offers))
+            else:
+                given = data if isinstance(data, dict) else {}
+                offers[name] = before + part.offered(
+                    joins_points="points" in given and "bodies" not in given
+                )
+    return offers | {f"{body}.{point}": MOTION for body, point in body_points(draft)}
 
 
-def _names(draft: Draft, table: str) -> tuple[str, ...]:
-    entries = draft.data.get(table)
-    return tuple(entries) if isinstance(entries, dict) else ()
-
-
-def _type(draft: Draft, table: str, name: str) -> str:
-    """Type of a part as the file gives it; "" where it is unknown."""
-    data = draft.data[table][name]
+def class_of(draft: Draft, table: str, name: str) -> type[Part] | None:
+    """Class of a part of the file; None where it is unknown."""
+    types, data = TYPES.get(table), draft.data[table][name]
+    if types is None:
+        return TABLES[table].types[0]
     kind = data.get("type") if isinstance(data, dict) else None
-    if kind is None and table == "bodies":
-        kind = "rigid"
-    if kind in ("spherical", "revolute") and "points" in data and "bodies" not in data:
-        return SHARED_POINT
-    return kind if isinstance(kind, str) and kind in TYPES[table] else ""
+    if kind is None:
+        return next((part for part in types.values() if part.is_usual), None)
+    return types.get(kind) if isinstance(kind, str) else None
 
 
-def _body_points(draft: Draft) -> Iterator[tuple[str, str]]:
+def body_points(draft: Draft) -> Iterator[tuple[str, str]]:
     """Name of each body and of each of its points."""
-    for body in _names(draft, "bodies"):
+    for body in draft.names("bodies"):
         data: Any = draft.data["bodies"][body]
         points = data.get("points") if isinstance(data, dict) else None
         for point in points if isinstance(points, dict) else ():

@@ -6,71 +6,27 @@ them here; a rule such as "mass >= 0" that fails already with the defaults is a 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import pi
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from solver.scene.diagnostics import Draft
 from solver.scene.expression import ExpressionError, Number, evaluate
 from solver.scene.fields import BROKEN
 from solver.scene.grammar import Mention, Reading
 from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
-from solver.scene.quantities import Inventory, Level, quantities
+from solver.scene.quantities import Level, Offer, quantities
 from solver.scene.report import Path
+from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
 from solver.scene.units import in_si
 from solver.scene.words import a, did_you_mean
 
+if TYPE_CHECKING:
+    from solver.scene.draft import Draft
+
 LARGEST_NUMBER = 1e100
 """Largest size of a number of a mechanism: products of three of them are finite."""
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """What an expression may mention at one kind of place."""
-
-    parameters: bool = True
-    tunable: bool = True
-    time: bool = False
-    levels: tuple[Level, ...] = ()
-    """Of the mechanism's own quantities."""
-    own: tuple[str, ...] = ()
-    """Symbols with a meaning at this place alone."""
-    of: str = ""
-    """The parameter whose value stands here, and which is no remedy for a mistake in it."""
-
-
-SETTING = Place(parameters=False, tunable=False)
-PARAMETER = PROPERTY = Place()
-GEOMETRY = Place(tunable=False)
-FORCE = Place(time=True)
-DRIVER = Place(time=True)
-LOAD = Place(time=True, levels=("position", "rate"))
-POTENTIAL = Place(levels=("position",))
-CONSTRAINT = Place(time=True, levels=("position",))
-VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
-OUTPUT = Place(time=True, levels=("position", "rate", "result"))
-
-
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """A condition on a value, with its words."""
-
-    holds: Callable[[float], bool]
-    words: str
-    help: str | None = None
-
-
-POSITIVE = Rule(lambda x: x > 0.0, "> 0")
-NOT_ZERO = Rule(lambda x: x != 0.0, "other than 0")
-NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0")
-
-
-def up_to(highest: float, above: Rule = POSITIVE) -> Rule:
-    """Rule of a range: as low as another rule has it, and no higher than this."""
-    words = f"{above.words} and <= {highest:g}"
-    return Rule(lambda x: above.holds(x) and x <= highest, words)
 
 
 @dataclass
@@ -83,8 +39,9 @@ class Known:
     """Tunable parameters, and the one each of them is calculated from, or itself."""
     ends: dict[str, None] = field(default_factory=dict)
     """Points, bodies with an origin, and points of bodies: what ``distance`` takes."""
-    inventory: Inventory | None = None
-    """The mechanism's parts, once they are counted."""
+    dimension: int = 3
+    offered: Mapping[str, tuple[Offer, ...]] = field(default_factory=dict)
+    """What each part offers, once the parts are counted."""
     values: dict[str, float] = field(default_factory=dict)
     """Default values of the parameters that have one."""
     uses: dict[str, list[Path]] = field(default_factory=dict)
@@ -93,7 +50,7 @@ class Known:
     @cached_property
     def quantities(self) -> Mapping[str, Level]:
         """The mechanism's own quantities; many, of which few scenes mention any."""
-        return {} if self.inventory is None else quantities(self.inventory)
+        return quantities(self.offered, self.dimension)
 
     def of(self, *kinds: str) -> list[str]:
         """Names of all parts of these kinds."""
@@ -108,7 +65,12 @@ class Numbers:
         self.known = known
 
     def number(
-        self, path: Path, reading: Any, place: Place, rule: Rule | None = None, unit: str = ""
+        self,
+        path: Path,
+        reading: Any,
+        place: Place = GEOMETRY,
+        rule: Rule | None = None,
+        unit: str = "",
     ) -> Number:
         """Check one number and return it; 0.0 stands for a broken one."""
         if reading is BROKEN:
@@ -127,7 +89,7 @@ class Numbers:
             self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
         return reading.number
 
-    def angle(self, path: Path, reading: Any, place: Place) -> Number:
+    def angle(self, path: Path, reading: Any, place: Place = GEOMETRY) -> Number:
         """Check an angle in rad; one of more than a turn is perhaps in degrees."""
         number = self.number(path, reading, place)
         value = self.value(number) or 0.0
@@ -135,12 +97,6 @@ class Numbers:
             help = f'if these are degrees, write "{value:.12g}*pi/180"'
             self.draft.warn(path, f"is {value:.6g} rad, {turns:.3g} turns", help)
         return number
-
-    def optional(
-        self, path: Path, reading: Any, place: Place, rule: Rule | None = None, unit: str = ""
-    ) -> Number | None:
-        """Check a number that may be missing."""
-        return None if reading is None else self.number(path, reading, place, rule, unit)
 
     def constant(
         self, path: Path, reading: Any, default: float, rule: Rule | None = None, unit: str = ""

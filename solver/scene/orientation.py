@@ -5,18 +5,17 @@
 (Rodrigues). The columns of R are the body's axes in global axes; in the plane an angle is enough.
 """
 
-from __future__ import annotations
-
 import math
-from typing import Any, TypeAlias
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
-from solver.scene.expression import Number, cos, operate, select, sin, sqrt
-from solver.scene.fields import BROKEN
-from solver.scene.geometry import Geometry, applied, dot
-from solver.scene.numbers import GEOMETRY
+from solver.scene.expression import Number, Vector, cos, operate, select, sin, sqrt
+from solver.scene.fields import BROKEN, COMPONENTS, NUMBER, Components, ListOf, Part, Quantity
+from solver.scene.geometry import applied, dot
 from solver.scene.report import Path
-from solver.scene.schema_shapes import InBodyAxes, Orientation
-from solver.scene.vocabulary_parts import Vector
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
 
 Matrix: TypeAlias = tuple[Vector, Vector, Vector]
 
@@ -28,51 +27,69 @@ _WAYS = "{ axis, angle }, { quaternion }, { rotation_vector } or { matrix }"
 _EXAMPLE = "write orientation = { axis = [0, 0, 1], angle = ... }"
 
 
-def read_orientation(geometry: Geometry, path: Path, given: Any) -> Number | Matrix:
+@dataclass(frozen=True, slots=True)
+class Orientation(Part):
+    """Orientation of a body in space; one of the four ways."""
+
+    axis: Annotated[Any, COMPONENTS] = None
+    angle: Annotated[Any, Quantity("rad")] = None
+    quaternion: Annotated[Any, ListOf(text="[w, x, y, z]", item=NUMBER)] = None
+    rotation_vector: Annotated[Any, Components("rad")] = None
+    matrix: Annotated[Any, ListOf(text="columns are the body's axes", item=COMPONENTS)] = None
+
+
+@dataclass(frozen=True, slots=True)
+class InBodyAxes(Part):
+    """A vector in the axes of the body."""
+
+    body: Annotated[Any, Components(example=[0, 0, 1])]
+
+
+def read_orientation(reader: "Reader", path: Path, given: Any) -> Number | Matrix:
     """Read an orientation: an angle in rad in 2-D, a rotation matrix in 3-D."""
-    planar, table = geometry.dimension == 2, isinstance(given, dict)
-    if given is None or given is BROKEN or geometry.dimension is None:
+    planar, table = reader.dimension == 2, isinstance(given, dict)
+    if given is None or given is BROKEN or reader.dimension is None:
         return 0.0 if planar else IDENTITY
     if planar and table:
-        geometry.draft.error(path, "must be a number in dimension 2, the angle in rad, got a table")
+        reader.draft.error(path, "must be a number in dimension 2, the angle in rad, got a table")
         return 0.0
     if planar:
-        return geometry.numbers.angle(path, given, GEOMETRY)
+        return reader.angle(path, given)
     if not table:
-        geometry.draft.error(path, "must be a table in dimension 3, got a number", _EXAMPLE)
+        reader.draft.error(path, "must be a table in dimension 3, got a number", _EXAMPLE)
         return IDENTITY
-    part = geometry.draft.part(path, Orientation, given)
-    return geometry.calculated(path, lambda: _matrix(geometry, path, part), IDENTITY)
+    part = reader.draft.part(path, Orientation, given)
+    return reader.calculated(path, lambda: _matrix(reader, path, part), IDENTITY)
 
 
 def read_spin(
-    geometry: Geometry, path: Path, given: Any, orientation: Number | Matrix
+    reader: "Reader", path: Path, given: Any, orientation: Number | Matrix
 ) -> Number | Vector | None:
     """Read an angular velocity in rad/s: a number in 2-D, a vector in global axes in 3-D."""
-    draft = geometry.draft
-    if given is None or given is BROKEN or geometry.dimension is None:
+    draft = reader.draft
+    if given is None or given is BROKEN or reader.dimension is None:
         return None
-    if geometry.dimension == 2:
+    if reader.dimension == 2:
         if isinstance(given, (dict, list)):
             what = "a table" if isinstance(given, dict) else "a vector"
             draft.error(path, f"must be a number in dimension 2, got {what}")
             return None
-        return geometry.numbers.number(path, given, GEOMETRY)
+        return reader.number(path, given)
     if isinstance(given, list):
-        return geometry.vector(path, given)
+        return reader.vector(path, given)
     if not isinstance(given, dict):
         help = "write angular_velocity = [0, 0, ...]"
         draft.error(path, "must be a vector of 3 numbers in dimension 3, got a number", help)
         return None
     part = draft.part(path, InBodyAxes, given)
-    own = geometry.vector((*path, "body"), part.body)
+    own = reader.vector((*path, "body"), part.body)
     if len(own) != 3 or not isinstance(orientation, tuple):
         return None
-    return geometry.calculated(path, lambda: applied(orientation, own), geometry.zero())
+    return reader.calculated(path, lambda: applied(orientation, own), reader.zero())
 
 
-def _matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
-    draft = geometry.draft
+def _matrix(reader: "Reader", path: Path, part: Any) -> Matrix:
+    draft = reader.draft
     names = ("axis", "quaternion", "rotation_vector", "matrix")
     ways = [name for name in names if getattr(part, name) is not None]
     if not ways and part.angle is not None:
@@ -83,25 +100,25 @@ def _matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
     elif ways == ["axis"] and part.angle is None:
         draft.error(path, "'angle' is missing", _EXAMPLE)
     elif getattr(part, ways[0]) is not BROKEN:
-        return _READERS[ways[0]](geometry, path, part)
+        return _READERS[ways[0]](reader, path, part)
     return IDENTITY
 
 
-def _about_an_axis(geometry: Geometry, path: Path, part: Any) -> Matrix:
-    axis = geometry.axis((*path, "axis"), part.axis)
-    angle = geometry.numbers.angle((*path, "angle"), part.angle, GEOMETRY)
-    if len(axis) != 3 or geometry.values(axis) is None:
+def _about_an_axis(reader: "Reader", path: Path, part: Any) -> Matrix:
+    axis = reader.axis((*path, "axis"), part.axis)
+    angle = reader.angle((*path, "angle"), part.angle)
+    if len(axis) != 3 or reader.values(axis) is None:
         return IDENTITY
     length = sqrt(dot(axis, axis))
     x, y, z = (component / length for component in axis)
     return _rodrigues((x, y, z), sin(angle), cos(angle), 1.0 - cos(angle))
 
 
-def _rotation_vector(geometry: Geometry, path: Path, part: Any) -> Matrix:
+def _rotation_vector(reader: "Reader", path: Path, part: Any) -> Matrix:
     """Turn by |v| about v; for v = 0 by nothing."""
-    vector = geometry.vector((*path, "rotation_vector"), part.rotation_vector)
+    vector = reader.vector((*path, "rotation_vector"), part.rotation_vector)
     for i, component in enumerate(part.rotation_vector):
-        geometry.numbers.angle((*path, "rotation_vector", i), component, GEOMETRY)
+        reader.angle((*path, "rotation_vector", i), component)
     if len(vector) != 3:
         return IDENTITY
     square = dot(vector, vector)
@@ -127,13 +144,13 @@ def _rodrigues(vector: Vector, along: Number, cosine: Number, across: Number) ->
     return rows[0], rows[1], rows[2]
 
 
-def _quaternion(geometry: Geometry, path: Path, part: Any) -> Matrix:
+def _quaternion(reader: "Reader", path: Path, part: Any) -> Matrix:
     path = (*path, "quaternion")
-    given = geometry.entries(path, part.quaternion)
+    given = reader.entries(path, part.quaternion)
     if len(given) != 4:
-        geometry.draft.error(path, f"must have 4 numbers, w first, got {len(given)}")
+        reader.draft.error(path, f"must have 4 numbers, w first, got {len(given)}")
         return IDENTITY
-    if not geometry.has_length(path, given, "a quaternion"):
+    if not reader.has_length(path, given, "a quaternion"):
         return IDENTITY
     length = sqrt(dot(given, given))
     w, x, y, z = (number / length for number in given)
@@ -144,25 +161,25 @@ def _quaternion(geometry: Geometry, path: Path, part: Any) -> Matrix:
     )
 
 
-def _given_matrix(geometry: Geometry, path: Path, part: Any) -> Matrix:
+def _given_matrix(reader: "Reader", path: Path, part: Any) -> Matrix:
     path = (*path, "matrix")
     if [len(row) for row in part.matrix] != [3, 3, 3]:
-        geometry.draft.error(path, "must have 3 rows of 3 numbers")
+        reader.draft.error(path, "must have 3 rows of 3 numbers")
         return IDENTITY
-    rows = [geometry.vector((*path, i), row) for i, row in enumerate(part.matrix)]
-    numbers = [geometry.values(row) for row in rows]
+    rows = [reader.vector((*path, i), row) for i, row in enumerate(part.matrix)]
+    numbers = [reader.values(row) for row in rows]
     if not any(row is None for row in numbers):
         columns: list[Vector] = [tuple(row[j] for row in numbers if row) for j in range(3)]
-        _orthonormal(geometry, path, columns)
+        _orthonormal(reader, path, columns)
     return rows[0], rows[1], rows[2]
 
 
-def _orthonormal(geometry: Geometry, path: Path, columns: list[Vector]) -> None:
+def _orthonormal(reader: "Reader", path: Path, columns: list[Vector]) -> None:
     """Report axes that are not of unit length, not perpendicular or left-handed."""
     errors = []
     for i in range(3):
         for j in range(i, 3):
-            product = geometry.numbers.value(dot(columns[i], columns[j]))
+            product = reader.value(dot(columns[i], columns[j]))
             errors.append(abs((product or 0.0) - (i == j)))
     if not all(error <= ORTHONORMAL for error in errors):
         message = (
@@ -170,13 +187,13 @@ def _orthonormal(geometry: Geometry, path: Path, columns: list[Vector]) -> None:
             f"{max(errors):.3g} from those of unit vectors at right angles"
         )
         help = f"give at least {-round(math.log10(ORTHONORMAL))} digits, or an axis and an angle"
-        geometry.draft.error(path, message, help)
+        reader.draft.error(path, message, help)
         return
     (a, b, c), (d, e, f), (g, h, i) = columns
     determinant = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
     if isinstance(determinant, float) and determinant < 0.0:
         message = "a left-handed set of axes: a mirror, not a rotation"
-        geometry.draft.error(path, message, "turn the sign of one column")
+        reader.draft.error(path, message, "turn the sign of one column")
 
 
 _READERS = {

@@ -10,10 +10,10 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-from solver.scene.fields import shown
+from solver.scene.fields import fields_of, shown
 from solver.scene.grammar import is_readable
 from solver.scene.report import Given, Path, Problem, location_of, path_of
-from solver.scene.schema import Experiment, Heading, Solver
+from solver.scene.scene import HEADING, NOUNS, TABLES
 from solver.scene.words import did_you_mean
 
 if sys.version_info >= (3, 11):
@@ -22,7 +22,7 @@ else:
     import tomli as tomllib
 
 
-SECTIONS = (("experiment", Experiment), ("solver", Solver))
+SECTIONS = {name: table.types[0] for name, table in TABLES.items() if name not in NOUNS}
 """Tables whose fields are the same in all scenes."""
 
 
@@ -48,7 +48,7 @@ def apply_overrides(
         if not is_readable(text):
             problems.append(Problem("", "not a readable text", override=where))
         elif path is None or not _replace(data, path, value):
-            tables = [table for table, part in SECTIONS if name in part.model_fields]
+            tables = sorted(table for table, part in SECTIONS.items() if name in fields_of(part))
             meant = " or ".join(f"'{table}.{name}'" for table in tables)
             help = f"did you mean {meant}?" if meant else did_you_mean(name, _known(data))
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
@@ -83,10 +83,10 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
             if isinstance(parts, dict) and path[0] in parts:
                 whole = not isinstance(parts[path[0]], dict)
                 return (table, path[0]) if whole else (table, path[0], field)
-        return path if path[0] in Heading.model_fields else None
+        return path if path[0] in HEADING else None
     if len(path) == 2 and path[0] in ("parameters", "inputs"):
         return _target({path[0]: data.get(str(path[0]))}, path[1:])
-    if path[0] in ("solver", "experiment"):
+    if path[0] in SECTIONS:
         data.setdefault(str(path[0]), {})
     return path
 

@@ -10,11 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from solver.scene.expression import ExpressionError, cos, sin, symbols
-from solver.scene.geometry import Geometry, applied
+from solver.scene.expression import ExpressionError, Vector, cos, sin, symbols
+from solver.scene.geometry import Vectors, applied
 from solver.scene.report import Path
-from solver.scene.vocabulary_parts import Rigid, Vector
+
+if TYPE_CHECKING:
+    from solver.scene.bodies import Rigid
 
 SAME = 1e-12
 """Distance of equal places, relative to their coordinates: the round-off of a rotation."""
@@ -37,7 +40,7 @@ class Seat:
 class Places:
     """Where everything is drawn, once points and bodies are read."""
 
-    def __init__(self, geometry: Geometry) -> None:
+    def __init__(self, geometry: Vectors) -> None:
         self.geometry = geometry
         self.draft = geometry.draft
         self.drawn: dict[str, Vector] = {}

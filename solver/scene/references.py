@@ -1,4 +1,4 @@
-"""What parts of a scene refer to: points, bodies and the ground, by name and place.
+"""What parts of a scene refer to: points, bodies, joints and the ground, by name and place.
 
 A point is "A" of the table [points], "rod" for the origin of a rigid body, "rod.tip" for a point
 of it, or "ground"; `at` says where on the ground, or where on a body as it is drawn.
@@ -6,30 +6,54 @@ of it, or "ground"; `at` says where on the ground, or where on a body as it is d
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
-from solver.scene.fields import BROKEN, shown
-from solver.scene.geometry import Geometry
-from solver.scene.numbers import unknown_end
+from solver.scene.draft import Draft
+from solver.scene.expression import Vector
+from solver.scene.fields import BROKEN, Part, PointReference, fields_of, shown
+from solver.scene.geometry import Vectors
+from solver.scene.numbers import Known, unknown_end
 from solver.scene.places import Places, same
 from solver.scene.report import Path
-from solver.scene.vocabulary_parts import PointReference, Vector
+from solver.scene.scene import TYPES
 from solver.scene.words import a, did_you_mean
 
 NOWHERE = PointReference(point=None)
 """Stands for a reference that has been reported."""
 
 
-class References:
-    """Reader of references; knows where everything is drawn once points and bodies are read."""
+class Reader(Vectors):
+    """Reader of the parts of one scene; knows where everything is drawn once bodies are read."""
 
-    def __init__(self, geometry: Geometry) -> None:
-        self.geometry = geometry
-        self.draft = geometry.draft
-        self.known = geometry.known
+    def __init__(
+        self, draft: Draft, known: Known, dimension: Any, joints: Mapping[str, type[Part] | None]
+    ) -> None:
+        super().__init__(draft, known, dimension)
+        self.joints = joints
+        """Class of each joint of the file; None where its type is unknown."""
+        self.driven: dict[tuple[str, str], str] = {}
+        """Driver of each point, and of the angle or displacement of each joint."""
         self.fixed: set[str] = set()
         """Points that are part of the ground."""
-        self.places = Places(geometry)
+        self.places = Places(self)
+        self.parts: dict[str, dict[str, Any]] = {}
+        """Parts that have been read, by table and name."""
+
+    def read(self, table: str, given: Mapping[str, tuple[type[Part], Any]] | None = None) -> None:
+        """Read the parts of a table."""
+        found = self.draft.parts(table) if given is None else given
+        self.parts[table] = read = {}
+        for name, (part, fields) in found.items():
+            read[name] = part.read(self, (table, name), fields)
+
+    def fields(self, part: type[Part], path: Path, given: Any) -> dict[str, Any]:
+        """Values of the fields that are given, or broken."""
+        return {
+            name: field.kind.read(self, (*path, name), value, given)
+            for name, field in fields_of(part).items()
+            if field.is_own and (value := getattr(given, name)) is not None
+        }
 
     def owner(self, name: str) -> str | None:
         """Body that a reference belongs to; None for points and the ground."""
@@ -43,10 +67,10 @@ class References:
             self.draft.error(path, *problem)
         return problem is None
 
-    def point(self, path: Path, part: Any) -> PointReference:
+    def point(self, path: Path, name: Any, place: Any) -> PointReference:
         """Read the field `point`, with `at` for a place on a body."""
-        where, name = (*path, "point"), part.point
-        at = self.geometry.optional((*path, "at"), part.at)
+        where = (*path, "point")
+        at = None if place is None else self.vector((*path, "at"), place)
         if name is BROKEN:
             return NOWHERE
         if name == "ground":
@@ -56,12 +80,12 @@ class References:
             return NOWHERE
         return self._reference((*path, "at"), name, at, "leave it out")
 
-    def ends(self, path: Path, part: Any) -> tuple[PointReference, PointReference]:
-        """Read the two ends of a joint, force or driver."""
-        if part.points is BROKEN:
+    def ends(self, path: Path, names: Any, at: Any) -> tuple[PointReference, PointReference]:
+        """Read the fields `points` and `at`, the two ends of a joint, force or driver."""
+        if names is BROKEN:
             return NOWHERE, NOWHERE
-        where, (first, second) = (*path, "points"), part.points
-        for i, name in enumerate(part.points):
+        where, (first, second) = (*path, "points"), names
+        for i, name in enumerate(names):
             if name != "ground":
                 self.exists((*where, i), name)
         body = self.owner(first)
@@ -74,23 +98,23 @@ class References:
         help = "give the place of 'ground' or of a body alone"
         one, two = (
             self._reference(place, name, at, help)
-            for name, (place, at) in zip(part.points, self._places(path, part), strict=True)
+            for name, (place, at) in zip(names, self._places(path, names, at), strict=True)
         )
         return one, two
 
-    def _places(self, path: Path, part: Any) -> list[tuple[Path, Vector | None]]:
+    def _places(self, path: Path, points: Any, at: Any) -> list[tuple[Path, Vector | None]]:
         """Read `at`, one place for each end, or that of the one end that needs it."""
-        where, points = (*path, "at"), part.points
+        where = (*path, "at")
         given: list[tuple[Path, Vector | None]] = [(where, None), (where, None)]
-        if part.at is None:
+        if at is None:
             if "ground" in points:
                 message = "'at' is missing: the place of 'ground'"
-                help = f"write at = {shown([0] * len(self.geometry.zero()))}"
+                help = f"write at = {shown([0] * len(self.zero()))}"
                 self.draft.error(path, message, help)
-        elif part.at is BROKEN:
+        elif at is BROKEN:
             pass
-        elif not isinstance(part.at[0] if part.at else None, list):
-            place = self.geometry.vector(where, part.at)
+        elif not isinstance(at[0] if at else None, list):
+            place = self.vector(where, at)
             bodies = [name for name in points if self.known.parts.get(name) == "body"]
             needs = ["ground"] if "ground" in points else bodies
             if len(needs) == 1:
@@ -101,11 +125,11 @@ class References:
             elif all(name in self.known.ends for name in points):
                 message = "'at' is the place of 'ground' or on a body, which is no end here"
                 self.draft.error(where, message)
-        elif len(part.at) != 2:
-            self.draft.error(where, f"must have one place for each end, got {len(part.at)}")
+        elif len(at) != 2:
+            self.draft.error(where, f"must have one place for each end, got {len(at)}")
         else:
-            ends = (((*where, i), at) for i, at in enumerate(part.at))
-            given = [(place, self.geometry.vector(place, at)) for place, at in ends]
+            ends = (((*where, i), each) for i, each in enumerate(at))
+            given = [(place, self.vector(place, each)) for place, each in ends]
         return given
 
     def _reference(self, path: Path, name: str, at: Vector | None, help: str) -> PointReference:
@@ -115,8 +139,8 @@ class References:
         if self.known.parts.get(name) == "body":
             point = None if at is None else self.places.point_at(path, name, at)
             return PointReference(point=point or name, at=None if point else at)
-        drawn = self.geometry.values(self.places.drawn.get(name, ()))
-        given = None if at is None else self.geometry.values(at)
+        drawn = self.values(self.places.drawn.get(name, ()))
+        given = None if at is None else self.values(at)
         if drawn and given and len(drawn) == len(given) and not same(drawn, given):
             what = "point" if self.owner(name) is None else "the point"
             self.draft.error(path, f"{what} '{name}' is drawn at {shown(drawn)}", help)
@@ -139,7 +163,7 @@ class References:
         `ground` and `bar` say that the ground, and in space a bar, will do as well.
         """
         kind = self.known.parts.get(name)
-        bar = bar or self.geometry.dimension != 3
+        bar = bar or self.dimension != 3
         if kind == "body" or (kind == "bar" and bar) or (ground and name == "ground"):
             return True
         bodies = self.known.of("body", *(["bar"] if bar else []))
@@ -159,3 +183,38 @@ class References:
             message = f"unknown body '{name}'"
         self.draft.error(path, message, help)
         return False
+
+    def joint(self, path: Path, name: Any, has: str) -> bool:
+        """Report a name that is no joint with an angle, or with a displacement."""
+        if name is BROKEN:
+            return False
+        kind, part = self.joints.get(name), self.known.parts.get(name)
+        if self.has(name, has):
+            return True
+        if part == "joint":
+            if kind is not None:  # one of unknown type is reported already
+                self.draft.error(path, *self._without(name, kind, has))
+            return False
+        known = [joint for joint in self.joints if self.has(joint, has)]
+        help = did_you_mean(name, known, f"joints with {a(has)}")
+        message = f"'{name}' is {a(part)}, not a joint" if part else f"unknown joint '{name}'"
+        self.draft.error(path, message, help)
+        return False
+
+    def has(self, joint: str, word: str) -> bool:
+        """Whether there is such a joint, of a known type, with an angle or displacement."""
+        offers = self.known.offered[joint] if self.joints.get(joint) else ()
+        return any(offer.word == word for offer in offers)
+
+    def _without(self, name: str, kind: type[Part], has: str) -> tuple[str, str | None]:
+        """Words for a joint that has no angle, or no displacement."""
+        if kind.has(has):
+            help = "give it 'bodies' and 'position' instead of 'points'"
+            return f"'{name}' joins points, and has no angle", help
+        possible = [
+            word
+            for word, joint in TYPES["joints"].items()
+            if joint.has(has) and not (self.dimension == 2 and joint.only_in_space)
+        ]
+        help = f"types of joints with {a(has)}: {', '.join(possible)}"
+        return f"'{name}' is a {kind.type.replace('_', ' ')} joint, which has no {has}", help

@@ -1,87 +1,107 @@
 """Settings of the solver and of the default run: choices, ranges and how the steps relate."""
 
-from __future__ import annotations
-
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, field, make_dataclass
+from typing import TYPE_CHECKING, Annotated, Any
 
 from solver.options import OPTIONS, Option
-from solver.scene import schema
-from solver.scene.fields import BROKEN
-from solver.scene.numbers import NOT_NEGATIVE, POSITIVE, Numbers, Rule, up_to
-from solver.scene.vocabulary import Experiment, SolverSettings
+from solver.scene.fields import Choice, Kind, Part, Plain, Setting, fields_of
+from solver.scene.rules import POSITIVE, Rule
 
-TOLERANCE = Rule(
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
+
+_TOLERANCE = Rule(
     OPTIONS["tolerance"].holds,
     "0 or from 1e-14 to 0.1",
     "write for instance tolerance = 1e-6, the error of the run relative to size and speed; no run "
     "comes closer than round-off, some 1e-14",
 )
-
-
-def _rule(option: Option) -> Rule:
-    if option.whole:
-        return Rule(option.holds, f"from {option.low:g} to {option.high:g}")
-    above = NOT_NEGATIVE if option.low == 0.0 else POSITIVE
-    return replace(up_to(option.high, above), holds=option.holds)
-
-
-RANGES = {name: _rule(option) for name, option in OPTIONS.items() if option.is_number}
-RANGES["tolerance"] = TOLERANCE
-"""Settings that are numbers."""
-
 ROWS, MOST_INTERNAL_STEPS = 100, 10
 """Communication steps of a default run, and the most internal steps in one of them."""
 
-_DEFAULT = SolverSettings()
-_COUNTS = tuple(name for name, option in OPTIONS.items() if option.whole)
+
+def _kind(option: Option) -> Kind:
+    """Kind of a setting; its numbers are without symbols."""
+    text = option.meaning
+    if option.words or option.allowed:
+        return Choice(text=text, words=option.words or tuple(map(int, option.allowed)))
+    if option.is_switch:
+        return Plain(text=text, type=bool)
+    words = f"from {option.low:g} to {option.high:g}"
+    if option.whole:
+        return Plain(text=text, type=int, rule=Rule(option.holds, words))
+    words = f"{'>= 0' if option.low == 0.0 else '> 0'} and <= {option.high:g}"
+    rule = _TOLERANCE if option.name == "tolerance" else Rule(option.holds, words)
+    return Setting(option.unit, text, rule, default=float(option.default))
 
 
-def read_settings(numbers: Numbers) -> tuple[SolverSettings, Experiment]:
+if TYPE_CHECKING:
+
+    class SolverSettings(Part):
+        """The settings of `solver.options`."""
+
+        def __init__(self, **settings: Any) -> None: ...
+        def __getattr__(self, name: str) -> Any: ...
+
+else:
+    SolverSettings = make_dataclass(
+        "SolverSettings",
+        [
+            (name, Annotated[type(o.default), _kind(o)], field(default=o.default))
+            for name, o in OPTIONS.items()
+        ],
+        bases=(Part,),
+        frozen=True,
+        kw_only=True,
+    )
+    SolverSettings.__module__ = __name__
+    SolverSettings.__doc__ = "The method and its settings; each is a parameter of the FMU."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Experiment(Part):
+    """Default run of the FMU."""
+
+    start_time: Annotated[float, Setting("s")] = 0.0
+    stop_time: Annotated[
+        float, Setting("s", "one second after the start unless given", required=False)
+    ] = 1.0
+    step_size: Annotated[
+        float, Setting("s", "the communication step", POSITIVE, required=False)
+    ] = 0.1
+    tolerance: Annotated[float | None, Setting(rule=_TOLERANCE)] = None
+
+
+def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
     """Read the tables [solver] and [experiment]."""
-    draft = numbers.draft
-    solver = draft.part(("solver",), schema.Solver, draft.table("solver"))
-    experiment = draft.part(("experiment",), schema.Experiment, draft.table("experiment"))
-    outer = _seconds(numbers, "experiment", experiment, "step_size", 0.0, POSITIVE)
-    usual = min(_DEFAULT.step_size, outer) if outer > 0.0 else _DEFAULT.step_size
-    inner = _seconds(numbers, "solver", solver, "step_size", usual, RANGES["step_size"])
-    if outer > 0.0 and inner > outer:
+    solver, run = (
+        reader.draft.part((name,), part, reader.draft.table(name))
+        for name, part in (("solver", SolverSettings), ("experiment", Experiment))
+    )
+
+    def seconds(part: type[Part], table: str, name: str, default: float) -> float:
+        given, kind = solver if part is SolverSettings else run, fields_of(part)[name].kind
+        return reader.constant((table, name), getattr(given, name), default, kind.rule, kind.unit)
+
+    usual = float(OPTIONS["step_size"].default)
+    outer = seconds(Experiment, "experiment", "step_size", 0.0)
+    inner = seconds(SolverSettings, "solver", "step_size", min(usual, outer or usual))
+    if 0.0 < outer < inner:
         message = f"must be at most the communication step {outer:g} s, got {inner:g} s"
-        draft.error(("solver", "step_size"), message)
-    return _solver(numbers, solver, inner), _experiment(numbers, experiment, inner, outer)
-
-
-def _seconds(
-    numbers: Numbers, table: str, part: Any, name: str, default: float, rule: Rule | None = None
-) -> float:
-    return numbers.constant((table, name), getattr(part, name), default, rule, "s")
-
-
-def _solver(numbers: Numbers, solver: Any, step_size: float) -> SolverSettings:
-    for name in _COUNTS:
-        count = getattr(solver, name)
-        if count is not BROKEN and not RANGES[name].holds(count):
-            message = f"must be {RANGES[name].words}, got {count}"
-            numbers.draft.error(("solver", name), message)
-
-    given = {name: getattr(solver, name) for name in OPTIONS}
-    for name in RANGES.keys() - {*_COUNTS, "step_size"}:
-        value, unit = getattr(_DEFAULT, name), OPTIONS[name].unit
-        given[name] = numbers.constant(("solver", name), given[name], value, RANGES[name], unit)
-    return SolverSettings(**given | {"step_size": step_size})
-
-
-def _experiment(numbers: Numbers, experiment: Any, inner: float, outer: float) -> Experiment:
-    start = _seconds(numbers, "experiment", experiment, "start_time", 0.0)
-    stop = _seconds(numbers, "experiment", experiment, "stop_time", start + 1.0)
+        reader.draft.error(("solver", "step_size"), message)
+    solver.step_size = None
+    settings = reader.fields(SolverSettings, ("solver",), solver) | {"step_size": inner}
+    start = seconds(Experiment, "experiment", "start_time", 0.0)
+    stop = seconds(Experiment, "experiment", "stop_time", start + 1.0)
     if not stop > start:
         message = f"must be > start_time = {start:g} s, got {stop:g}"
-        numbers.draft.error(("experiment", "stop_time"), message)
-    tolerance = experiment.tolerance
-    given = numbers.constant(("experiment", "tolerance"), tolerance, 0.0, TOLERANCE)
+        reader.draft.error(("experiment", "stop_time"), message)
+    tolerance = reader.constant(("experiment", "tolerance"), run.tolerance, 0.0, _TOLERANCE)
     # Whole internal steps, so that the communication step does not change the motion.
     counts, whole = range(1, MOST_INTERNAL_STEPS + 1), (stop - start) * (1.0 + 1e-9)
-    usual = max((k for k in counts if ROWS * k * inner <= whole), default=1)
-    return Experiment(
-        start_time=start, stop_time=stop, step_size=outer or usual * inner, tolerance=given or None
+    steps = max((k for k in counts if ROWS * k * inner <= whole), default=1)
+    step = outer or steps * inner
+    experiment = Experiment(
+        start_time=start, stop_time=stop, step_size=step, tolerance=tolerance or None
     )
+    return SolverSettings(**settings), experiment

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path as FilePath
 from typing import Any, NoReturn
 
+from solver.scene.fields import shown
 from solver.scene.grammar import is_readable
 from solver.scene.positions import first_of_repeated, lines_of_json
 from solver.scene.report import Problem, SceneError, Source, location_of
@@ -121,8 +122,6 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
     except ValueError:
         _refuse_digits(Source(name, text))
     if not isinstance(data, dict):
-        from solver.scene.fields import shown  # pydantic takes a third of a second to import
-
         _give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
     if twice:
         lines, repeated = lines_of_json(text)

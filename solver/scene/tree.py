@@ -120,6 +120,9 @@ class Expr:
 Number: TypeAlias = float | Expr
 """A number of the scene: known now (float) or once the parameters are (Expr)."""
 
+Vector: TypeAlias = tuple[Number, ...]
+"""As many numbers as the scene has dimensions."""
+
 
 def _text(arg: Number | str) -> str:
     return f"({arg!r})" if isinstance(arg, float) and str(arg).startswith("-") else str(arg)

@@ -63,10 +63,10 @@ def test_the_assertions_for_users_are_those_of_build_fmu():
 
 
 def test_importing_it_loads_no_library_and_reads_no_scene_code():
-    # Counted, not timed: what takes its time are NumPy, pydantic, fmpy and our own readers.
+    # Counted, not timed: what takes its time are NumPy, fmpy and our own readers.
     code = "import sys, holonom; dir(holonom); print(*sys.modules)"
     loaded = run(sys.executable, "-c", code).split()
-    heavy = {"numpy", "scipy", "pydantic", "rich", "fmpy", "pythonfmu", "argparse", "zipfile"}
+    heavy = {"numpy", "scipy", "rich", "fmpy", "pythonfmu", "argparse", "zipfile"}
     assert not {name.partition(".")[0] for name in loaded} & heavy
     assert not [name for name in loaded if name.startswith("solver.")]
 

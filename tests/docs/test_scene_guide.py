@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from solver.scene import SceneError, SolverSettings, loads, schema
+from solver.scene import SceneError, SolverSettings, loads
 from solver.scene.names import RESERVED
 from solver.scene.operations import FUNCTIONS
+from solver.scene.scene import TYPES
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -45,7 +46,7 @@ def test_every_other_example_fits_the_first_scene(piece):
         loads(FIRST + piece)
 
 
-@pytest.mark.parametrize(("table", "types"), schema.TYPES.items())
+@pytest.mark.parametrize(("table", "types"), TYPES.items())
 def test_every_type_is_in_the_tables_and_has_an_example(table, types):
     start = EXAMPLES.index(SPATIAL)
     scene = tomllib.loads("".join(EXAMPLES[start : start + 5]))

@@ -8,7 +8,7 @@ import re
 import pytest
 
 from build_fmu.commands.info import FORCES
-from solver.scene.schema import TYPES
+from solver.scene.scene import TYPES
 from tests.commands import run
 from tests.fmu.test_archive import repack
 from tests.fmu_instance import SCENES, scene_fmu

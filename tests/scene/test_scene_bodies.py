@@ -198,8 +198,8 @@ def test_whether_a_velocity_was_given_is_kept():
         'name = "p"\n[points]\nA = { position = [0, 0, 0], mass = 1 }\n'
         "B = { position = [0, 0, 0], mass = 1, velocity = [0, 0, 0] }\n"
     ).points
-    assert not points["A"].velocity_given
-    assert points["B"].velocity_given
+    assert points["A"].velocity is None
+    assert points["B"].velocity == (0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize(("head", "inertia"), [(PLANE, "0.0"), (HEAD, "[0, 0, 0]")])

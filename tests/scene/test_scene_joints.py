@@ -6,30 +6,37 @@ from pathlib import Path
 import pytest
 
 from solver.scene import (
-    BodyJoint,
+    AngleDriver,
     ConstantAngle,
     Constraint,
+    DisplacementDriver,
     DistanceDriver,
     Force,
     Gear,
     Gravitation,
-    JointDriver,
     JointTorque,
-    PointOn,
+    PointOnLine,
+    PointOnPlane,
+    PointOnSurface,
     PointReference,
     PositionDriver,
     Potential,
+    Prismatic,
     Rack,
+    Revolute,
     Rolling,
     SceneError,
+    Screw,
+    Spherical,
     Spring,
     Torque,
     TorsionDamper,
     TorsionSpring,
+    Universal,
     loads,
     parse,
-    schema,
 )
+from solver.scene.scene import TYPES
 from tests.scene_quantities import quantities_of
 
 if sys.version_info >= (3, 11):
@@ -47,7 +54,7 @@ TIP = PointReference(point="b1.tip")
 
 def test_the_scenes_of_this_test_use_every_type_there_is():
     data = tomllib.loads(SPACE), tomllib.loads(PLANE)
-    for table, types in schema.TYPES.items():
+    for table, types in TYPES.items():
         used = {part.get("type", "rigid") for d in data for part in d.get(table, {}).values()}
         assert used == set(types), table
 
@@ -55,20 +62,18 @@ def test_the_scenes_of_this_test_use_every_type_there_is():
 @pytest.mark.parametrize(
     ("name", "joint"),
     [
-        ("j2", BodyJoint(type="spherical", bodies=None,
-                         points=(PointReference(point="S"), PointReference(point="b1")))),
-        ("j3", BodyJoint(type="revolute", bodies=(None, "b1"), position=(0.0, 0.0, 0.0),
+        ("j2", Spherical(points=(PointReference(point="S"), PointReference(point="b1")))),
+        ("j3", Revolute(bodies=(None, "b1"), position=(0.0, 0.0, 0.0),
                          axis=(0.0, 0.0, 1.0))),
-        ("j4", BodyJoint(type="universal", bodies=("b1", "b2"), position=(0.0, 0.0, 0.0),
-                         axis=(0.0, 0.0, 1.0), second_axis=(1.0, 0.0, 0.0))),
-        ("j6", BodyJoint(type="prismatic", bodies=("b2", "b3"), position=(0.0, 0.0, 2.0),
+        ("j4", Universal(bodies=("b1", "b2"), position=(0.0, 0.0, 0.0),
+                         axes=((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)))),
+        ("j6", Prismatic(bodies=("b2", "b3"), position=(0.0, 0.0, 2.0),
                          axis=(0.0, 0.0, 1.0))),
-        ("j9", BodyJoint(type="screw", bodies=("b3", "b4"), position=(0.0, 0.0, 0.0),
+        ("j9", Screw(bodies=("b3", "b4"), position=(0.0, 0.0, 0.0),
                          axis=(0.0, 0.0, 1.0), pitch=0.01)),
-        ("k1", PointOn(type="point_on_line", point=POINT_A, body="b1", axis=(0.0, 0.0, 1.0))),
-        ("k2", PointOn(type="point_on_plane", point=TIP, body=None, axis=(0.0, 0.0, 1.0))),
-        ("k3", PointOn(type="point_on_surface",
-                       point=PointReference(point="b2", at=(0.0, 0.0, 1.0)), body=None,
+        ("k1", PointOnLine(point=POINT_A, body="b1", axis=(0.0, 0.0, 1.0))),
+        ("k2", PointOnPlane(point=TIP, body=None, axis=(0.0, 0.0, 1.0))),
+        ("k3", PointOnSurface(point=PointReference(point="b2", at=(0.0, 0.0, 1.0)), body=None,
                        surface=parse("x**2 + a*y**2 + z - 1"))),
         ("k4", ConstantAngle(bodies=("b1", "b2"), axes=((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)))),
         ("k5", Gear(joints=("j3", "j5"), ratio=-2.0)),
@@ -89,8 +94,8 @@ def test_constraints_and_drivers_arrive_as_written():
     assert SCENE.drivers == {
         "d1": PositionDriver(point=POINT_A, value=(parse("sin(t)"), 0.0, parse("u"))),
         "d2": DistanceDriver(points=ends, value=parse("1 + t")),
-        "d3": JointDriver(type="angle", joint="j3", value=parse("t")),
-        "d4": JointDriver(type="displacement", joint="j6", value=parse("0.1*t")),
+        "d3": AngleDriver(joint="j3", value=parse("t")),
+        "d4": DisplacementDriver(joint="j6", value=parse("0.1*t")),
     }
     assert SCENE.inputs["u"].interpolation == "ramp"
 

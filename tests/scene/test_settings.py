@@ -11,7 +11,8 @@ import pytest
 import solver
 from solver import options
 from solver.runtime.options import encode
-from solver.scene import SceneError, SolverSettings, settings
+from solver.scene import SceneError, SolverSettings
+from solver.scene.fields import fields_of
 from tests.twins import PENDULUM
 
 
@@ -27,7 +28,7 @@ NUMBERS = [option for option in options.OPTIONS.values() if option.is_number]
 def test_scene_and_run_time_refuse_what_is_beyond_the_limits(option):
     step = 1.0 if option.whole else math.ulp(option.high)
     smallest = option.least or option.low
-    holds = settings.RANGES[option.name].holds
+    holds = fields_of(SolverSettings)[option.name].kind.rule.holds
     for value in (option.high, smallest):
         assert holds(value)
         assert encode(option.name, value) == (option.name, value)

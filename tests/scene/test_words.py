@@ -8,11 +8,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver import SceneError, loads
-from solver.scene.schema import TYPES, File
+from solver.scene.fields import fields_of
+from solver.scene.scene import NOUNS, TYPES, Scene
 from solver.scene.units import base_unit
 from solver.scene.words import NAMES
 
-TABLES = [name for name, field in File.model_fields.items() if str(field.annotation)[:4] == "dict"]
+TABLES = [*NOUNS]
 PARTS = [(table, word) for table, types in TYPES.items() for word in types]
 SCENE = {
     "name": "x",
@@ -59,8 +60,8 @@ def example(table, word):
     }  # fmt: skip
     if word == "torque" or (table, word) in (("forces", "force"), ("drivers", "position")):
         known["value"] = [1, 0, 0]
-    required = (name for name, field in TYPES[table][word].model_fields.items()
-                if field.is_required() and name != "type")  # fmt: skip
+    required = (name for name, field in fields_of(TYPES[table][word]).items()
+                if field.required and name != "type")  # fmt: skip
     return {"type": word} | {name: known.get(name, 1.0) for name in required}
 
 
@@ -77,8 +78,8 @@ def test_the_singular_of_a_table_suggests_it(table):
 
 @pytest.mark.parametrize("place", NAMES)
 def test_every_word_of_the_list_means_what_exists(place):
-    fields = {field for types in TYPES.values() for x in types.values() for field in x.model_fields}
-    known = {"file": {*File.model_fields}, "fields": {*fields, "density", "start", "min", "max"}}
+    fields = {field for types in TYPES.values() for x in types.values() for field in fields_of(x)}
+    known = {"file": {*fields_of(Scene)}, "fields": {*fields, "density", "start", "min", "max"}}
     known["fields"] |= {"description", "fixed", "radius"}
     for word, names in NAMES[place].items():
         assert names
@@ -105,7 +106,7 @@ def test_other_words_for_types(table, word, names):
 def test_other_words_for_fields(word, names):
     """In the first part that has one of the fields that the word may mean."""
     for table, kind in PARTS:
-        own = TYPES[table][kind].model_fields
+        own = fields_of(TYPES[table][kind])
         wanted = next((name for name in names if name in own), "")
         if wanted and word not in own:
             fields = example(table, kind)
@@ -164,11 +165,11 @@ def test_fields_of_one_type_under_another_name_suggest_it(table, right):
     fitting = {
         word
         for word, model in TYPES[table].items()
-        if fields.keys() <= model.model_fields.keys()
-        and all(name in fields for name, x in model.model_fields.items() if x.is_required())
+        if fields.keys() <= fields_of(model).keys()
+        and all(name in fields for name, x in fields_of(model).items() if x.required)
     }
     for wrong, model in TYPES[table].items():
-        if fitting == {right} and not fields.keys() <= model.model_fields.keys():
+        if fitting == {right} and not fields.keys() <= fields_of(model).keys():
             parts = SCENE.get(table, {}) | {"new": fields | {"type": wrong}}
             found = {p.message: p.help for p in problems(SCENE | {table: parts})}
             assert found[f"is no field of the type '{wrong}'"] == f'write type = "{right}"'

@@ -1,0 +1,211 @@
+"""A scene while it is being read: its data, its source, and the mistakes found so far.
+
+Every part is checked against its class; a field with a mistake is reported once and then counts
+as ``BROKEN``, so that the rest of the part can still be checked in the same run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from solver.scene.fields import BROKEN, Part, fields_of, shown
+from solver.scene.report import Path, Problem, SceneError, Source
+from solver.scene.scene import TABLES, TYPES
+from solver.scene.words import did_you_mean, nearest
+
+if TYPE_CHECKING:
+    from solver.scene.places import Seat
+
+_NAMES_OF = {
+    **{"point": "points", "body": "bodies", "joint": "joints"},
+    **{name: name for name in ("points", "bodies", "joints")},
+}
+"""Fields that name parts of a table."""
+
+P = TypeVar("P", bound=Part)
+
+MOST = 200
+"""Mistakes that are reported."""
+
+_BAR = 'write type = "bar"; the points of a rigid body are a table'
+
+
+class Draft:
+    """Data of a scene file and the mistakes in it."""
+
+    def __init__(self, data: dict[str, Any], source: Source, problems: list[Problem]) -> None:
+        self.data = data
+        self.source = source
+        self.problems = problems
+        self.warnings: list[Problem] = []
+        self.seats: dict[tuple[Path, str], Seat] | None = None
+        """Where each place lies on each of its bodies, if that is asked for."""
+        self.seats_of_file: Mapping[tuple[Path, str], Seat] | None = None
+        """The same without overrides, if these move something."""
+
+    def error(
+        self, path: Path, message: str, help: str | None = None, mark: tuple[str, int] = ("", 1)
+    ) -> None:
+        """Note a mistake at a place of the file.
+
+        Raises ``SceneError`` after ``MOST`` mistakes: a reader would not look at more.
+        """
+        self.problems.append(self.source.problem(path, message, help, mark))
+        if len(self.problems) > MOST:
+            message = f"more than {MOST} mistakes; not all are listed"
+            raise SceneError([*self.problems, Problem("", message)], self.source)
+
+    def warn(self, path: Path, message: str, help: str) -> None:
+        """Note what is legal at a place of the file and seldom meant."""
+        problem = self.source.problem(path, message, help)
+        self.warnings.append(replace(problem, severity="warning"))
+
+    def table(self, name: str) -> dict[str, Any]:
+        """Return a table of the file, empty where it is missing or no table."""
+        table = self.data.get(name, {})
+        if isinstance(table, dict):
+            return table
+        self.error((name,), f"must be a table, got {shown(table)}", f"write [{name}]")
+        return {}
+
+    def names(self, table: str) -> tuple[str, ...]:
+        """Names of the parts of a table."""
+        entries = self.data.get(table)
+        return tuple(entries) if isinstance(entries, dict) else ()
+
+    def parts(self, table: str) -> dict[str, tuple[type[Part], Any]]:
+        """Check the fields of all parts of a table; parts without a usable type drop out."""
+        checked, types = {}, TYPES.get(table, {})
+        if self.data.get("dimension") == 2:
+            types = {word: part for word, part in types.items() if not part.only_in_space}
+        for name, data in self.table(table).items():
+            path = (table, name)
+            if table == "parameters" and not isinstance(data, dict):
+                part = TABLES[table].types[0]
+                checked[name] = part, self.part(path, part, {"value": data}, short=True)
+            elif not isinstance(data, dict):
+                help = "write it as a table: { ... }"
+                self.error(path, f"must be a table of fields, got {shown(data)}", help)
+            elif (part := self._class(path, data, types)) is not None:
+                if fitting := _fitting(part, data, types):
+                    self._wrong_type(path, part, data, fitting)
+                    part, data = types[fitting[0]], data | {"type": fitting[0]}
+                checked[name] = part, self.part(path, part, data)
+        return checked
+
+    def _class(
+        self, path: Path, data: dict[str, Any], known: Mapping[str, type[Part]]
+    ) -> type[Part] | None:
+        table = str(path[0])
+        if not known:
+            return TABLES[table].types[0]
+        usual = next((part for part in known.values() if part.is_usual), None)
+        if usual is not None and data.get("type") is None:
+            if not isinstance(data.get("points"), list):
+                return usual
+            self.error(path, "'type' is missing; a body with two points is a bar", _BAR)
+            return None
+
+        def elsewhere(word: str) -> tuple[str, str] | None:
+            if table == "joints" and word in TYPES[table] and word not in known:
+                message = f"'{word}' is possible only in dimension 3"
+                return message, TYPES[table][word].only_in_space
+            home = next((home for home, types in TYPES.items() if word in types), None)
+            if home is None or nearest(word, known, table):
+                return None
+            return f"unknown type {shown(word)}", f"'{word}' is a type of [{home}]: write it there"
+
+        return self.class_of(path, data, known, f"known types of {table}", elsewhere, table)
+
+    def class_of(
+        self, path: Path, data: dict[str, Any], known: Mapping[str, type[P]], title: str,
+        elsewhere: Callable[[str], tuple[str, str] | None], place: str = "",
+    ) -> type[P] | None:  # fmt: skip
+        """Return the class of the type that a part has; report one that is not known.
+
+        `elsewhere` has message and help for a type that is known at another place of a scene.
+        """
+        wanted = data.get("type")
+        if isinstance(wanted, str) and wanted in known:
+            return known[wanted]
+        if wanted is None:
+            help = f"write type = ...; {title}: {', '.join(known)}"
+            self.error(path, "'type' is missing", help)
+        else:
+            help = did_you_mean(str(wanted), known, title, place)
+            words = elsewhere(str(wanted)) or (f"unknown type {shown(wanted)}", help)
+            self.error((*path, "type"), *words)
+        return None
+
+    def _wrong_type(
+        self, path: Path, part: type[Part], data: dict[str, Any], fitting: list[str]
+    ) -> None:
+        """Report a field that the type does not have and others have."""
+        extra = next(name for name in data if name not in fields_of(part))
+        help = f"types of {path[0]} with these fields: {', '.join(fitting)}"
+        if len(fitting) == 1:
+            help = f'write type = "{fitting[0]}"'
+        message = f"is no field of the type '{part.type}'"
+        self.error((*path, extra), message, help)
+
+    def part(self, path: Path, part: type[Part], data: dict[str, Any], short: bool = False) -> Any:
+        """Check the fields of one part by themselves; None stands for one that is not given.
+
+        `short` says that the file gives the value alone instead of a table of fields.
+        """
+        fields = fields_of(part)
+        given: dict[str, Any] = dict.fromkeys(fields)
+        unknown = [name for name in data if name not in fields]
+        absent = [name for name in fields if name not in data]
+        meant = {nearest(name, absent, "fields") for name in unknown}
+        for name, field in fields.items():
+            if name in data:
+                place = path if short else (*path, name)
+                given[name] = BROKEN
+                if data[name] is not None:
+                    given[name] = field.kind.parse(self, place, data[name])
+                else:  # JSON's null; an optional field is left out instead
+                    self.error(place, "must have a value, got null", "leave it out")
+            elif name in meant:
+                given[name] = BROKEN
+            elif field.required:
+                given[name] = BROKEN
+                help = self.example((*path, name), field.kind.example)
+                self.error(path, f"'{name}' is missing", help)
+        for name in unknown:
+            help = did_you_mean(name, fields, "known fields", "fields")
+            self.error((*path, name), "unknown field", help)
+        return SimpleNamespace(**given)
+
+    def example(self, path: Path, example: Any) -> str | None:
+        """Say how a field is written; a vector has as many numbers as the scene has dimensions."""
+        if example is None:
+            return None
+        name = str(path[-1])
+        if name in _NAMES_OF and isinstance(example[0], str):
+            parts = self.data.get(_NAMES_OF[name])
+            found = [part for part in parts if part not in path] if isinstance(parts, dict) else []
+            two = [*["ground"] * (name == "bodies"), *found, "...", "..."][:2]
+            example = (found or two)[-1] if isinstance(example, str) else two
+        text = shown(example).replace("'", '"')
+        if self.data.get("dimension") == 2:
+            text = text.replace("[0, ", "[", 1)
+        return f"write {name} = {text}"
+
+
+def _fitting(part: type[Part], data: dict[str, Any], types: Mapping[str, type[Part]]) -> list[str]:
+    """Types of a table that have all fields of a part, where its own type has not."""
+    own = fields_of(part)
+    if data.keys() <= own.keys():
+        return []
+    misspelt = [nearest(name, own.keys() - data.keys(), "fields") for name in data.keys() - own]
+    found = [
+        word
+        for word, other in types.items()
+        if data.keys() <= fields_of(other).keys()
+        and all(name in data for name, field in fields_of(other).items() if field.required)
+    ]
+    return found if len(found) == 1 or not all(misspelt) else []

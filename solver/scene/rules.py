@@ -1,0 +1,49 @@
+"""What may stand at a place of a scene: which symbols an expression mentions, which values fit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from solver.scene.quantities import Level
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """What an expression may mention at one kind of place."""
+
+    parameters: bool = True
+    tunable: bool = True
+    time: bool = False
+    levels: tuple[Level, ...] = ()
+    """Of the mechanism's own quantities."""
+    own: tuple[str, ...] = ()
+    """Symbols with a meaning at this place alone."""
+    of: str = ""
+    """The parameter whose value stands here, and which is no remedy for a mistake in it."""
+
+
+SETTING = Place(parameters=False, tunable=False)
+PARAMETER = PROPERTY = Place()
+GEOMETRY = Place(tunable=False)
+FORCE = Place(time=True)
+DRIVER = Place(time=True)
+LOAD = Place(time=True, levels=("position", "rate"))
+POTENTIAL = Place(levels=("position",))
+CONSTRAINT = Place(time=True, levels=("position",))
+VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
+OUTPUT = Place(time=True, levels=("position", "rate", "result"))
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A condition on a value, with its words."""
+
+    holds: Callable[[float], bool]
+    words: str
+    help: str | None = None
+
+
+POSITIVE = Rule(lambda x: x > 0.0, "> 0")
+NOT_ZERO = Rule(lambda x: x != 0.0, "other than 0")
+NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0")

@@ -1,0 +1,144 @@
+"""A scene as a whole; the file that a user writes has the same fields.
+
+Lengths in m, masses in kg, times in s, forces in N, angles in rad. A vector has as many numbers as
+the scene has dimensions. A ``Number`` that is not a float depends on parameters or, where its kind
+allows it, on inputs, the time ``t`` and the mechanism's own quantities.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Annotated, Any, Literal, NoReturn
+
+from solver.scene.bodies import BODIES, Body, Point
+from solver.scene.drivers import DRIVERS, Constraint, Driver
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import (
+    NUMBER,
+    Choice,
+    Components,
+    Kind,
+    Part,
+    Plain,
+    Quantity,
+    fields_of,
+    schema_of,
+)
+from solver.scene.forces import FORCES, ForceElement
+from solver.scene.joints import JOINTS, Joint
+from solver.scene.parameters import TEXT, UNIT, Input, Parameter
+from solver.scene.report import Problem, SceneError, Source
+from solver.scene.rules import OUTPUT
+from solver.scene.settings import Experiment, SolverSettings
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Output(Part):
+    """An expression over the mechanism, computed at every communication point."""
+
+    value: Annotated[Number, Quantity(place=OUTPUT, example="A.x")]
+    unit: Annotated[str, UNIT] = ""
+    description: Annotated[str, TEXT] = ""
+
+
+@dataclass(frozen=True)
+class Parts(Kind):
+    """A table whose keys name parts, of one type or several; or of the fields of one part."""
+
+    noun: str = ""
+    """What a key names; empty for one part."""
+    types: tuple[type[Part], ...] = ()
+
+    def schema(self) -> dict[str, Any]:
+        """JSON Schema, which refers to that of each part."""
+        forms: list[dict[str, Any]] = [{"$ref": f"#/$defs/{x.__name__}"} for x in self.types]
+        if not self.noun:
+            return forms[0]
+        if self.types == (Parameter,):
+            forms.insert(0, NUMBER.schema())
+        one = forms[0] if len(forms) == 1 else {"anyOf": forms}
+        return {"type": "object", "additionalProperties": one}
+
+
+def _table(noun: str, *types: type[Part]) -> Any:
+    return Parts(noun=noun, types=types)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene(Part):
+    """A mechanism: format version 1."""
+
+    name: Annotated[str, Plain(example="double_pendulum", pattern="^[A-Za-z][A-Za-z0-9_]*$")]
+    description: Annotated[str, Plain()] = ""
+    dimension: Annotated[Literal[2, 3], Choice(words=(2, 3))] = 3
+    gravity: Annotated[Vector, Components("m/s2", example=[0, 0, -9.81])] = (0.0, 0.0, 0.0)
+    parameters: Annotated[dict[str, Parameter], _table("parameter", Parameter)] = field(
+        default_factory=dict
+    )
+    inputs: Annotated[dict[str, Input], _table("input", Input)] = field(default_factory=dict)
+    points: Annotated[dict[str, Point], _table("point", Point)] = field(default_factory=dict)
+    bodies: Annotated[dict[str, Body], _table("body", *BODIES.values())] = field(
+        default_factory=dict
+    )
+    joints: Annotated[dict[str, Joint], _table("joint", *JOINTS.values())] = field(
+        default_factory=dict
+    )
+    constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
+        default_factory=dict
+    )
+    forces: Annotated[dict[str, ForceElement], _table("force", *FORCES.values())] = field(
+        default_factory=dict
+    )
+    drivers: Annotated[dict[str, Driver], _table("driver", *DRIVERS.values())] = field(
+        default_factory=dict
+    )
+    outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)
+    solver: Annotated[SolverSettings, _table("", SolverSettings)] = field(
+        default_factory=SolverSettings
+    )
+    experiment: Annotated[Experiment, _table("", Experiment)] = field(default_factory=Experiment)
+    source: Source = field(default_factory=Source, repr=False, compare=False)
+    """The text it was read from, so that later findings can name file and line."""
+    warnings: tuple[Problem, ...] = field(default=(), repr=False, compare=False)
+    """What is legal in that text and seldom meant."""
+
+    def sentences(self) -> tuple[str, ...]:
+        """Each warning as it is reported, with its line and help."""
+        return tuple(map(self.source.report, self.warnings))
+
+    def error(self, location: str, message: str, help: str | None = None) -> Problem:
+        """Describe a mistake found later, such as a rod of zero length, with its line."""
+        return self.source.problem(location, message, help)
+
+    def fail(self, problems: Iterable[Problem]) -> NoReturn:
+        """Raise ``SceneError`` with all these mistakes, each with its source line."""
+        raise SceneError(problems, self.source)
+
+
+TABLES: dict[str, Parts] = {
+    name: found.kind for name, found in fields_of(Scene).items() if isinstance(found.kind, Parts)
+}
+"""Tables of a scene."""
+
+NOUNS: dict[str, str] = {name: table.noun for name, table in TABLES.items() if table.noun}
+"""Tables whose keys are names, and what they name; one name stands for one thing in all tables."""
+
+TYPES: dict[str, dict[str, type[Part]]] = {
+    name: {part.type: part for part in table.types}
+    for name, table in TABLES.items()
+    if table.types[0].type
+}
+"""Tables whose parts have a type, and the types of this version."""
+
+
+HEADING = [name for name in fields_of(Scene) if name not in TABLES]
+"""What a scene says about itself as a whole."""
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON Schema of a scene file, for completion and checks in an editor."""
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "holonom scene",
+        **schema_of(Scene),
+        "$defs": {part.__name__: schema_of(part) for x in TABLES.values() for part in x.types},
+    }
