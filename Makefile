@@ -21,7 +21,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
-BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h)
+BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h solver/kernel/*.py) \
+    solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
 .PHONY: demo test long lint sanitize hostile benchmark importers cofmupy kernel clean
 

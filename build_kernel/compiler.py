@@ -22,6 +22,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from build_kernel.model_tables import write_headers
+
 SOURCES = Path("solver/kernel")
 LIBRARIES = Path("solver/runtime/_kernel")
 DIMENSIONS = {2: "planar", 3: "spatial"}
@@ -117,6 +119,7 @@ def compile_library(
     CompilerError
         When the compiler refuses; the text has its message.
     """
+    write_headers(folder.parent)
     sources = sorted(path.name for path in folder.glob("*.c"))
     options = (*flags(system or platform.system()), f"-DDIM={dimension}", *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]

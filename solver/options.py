@@ -15,8 +15,12 @@ ORDERS = (2.0, 4.0, 6.0, 8.0)
 """Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
 
 FORMULATIONS = (
-    *("conserving-al", "midpoint-al", "conserving-penalty", "midpoint-penalty"),
-    *("penalty-velocity", "conserving-al-beta"),
+    "conserving-al",  # eq 15 with beta = 1/2 (exact for quadratic rows), eq 26
+    "midpoint-al",  # eq 5
+    "conserving-penalty",  # eqs 9 and 11
+    "midpoint-penalty",  # eq 7
+    "penalty-velocity",  # eq 3 under the midpoint rule
+    "conserving-al-beta",  # eq 15, function rows with the intermediate configuration of eq 8
 )
 """How constraints act."""
 

@@ -162,8 +162,8 @@ static double difference_from_halves(context *c, double t, double h, double law_
     }
     const double found = status || c->unweighted ? 0.0 : relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     c->unweighted = 0;
-    whole[S_NEWTON] += head[S_NEWTON] - before[S_NEWTON];
-    whole[S_UZAWA] += head[S_UZAWA] - before[S_UZAWA];
+    whole[S_NEWTON_ITERATIONS] += head[S_NEWTON_ITERATIONS] - before[S_NEWTON_ITERATIONS];
+    whole[S_UZAWA_ITERATIONS] += head[S_UZAWA_ITERATIONS] - before[S_UZAWA_ITERATIONS];
     memcpy(head, whole, bytes);
     memcpy(c->k.pair_backup, before, bytes);
     if (c->m->time_dependent) set_laws(c, law_time_after, 0);

@@ -44,10 +44,10 @@ static void sense(context *c, double h, int parity)
 static void set_laws(context *c, double t, int booked)
 {
     const holonom_model *m = c->m;
-    const double before = booked && m->variable_potential && m->n_tape[1] ? stored_energy(c) : 0.0;
+    const double before = booked && m->variable_potential && m->n_tape_laws ? stored_energy(c) : 0.0;
     load_inputs(c, t);
     c->number[m->time_at] = t;
-    if (!m->n_tape[1]) return;
+    if (!m->n_tape_laws) return;
     hm_run_tape(m, c->number, 1);
     if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
 }

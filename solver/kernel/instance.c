@@ -64,7 +64,7 @@ int64_t holonom_instance_size(const void *model, int64_t length, char *why, int6
     hm_text text = {why, (size_t)room, 0};
     const char *flaw = hm_bind(model, length, &f);
     for (uint32_t k = 0; !flaw && k < f.header->n_variables; k++) /* the settings that a run begins with are allowed */
-        if (f.variable[k].kind == AN_OPTION && hm_objects(&text, &f, f.variable + k, f.settings[f.variable[k].place], NULL, 0))
+        if (f.variable[k].kind == KIND_OPTION && hm_objects(&text, &f, f.variable + k, f.settings[f.variable[k].place], NULL, 0))
             flaw = "a setting is not allowed";
     hm_clear(&text);
     if (!flaw) return (int64_t)lay_out(&f, NULL, &none);
@@ -95,8 +95,8 @@ void holonom_reset(holonom_instance *i)
     memcpy(i->state, f->settings, sizeof(double) * S_HEAD);
     for (uint32_t k = 0; k < f->header->n_variables; k++) {
         const hm_variable *v = f->variable + k;
-        if (v->kind == A_PARAMETER) i->s.parameters[v->place] = v->start;
-        if (v->kind == AN_INPUT) i->s.inputs[v->place] = v->start;
+        if (v->kind == KIND_PARAMETER) i->s.parameters[v->place] = v->start;
+        if (v->kind == KIND_INPUT) i->s.inputs[v->place] = v->start;
     }
     memset(i->clipped, 0, f->header->n_variables);
     hm_clear(&i->message);
@@ -163,16 +163,16 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
         if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
         const hm_variable *v = i->file.variable + index[k];
         switch (v->kind) {
-        case A_PARAMETER: value[k] = i->s.parameters[v->place]; continue;
-        case AN_INPUT: value[k] = i->s.inputs[v->place]; continue;
-        case AN_OPTION: value[k] = i->state[v->place]; continue;
+        case KIND_PARAMETER: value[k] = i->s.parameters[v->place]; continue;
+        case KIND_INPUT: value[k] = i->s.inputs[v->place]; continue;
+        case KIND_OPTION: value[k] = i->state[v->place]; continue;
         default: break;
         }
         if (!i->is_measured) {
             const int32_t result = measure(i);
             if (result) return result;
         }
-        value[k] = i->numbers[v->place + (v->kind == A_MEASUREMENT ? i->file.model.measured_at : 0)];
+        value[k] = i->numbers[v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0)];
         if (!(fabs(value[k]) < INFINITY)) {
             hm_clear(&i->message);
             hm_say(&i->message, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
@@ -243,9 +243,9 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = i->file.variable + index[k];
         const double limit = clipping_limit(v, value[k]), taken = limit == limit ? limit : value[k];
-        arriving &= v->kind == AN_INPUT;
-        if (v->kind == AN_INPUT) i->inputs[v->place] = taken;
-        if (v->kind == A_PARAMETER) i->parameters[v->place] = taken;
+        arriving &= v->kind == KIND_INPUT;
+        if (v->kind == KIND_INPUT) i->inputs[v->place] = taken;
+        if (v->kind == KIND_PARAMETER) i->parameters[v->place] = taken;
     }
     /* An input that arrives after the start is one for the step to come, not for the start. */
     if (i->phase == HOLONOM_MOVING || (i->phase == HOLONOM_ASSEMBLED && arriving)) {
@@ -257,7 +257,7 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
     }
     for (int32_t k = 0; k < count; k++) {
         const hm_variable *v = i->file.variable + index[k];
-        if (v->kind == AN_OPTION) i->state[v->place] = value[k];
+        if (v->kind == KIND_OPTION) i->state[v->place] = value[k];
         say_clipped(i, index[k], value[k], shown ? shown[k] : NULL);
     }
     i->is_measured = 0;
@@ -402,7 +402,7 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
         return "has a number that no run comes to; save it again";
     for (uint32_t k = 0; k < f->header->n_variables; k++) {
         const hm_variable *v = f->variable + k;
-        if (v->kind == AN_OPTION && hm_objects(&i->message, f, v, block[v->place], NULL, 0))
+        if (v->kind == KIND_OPTION && hm_objects(&i->message, f, v, block[v->place], NULL, 0))
             return "has a setting that is not allowed; save it again";
     }
     return NULL;

@@ -48,13 +48,6 @@ enum skip {
 #endif
 static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 
-/* Operations, in the order of solver/runtime/operations.py. */
-enum tape_code {
-    T_COPY, T_ADD, T_SUB, T_MUL, T_DIV, T_POW, T_NEG, T_SIN, T_COS, T_TAN, T_ASIN, T_ACOS, T_ATAN, T_ATAN2,
-    T_SQRT, T_EXP, T_LOG, T_ABS, T_MIN, T_MAX, T_SIGN, T_LT, T_LE, T_GT, T_GE, T_EQ, T_NE, T_AND, T_OR, T_NOT,
-    T_SELECT, T_SINH, T_COSH, T_TANH, T_FLOOR, T_CEIL, T_MOD
-};
-
 /* Whether a formulation keeps the energy exactly, of rows of all kinds. */
 static inline int hm_conserves_all(int formulation)
 {
@@ -113,76 +106,15 @@ static inline double hm_angle_over_bend(double x, double y, double angle_over)
    r0, r1, dr hold the leaves at both ends and their differences on entry, all registers on return; adjoint
    (overwritten) the slopes of the value with respect to every register. All as long as leaves + operations;
    slope twice that. Returns the register of the value.                                                      */
-typedef struct hm_registers {
-    double *r0, *r1, *dr, *adjoint, *slope;
-} hm_registers;
-
 int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
                              const hm_registers *r);
 
 /* One operation of the tape. */
 double hm_operate(int32_t code, double a, double b, double c);
 
-/* Vectors of a state behind its head; n = dim (n_free + n_driven). */
-typedef struct hm_state {
-    double *head;
-    double *q, *q_low, *v, *v_low; /* n each: coordinates and velocities, with what rounding left over       */
-    double *imbalance, *imbalance_before; /* n each: what Newton's iteration left of the momentum balance in the
-                                      last half step and in the one before it [kg m/s]                    */
-    double *start;                 /* n: coordinates at the start, which energies are measured from           */
-    double *a[2];                  /* n each: last 2 (d - h v)/h^2 of the first and the second half of a pair */
-    double *mu[2];                 /* n_rows each: last multipliers, likewise                                 */
-    double *a_change, *mu_change;  /* n_slots of n and n_rows: from half to half of an internal step, see predict.h */
-    double *mean, *mean_before;    /* n_rows each: means of the last two multipliers, and those before them    */
-    double *driven[2];             /* dim n_driven each: forces that move the driven nodes, likewise           */
-    double *driven_mean, *driven_mean_before;
-    double *turns;                 /* n_quantities: full turns of angles so far                               */
-    double *direction;             /* 2 n_quantities: cosine and sine of the angles, times a factor            */
-    double *signal;                /* n_signals: prescribed values at the present time                        */
-    double *quaternion;            /* 4 n_bodies: w, x, y, z; of continuous sign                              */
-    double *sampled;               /* 3 n_sampled: what is known of each sampled load, see sampling.h        */
-    double *derived;               /* 2 + 2 n_rows: the sections extent, row_scale, row_sigma of the numbers   */
-    double *inputs;                /* n_inputs: last given                                                   */
-    double *inputs_before, *inputs_slope; /* n_inputs: of ramps, at the present time, and how fast            */
-    double *islands;               /* I_SIZE n_islands: what each remembers of its iterations                 */
-    double *parameters;
-} hm_state;
-
-/* Scratch of one call: nothing in it survives the call. */
-typedef struct hm_work {
-    double *u0, *w0;      /* dim n_forms each: links at the beginning of the step                           */
-    double *sigma0;       /* n_active: quantities at the beginning                                          */
-    double *signal1;      /* n_signals: prescribed values at the end                                        */
-    double *signal_rate, *signal_before; /* n_signals; rates before inputs changed theirs                   */
-    double *signal_sample; /* 2 n_signals: at the time at which rates are asked for, and next to it          */
-    double *phi0, *phi;   /* n_rows: rows at the beginning, and the row function that shall vanish            */
-    double *lambda, *mu;  /* n_rows: multiplier held fixed, total multiplier                                */
-    double *epsilon;      /* n_rows: compliance 2/alpha or 1/alpha                                          */
-    double *hv, *w, *d;   /* n: h v, unknown d - h v, increment d                                           */
-    double *momentum;     /* n: residual of the momentum balance                                            */
-    double *handed_on;    /* n: part of it that the last half steps have left to this one                    */
-    double *sensed;       /* n: increment of which sampled loads were told                                 */
-    double *ahead, *ahead_rate; /* n each: coordinates and velocities that are foreseen                       */
-    double *free;         /* n: part of the velocities that rows leave free                                */
-    double *row_rate, *row_bias; /* n_rows: rates of rows, and their second derivatives at constant velocities */
-    double *product;      /* dim n_free + n_rows: of the tangent and a vector                              */
-    double *rhs;          /* dim n_free + n_rows, elimination order                                         */
-    double *value;        /* n_lu_values: tangent and its factors                                           */
-    double *local;        /* per form of a composite: links and values, see composite.h                  */
-    double *slope, *end;  /* n_local_forms: slopes of a composite over the step, and at its end              */
-    double *curve;        /* n_local_forms squared: change of the slopes with the forms at the end           */
-    double *gradient, *gradient_end; /* n_local_forms x dim n_local_nodes: of the forms                      */
-    double *block;        /* (dim n_local_nodes) squared                                                    */
-    double *leaves;       /* per leaf of a composite: end slopes and changes, see composite.h            */
-    hm_registers r;       /* of one function                                                                */
-    double *estimate;     /* 4 n: in q and in v, difference from a solution of lower order; of weighted covers: change from
-                             the finest one, and behind it that difference                                  */
-    double *step_backup, *pair_backup, *finest; /* state size each                                          */
-    double *whole_backup; /* twice the state size: after a step and before it, while it is checked             */
-} hm_work;
-
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);
 int64_t hm_map_work(const holonom_model *model, double *block, hm_work *work);
+int64_t hm_map_measured(const holonom_model *model, double *block, hm_measured *measured);
 
 #endif

@@ -24,78 +24,71 @@ HM_SELDOM void holonom_residuals(const holonom_model *m, double *number, double 
     row_rates(&c, c.s.q, c.s.q_low, c.s.v, c.s.signal, c.k.signal_rate, phi_dot);
 }
 
-/* Motion: nodes, places, quantities; returns the place behind. */
-static double *measure_motion(const context *c, double *y)
+/* Motion: nodes, places, quantities, elements. */
+static void measure_motion(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
-    const int32_t n = DIM * c->n_moving;
+    const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving);
     double w[DIM];
-    memcpy(y, c->s.q, sizeof(double) * (size_t)n);
-    memcpy(y + n, c->s.v, sizeof(double) * (size_t)n);
-    y += 2 * n;
+    memcpy(y->position, c->s.q, bytes);
+    memcpy(y->velocity, c->s.v, bytes);
     for (int32_t j = 0; j < m->n_places; j++) {
-        link_at_state(c, m->place_form[j], y + DIM * j, w);
-        link_of(c, m->place_form[j], c->s.v, y + DIM * (m->n_places + j), w);
+        link_at_state(c, m->place_form[j], y->place + DIM * j, w);
+        link_of(c, m->place_form[j], c->s.v, y->place_velocity + DIM * j, w);
     }
-    y += 2 * DIM * m->n_places;
     for (int32_t j = 0; j < m->n_quantities; j++)
-        y[j] = quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, y + m->n_quantities + j);
+        y->quantity[j] = quantity_at(c, j, c->s.q, c->s.q_low, c->s.v, y->quantity_rate + j);
     for (int32_t j = 0; j < m->n_elements; j++) {
         const int32_t quantity = m->leaf[4 * m->leaf_ptr[j] + 1];
-        y[2 * m->n_quantities + j] = c->number[m->stiffness_at + j] * (y[quantity] - c->number[m->rest_at + j]) +
-                                     c->number[m->damping_at + j] * y[m->n_quantities + quantity] -
-                                     c->number[m->drive_at + j];
+        y->element_force[j] = c->number[m->stiffness_at + j] * (y->quantity[quantity] - c->number[m->rest_at + j]) +
+                              c->number[m->damping_at + j] * y->quantity_rate[quantity] - c->number[m->drive_at + j];
     }
-    return y + 2 * m->n_quantities + m->n_elements;
 }
 
-/* Value at the present time on the line through the means of the last steps; returns the place behind. */
-static double *extrapolate(const context *c, int32_t n, const double *mean, const double *before, double *y)
+/* Value at the present time on the line through the means of the last steps. */
+static void extrapolate(const context *c, int32_t n, const double *mean, const double *before, double *y)
 {
     const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
     for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
-    return y + n;
 }
 
-/* Forces along rods, 2 mu |u|, positive in tension, and all multipliers. */
-static double *measure_rows(const context *c, double *y)
+/* Multipliers, and the forces along rods, 2 mu |u|, positive in tension. */
+static void measure_rows(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
-    double *mu = y + m->n_form_rows, u[DIM], w[DIM];
-    double *after = extrapolate(c, m->n_rows, c->s.mean, c->s.mean_before, mu);
+    double u[DIM], w[DIM];
+    extrapolate(c, m->n_rows, c->s.mean, c->s.mean_before, y->multiplier);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
-        y[i] = mu[i] * 2.0 * sqrt(dot(u, u));
+        y->rod_force[i] = y->multiplier[i] * 2.0 * sqrt(dot(u, u));
     }
-    return after;
 }
 
-static double *measure_bodies(const context *c, double *y)
+static void measure_bodies(const context *c, const hm_measured *y)
 {
-    const holonom_model *m = c->m;
-    memcpy(y, c->s.quaternion, sizeof(double) * (size_t)(4 * m->n_bodies));
-    y += 4 * m->n_bodies;
+    memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * c->m->n_bodies));
 #if DIM == 3
-    for (int32_t j = 0; j < m->n_bodies; j++, y += 3) {
-        const double *d = c->s.q + 3 * m->body_node[j], *v = c->s.v + 3 * m->body_node[j];
-        EACH(k) y[k] = 0.0;
+    double *rate = y->body_rate;
+    for (int32_t j = 0; j < c->m->n_bodies; j++, rate += 3) {
+        const double *d = c->s.q + 3 * c->m->body_node[j], *v = c->s.v + 3 * c->m->body_node[j];
+        EACH(k) rate[k] = 0.0;
         for (int i = 0; i < 9; i += 3)
-            EACH(k) y[k] += 0.5 * (d[i + (k + 1) % 3] * v[i + (k + 2) % 3] - d[i + (k + 2) % 3] * v[i + (k + 1) % 3]);
+            EACH(k) rate[k] += 0.5 * (d[i + (k + 1) % 3] * v[i + (k + 2) % 3] - d[i + (k + 2) % 3] * v[i + (k + 1) % 3]);
     }
 #endif
-    return y;
 }
 
-/* Reactions on the second body of each joint, from the multipliers `mu` at the present time. */
-static double *measure_reactions(const context *c, const double *mu, double *y)
+/* Reactions on the second body of each joint, and forces on driven nodes. */
+static void measure_reactions(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
-    double *torques = y + DIM * m->n_reactions, u[DIM], w[DIM];
-    memset(y, 0, sizeof(double) * (size_t)((DIM + TURNING) * m->n_reactions));
+    const double *mu = y->multiplier;
+    double u[DIM], w[DIM];
+    memset(y->reaction_force, 0, sizeof(double) * (size_t)((DIM + TURNING) * m->n_reactions)); /* and torques, behind it */
     for (int32_t e = 0; e < m->n_reaction_entries; e++) {
         const int32_t *entry = m->reaction_entry + 4 * e;
-        double *force = y + DIM * entry[0], *torque = torques + TURNING * entry[0];
+        double *force = y->reaction_force + DIM * entry[0], *torque = y->reaction_torque + TURNING * entry[0];
         if (entry[1] == REACTION_COINCIDENCE) {
             EACH(k) force[k] += entry[3] * mu[m->n_form_rows + DIM * entry[2] + k];
             continue;
@@ -111,65 +104,62 @@ static double *measure_reactions(const context *c, const double *mu, double *y)
 #endif
         }
     }
-    y += (DIM + TURNING) * m->n_reactions;
-    return extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y);
+    extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
 /* Energies, and the largest scaled residuals of the rows. */
-static double *measure_energies(context *c, double *y)
+static void measure_energies(context *c, const hm_measured *y)
 {
     const double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum), change = potential_change(c);
-    y[0] = kinetic;
-    y[1] = head[S_POTENTIAL_START] + change;
-    y[2] = y[0] + y[1];
-    y[3] = head[S_WORK];
-    y[4] = head[S_DISSIPATED];
-    y[5] = ledger_balance(c, kinetic, change);
-    y[6] = relative_balance(c, y[5]);
+    const double potential = head[S_POTENTIAL_START] + change, balance = ledger_balance(c, kinetic, change);
+    const double energy[] = {kinetic, potential, kinetic + potential, head[S_WORK], head[S_DISSIPATED], balance,
+                             relative_balance(c, balance)};
+    memcpy(y->energy, energy, sizeof energy);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     row_values(c, c->k.phi);
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
-    y[7] = largest_row(c, c->k.phi);
-    y[8] = largest_row(c, c->k.row_rate);
-    return y + 9;
+    y->residual[0] = largest_row(c, c->k.phi);
+    y->residual[1] = largest_row(c, c->k.row_rate);
 }
 
 /* Momentum of the points, and angular momentum about the origin: directions carry only the latter. */
-static double *measure_momenta(const context *c, double *y)
+static void measure_momenta(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     const double *p = c->k.momentum;
-    for (int k = 0; k < DIM + TURNING; k++) y[k] = 0.0;
+    EACH(k) y->momentum[k] = 0.0;
+    for (int k = 0; k < TURNING; k++) y->angular_momentum[k] = 0.0;
     for (int32_t a = 0; a < c->n_moving; a++, p += DIM) {
         const double *x = c->s.q + DIM * a;
-        if (!m->node_kind[a]) EACH(k) y[k] += p[k];
+        if (!m->node_kind[a]) EACH(k) y->momentum[k] += p[k];
 #if DIM == 2
-        y[2] += x[0] * p[1] - x[1] * p[0];
+        y->angular_momentum[0] += x[0] * p[1] - x[1] * p[0];
 #else
-        EACH(k) y[3 + k] += x[(k + 1) % 3] * p[(k + 2) % 3] - x[(k + 2) % 3] * p[(k + 1) % 3];
+        EACH(k) y->angular_momentum[k] += x[(k + 1) % 3] * p[(k + 2) % 3] - x[(k + 2) % 3] * p[(k + 1) % 3];
 #endif
     }
-    return y + DIM + TURNING;
 }
 
 void holonom_measure(const holonom_model *m, double *number, double *state, double *work)
 {
     context c;
+    hm_measured measured;
+    const hm_measured *y = &measured;
     open_context(&c, m, number, state, work);
+    hm_map_measured(m, number + m->measured_at, &measured);
     const double *head = c.s.head;
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
-    double *mu = measure_motion(&c, number + m->measured_at);
-    double *y = measure_bodies(&c, measure_rows(&c, mu));
-    y = measure_reactions(&c, mu + m->n_form_rows, y);
-    y = measure_momenta(&c, measure_energies(&c, y));
-    y[0] = head[S_NEWTON];
-    y[1] = head[S_UZAWA];
-    y[2] = head[S_SUBSTEPS];
-    y[3] = head[S_ORDER_IN_USE];
-    y[4] = sampling(&c);
-    y[5] = head[S_STATUS];
+    measure_motion(&c, y);
+    measure_rows(&c, y);
+    measure_bodies(&c, y);
+    measure_reactions(&c, y);
+    measure_energies(&c, y);
+    measure_momenta(&c, y);
+    const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE],
+                                sampling(&c), head[S_STATUS]};
+    memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
     hm_run_tape(m, number, 3);
 }

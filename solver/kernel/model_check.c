@@ -2,10 +2,11 @@
    lies within what it points into. A model that is wrong within these bounds moves wrongly, but its run ends. */
 #include "small.h"
 
+#include "check_tables.h"
 #include "internal.h"
 #include "model_file.h"
 
-/* Place of a table among the lengths. */
+/* Place of a table among all. */
 #define TABLE(name) ((offsetof(holonom_model, name) - offsetof(holonom_model, island_begin)) / sizeof(const int32_t *))
 
 enum { LARGEST_SIZE = 1 << 26 }; /* so that no sum of a few overflows */
@@ -13,10 +14,8 @@ enum { LARGEST_SIZE = 1 << 26 }; /* so that no sum of a few overflows */
 typedef struct checker {
     const holonom_model *m;
     const int32_t *length;
-    int64_t n_nodes, n_moving, n_composites;
+    int64_t count[C_END];
 } checker;
-
-static int is_long(const checker *c, size_t table, int64_t length) { return c->length[table] == length; }
 
 static int within(const int32_t *value, int64_t count, int64_t low, int64_t end)
 {
@@ -25,19 +24,35 @@ static int within(const int32_t *value, int64_t count, int64_t low, int64_t end)
     return 1;
 }
 
-/* Whether a table has `count` indices from `low` to below `end`. */
-static int has(const checker *c, size_t table, int64_t count, int64_t low, int64_t end)
-{
-    return is_long(c, table, count) && within((&c->m->island_begin)[table], count, low, end);
-}
+static int64_t product(const checker *c, section_length x) { return x.times * c->count[x.of] * c->count[x.and_of]; }
 
-/* Whether a table has count + 1 places that rise from 0 to `total`, by at most `most` each. */
-static int rises(const checker *c, size_t table, int64_t count, int64_t total, int64_t most)
+/* Whether places rise from 0 to `total`, by at most `most` each. */
+static int rises(const int32_t *at, int64_t count, int64_t total, int64_t most)
 {
-    const int32_t *at = (&c->m->island_begin)[table];
-    if (!is_long(c, table, count + 1) || at[0] != 0 || at[count] != total) return 0;
+    if (at[0] != 0 || at[count] != total) return 0;
     for (int64_t i = 0; i < count; i++)
         if (at[i + 1] < at[i] || at[i + 1] - (int64_t)at[i] > most) return 0;
+    return 1;
+}
+
+/* Whether a table is as long as its rule says, and its numbers lie where they may. */
+static int keeps_rule(const checker *c, size_t table)
+{
+    const table_rule *r = TABLE_RULES + table;
+    const int32_t *value = (&c->m->island_begin)[table];
+    const int64_t length = c->length[table], declared = product(c, r->length);
+    if (r->is_pointers)
+        return length == declared + 1 && c->count[r->total] % r->width == 0 &&
+               rises(value, declared, c->count[r->total] / r->width, c->count[r->most]);
+    if (r->length.times && length != declared) return 0;
+    return length % r->width == 0 && (!r->is_within || within(value, length, r->low, r->below + c->count[r->end]));
+}
+
+static int has_tables(const checker *c)
+{
+    const size_t lean = TABLE(lean), behind = TABLE(load_slot_ptr);
+    for (size_t i = 0; i < N_TABLES; i++)
+        if ((i < lean || i >= behind || c->m->n_lean_values) && !keeps_rule(c, i)) return 0;
     return 1;
 }
 
@@ -45,7 +60,7 @@ static int has_sizes(const checker *c)
 {
     const holonom_model *m = c->m;
     const int32_t *size = &m->dim;
-    for (size_t i = 0; i <= (size_t)(&m->n_sampled - &m->dim); i++)
+    for (int i = 0; i < N_SIZES; i++)
         if (size[i] < 0 || size[i] > LARGEST_SIZE) return 0;
     const int64_t rows = (int64_t)m->n_form_rows + DIM * (int64_t)m->n_coincidences + m->n_function_rows + m->n_velocity_rows;
     return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass && m->n_slots <= 64 &&
@@ -58,38 +73,23 @@ static int holds(const checker *c, int32_t at, int64_t length) { return at >= 0 
 static int has_sections(const checker *c)
 {
     const holonom_model *m = c->m;
-    const int64_t n = DIM * c->n_moving, turning = DIM == 2 ? 1 : 3;
     int turned = 0;
     for (int32_t f = 0; f < m->n_forms; f++) turned |= m->form_kind[f] & FORM_TURNED;
-    return (!turned || (DIM == 2 && holds(c, m->alpha_turn_at, m->n_entries) && holds(c, m->beta_turn_at, m->n_entries))) &&
-           holds(c, m->mass_at, m->n_mass) && holds(c, m->alpha_at, m->n_entries) && holds(c, m->beta_at, m->n_entries) &&
-           holds(c, m->row_constant_at, m->n_form_rows) && holds(c, m->row_base_at, m->n_rows) &&
-           holds(c, m->extent_at, 2 + 2 * (int64_t)m->n_rows) && m->row_scale_at == m->extent_at + 2 &&
-           m->row_sigma_at == m->row_scale_at + m->n_rows && holds(c, m->stiffness_at, m->n_elements) &&
-           holds(c, m->rest_at, m->n_elements) && holds(c, m->damping_at, m->n_elements) && holds(c, m->drive_at, m->n_elements) &&
-           holds(c, m->gravity_at, DIM) && holds(c, m->support_at, DIM * (int64_t)m->n_support) &&
-           holds(c, m->initial_position_at, n) && holds(c, m->initial_velocity_at, n) &&
-           holds(c, m->load_at, DIM * (int64_t)m->n_loads) && holds(c, m->moment_at, turning * m->n_moments) &&
-           holds(c, m->body_moment_at, 3 * (int64_t)m->n_body_moments) && holds(c, m->parameter_at, m->n_parameters) &&
-           holds(c, m->input_at, m->n_inputs) && holds(c, m->time_at, 1) && holds(c, m->signal_at, m->n_signals) &&
-           holds(c, m->sensor_at, m->n_quantities) && holds(c, m->sensor_rate_at, m->n_quantities) &&
-           holds(c, m->node_mass_at, c->n_moving) && holds(c, m->node_weight_at, c->n_moving) &&
-           holds(c, m->velocity_weight_at, c->n_moving) && holds(c, m->measured_at, holonom_measured_size(m));
+    if (turned && (DIM == 3 || !holds(c, m->alpha_turn_at, m->n_entries) || !holds(c, m->beta_turn_at, m->n_entries))) return 0;
+    for (int i = 0; i < N_OFFSETS; i++)
+        if (SECTIONS[i].times && !holds(c, (&m->mass_at)[i], product(c, SECTIONS[i]))) return 0;
+    return m->row_scale_at == m->extent_at + 2 && m->row_sigma_at == m->row_scale_at + m->n_rows;
 }
 
 static int has_forms(const checker *c)
 {
     const holonom_model *m = c->m;
-    if (!rises(c, TABLE(form_ptr), m->n_forms, m->n_entries, INT32_MAX) || !has(c, TABLE(form_free), m->n_forms, 0, INT32_MAX) ||
-        !has(c, TABLE(form_moving), m->n_forms, 0, INT32_MAX) || !is_long(c, TABLE(form_node), m->n_entries) ||
-        !has(c, TABLE(form_kind), m->n_forms, 0, 8) || !has(c, TABLE(node_kind), c->n_nodes, 0, 2))
-        return 0;
+    const int64_t n_moving = c->count[C_N_MOVING], n_nodes = c->count[C_N_NODES];
     for (int32_t f = 0; f < m->n_forms; f++) { /* free nodes come first, then driven ones */
         const int32_t *node = m->form_node + m->form_ptr[f];
         const int32_t count = m->form_ptr[f + 1] - m->form_ptr[f], moving = m->form_moving[f], free = m->form_free[f];
         if (free > moving || moving > count || !within(node, free, 0, m->n_free) ||
-            !within(node + free, moving - free, m->n_free, c->n_moving) ||
-            !within(node + moving, count - moving, c->n_moving, c->n_nodes))
+            !within(node + free, moving - free, m->n_free, n_moving) || !within(node + moving, count - moving, n_moving, n_nodes))
             return 0;
     }
     return 1;
@@ -98,8 +98,6 @@ static int has_forms(const checker *c)
 static int has_quantities(const checker *c)
 {
     const holonom_model *m = c->m;
-    if (!has(c, TABLE(quantity_kind), m->n_quantities, 0, 3)) return 0;
-    if (!has(c, TABLE(quantity_form), 2 * (int64_t)m->n_quantities, -1, m->n_forms)) return 0;
     for (int32_t j = 0; j < m->n_quantities; j++)
         if (m->quantity_form[2 * j] < 0 || (m->quantity_kind[j] == QUANTITY_ANGLE && m->quantity_form[2 * j + 1] < 0)) return 0;
     return 1;
@@ -143,19 +141,11 @@ static int is_composite(const checker *c, int32_t j)
 static int has_composites(const checker *c)
 {
     const holonom_model *m = c->m;
-    const int64_t n = c->n_composites, n_forms = c->length[TABLE(composite_form)], n_nodes = c->length[TABLE(composite_node)];
-    const int64_t n_leaves = c->length[TABLE(leaf)] / 4, n_operations = c->length[TABLE(operation)] / 4;
-    if (!rises(c, TABLE(composite_form_ptr), n, n_forms, m->n_local_forms) ||
-        !has(c, TABLE(composite_form), n_forms, 0, m->n_forms) ||
-        !rises(c, TABLE(composite_node_ptr), n, n_nodes, m->n_local_nodes) ||
-        !has(c, TABLE(composite_node), n_nodes, 0, m->n_free) ||
-        !rises(c, TABLE(composite_local_ptr), n, c->length[TABLE(composite_local)], INT32_MAX) ||
-        !rises(c, TABLE(leaf_ptr), n, n_leaves, m->n_registers) || !is_long(c, TABLE(leaf), 4 * n_leaves) ||
-        !rises(c, TABLE(function_ptr), n - m->n_elements, n_operations, m->n_registers) ||
-        !is_long(c, TABLE(operation), 4 * n_operations) || m->n_registers > n_leaves + n_operations + 1 ||
-        m->n_local_forms > n_forms + 1 || m->n_local_nodes > n_nodes + 1)
+    const int64_t *count = c->count;
+    if (m->n_registers > count[C_LENGTH_OF_LEAF] / 4 + count[C_LENGTH_OF_OPERATION] / 4 + 1 ||
+        m->n_local_forms > count[C_LENGTH_OF_COMPOSITE_FORM] + 1 || m->n_local_nodes > count[C_LENGTH_OF_COMPOSITE_NODE] + 1)
         return 0;
-    for (int32_t j = 0; j < n; j++)
+    for (int32_t j = 0; j < count[C_N_COMPOSITES]; j++)
         if (!is_composite(c, j)) return 0;
     return 1;
 }
@@ -163,15 +153,9 @@ static int has_composites(const checker *c)
 static int has_loads(const checker *c)
 {
     const holonom_model *m = c->m;
-    const int64_t directors = DIM == 2 ? 1 : 3, axes_end = c->n_moving < directors ? 0 : c->n_moving - directors + 1;
     const int32_t end[] = {m->n_loads, m->n_moments, m->n_body_moments, m->n_elements};
-    if (!has(c, TABLE(load_form), m->n_loads, 0, m->n_forms) ||
-        !has(c, TABLE(load_axes), m->n_loads, -1, axes_end) ||
-        !has(c, TABLE(moment_form), m->n_moments, 0, m->n_forms) || !is_long(c, TABLE(body_moment), 2 * (int64_t)m->n_body_moments) ||
-        !has(c, TABLE(body_node), m->n_bodies, 0, c->n_moving - 2) || !has(c, TABLE(place_form), m->n_places, 0, m->n_forms) ||
-        !is_long(c, TABLE(reaction_entry), 4 * (int64_t)m->n_reaction_entries) || !has(c, TABLE(input_ramp), m->n_inputs, 0, 2) ||
-        !is_long(c, TABLE(sampled_load), 2 * (int64_t)m->n_sampled))
-        return 0;
+    for (int32_t j = 0; j < m->n_loads; j++)
+        if (m->load_axes[j] >= 0 && m->load_axes[j] > c->count[C_N_MOVING] - c->count[C_TURNING]) return 0;
     for (int32_t j = 0; j < m->n_body_moments; j++)
         if (m->body_moment[2 * j] < 0 || m->body_moment[2 * j] > m->n_free - 3) return 0;
     for (int32_t e = 0; e < m->n_reaction_entries; e++) {
@@ -187,56 +171,34 @@ static int has_loads(const checker *c)
     return 1;
 }
 
-static int has_masses_and_rows(const checker *c)
-{
-    const holonom_model *m = c->m;
-    return has(c, TABLE(mass_node), 2 * (int64_t)m->n_mass, 0, c->n_moving) &&
-           within(m->mass_node, 2 * (int64_t)m->n_mass_free, 0, m->n_free) &&
-           has(c, TABLE(linked_form), m->n_linked, 0, m->n_forms) && has(c, TABLE(row_form), m->n_form_rows, 0, m->n_forms) &&
-           has(c, TABLE(row_power), m->n_rows, 0, 9) && has(c, TABLE(coincidence_form), m->n_coincidences, 0, m->n_forms);
-}
-
 static int has_tape(const checker *c)
 {
-    const holonom_model *m = c->m;
-    const int64_t count = (int64_t)m->n_tape[0] + m->n_tape[1] + m->n_tape[2] + m->n_tape[3];
-    if (!is_long(c, TABLE(tape), 5 * count)) return 0;
-    for (int64_t i = 0; i < count; i++)
-        if (!within(m->tape + 5 * i + 1, 4, 0, m->n_numbers)) return 0;
-    return 1;
+    for (int64_t i = 0; i < c->count[C_N_TAPE]; i++)
+        if (!within(c->m->tape + 5 * i + 1, 4, 0, c->m->n_numbers)) return 0;
+    return within(c->m->mass_node, 2 * (int64_t)c->m->n_mass_free, 0, c->m->n_free);
 }
 
 /* Whether columns of islands rise from the first of their kind to the last. */
 static int has_islands(const checker *c)
 {
     const holonom_model *m = c->m;
-    const int64_t first_velocity = (int64_t)m->n_elements + m->n_function_rows, first_potential = first_velocity + m->n_velocity_rows;
-    const int64_t bounds[ISLAND_COLUMNS][2] = {
-        [ISLAND_FREE] = {0, m->n_free}, [ISLAND_DRIVEN] = {m->n_free, c->n_moving}, [ISLAND_ELEMENT] = {0, m->n_elements},
-        [ISLAND_FUNCTION] = {m->n_elements, first_velocity}, [ISLAND_VELOCITY] = {first_velocity, first_potential},
-        [ISLAND_POTENTIAL] = {first_potential, c->n_composites}, [ISLAND_FORM_ROW] = {0, m->n_form_rows},
-        [ISLAND_COINCIDENCE] = {0, m->n_coincidences}, [ISLAND_LOAD] = {0, m->n_loads}, [ISLAND_MOMENT] = {0, m->n_moments},
-        [ISLAND_BODY_MOMENT] = {0, m->n_body_moments}, [ISLAND_MASS] = {0, m->n_mass}, [ISLAND_LINKED] = {0, m->n_linked},
-        [ISLAND_ACTIVE] = {0, m->n_active}, [ISLAND_BODY] = {0, m->n_bodies},
-    };
-    if (!is_long(c, TABLE(island_begin), ISLAND_COLUMNS * ((int64_t)m->n_islands + 1))) return 0;
     for (int k = 0; k < ISLAND_COLUMNS; k++) {
         const int32_t *at = m->island_begin + k;
-        if (at[0] != bounds[k][0] || at[(int64_t)ISLAND_COLUMNS * m->n_islands] != bounds[k][1]) return 0;
+        const uint8_t *bound = ISLAND_BOUNDS[k];
+        if (at[0] != c->count[bound[0]] || at[(int64_t)ISLAND_COLUMNS * m->n_islands] != c->count[bound[1]]) return 0;
         for (int32_t i = 0; i < m->n_islands; i++)
             if (at[ISLAND_COLUMNS * (i + 1)] < at[ISLAND_COLUMNS * i]) return 0;
     }
     return 1;
 }
 
-/* Whether `ptr` has the places of lists of slots with these lengths, and the slots lie in n values. */
-static int has_slots(const checker *c, size_t ptr, size_t slots, int64_t count, int64_t (*length)(const checker *, int32_t, int), int lean, int64_t n)
+/* Whether the lists of slots that the table `ptr` divides have these lengths. */
+static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const checker *, int32_t, int), int lean)
 {
     const int32_t *at = (&c->m->island_begin)[ptr];
-    if (!rises(c, ptr, count, c->length[slots], INT32_MAX)) return 0;
-    for (int32_t i = 0; i < count; i++)
+    for (int32_t i = 0; i < c->length[ptr] - 1; i++)
         if (at[i + 1] - (int64_t)at[i] != length(c, i, lean)) return 0;
-    return within((&c->m->island_begin)[slots], c->length[slots], 0, n);
+    return 1;
 }
 
 static int64_t row_slots(const checker *c, int32_t i, int lean)
@@ -257,7 +219,7 @@ static int64_t composite_slots(const checker *c, int32_t j, int lean)
 {
     const holonom_model *m = c->m;
     const int64_t size = DIM * (int64_t)(m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
-    const int row = j >= m->n_elements && j < c->n_composites - m->n_potentials;
+    const int row = j >= m->n_elements && j < c->count[C_FIRST_POTENTIAL];
     return lean && !row ? 0 : (lean ? 0 : size * size) + (row ? 2 * size : 0);
 }
 
@@ -274,15 +236,13 @@ static int64_t moment_slots(const checker *c, int32_t j, int lean)
     return k * k * DIM * DIM;
 }
 
-/* Whether the elimination whose tables begin at `first` is one of this model with n_values stored entries. */
-static int has_elimination(const checker *c, size_t first, const holonom_elimination *e, int64_t n_values, int lean)
+/* Whether an elimination is one of this model. */
+static int has_elimination(const checker *c, int lean)
 {
     const holonom_model *m = c->m;
-    const int64_t n = DIM * (int64_t)m->n_free + m->n_rows;
-#define OWN(name) (first + offsetof(holonom_elimination, name) / sizeof(const int32_t *))
-    if (!has(c, OWN(node_position), m->n_free, 0, n - DIM + 1) || !has(c, OWN(row_position), m->n_rows, 0, n) ||
-        !rises(c, OWN(lu_ptr), n, n_values, INT32_MAX) || !is_long(c, OWN(lu_island), 2 * ((int64_t)m->n_islands + 1)))
-        return 0;
+    const holonom_elimination *e = lean ? &m->lean : &m->full;
+    const int64_t n = c->count[C_N_PIVOTS];
+#define OWN(name) (lean ? TABLE(lean.name) : TABLE(full.name))
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
     for (int32_t k = 0; k <= n; k++) { /* where islands begin: a pivot, and the targets before it */
@@ -296,23 +256,21 @@ static int has_elimination(const checker *c, size_t first, const holonom_elimina
         columns += neighbours;
         targets += neighbours * neighbours;
     }
-    return island == m->n_islands + 1 && e->lu_island[2 * m->n_islands] == n && is_long(c, OWN(lu_column), columns) &&
-           has(c, OWN(lu_target), targets, 0, n_values) && has(c, OWN(mass_slot), DIM * (int64_t)m->n_mass_free, 0, n_values) &&
-           has_slots(c, OWN(row_slot_ptr), OWN(row_slot), m->n_form_rows, row_slots, lean, n_values) &&
-           has_slots(c, OWN(coincidence_slot_ptr), OWN(coincidence_slot), m->n_coincidences, coincidence_slots, lean, n_values) &&
-           has_slots(c, OWN(composite_slot_ptr), OWN(composite_slot), c->n_composites, composite_slots, lean, n_values);
+    return island == m->n_islands + 1 && e->lu_island[2 * m->n_islands] == n && c->length[OWN(lu_column)] == columns &&
+           c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots, lean) &&
+           has_slots(c, OWN(coincidence_slot_ptr), coincidence_slots, lean) &&
+           has_slots(c, OWN(composite_slot_ptr), composite_slots, lean);
 #undef OWN
 }
 
 int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
 {
-    const checker checked = {m, table_length, (int64_t)m->n_free + m->n_driven + m->n_support, (int64_t)m->n_free + m->n_driven,
-                             (int64_t)m->n_elements + m->n_function_rows + m->n_velocity_rows + m->n_potentials};
+    checker checked = {m, table_length, {0}};
     const checker *c = &checked;
-    return has_sizes(c) && has_forms(c) && has_sections(c) && has_quantities(c) && has_masses_and_rows(c) && has_composites(c) &&
-           has_loads(c) && has_tape(c) && has_islands(c) && has_elimination(c, TABLE(full), &m->full, m->n_lu_values, 0) &&
-           (!m->n_lean_values || has_elimination(c, TABLE(lean), &m->lean, m->n_lean_values, 1)) &&
-           has_slots(c, TABLE(load_slot_ptr), TABLE(load_slot), m->n_loads, load_slots, 0, m->n_lu_values) &&
-           has_slots(c, TABLE(moment_slot_ptr), TABLE(moment_slot), m->n_moments, moment_slots, 0, m->n_lu_values) &&
-           has(c, TABLE(body_moment_slot), 81 * (int64_t)m->n_body_moments, 0, m->n_lu_values);
+    if (!has_sizes(c)) return 0;
+    set_counts(m, checked.count);
+    for (int i = 0; i < N_TABLES; i++) checked.count[C_LENGTH_OF_ISLAND_BEGIN + i] = table_length[i];
+    return has_tables(c) && has_forms(c) && has_sections(c) && has_quantities(c) && has_composites(c) && has_loads(c) &&
+           has_tape(c) && has_islands(c) && has_elimination(c, 0) && (!m->n_lean_values || has_elimination(c, 1)) &&
+           has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
 }

@@ -5,14 +5,6 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(hm_header) == 144, "header of a model file");
-_Static_assert(sizeof(hm_variable) == 56 && sizeof(hm_rule) == 24 && sizeof(hm_row) == 16, "records of a model file");
-
-#define N_BETWEEN(first, last, type) ((offsetof(holonom_model, last) - offsetof(holonom_model, first)) / sizeof(type) + 1)
-#define N_SIZES N_BETWEEN(dim, n_sampled, int32_t)
-#define N_OFFSETS N_BETWEEN(mass_at, measured_at, int32_t)
-#define N_TABLES N_BETWEEN(island_begin, body_moment_slot, const int32_t *)
-
 /* CRC-32 (IEEE 802.3). */
 uint32_t hm_checksum(uint32_t before, const void *bytes, size_t count)
 {
@@ -83,10 +75,10 @@ static int is_sound(const hm_model_file *f, const hm_variable *v)
 {
     const holonom_model *m = &f->model;
     const int32_t end[] = {m->n_parameters, m->n_inputs, m->n_numbers, m->n_numbers - m->measured_at, S_HORIZON};
-    if (v->type > STRING || v->causality > CALCULATED_PARAMETER || v->variability > CONTINUOUS || v->kind > AN_OPTION) return 0;
-    if (v->place < (v->kind == AN_OPTION ? S_FORMULATION : 0) || v->place >= end[v->kind]) return 0;
-    if ((v->causality <= INPUT) == (v->kind == A_NUMBER || v->kind == A_MEASUREMENT)) return 0;
-    if ((v->type != REAL) && v->kind != AN_OPTION) return 0;
+    if (v->type >= TYPE_END || v->causality >= CAUSALITY_END || v->variability >= VARIABILITY_END || v->kind >= KIND_END) return 0;
+    if (v->place < (v->kind == KIND_OPTION ? S_FORMULATION : 0) || v->place >= end[v->kind]) return 0;
+    if ((v->causality <= CAUSALITY_INPUT) == (v->kind == KIND_NUMBER || v->kind == KIND_MEASURED)) return 0;
+    if (v->type != TYPE_REAL && v->kind != KIND_OPTION) return 0;
     return has_text(f, v->name) && has_text(f, v->unit) && has_words(f, v->words) && fabs(v->start) < INFINITY;
 }
 
@@ -96,7 +88,7 @@ static int has_sound_records(const hm_model_file *f)
     int options = 0;
     for (uint32_t i = 0; i < h->n_variables; i++) {
         if (!is_sound(f, f->variable + i)) return 0;
-        options += f->variable[i].kind == AN_OPTION;
+        options += f->variable[i].kind == KIND_OPTION;
     }
     for (uint32_t i = 0; i < h->n_rules; i++) {
         const hm_rule *rule = f->rule + i;

@@ -169,8 +169,8 @@ static int32_t solve_step(context *c, int parity)
     }
     look_at_all(c);
     c->lu = &c->m->full;
-    c->s.head[S_NEWTON] += most.increments;
-    c->s.head[S_UZAWA] += most.updates;
+    c->s.head[S_NEWTON_ITERATIONS] += most.increments;
+    c->s.head[S_UZAWA_ITERATIONS] += most.updates;
     return status;
 }
 

@@ -67,14 +67,14 @@ static void undo_step(context *c, double t, double law_time)
 {
     double learned[2 * N_COMPOSED];
     memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
-    const double newton = c->s.head[S_NEWTON], uzawa = c->s.head[S_UZAWA];
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
     if (!is_unpaired(c)) {
         memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
         if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     }
     c->t = t;
-    c->s.head[S_NEWTON] = newton;
-    c->s.head[S_UZAWA] = uzawa;
+    c->s.head[S_NEWTON_ITERATIONS] = newton;
+    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
     memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
 }
 

@@ -8,7 +8,7 @@
 const char *hm_word(const hm_model_file *f, const hm_variable *v, double value)
 {
     const char *word = f->text + v->words;
-    if (!(value >= 0.0) || v->type != STRING) return NULL;
+    if (!(value >= 0.0) || v->type != TYPE_STRING) return NULL;
     for (; value >= 1.0 && *word; value--) word += strlen(word) + 1;
     return *word ? word : NULL;
 }
@@ -16,7 +16,7 @@ const char *hm_word(const hm_model_file *f, const hm_variable *v, double value)
 const char *hm_formulation_word(const hm_model_file *f, double number)
 {
     for (uint32_t k = 0; k < f->header->n_variables; k++)
-        if (f->variable[k].kind == AN_OPTION && f->variable[k].place == S_FORMULATION) return hm_word(f, f->variable + k, number);
+        if (f->variable[k].kind == KIND_OPTION && f->variable[k].place == S_FORMULATION) return hm_word(f, f->variable + k, number);
     return NULL;
 }
 
@@ -46,8 +46,8 @@ static int objects_to_word(hm_text *text, const hm_model_file *f, const hm_varia
 static int objects_to_setting(hm_text *text, const hm_model_file *f, const hm_variable *v, double value, const char *shown)
 {
     const char *unit = f->text + v->unit, *gap = *unit ? " " : "";
-    if (v->type == STRING) return objects_to_word(text, f, v, value, shown);
-    if (v->type == BOOLEAN) return value == 0.0 || value == 1.0 ? 0 : object(text, "must be true or false", value, shown);
+    if (v->type == TYPE_STRING) return objects_to_word(text, f, v, value, shown);
+    if (v->type == TYPE_BOOLEAN) return value == 0.0 || value == 1.0 ? 0 : object(text, "must be true or false", value, shown);
     if (v->flags & ORDER)
         return value == 0.0 || value == 2.0 || value == 4.0 || value == 6.0 || value == 8.0
                    ? 0
@@ -67,15 +67,15 @@ int hm_objects(hm_text *text, const hm_model_file *f, const hm_variable *v, doub
     const char *unit = f->text + v->unit, *gap = *unit ? " " : "";
     const size_t begin = text->used;
     hm_say(text, "%s: ", f->text + v->name);
-    if (v->causality > INPUT) {
+    if (v->causality > CAUSALITY_INPUT) {
         hm_say(text, "is calculated and cannot be set");
         return 1;
     }
-    if (v->variability == FIXED && moving) {
+    if (v->variability == VARIABILITY_FIXED && moving) {
         hm_say(text, "is a fixed parameter; set it before the first step, or reset first");
         return 1;
     }
-    if (v->kind == AN_OPTION) {
+    if (v->kind == KIND_OPTION) {
         if (objects_to_setting(text, f, v, value, shown)) return 1;
     } else if (!(fabs(value) < INFINITY)) {
         hm_say(text, "must be a finite number%s%s%s", *unit ? " in" : "", gap, unit);
@@ -85,7 +85,7 @@ int hm_objects(hm_text *text, const hm_model_file *f, const hm_variable *v, doub
         if (limit == limit && !(v->flags & CLIPS)) {
             hm_say(text, "must be %s %6g%s%s", value < limit ? ">=" : "<=", limit, gap, unit);
             object(text, "", value, shown);
-            if (v->causality == INPUT)
+            if (v->causality == CAUSALITY_INPUT)
                 hm_say(text, "; with limit = \"clip\" in the scene's [inputs] it is %6g instead", limit);
             return 1;
         }

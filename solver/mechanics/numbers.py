@@ -32,7 +32,7 @@ class Numbers:
         symbols: Callable[[str], tuple[str, int, Segment] | Number],
         calls: Callable[[Expr], Number],
     ) -> None:
-        assert tuple(sections) == OFFSETS
+        assert tuple(sections) == tuple(OFFSETS)
         self.offsets: dict[str, int] = {}
         self.values = array("d")
         formulas: dict[str, list[tuple[int, Expr]]] = {}

@@ -272,7 +272,7 @@ class Structure:
             yield from ((joint, kind, rows[kind].place[row], sign) for kind, row, sign in entries)
 
     def _windows(self) -> list[list[int]]:
-        """Where each island begins among free nodes and so on, see `holonom_island_column`."""
+        """Where each island begins among free nodes and so on, see ``layout.ISLAND_PARTS``."""
         shift, windows = self.n_free, [self.free_nodes.begin]
         windows.append([shift + k for k in self.driven_nodes.begin])
         shift = 0

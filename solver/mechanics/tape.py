@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import IntEnum
 
-from solver.runtime.operations import CODES
+from solver.runtime.layout import CODES
 from solver.scene import Expr, Number
 
 CODE = {name: code for code, name in enumerate(CODES)}

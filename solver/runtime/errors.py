@@ -57,16 +57,16 @@ class Status(IntEnum):
     """Status codes of the kernel, one meaning each."""
 
     OK = 0
-    NEWTON_DIVERGED = 1
-    UZAWA_DIVERGED = 2
-    SINGULAR_TANGENT = 3
-    NOT_FINITE = 4
-    ZERO_LENGTH = 5
-    BAD_STEP = 6
-    BAD_LAW = 7
-    TURN_TOO_LARGE = 8
-    DAMPING_REVERSED = 9
-    STEP_COLLAPSED = 10
+    NEWTON_DIVERGED = 1  # inner Newton iteration did not reach the tolerance
+    UZAWA_DIVERGED = 2  # outer Uzawa iteration left the constraints unsatisfied
+    SINGULAR_TANGENT = 3  # a pivot of the tangent matrix is zero
+    NOT_FINITE = 4  # an increment, a residual or a number of the model is not finite
+    ZERO_LENGTH = 5  # a length or a turned link is zero, an angle has no direction
+    BAD_STEP = 6  # step length is not a finite positive number
+    BAD_LAW = 7  # a stiffness, free length or damping is negative, or work not a number
+    TURN_TOO_LARGE = 8  # a body would turn by more than 2.5 rad in a half step
+    DAMPING_REVERSED = 9  # a step of order > 2 goes back in between: dampers fed energy
+    STEP_COLLAPSED = 10  # a tolerance asks for more than 1e6 internal steps in one
 
 
 def is_double(value: object) -> bool:

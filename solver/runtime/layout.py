@@ -1,165 +1,373 @@
-"""Where everything of a model and a state lies in memory, in one place.
+"""Where everything of a model and a state lies in memory: each field declared once, in its order.
 
-The names are those of ``solver/kernel/holonom.h``, in its order: `SIZES`, `TABLES`, `OFFSETS` make
-up its ``holonom_model``; `HEAD` lists the scalars at the beginning of a state. A state is one block
-of doubles: the head, then the vectors of `state_sections`. All that survives a step is in it.
+``build_kernel.model_tables`` writes from this file the structures, enumerations, lengths and simple
+checks of the core, with the comment behind a field as its text; and Python finds here the names.
+
+A model has `SIZES`, integer `TABLES`, and one vector of numbers in sections, `OFFSETS`. A state is
+one block of doubles: `HEAD`, then `STATE`; all that survives a step is in it. Lengths are products
+of sizes, `COUNTS` and whole numbers.
 """
 
 from __future__ import annotations
 
+from collections import namedtuple
 from collections.abc import Mapping
 
-ABI = 16
-"""``HOLONOM_ABI`` of the header: changes with the structures, the head and the entry points."""
+ABI = 17
+"""Changes with what is declared here and with the entry points of the core."""
+VERSION = 5
+"""Of the bytes of a model."""
 
+
+class Table(namedtuple("Table", "length low end width", defaults=("", None, None, 1))):
+    """An integer table; `length` is empty where other tables tell it; an item has `width` integers.
+
+    These lie from `low` to below `end`, where that alone can be said of them.
+    """
+
+    __slots__ = ()
+
+
+class Pointers(namedtuple("Pointers", "count total most", defaults=("",))):
+    """A table of `count` + 1 places that rise from 0 to `total`, by at most `most` each."""
+
+    __slots__ = ()
+
+
+# fmt: off
 SIZES = (
-    "dim", "n_free", "n_driven", "n_support", "n_forms", "n_entries", "n_quantities", "n_active",
-    "n_linked", "n_form_rows", "n_coincidences", "n_function_rows", "n_velocity_rows", "n_rows",
-    "n_elements", "n_potentials", "n_loads", "n_moments", "n_body_moments", "n_mass",
-    "n_mass_free", "n_bodies", "n_places", "n_reactions", "n_reaction_entries", "n_signals",
-    "n_parameters", "n_inputs", "n_numbers", "n_tape_parameters", "n_tape_laws", "n_tape_signals",
-    "n_tape_outputs", "time_dependent", "variable_potential", "sensing", "n_registers",
-    "n_local_forms", "n_local_nodes", "n_lu_values", "n_lean_values", "n_slots",
-    "n_islands", "n_sampled",
-)  # fmt: skip
-"""Integers of a model, each a 32-bit field."""
+    "dim",  # 2 or 3: coordinates of a node
+    "n_free",  # moving nodes that are unknown
+    "n_driven",  # moving nodes whose coordinates are the first dim n_driven signals
+    "n_support",  # nodes that do not move
+    "n_forms",  # forms s = u . w
+    "n_entries",  # entries of all forms
+    "n_quantities",  # the first n_active take part in the motion, the others are measured
+    "n_active",
+    "n_linked",  # forms that a step needs at its beginning
+    "n_form_rows",  # s - c = 0
+    "n_coincidences",  # u = 0, dim rows each
+    "n_function_rows",  # phi = 0
+    "n_velocity_rows",  # psi = 0, linear in rates
+    "n_rows",  # all rows, in this order: one multiplier each
+    "n_elements",  # springs, dampers and drives, along one quantity each
+    "n_potentials",  # functions V
+    "n_loads",  # forces on a link
+    "n_moments",  # moments that turn a link
+    "n_body_moments",  # moments on spatial bodies
+    "n_mass",  # entries of the mass matrix between moving nodes, both triangles
+    "n_mass_free",  # of these, the first ones couple free nodes
+    "n_bodies",  # spatial rigid bodies
+    "n_places",  # points of bodies that are measured
+    "n_reactions",  # joints whose reaction is measured
+    "n_reaction_entries",
+    "n_signals",  # prescribed values that rows contain
+    "n_parameters",  # of the scene
+    "n_inputs",  # of the scene
+    "n_numbers",  # length of the vector of numbers
+    "n_tape_parameters",  # operations of parameters alone
+    "n_tape_laws",  # also of the time, inputs, tunable parameters
+    "n_tape_signals",
+    "n_tape_outputs",  # of measurements
+    "time_dependent",  # 1: the laws change within a communication step
+    "variable_potential",  # 1: the laws write springs or potentials, so stored energy may jump
+    "sensing",  # 1: the laws read quantities
+    "n_registers",  # most leaves and operations of a function
+    "n_local_forms",  # most forms of a composite
+    "n_local_nodes",  # most free nodes of a composite
+    "n_lu_values",  # stored entries of the factors
+    "n_lean_values",  # likewise of those without stiffness; 0 where these are not worth while
+    "n_slots",  # half steps of an internal one whose changes a state keeps, see predict.h
+    "n_islands",  # parts that no mass, row or force joins: each is solved by itself
+    "n_sampled",  # loads that read quantities
+)
+"""Integers of a model."""
 
-_ELIMINATION = (
-    "node_position", "row_position", "lu_ptr", "lu_column", "lu_target", "lu_island", "mass_slot",
-    "row_slot_ptr", "row_slot", "coincidence_slot_ptr", "coincidence_slot", "composite_slot_ptr",
-    "composite_slot",
-)  # fmt: skip
+COUNTS = {
+    "n_moving": "n_free + n_driven",
+    "n_nodes": "n_moving + n_support",
+    "n": "dim * n_moving",
+    "n_pivots": "dim * n_free + n_rows",
+    "n_functions": "n_function_rows + n_velocity_rows + n_potentials",
+    "n_composites": "n_elements + n_functions",
+    "first_velocity": "n_elements + n_function_rows",  # among the composites
+    "first_potential": "first_velocity + n_velocity_rows",
+    "n_tape": "n_tape_parameters + n_tape_laws + n_tape_signals + n_tape_outputs",
+    "n_island_ends": "n_islands + 1",
+    "n_derived": "2 + 2 * n_rows",
+    "n_first_pivots": "n_pivots - dim + 1",  # of nodes
+    "n_first_directors": "n_moving - 2",  # of spatial bodies
+    "turning": "2 * dim - 3",  # components of a moment
+}
+"""What lengths are made of besides sizes."""
 
-TABLES = (
-    "island_begin", "node_kind", "form_ptr", "form_free", "form_moving", "form_node", "form_kind",
-    "quantity_kind", "quantity_form", "linked_form", "row_form", "row_power", "coincidence_form",
-    "composite_form_ptr", "composite_form", "composite_node_ptr", "composite_node",
-    "composite_local_ptr", "composite_local", "leaf_ptr", "leaf", "function_ptr", "operation",
-    "load_form", "load_axes", "moment_form", "body_moment", "body_node", "place_form",
-    "reaction_entry", "mass_node", "input_ramp", "sampled_load", "tape",
-    *_ELIMINATION, *(f"lean_{name}" for name in _ELIMINATION),
-    "load_slot_ptr", "load_slot", "moment_slot_ptr", "moment_slot", "body_moment_slot",
-)  # fmt: skip
-"""Integer arrays of a model, each a pointer."""
+ELIMINATION = {
+    "node_position": Table("n_free", 0, "n_first_pivots"),  # first place in the elimination order
+    "row_position": Table("n_rows", 0, "n_pivots"),  # place of the row's multiplier
+    "lu_ptr": Pointers("n_pivots", "n_lu_values"),  # pivot k owns [diagonal, U row, L column]
+    "lu_column": Table(),  # places coupled to each pivot, in the order of its U row
+    "lu_target": Table("", 0, "n_lu_values"),  # m x m targets of each pivot's update, row by row
+    "lu_island": Table("2 * n_island_ends"),  # first pivot of each island, first of its targets
+    "mass_slot": Table("dim * n_mass_free", 0, "n_lu_values"),
+    "row_slot_ptr": Pointers("n_form_rows", "row_slot"),  # where each row's slots begin
+    "row_slot": Table("", 0, "n_lu_values"),  # k free entries: stiffness, k dim upper, k dim lower
+    "coincidence_slot_ptr": Pointers("n_coincidences", "coincidence_slot"),
+    "coincidence_slot": Table("", 0, "n_lu_values"),  # dim upper, dim lower; if turned dim dim
+    "composite_slot_ptr": Pointers("n_composites", "composite_slot"),
+    "composite_slot": Table("", 0, "n_lu_values"),  # K nodes: (K dim)^2, of rows 2 K dim more
+}
+"""Tables of a factorisation: of the whole tangent, or lean.
 
-OFFSETS = (
-    "mass", "alpha", "beta", "alpha_turn", "beta_turn", "row_constant", "row_base", "extent",
-    "row_scale", "row_sigma", "stiffness", "rest", "damping", "drive", "gravity", "support",
-    "initial_position", "initial_velocity", "load", "moment", "body_moment", "parameter", "input",
-    "time", "signal", "sensor", "sensor_rate", "node_mass", "node_weight", "velocity_weight",
-    "measured",
-)  # fmt: skip
-"""Sections of the vector of numbers, each a 32-bit offset."""
+Lean factors leave stiffness out: G and what M couples remain, a Schur complement G M^-1 G' in
+disguise, cheap where M is diagonal, and good for short steps. A row has k k dim stiffnesses; turned
+k k dim dim; linear or lean none.
+"""
+
+
+def _lean(table: tuple) -> tuple:
+    """Return the same table of lean factors."""
+    names = (f"lean_{x}" if x in ELIMINATION else x for x in table)
+    return type(table)(*("n_lean_values" if x == "n_lu_values" else x for x in names))
+
+
+ISLAND_PARTS = {
+    "free": ("0", "n_free"), "driven": ("n_free", "n_moving"),
+    "element": ("0", "n_elements"), "function": ("n_elements", "first_velocity"),
+    "velocity": ("first_velocity", "first_potential"),
+    "potential": ("first_potential", "n_composites"),
+    "form_row": ("0", "n_form_rows"), "coincidence": ("0", "n_coincidences"),
+    "load": ("0", "n_loads"), "moment": ("0", "n_moments"),
+    "body_moment": ("0", "n_body_moments"), "mass": ("0", "n_mass"), "linked": ("0", "n_linked"),
+    "active": ("0", "n_active"), "body": ("0", "n_bodies"),
+}
+"""What islands divide, each into consecutive pieces from the first place to the last."""
+
+TABLES = {
+    "island_begin": Table(f"{len(ISLAND_PARTS)} * n_island_ends"),  # of each of `ISLAND_PARTS`
+    "node_kind": Table("n_nodes", 0, 2),  # 0 point, 1 direction
+    "form_ptr": Pointers("n_forms", "n_entries"),  # entries of form f: form_ptr[f] .. [f+1]-1
+    "form_free": Table("n_forms", 0),  # how many entries are free nodes; these come first
+    "form_moving": Table("n_forms", 0),  # how many are free or driven
+    "form_node": Table("n_entries"),  # node of each entry
+    "form_kind": Table("n_forms", 0, 8),  # flags FORM_..
+    "quantity_kind": Table("n_quantities", 0, 3),  # QUANTITY_..
+    "quantity_form": Table("2 * n_quantities", -1, "n_forms"),  # one form, or two of an angle
+    "linked_form": Table("n_linked", 0, "n_forms"),  # of rows, composites and laws
+    "row_form": Table("n_form_rows", 0, "n_forms"),
+    "row_power": Table("n_rows", 0, 9),  # the row's scale is row_base extent^power
+    "coincidence_form": Table("n_coincidences", 0, "n_forms"),  # the link u
+    "composite_form_ptr": Pointers("n_composites", "composite_form", "n_local_forms"),
+    "composite_form": Table("", 0, "n_forms"),  # of elements, functions, velocity rows, potentials
+    "composite_node_ptr": Pointers("n_composites", "composite_node", "n_local_nodes"),
+    "composite_node": Table("", 0, "n_free"),  # free nodes of their forms
+    "composite_local_ptr": Pointers("n_composites", "composite_local"),
+    "composite_local": Table(),  # place among these of each free entry of each form
+    "leaf_ptr": Pointers("n_composites", "leaf", "n_registers"),
+    "leaf": Table(width=4),  # LEAF_.., index, two local forms
+    "function_ptr": Pointers("n_functions", "operation", "n_registers"),
+    "operation": Table(width=4),  # code, three arguments: a register, or -1 - a number's place
+    "load_form": Table("n_loads", 0, "n_forms"),  # the link u they act on
+    "load_axes": Table("n_loads", -1),  # -1 global, or first director of the body they turn with
+    "moment_form": Table("n_moments", 0, "n_forms"),
+    "body_moment": Table("2 * n_body_moments"),  # first director; 0 global or 1 body axes
+    "body_node": Table("n_bodies", 0, "n_first_directors"),  # first of three directors
+    "place_form": Table("n_places", 0, "n_forms"),  # the link u
+    "reaction_entry": Table("4 * n_reaction_entries"),  # reaction, REACTION_.., index, sign
+    "mass_node": Table("2 * n_mass", 0, "n_moving"),  # row node, column node
+    "input_ramp": Table("n_inputs", 0, 2),  # 1 if it changes evenly over a communication step
+    "sampled_load": Table("2 * n_sampled"),  # SAMPLED_.. and place among these
+    "tape": Table("5 * n_tape"),  # of an operation: code, target, three arguments
+    **ELIMINATION,
+    **{f"lean_{name}": _lean(table) for name, table in ELIMINATION.items()},
+    "load_slot_ptr": Pointers("n_loads", "load_slot"),
+    "load_slot": Table("", 0, "n_lu_values"),  # follower load: free entries directors dim dim
+    "moment_slot_ptr": Pointers("n_moments", "moment_slot"),
+    "moment_slot": Table("", 0, "n_lu_values"),  # k k dim dim each
+    "body_moment_slot": Table("81 * n_body_moments", 0, "n_lu_values"),  # 9 x 9 each
+}
+"""Integer arrays of a model."""
+
+OFFSETS = {
+    "mass": "n_mass",  # [kg]
+    "alpha": "n_entries", "beta": "n_entries",
+    "alpha_turn": "", "beta_turn": "",  # n_entries, or none if no form is turned
+    "row_constant": "n_form_rows",  # c
+    "row_base": "n_rows",
+    "extent": "n_derived",  # size [m], in the mass norm [kg^1/2 m]; the state keeps these three
+    "row_scale": "n_rows",  # makes Phi dimensionless
+    "row_sigma": "n_rows",  # (G M^-1 G')_ii
+    **dict.fromkeys(("stiffness", "rest", "damping", "drive"), "n_elements"),
+    "gravity": "dim",  # [m/s^2]
+    "support": "dim * n_support",
+    "initial_position": "n", "initial_velocity": "n",
+    "load": "dim * n_loads",  # [N]
+    "moment": "turning * n_moments", "body_moment": "3 * n_body_moments",  # [N m]
+    "parameter": "n_parameters", "input": "n_inputs", "time": "1",
+    "signal": "n_signals",  # written by the third tape
+    "sensor": "n_quantities", "sensor_rate": "n_quantities",  # in the middle of a step
+    "node_mass": "n_moving",  # share of the mass in norms [kg]
+    "node_weight": "n_moving",  # mass that gravity acts on [kg]
+    "velocity_weight": "n_moving",  # of a velocity when it is made consistent
+    "measured": "n_measured",  # `MEASURED`
+}
+"""Sections of the vector of numbers."""
 
 HEAD = (
-    "time", "kinetic_start", "potential_start", "stored_start", "energy_reference", "work",
-    "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual", "residual_low",
-    "mean_time", "mean_time_before", "parity", "known", "halves", "wanted", "last_length",
-    "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8", "across",
-    "order_in_use", "newton_iterations", "uzawa_iterations", "substeps", "ledger_error", "status",
+    "time",
+    "kinetic_start", "potential_start", "stored_start",
+    "energy_reference",  # largest kinetic energy, or change of potential energy, so far
+    "work", "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
+    "residual_low",  # accounts of the ledger, with what rounding left over
+    "mean_time", "mean_time_before",
+    "parity",  # of half steps that come one by one
+    "known", "halves",  # see predict.h
+    "wanted",  # length that a tolerance asks for
+    "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
+    "across", "order_in_use",
+    "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
+    "ledger_error",
+    "status",  # of the last step
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
-    "tolerance", "absolute_tolerance", "longest_step", "horizon",
-)  # fmt: skip
+    "tolerance", "absolute_tolerance", "longest_step",  # the settings of solver/options.py
+    "horizon",  # of a run
+)
 """Scalars at the head of a state."""
 
 ISLAND = (
-    "penalty_level", "slow_steps", "dependent", "full_steps", "full_wait", "fresh_steps",
-    "fresh_wait",
-)  # fmt: skip
+    "penalty_level", "slow_steps",  # see policy_penalty.h
+    "dependent",  # whether rows depend on each other
+    "full_steps", "full_wait", "fresh_steps", "fresh_wait",  # see policy_factors.h
+)
 """Scalars of each island in the section `islands` of a state."""
+
+STATE = {
+    "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
+    "v": "n", "v_low": "n",  # velocities [m/s], likewise
+    "imbalance": "n", "imbalance_before": "n",  # what Newton's iteration left of the momentum
+    # balance in the last half step and in the one before it [kg m/s]
+    "start": "n",  # coordinates at the start, which energies are measured from
+    "a_first": "n", "a_second": "n",  # last 2 (d - h v)/h^2 of either half of a pair
+    "mu_first": "n_rows", "mu_second": "n_rows",  # last multipliers, likewise
+    "a_change": "n * n_slots", "mu_change": "n_rows * n_slots",  # from half to half, see predict.h
+    "mean": "n_rows", "mean_before": "n_rows",  # of the last two multipliers, and those before
+    "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
+    "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
+    "turns": "n_quantities",  # full turns of angles so far
+    "direction": "2 * n_quantities",  # cosine and sine of the angles, times a factor
+    "signal": "n_signals",  # prescribed values at the present time
+    "quaternion": "4 * n_bodies",  # w, x, y, z; of continuous sign
+    "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
+    "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
+    "inputs": "n_inputs",  # last given
+    "inputs_before": "n_inputs", "inputs_slope": "n_inputs",  # of ramps: at present, and how fast
+    "islands": f"{len(ISLAND)} * n_islands",  # `ISLAND` of each
+    "parameters": "n_parameters",
+}
+"""Vectors of a state behind its head."""
+
+MEASURED = {
+    "position": "n", "velocity": "n",
+    "place": "dim * n_places", "place_velocity": "dim * n_places",
+    "quantity": "n_quantities", "quantity_rate": "n_quantities",
+    "element_force": "n_elements",  # along each
+    "rod_force": "n_form_rows",  # 2 mu |u|, positive in tension
+    "multiplier": "n_rows",
+    "quaternion": "4 * n_bodies",  # w, x, y, z
+    "body_rate": "3 * n_bodies",  # angular velocity
+    "reaction_force": "dim * n_reactions",  # on the second body of each joint
+    "reaction_torque": "turning * n_reactions",
+    "driven_force": "dim * n_driven",
+    "energy": "7",  # kinetic, potential, total, work, dissipated, balance, relative error
+    "residual": "2",  # largest of positions and velocities, scaled
+    "momentum": "dim",
+    "angular_momentum": "turning",  # about the origin
+    "solver": "6",  # Newton iterations, Uzawa updates, substeps, order, sampling, status
+}
+"""Groups of measurements, in the section `measured` of the numbers."""
+
+HEADER = {
+    "magic": "8s",  # "HOLONOM" and 0
+    "checksum": "I",  # CRC-32 of all that follows
+    "version": "I", "abi": "I",  # of the program
+    "n_sizes": "I", "n_offsets": "I", "n_tables": "I", "n_head": "I",  # likewise
+    "n_ints": "I", "n_numbers": "I", "n_variables": "I", "n_rules": "I", "n_rows": "I",
+    "n_sampled": "I", "n_text": "I",  # lengths; of texts in bytes
+    "guid": "40s",  # of the FMU that carries it
+    "fingerprint": "32s",  # hash of all that a run depends on
+    "length": "Q",  # of the file in bytes
+}
+"""Header of the bytes of a model, by the letters of ``struct``; likewise the records below."""
+
+VARIABLE = {
+    "name": "I", "unit": "I",  # where the texts are
+    "type": "B", "causality": "B", "variability": "B", "kind": "B",
+    "place": "i",  # among the parameters, inputs, numbers, measurements or in the head
+    "start": "d", "minimum": "d", "maximum": "d",
+    "least": "d",  # of an option: smallest value other than 0
+    "flags": "I",
+    "words": "I",  # of a String option: one behind the other, then an empty one
+}
+RULE = {"number": "i", "relation": "i", "bound": "d", "name": "I", "message": "I"}
+ROW = {"name": "I", "detail": "I", "kind": "I", "unused": "I"}
+
+TYPES = ("Real", "Boolean", "String")
+CAUSALITIES = ("parameter", "input", "output", "calculatedParameter")
+VARIABILITIES = ("fixed", "tunable", "continuous")
+KINDS = ("parameter", "input", "number", "measured", "option")
+FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "order": 32}
+RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least"}
+OF_A_LAW = 256
+"""Flag of a relation: inputs and tunable parameters may break it in motion."""
+ROW_KINDS = (
+    "length", "apart", "off", "height", "turned", "angle", "axes", "value", "driver", "velocity",
+)
+
+CODES = (
+    "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
+    "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
+    "and", "or", "not", "select", "sinh", "cosh", "tanh", "floor", "ceil", "mod",
+)
+"""Operations of the tape and of functions, by their codes."""
+# fmt: on
 
 PLACE = {name: place for place, name in enumerate(HEAD)}
 """Index of each scalar of the head."""
 
 
-def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
-    """Return the offset and length of each vector of a state behind its head.
+class _Known(dict[str, int]):
+    """Sizes, and what is counted of them when it is asked for."""
 
-    ``q, q_low, v, v_low`` (n each, free and driven nodes): coordinates [m], velocities [m/s], and
-    what rounding left over; ``imbalance, imbalance_before`` (n each): what Newton's iteration left
-    of the momentum balance in the last two half steps; ``start`` (n): coordinates at the start;
-    ``a_first, a_second`` (n each): last 2 (d - h v)/h^2 of either half of a pair; ``mu_first,
-    mu_second`` (n_rows each): last multipliers; ``a_change, mu_change`` (n_slots of n and n_rows):
-    how these changed from half to half of the last internal steps; ``mean, mean_before``: means of
-    two neighbours; ``driven_...`` likewise: forces that move the driven nodes; ``turns``: full
-    turns of angles; ``direction``: cosine and sine of each, times a factor; ``signal``: prescribed
-    values at the present time; ``quaternion``: of the bodies, of continuous sign; ``sampled``: of
-    loads that read the mechanism, see ``sampling.h``; ``derived``: what the start tells once
-    and for all, the sections extent (2), row_scale and row_sigma (n_rows each); ``inputs,
-    parameters``; ``inputs_before, inputs_slope``: where a ramped input stands at the present time,
-    and how fast it arrived there; ``islands``: the scalars `ISLAND` of each.
-    """
-    n, n_driven = sizes["dim"] * (sizes["n_free"] + sizes["n_driven"]), sizes["n_driven"]
-    lengths = {
-        **dict.fromkeys(("q", "q_low", "v", "v_low", "imbalance", "imbalance_before"), n),
-        **dict.fromkeys(("start", "a_first", "a_second"), n),
-        **dict.fromkeys(("mu_first", "mu_second"), sizes["n_rows"]),
-        "a_change": n * sizes["n_slots"],
-        "mu_change": sizes["n_rows"] * sizes["n_slots"],
-        **dict.fromkeys(("mean", "mean_before"), sizes["n_rows"]),
-        **dict.fromkeys(
-            ("driven_first", "driven_second", "driven_mean", "driven_mean_before"),
-            sizes["dim"] * n_driven,
-        ),
-        "turns": sizes["n_quantities"],
-        "direction": 2 * sizes["n_quantities"],
-        "signal": sizes["n_signals"],
-        "quaternion": 4 * sizes["n_bodies"],
-        "sampled": 3 * sizes["n_sampled"],
-        "derived": 2 + 2 * sizes["n_rows"],
-        "inputs": sizes["n_inputs"],
-        "inputs_before": sizes["n_inputs"],
-        "inputs_slope": sizes["n_inputs"],
-        "islands": len(ISLAND) * sizes["n_islands"],
-        "parameters": sizes["n_parameters"],
-    }
-    return _consecutive(lengths, len(HEAD))
+    def __missing__(self, name: str) -> int:
+        return eval(COUNTS[name], {}, self)
 
 
-def _consecutive(lengths: Mapping[str, int], start: int) -> dict[str, tuple[int, int]]:
-    sections = {}
-    for name, length in lengths.items():
-        sections[name] = (start, length)
-        start += length
+def _sections(
+    lengths: Mapping[str, str], sizes: Mapping[str, int], start: int = 0
+) -> dict[str, tuple[int, int]]:
+    """Return the offset and length of consecutive sections."""
+    known, sections = _Known(sizes), {}
+    for name, formula in lengths.items():
+        sections[name] = (start, eval(formula, {}, known))
+        start += sections[name][1]
     return sections
+
+
+def state_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
+    """Return the offset and length of each vector of a state behind its head."""
+    return _sections(STATE, sizes, len(HEAD))
 
 
 def state_size(sizes: Mapping[str, int]) -> int:
     """Return the number of doubles of a state."""
-    start, length = state_sections(sizes)["parameters"]
-    return start + length
+    return sum([*state_sections(sizes).values()][-1])
 
 
 def measured_sections(sizes: Mapping[str, int]) -> dict[str, tuple[int, int]]:
     """Return the offset and length of each group of measurements (``holonom_measure``)."""
-    dim, turning = sizes["dim"], 1 if sizes["dim"] == 2 else 3
-    n = dim * (sizes["n_free"] + sizes["n_driven"])
-    lengths = {
-        "position": n,
-        "velocity": n,
-        "place": dim * sizes["n_places"],
-        "place_velocity": dim * sizes["n_places"],
-        "quantity": sizes["n_quantities"],
-        "quantity_rate": sizes["n_quantities"],
-        "element_force": sizes["n_elements"],
-        "rod_force": sizes["n_form_rows"],
-        "multiplier": sizes["n_rows"],
-        "quaternion": 4 * sizes["n_bodies"],
-        "body_rate": 3 * sizes["n_bodies"],
-        "reaction_force": dim * sizes["n_reactions"],
-        "reaction_torque": turning * sizes["n_reactions"],
-        "driven_force": dim * sizes["n_driven"],
-        "energy": 7,
-        "residual": 2,
-        "momentum": dim,
-        "angular_momentum": turning,
-        "solver": 6,
-    }
-    return _consecutive(lengths, 0)
+    return _sections(MEASURED, sizes)
 
 
 def measured_size(sizes: Mapping[str, int]) -> int:
     """Return the number of measurements."""
-    start, length = measured_sections(sizes)["solver"]
-    return start + length
+    return sum([*measured_sections(sizes).values()][-1])

@@ -15,7 +15,23 @@ import zlib
 from array import array
 from collections.abc import Sequence
 
-from .layout import ABI, HEAD, OFFSETS, SIZES, TABLES
+from . import layout
+from .layout import (
+    ABI,
+    CAUSALITIES,
+    FLAGS,
+    HEAD,
+    KINDS,
+    OF_A_LAW,
+    OFFSETS,
+    RELATIONS,
+    ROW_KINDS,
+    SIZES,
+    TABLES,
+    TYPES,
+    VARIABILITIES,
+    VERSION,
+)  # fmt: skip
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
@@ -23,24 +39,14 @@ if TYPE_CHECKING:
 
     from .model import Row, Rule, Variable
 
-VERSION = 5
 MAGIC = b"HOLONOM\0"
-HEADER = struct.Struct("<8sI13I40s32sQ")
+HEADER, VARIABLE, RULE, ROW = (
+    struct.Struct("<" + "".join(fields.values()))
+    for fields in (layout.HEADER, layout.VARIABLE, layout.RULE, layout.ROW)
+)
 BEFORE_CHECKED = struct.calcsize("<8sI")
-VARIABLE, RULE, ROW = struct.Struct("<IIBBBBidddd2I"), struct.Struct("<iidII"), struct.Struct("<4I")
 
 DAMAGED = "the model is damaged, or of an earlier version; build it again"
-
-TYPES = ("Real", "Boolean", "String")
-CAUSALITIES = ("parameter", "input", "output", "calculatedParameter")
-VARIABILITIES = ("fixed", "tunable", "continuous")
-KINDS = ("parameter", "input", "number", "measured", "option")
-RELATIONS = ("finite", ">", ">=")
-ROW_KINDS = (
-    "length", "apart", "off", "height", "turned", "angle", "axes", "value", "driver", "velocity",
-)  # fmt: skip
-HAS_MINIMUM, HAS_MAXIMUM, HAS_START, CLIPS, IS_WHOLE, IS_ORDER = 1, 2, 4, 8, 16, 32
-OF_A_LAW = 256
 
 
 class _Reader:
@@ -90,15 +96,16 @@ class _Reader:
         name, unit, kind_of_value, causality, variability, kind, place, *numbers = record
         start, low, high, _, flags, words = numbers
         value_type, option = TYPES[kind_of_value], KINDS[kind] == "option"
+        given = {flag for flag, bit in FLAGS.items() if flags & bit}
         if value_type == "String":
             start = self.words(words)[int(start)]
         elif value_type == "Boolean":
             start = bool(start)
         return Variable(
             self.text(name), value_type, CAUSALITIES[causality], VARIABILITIES[variability],
-            self.text(unit), description, start if flags & HAS_START else None,
-            low if flags & HAS_MINIMUM else None, high if flags & HAS_MAXIMUM else None,
-            KINDS[kind], 0 if option else place, bool(flags & CLIPS),
+            self.text(unit), description, start if "has_start" in given else None,
+            low if "has_minimum" in given else None, high if "has_maximum" in given else None,
+            KINDS[kind], 0 if option else place, "clips" in given,
         )  # fmt: skip
 
     def rule(self, record: tuple, location: str) -> Rule:
@@ -106,7 +113,7 @@ class _Reader:
         from .model import Rule
 
         number, relation, bound, name, message = record
-        relation = RELATIONS[relation & ~OF_A_LAW]
+        relation = [*RELATIONS][relation & ~OF_A_LAW]
         return Rule(number, relation, bound, location, self.text(name), self.text(message))
 
     def row(self, record: tuple, location: str) -> Row:

@@ -12,30 +12,25 @@ from collections.abc import Iterable, Iterator
 
 from solver.options import OPTIONS
 
-from .layout import ABI, HEAD, OFFSETS, PLACE, SIZES, TABLES
-from .model import Model, Rule, Variable
-from .model_file import (
-    BEFORE_CHECKED,
+from .layout import (
+    ABI,
     CAUSALITIES,
-    CLIPS,
-    HAS_MAXIMUM,
-    HAS_MINIMUM,
-    HAS_START,
-    HEADER,
-    IS_ORDER,
-    IS_WHOLE,
+    FLAGS,
+    HEAD,
     KINDS,
-    MAGIC,
     OF_A_LAW,
+    OFFSETS,
+    PLACE,
     RELATIONS,
-    ROW,
     ROW_KINDS,
-    RULE,
+    SIZES,
+    TABLES,
     TYPES,
     VARIABILITIES,
-    VARIABLE,
     VERSION,
-)
+)  # fmt: skip
+from .model import Model, Rule, Variable
+from .model_file import BEFORE_CHECKED, HEADER, MAGIC, ROW, RULE, VARIABLE
 from .options import encode
 
 
@@ -76,23 +71,20 @@ def rules_of_laws(model: Model) -> set[Rule]:
 
 
 def _record(variable: Variable, texts: _Texts) -> bytes:
-    place, start, flags, words, least = variable.place, variable.start, 0, 0, 0.0
+    place, start, words, least = variable.place, variable.start, 0, 0.0
+    flags = {"has_minimum": variable.minimum is not None, "clips": variable.clips}
+    flags |= {"has_maximum": variable.maximum is not None, "has_start": start is not None}
     if variable.kind == "option":
         option = OPTIONS[variable.name.removeprefix("solver.")]
         name, start = encode(option.name, start)
-        place = PLACE[name]
+        place, least = PLACE[name], option.least
         words = texts.words(option.words) if option.words else 0
-        flags = (IS_WHOLE if option.whole else 0) | (IS_ORDER if option.allowed else 0)
-        least = option.least
-    for flag, value in (
-        (HAS_MINIMUM, variable.minimum), (HAS_MAXIMUM, variable.maximum), (HAS_START, start),
-    ):  # fmt: skip
-        flags |= 0 if value is None else flag
+        flags |= {"whole": option.whole, "order": bool(option.allowed)}
     return VARIABLE.pack(
         texts.at(variable.name), texts.at(variable.unit), TYPES.index(variable.type),
         CAUSALITIES.index(variable.causality), VARIABILITIES.index(variable.variability),
         KINDS.index(variable.kind), place, float(start or 0.0), float(variable.minimum or 0.0),
-        float(variable.maximum or 0.0), least, flags | (CLIPS if variable.clips else 0), words,
+        float(variable.maximum or 0.0), least, sum(FLAGS[x] for x in flags if flags[x]), words,
     )  # fmt: skip
 
 
@@ -102,7 +94,7 @@ def _records(model: Model, texts: _Texts) -> Iterator[bytes]:
     for variable in model.variables:
         yield _record(variable, texts)
     for rule in model.rules:
-        relation = RELATIONS.index(rule.relation) | (OF_A_LAW if rule in laws else 0)
+        relation = [*RELATIONS].index(rule.relation) | (OF_A_LAW if rule in laws else 0)
         places = texts.at(rule.name), texts.at(rule.message)
         yield RULE.pack(rule.number, relation, rule.bound, *places)
     for row in model.rows:
@@ -148,8 +140,8 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
     `guid` is that of the FMU which carries it; the fingerprint does not depend on it.
     """
     assert tuple(model.sizes) == SIZES
-    assert tuple(model.tables) == TABLES
-    assert tuple(model.offsets) == OFFSETS
+    assert tuple(model.tables) == tuple(TABLES)
+    assert tuple(model.offsets) == tuple(OFFSETS)
     texts = _Texts()
     numbers = [*model.sizes.values(), *model.offsets.values(), *map(len, model.tables.values())]
     ints = array("i", numbers)

@@ -6,13 +6,7 @@ import functools
 from collections.abc import Callable
 
 from .kernel import shared_library
-
-CODES = (
-    "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
-    "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
-    "and", "or", "not", "select", "sinh", "cosh", "tanh", "floor", "ceil", "mod",
-)  # fmt: skip
-"""Operation codes in the order of ``tape_code`` in ``solver/kernel/internal.h``."""
+from .layout import CODES
 
 
 @functools.cache

@@ -1,67 +1,51 @@
-"""Python's picture of the kernel's memory against the kernel's header, name by name."""
+"""The declaration of a model and a state, the headers made of it, and the kernel compiled so."""
 
 from __future__ import annotations
 
-import re
 import sysconfig
 from pathlib import Path
 
 import pytest
 
-from solver.options import CHOICES
+from build_kernel.model_tables import Declaration, headers
+from solver.options import OPTIONS
 from solver.runtime import Integrator, kernel
-from solver.runtime.errors import Status
-from solver.runtime.layout import ABI, HEAD, OFFSETS, SIZES, TABLES
+from solver.runtime.layout import ABI, HEAD, SIZES
 from tests.twins import PENDULUM, model_of
 
-HEADER = (Path(__file__).parents[2] / "solver" / "kernel" / "holonom.h").read_text("utf-8")
-CODE = re.sub(r"/\*.*?\*/", "", HEADER, flags=re.DOTALL)
-STRUCTURE = re.search(r"typedef struct holonom_model \{(.*?)\} holonom_model;", CODE, re.DOTALL)[1]
+SOLVER = Path(__file__).parents[2] / "solver"
 
 
-def test_the_sizes_are_the_integers_of_the_structure():
-    names = [
-        name.strip()
-        for line in re.findall(r"int32_t ([^*;]*);", STRUCTURE)
-        for name in line.split(",")
-    ]
-    sizes = [name for name in names if not name.endswith("_at")]
-    place = sizes.index("n_tape[4]")
-    segments = ("parameters", "laws", "signals", "outputs")
-    sizes[place : place + 1] = [f"n_tape_{name}" for name in segments]
-    assert tuple(sizes) == SIZES
-    assert tuple(name.removesuffix("_at") for name in names if name.endswith("_at")) == OFFSETS
+def test_the_headers_of_the_kernel_are_made_of_the_present_declaration():
+    for name, text in headers(SOLVER).items():
+        assert (SOLVER / "kernel" / name).read_text("utf-8") == text, name
 
 
-ELIMINATION = re.search(r"struct holonom_elimination \{(.*?)\} holonom_elim", CODE, re.DOTALL)[1]
+def test_a_field_has_its_line_and_its_comment_in_c():
+    text = headers(SOLVER)["model_tables.h"]
+    assert "\n    int32_t n_free; /* moving nodes that are unknown */\n" in text
+    assert "\n    const int32_t *row_form; /* n_form_rows */\n" in text
+    assert (
+        "\n    double *q, *q_low; /* n: coordinates [m], and what rounding left over */\n" in text
+    )
+    assert "\n    S_KNOWN, S_HALVES, /* see predict.h */\n" in text
 
 
-def test_the_tables_are_the_pointers_of_the_structure():
-    pointer = r"const int32_t \*(\w+);"
-    of_one = re.findall(pointer, ELIMINATION)
-    members = re.findall(pointer + r"|holonom_elimination (full), (lean);", STRUCTURE)
-    tables = [[name] if name else [*of_one, *(f"lean_{x}" for x in of_one)] for name, *_ in members]
-    assert tuple(name for names in tables for name in names) == TABLES
+def test_names_of_one_line_share_its_comment_and_a_comment_goes_on_below(tmp_path):
+    path = tmp_path / "fields.py"
+    path.write_text(
+        'A = (\n    "a", "b",  # one\n    # line more\n    "c",\n)\nB = ("a",)  # two\n'
+    )
+    declaration = Declaration(path)
+    assert list(declaration.lines("A", "abc")) == [(["a", "b"], "one line more"), (["c"], "")]
+    assert list(declaration.lines("B", "a")) == [(["a"], "two")]
 
 
-def test_the_head_of_a_state_is_that_of_the_header():
-    places = re.search(r"enum holonom_state_place \{(.*?)\};", CODE, re.DOTALL)[1]
-    names = [name.strip() for name in places.split(",")]
-    assert names.pop() == "S_HEAD"
-    renamed = {"newton": "newton_iterations", "uzawa": "uzawa_iterations"}
-    found = (name.removeprefix("S_").lower() for name in names)
-    assert tuple(renamed.get(name, name) for name in found) == HEAD
-
-
-def test_codes_of_status_and_formulation_are_those_of_the_header():
-    codes = dict(re.findall(r"HOLONOM_(\w+) = (\d+)", CODE))
-    assert {status.name: str(int(status)) for status in Status}.items() <= codes.items()
-    for index, word in enumerate(CHOICES["formulation"]):
-        assert codes[word.upper().replace("-", "_")] == str(index)
-
-
-def test_the_version_of_the_interface_is_that_of_the_header():
-    assert re.search(r"#define HOLONOM_ABI (\d+)", HEADER)[1] == str(ABI)
+def test_the_settings_lie_side_by_side_in_the_head_of_a_state():
+    first, end = HEAD.index("formulation"), HEAD.index("horizon")
+    assert {option.stored_as for option in OPTIONS.values()} == {*HEAD[first:end]}
+    assert len(OPTIONS) == end - first
+    assert SIZES[0] == "dim"
 
 
 def test_a_kernel_of_another_version_is_not_taken(monkeypatch):

@@ -132,7 +132,7 @@ def test_slots_have_the_lengths_that_the_kernel_counts(text):
 @BOTH
 def test_every_table_and_row_is_there_and_travels(text):
     model = model_of(text)
-    assert tuple(model.tables) == TABLES
+    assert tuple(model.tables) == tuple(TABLES)
     assert len(model.rows) == model.sizes["n_rows"] == len(model.tables["row_position"])
     assert Model.from_bytes(model.to_bytes()) == model
 

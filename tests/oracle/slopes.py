@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.runtime.operations import CODES
+from solver.runtime.layout import CODES
 from tests.oracle.tape import COUNTS, value_of
 
 Array = NDArray[np.float64]

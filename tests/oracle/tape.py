@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.runtime import Model
-from solver.runtime.operations import CODES
+from solver.runtime.layout import CODES
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,346 @@
+"""Write the core's picture of a model and a state from their declaration in Python.
+
+`solver/runtime/layout.py` has the fields, ``solver/kernel/scratch.py`` the scratch of a call,
+``solver/options.py`` and ``solver/runtime/errors.py`` the codes of settings and failures. What
+stands in a comment behind a field there is its comment here.
+
+    model_tables.h      structures and enumerations
+    section_tables.h    where sections begin
+    check_tables.h      how long tables are, and between what their numbers lie
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import struct
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import groupby
+from pathlib import Path
+from threading import get_ident
+from typing import Any
+
+INTEGERS = {"i": "int32_t", "I": "uint32_t", "Q": "uint64_t", "B": "uint8_t", "d": "double"}
+
+
+class Declaration:
+    """The values of a Python file, and the comments and lines of the names in them.
+
+    Only statements that define one of the names `wanted` are run, or all of them.
+    """
+
+    def __init__(self, path: Path, *wanted: str) -> None:
+        text = path.read_text("utf-8")
+        self.values: dict[str, Any] = {"__name__": path.stem}
+        self._line: dict[tuple[str, str], int] = {}
+        self._comments = _comments(text.splitlines())
+        for node in ast.parse(text).body:
+            name = getattr(node, "name", "") or "".join(map(ast.unparse, _targets(node)))
+            if not wanted or name in wanted or isinstance(node, ast.ImportFrom):
+                exec(compile(ast.Module([node], []), path, "exec"), self.values)
+            for part in ast.walk(node):
+                if isinstance(part, ast.Constant) and isinstance(part.value, str):
+                    self._line.setdefault((name, part.value), part.lineno)
+                elif isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store):
+                    self._line.setdefault((name, part.id), part.lineno)
+
+    def lines(self, table: str, names: Iterable[str]) -> Iterator[tuple[list[str], str]]:
+        """Yield the names that stand in one line, and the comment behind them."""
+        for line, group in groupby(names, lambda name: self._line.get((table, name), 0)):
+            yield list(group), self._comments.get(line, "")
+
+
+def _targets(node: ast.stmt) -> list[ast.expr]:
+    return node.targets if isinstance(node, ast.Assign) else []
+
+
+def _comments(lines: list[str]) -> dict[int, str]:
+    """Comments by the lines that they stand in; one on a line of its own goes on."""
+    found, last = {}, 0
+    for number, line in enumerate(lines, start=1):
+        code, _, comment = line.partition("  # ")
+        if comment and code.strip():
+            found[number], last = comment.strip(), number
+        elif line.lstrip().startswith("# ") and last == number - 1:
+            found[last] += " " + line.strip(" #")
+            last = number
+    return found
+
+
+def headers(solver: Path) -> dict[str, str]:
+    """Return the text of each header by its name; `solver` is the folder of that package."""
+    layout = Declaration(solver / "runtime" / "layout.py")
+    scratch = Declaration(solver / "kernel" / "scratch.py")
+    options = Declaration(solver / "options.py", "FORMULATIONS")
+    errors = Declaration(solver / "runtime" / "errors.py", "Status")
+    structures = *_structures(layout, scratch), *_enumerations(layout, options, errors)
+    sections = _sections(layout.values, scratch.values)
+    found = (
+        ("model_tables", "<stdint.h>", structures),
+        ("section_tables", '"internal.h"', sections),
+        ("check_tables", '"model_file.h"', _checks(layout.values)),
+    )
+    return {f"{name}.h": _header(name, include, parts) for name, include, parts in found}
+
+
+def write_headers(solver: Path) -> None:
+    """Write the headers that are not there or have another text, each at once."""
+    for name, text in headers(solver).items():
+        path = solver / "kernel" / name
+        if not path.exists() or path.read_text("utf-8") != text:
+            mine = path.with_suffix(f".{os.getpid()}-{get_ident()}")  # others may write it as well
+            mine.write_text(text, "utf-8")
+            mine.replace(path)
+
+
+def _header(name: str, include: str, parts: Iterable[str]) -> str:
+    guard = f"HOLONOM_{name.upper()}_H"
+    first = f"/* Written by build_kernel/model_tables.py. */\n#ifndef {guard}\n#define {guard}\n"
+    return "\n".join([first, f"#include {include}\n", *parts, "#endif\n"])
+
+
+def _noted(code: str, note: str, width: int = 118) -> str:
+    """Return a line of C and its comment, behind it if there is room."""
+    if not note:
+        return code
+    together = f"{code} /* {note} */"
+    return together if len(together) <= width else f"    /* {note} */\n{code}"
+
+
+# ------------------------------------------------------------------------------ structures
+
+
+def _structure(name: str, fields: Iterable[str]) -> str:
+    return "\n".join([f"typedef struct {name} {{", *fields, f"}} {name};\n"])
+
+
+def _structures(layout: Declaration, scratch: Declaration) -> Iterator[str]:
+    values = layout.values
+    yield f"#define HOLONOM_ABI {values['ABI']}\n"
+    yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
+    lean = [name for name in values["TABLES"] if name.startswith("lean_")]
+    own = [x for x in values["TABLES"] if x not in values["ELIMINATION"] and x not in lean]
+    split = own.index("load_slot_ptr")
+    yield _structure("holonom_model", [
+        *(
+            _noted(f"    int32_t {', '.join(names)};", note)
+            for names, note in layout.lines("SIZES", values["SIZES"])
+        ),
+        *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, lean;",
+        *_tables(layout, "TABLES", own[split:]),
+        *(
+            _noted("    int32_t " + ", ".join(f"{name}_at" for name in names) + ";",
+                   _lengths(values["OFFSETS"], names, note))
+            for names, note in layout.lines("OFFSETS", values["OFFSETS"])
+        ),
+    ])  # fmt: skip
+    yield _structure("hm_registers", ["    double *r0, *r1, *dr, *adjoint, *slope;"])
+    yield _structure("hm_state", ["    double *head;", *_vectors(layout, "STATE")])
+    yield _structure("hm_work", _vectors(scratch, "WORK"))
+    yield _structure("hm_measured", _vectors(layout, "MEASURED"))
+    for name in ("HEADER", "VARIABLE", "RULE", "ROW"):
+        size = struct.calcsize("<" + "".join(values[name].values()))
+        yield _structure(f"hm_{name.lower()}", _record(layout, name))
+        yield f'_Static_assert(sizeof(hm_{name.lower()}) == {size}, "bytes of a model");\n'
+
+
+def _lengths(lengths: Mapping[str, str], names: Iterable[str], note: str) -> str:
+    """Return the lengths of some sections and their comment."""
+    found = list(dict.fromkeys(lengths[name] for name in names))
+    return ": ".join(filter(None, ["; ".join(filter(None, found)), note]))
+
+
+def _tables(layout: Declaration, table: str, names: Iterable[str] | None = None) -> Iterator[str]:
+    tables = layout.values[table]
+    for group, note in layout.lines(table, names or tables):
+        length = getattr(tables[group[0]], "length", None)
+        if length is None:
+            length = f"{tables[group[0]].count} + 1"
+        pointers = ", ".join(f"*{name}" for name in group)
+        yield _noted(f"    const int32_t {pointers};", ": ".join(filter(None, [length, note])))
+
+
+def _vectors(declaration: Declaration, table: str) -> Iterator[str]:
+    lengths = declaration.values[table]
+    for names, note in declaration.lines(table, lengths):
+        fields = [f"*{_field(name)}" for name in names if not name.endswith("_second")]
+        fields = [name.replace("[0]", "[2]") for name in fields]
+        note = _lengths(lengths, names, note)
+        if not names[0].startswith("r."):
+            yield _noted(f"    double {', '.join(fields)};", note)
+        elif names[0] == "r.r0":
+            yield "    hm_registers r; /* of one function */"
+
+
+def _field(name: str) -> str:
+    """Return what a vector is called in C: a first and a second one are an array."""
+    return name.replace("_first", "[0]").replace("_second", "[1]")
+
+
+def _record(layout: Declaration, table: str) -> Iterator[str]:
+    letters = layout.values[table]
+    for names, note in layout.lines(table, letters):
+        for letter, alike in groupby(names, letters.__getitem__):
+            fields = ", ".join(alike)
+            text = letter.endswith("s")
+            kind, size = ("char", f"[{letter[:-1]}]") if text else (INTEGERS[letter], "")
+            yield _noted(f"    {kind} {fields}{size};", note)
+
+
+# ---------------------------------------------------------------------------- enumerations
+
+
+def _enumeration(
+    declaration: Declaration, table: str, prefix: str, names: Iterable[str], last: str = "",
+    values: Mapping[str, int] | None = None,
+) -> str:  # fmt: skip
+    """Return an enumeration with the names of a table, upper case, behind a prefix."""
+    lines = [
+        _noted("    " + " ".join(
+            f"{prefix}{_constant(name)}{f' = {values[name]}' if values else ''}," for name in group
+        ), note)
+        for group, note in declaration.lines(table, names)
+    ]  # fmt: skip
+    return "\n".join(["enum {", *lines, *([f"    {prefix}{last}"] if last else []), "};\n"])
+
+
+def _constant(name: str) -> str:
+    return re.sub(r"(?<=[a-z])(?=[A-Z])|-", "_", name).upper()
+
+
+def _enumerations(layout: Declaration, options: Declaration, errors: Declaration) -> Iterator[str]:
+    values = layout.values
+    sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS")}
+    sizes |= {"MODEL_FILE_VERSION": values["VERSION"], "OF_A_LAW": values["OF_A_LAW"]}
+    yield "enum { " + ", ".join(f"{name} = {size}" for name, size in sizes.items()) + " };\n"
+    for table, prefix, last in (
+        ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
+        ("TYPES", "TYPE_", "END"), ("CAUSALITIES", "CAUSALITY_", "END"),
+        ("VARIABILITIES", "VARIABILITY_", "END"), ("KINDS", "KIND_", "END"),
+        ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
+    ):  # fmt: skip
+        yield _enumeration(layout, table, prefix, values[table], last)
+    yield _enumeration(layout, "FLAGS", "", values["FLAGS"], values=values["FLAGS"])
+    yield _enumeration(layout, "RELATIONS", "", values["RELATIONS"].values())
+    formulations = options.values["FORMULATIONS"]
+    yield _enumeration(options, "FORMULATIONS", "HOLONOM_", formulations)
+    codes = {name: int(code) for name, code in errors.values["Status"].__members__.items()}
+    yield _enumeration(errors, "Status", "HOLONOM_", codes, values=codes)
+
+
+# -------------------------------------------------------------------------------- sections
+
+
+def _in_c(formula: str, sizes: Iterable[str]) -> str:
+    """Return a formula of sizes and counts in C."""
+    known = set(sizes)
+    return re.sub(
+        r"\b[a-z]\w*\b(?!\()",
+        lambda match: f"(int64_t)m->{match[0]}" if match[0] in known else match[0],
+        formula,
+    )
+
+
+def _counts(counts: dict[str, str], formulas: Iterable[str], sizes: Iterable[str]) -> list[str]:
+    """Return definitions of the counts that formulas need, each after those it needs itself."""
+    needed = set(re.findall(r"\w+", " ".join(formulas)))
+    for name in reversed(counts):
+        if name in needed:
+            needed |= set(re.findall(r"\w+", counts[name]))
+    return [
+        f"    const int64_t {name} = {_in_c(formula, sizes)};"
+        for name, formula in counts.items()
+        if name in needed
+    ]
+
+
+TAKE = """static double *take(double *block, int64_t *used, int64_t count)
+{
+    double *start = block ? block + *used : 0;
+    *used += count;
+    return start;
+}
+"""
+
+
+def _sections(layout: Mapping[str, Any], scratch: Mapping[str, Any]) -> Iterator[str]:
+    """Yield functions that lay the vectors of a structure over a block, and return its length."""
+    yield TAKE
+    counts = layout["COUNTS"] | scratch["COUNTS"]
+    for name, lengths in (
+        ("state", {"head": "S_HEAD"} | layout["STATE"]), ("work", scratch["WORK"]),
+        ("measured", layout["MEASURED"]),
+    ):  # fmt: skip
+        yield "\n".join([
+            f"int64_t hm_map_{name}(const holonom_model *m, double *block, hm_{name} *x)\n{{",
+            *_counts(counts, lengths.values(), layout["SIZES"]), "    int64_t used = 0;",
+            *(
+                f"    x->{_field(field)} = take(block, &used, {_in_c(length, layout['SIZES'])});"
+                for field, length in lengths.items()
+            ),
+            "    return used;\n}\n",
+        ])  # fmt: skip
+
+
+# ---------------------------------------------------------------------------------- checks
+
+
+LIST = "static const {} = {{\n{}}};\n"
+"""Definition of an array in C."""
+
+
+def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
+    """Yield what tables and sections must be like, as numbers that `model_check.c` reads."""
+    sizes, tables = layout["SIZES"], layout["TABLES"]
+    names = [*sizes, *layout["COUNTS"], "n_measured", *(f"length_of_{name}" for name in tables)]
+    yield "/* Sizes, what is counted of them, and how long tables are. */"
+    yield "".join(
+        ["enum {\n", *(f"    {_count(x)},\n" for x in names), "    C_0, C_1, C_MANY, C_END\n};\n"]
+    )
+    yield "\n".join([
+        "static void set_counts(const holonom_model *m, int64_t *count)\n{",
+        *_counts(layout["COUNTS"], layout["COUNTS"], sizes),
+        "    const int32_t *size = &m->dim;",
+        "    for (int i = 0; i < N_SIZES; i++) count[i] = size[i];",
+        *(f"    count[{_count(name)}] = {name};" for name in layout["COUNTS"]),
+        "    count[C_N_MEASURED] = holonom_measured_size(m);",
+        "    count[C_0] = 0, count[C_1] = 1, count[C_MANY] = INT32_MAX;\n}\n",
+    ])  # fmt: skip
+    for name, rows in (
+        ("table_rule TABLE_RULES[N_TABLES]", {x: _rule(tables, x) for x in tables}),
+        ("section_length SECTIONS[N_OFFSETS]",
+         {x: _product(length) for x, length in layout["OFFSETS"].items()}),
+        ("uint8_t ISLAND_BOUNDS[ISLAND_COLUMNS][2]",
+         {x: f"{{{', '.join(map(_count, ends))}}}" for x, ends in layout["ISLAND_PARTS"].items()}),
+    ):  # fmt: skip
+        yield LIST.format(name, "".join(f"    {row}, /* {x} */\n" for x, row in rows.items()))
+
+
+def _count(name: str) -> str:
+    return f"C_{name.upper()}"
+
+
+def _product(formula: str) -> str:
+    """Return a whole number times two counts; zero for a length that is not declared."""
+    factors = formula.split(" * ") if formula else ["0"]
+    number = next(filter(str.isdigit, factors), "1")
+    first, second, *_ = *(_count(x) for x in factors if not x.isdigit()), "C_1", "C_1"
+    return f"{{{number}, {first}, {second}}}"
+
+
+def _rule(tables: Mapping[str, Any], name: str) -> str:
+    """Return what a table must be like."""
+    table = tables[name]
+    if hasattr(table, "total"):
+        total, width = table.total, 1
+        if total in tables:
+            total, width = f"length_of_{total}", tables[total].width
+        last = f".total = {_count(total)}, .most = {_count(table.most or 'many')}"
+        return f"{{{_product(table.count)}, .width = {width}, .is_pointers = 1, {last}}}"
+    rule = f"{{{_product(table.length)}, .width = {table.width}"
+    if table.low is None:
+        return f"{rule}}}"
+    end = table.end if table.end is not None else "many"
+    of, below = ("0", end) if isinstance(end, int) else (end, 0)
+    return f"{rule}, .is_within = 1, .low = {table.low}, .below = {below}, .end = {_count(of)}}}"

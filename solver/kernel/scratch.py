@@ -1,0 +1,47 @@
+"""Scratch of one call of the core, section by section; nothing in it survives the call.
+
+``build_kernel.model_tables`` makes a C structure of it; lengths are as in
+``solver/runtime/layout.py``.
+"""
+
+# fmt: off
+COUNTS = {
+    "n_state": "holonom_state_size(m)",
+    "n_local": "dim * n_local_nodes",
+    "n_leaf_numbers": "12 + n_registers",  # see composite.h; likewise of a form
+    "n_form_numbers": "4 * dim + 3",
+}
+
+WORK = {
+    "u0": "dim * n_forms", "w0": "dim * n_forms",  # links at the beginning of the step
+    "sigma0": "n_active",  # quantities at the beginning
+    "signal1": "n_signals",  # prescribed values at the end
+    "signal_rate": "n_signals", "signal_before": "n_signals",  # before inputs changed theirs
+    "signal_sample": "2 * n_signals",  # at the time at which rates are asked for, and next to it
+    "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish
+    "lambda": "n_rows", "mu": "n_rows",  # multiplier held fixed, total multiplier
+    "epsilon": "n_rows",  # compliance 2/alpha or 1/alpha
+    "hv": "n", "w": "n", "d": "n",  # h v, unknown d - h v, increment d
+    "momentum": "n",  # residual of the momentum balance
+    "handed_on": "n",  # part of it that the last half steps have left to this one
+    "sensed": "n",  # increment of which sampled loads were told
+    "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen
+    "free": "n",  # part of the velocities that rows leave free
+    "row_rate": "n_rows", "row_bias": "n_rows",  # and second derivatives at constant velocities
+    "product": "n_pivots",  # of the tangent and a vector
+    "rhs": "n_pivots",  # elimination order
+    "value": "n_lu_values",  # tangent and its factors
+    "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
+    "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end
+    "curve": "n_local_forms * n_local_forms",  # change of the slopes with the forms at the end
+    "gradient": "n_local_forms * n_local", "gradient_end": "n_local_forms * n_local",  # of forms
+    "block": "n_local * n_local",
+    "leaves": "n_registers * n_leaf_numbers",  # end slopes and changes of a composite's leaves
+    "r.r0": "n_registers", "r.r1": "n_registers", "r.dr": "n_registers",  # of one function
+    "r.adjoint": "n_registers", "r.slope": "2 * n_registers",
+    "estimate": "4 * n",  # in q and v, difference from lower order; of weighted covers: change
+    # from the finest one, and behind it that difference
+    "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
+    "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
+}
+# fmt: on
