@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from solver.runtime import Integrator, OptionError, StepError
+from solver.runtime import AssemblyError, Integrator, OptionError, StepError
+from tests.hostile.archives import SCENE
 from tests.twins import PENDULUM, model_of, start
 
 
@@ -20,6 +21,22 @@ def test_a_name_that_does_not_exist_is_answered_with_the_nearest_one():
             integrator["solver.step"] = 0.1
     with pytest.raises(KeyError, match=r"^no variable is named 'qqqqqqqqqqqq'$"):
         integrator["qqqqqqqqqqqq"]
+
+
+NAMES = ("length", "push", "solver.step_size", "solver.order", "A.x", "nonsense", "", "A", "\u00e9")
+VALUES = (0.0, -1.0, 2.5, 1e308, -1e308, 5e-324, math.nan, math.inf, "", "x", True, None)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_any_value_for_any_name_is_taken_or_refused(name):
+    for value in VALUES:
+        run = Integrator(model_of(SCENE))
+        try:
+            run[name] = value
+            run.advance(0.0, 0.01)
+        except (OptionError, AssemblyError, StepError):
+            continue
+        assert run["energy.error"] < 1e-9, value
 
 
 @pytest.mark.parametrize("late", [1e-3, 1e-5, -1e-5])

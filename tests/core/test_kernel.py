@@ -125,10 +125,12 @@ def test_a_step_of_the_kernel_is_that_of_the_equations(name, method):
     assert compared >= min(2, leaps)
 
 
-@trials(max_examples=30, deadline=None, suppress_health_check=list(HealthCheck))
+@pytest.mark.parametrize("method", LADDER)
+@trials(max_examples=5, deadline=None, suppress_health_check=list(HealthCheck))
 @given(driven_systems())
-def test_a_random_mechanism_moves_by_the_equations(content):
-    run = start(solver.assemble(solver.loads(json.dumps(content), format="json")), step_size=0.01)
+def test_a_random_mechanism_moves_by_the_equations(method, content):
+    model = solver.assemble(solver.loads(json.dumps(content), format="json"))
+    run = start(model, step_size=0.01, **settings(method))
     for _ in range(3):
         # Loops may be nearly stretched: their multipliers are then at the mercy of rounding.
         assert max(errors_of_one_step(run, multipliers=False)) <= 1e-9

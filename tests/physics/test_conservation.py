@@ -16,7 +16,6 @@ from hypothesis import HealthCheck, given, settings
 import solver
 from tests.problems import (
     GRAVITY,
-    Array,
     Content,
     chain,
     conical_pendulum,
@@ -100,37 +99,6 @@ def test_energy_and_constraints_hold_at_every_step_size(problem, h):
     assert observed.max(axis=0) == pytest.approx([0.0, 0.0], abs=1e-12)
 
 
-def test_the_energy_that_is_reported_is_that_of_the_definition():
-    content = free_system(3)
-    content["gravity"] = [0.3, -0.2, -9.81]
-    integrator = start(content, h=0.05)
-    motion = move(integrator, 0.05, 20)
-    kinetic, potential = energies(content, motion.q[-1], motion.v[-1])
-    assert integrator["energy.kinetic"] == pytest.approx(kinetic, rel=1e-13)
-    assert integrator["energy.potential"] == pytest.approx(potential, rel=1e-13)
-    first = sum(energies(content, motion.q[0], motion.v[0]))
-    assert motion.balance[-1] == pytest.approx(kinetic + potential - first, abs=1e-12 * abs(first))
-
-
-def energies(content: Content, q: Array, v: Array) -> tuple[float, float]:
-    """Kinetic and potential energy from the definitions, part by part: points, bars, springs."""
-    node = {name: place for place, name in enumerate(content["points"])}
-    down = np.array(content["gravity"])
-    kinetic = potential = 0.0
-    for name, point in content["points"].items():
-        kinetic += 0.5 * point["mass"] * v[node[name]] @ v[node[name]]
-        potential -= point["mass"] * down @ q[node[name]]
-    for bar in content["bodies"].values():
-        a, b = (node[name] for name in bar["points"])
-        kinetic += bar["mass"] / 6 * (v[a] @ v[a] + v[a] @ v[b] + v[b] @ v[b])
-        potential -= bar["mass"] * down @ (q[a] + q[b]) / 2
-    for spring in content["forces"].values():
-        a, b = (node[name] for name in spring["points"])
-        stretch = np.linalg.norm(q[b] - q[a]) - spring["free_length"]
-        potential += 0.5 * spring["stiffness"] * stretch**2
-    return kinetic, potential
-
-
 # ------------------------------------------------------------------------------------ free systems
 
 
@@ -177,14 +145,3 @@ def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(
 def test_energy_and_momenta_of_any_free_system_hold_over_ten_thousand_large_steps(system):
     content, h = system
     assert_momenta_and_energy_hold(content, h, 10_000)
-
-
-@DIMENSIONS
-def test_the_mass_centre_of_a_free_system_moves_straight(dimension):
-    content = free_system(dimension)
-    integrator = start(content, h=0.2)
-    weights = integrator.model.numbers[integrator.model.offsets["node_mass"] :][:5] / np.float64(1)
-    first, velocity = weights @ view(integrator, "q"), weights @ view(integrator, "v")
-    integrator.advance(0.0, 100.0)
-    expected = first + 100.0 * velocity
-    assert weights @ view(integrator, "q") == pytest.approx(expected, rel=1e-13, abs=1e-12)

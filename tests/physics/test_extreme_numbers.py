@@ -1,4 +1,4 @@
-"""Rigid bodies and loops with numbers far from one: kept to round-off, or refused with a sentence.
+"""Mechanisms with numbers far from one: kept to round-off, or refused with a sentence.
 
 `energy.error` is relative to the largest energy exchanged so far; 1e-12 is a hundred times what 300
 steps of round-off leave.
@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 import solver
 from benchmarks.stress import _extremes
-from benchmarks.stress_random import mechanism
+from benchmarks.stress_random import mechanism as random_mechanism
 from benchmarks.stress_runs import Found, run
 from benchmarks.stress_scenes import (
     four_bar,
@@ -21,10 +22,40 @@ from benchmarks.stress_scenes import (
     spinning,
     stiff_chain,
 )
-from tests.problems import Content
+from tests.problems import (
+    GRAVITY,
+    Content,
+    double_pendulum,
+    free_system,
+    mechanism,
+    observe,
+    start,
+)
 
 ROUND_OFF = 1e-12
+QUIET = ["energy.error", "constraint.position"]
+
+
+def linked_points(*, ratio: float = 1.0, length: float = 1.0, rate: float = 0.0) -> str:
+    """A double pendulum of points whose masses are `ratio` apart, turning at `rate` [rad/s]."""
+    x, y = 0.6 * length, -0.8 * length
+    vx, vy = -y * rate, x * rate
+    return f"""
+name = "linked_points"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = {{ position = [0, 0], fixed = true }}
+A = {{ position = [{x}, {y}], velocity = [{vx}, {vy}], mass = 1.0 }}
+B = {{ position = [{2 * x}, {2 * y}], velocity = [{2 * vx}, {2 * vy}], mass = {ratio} }}
+[joints]
+upper = {{ type = "distance", points = ["O", "A"] }}
+lower = {{ type = "distance", points = ["A", "B"] }}
+"""
+
+
 LOOPS = {
+    "points": linked_points,
     "row": linked_bodies,
     "planar loop": four_bar,
     "spatial loop": lambda **numbers: four_bar(dimension=3, **numbers),
@@ -73,6 +104,39 @@ def test_springs_may_differ_in_stiffness_by_twelve_powers_of_ten(soft, stiff):
     # The stiff spring's length is known to 2e-16 m, its force to 2e-16 k; over the 0.05 m of a step
     # that is 1e-17 k of the 20 J exchanged, and 300 of either sign make 1e-17 k.
     assert_kept(run(stiff_chain(soft, stiff), 0.01, 300), ROUND_OFF + 1e-22 * stiff * 1e5)
+
+
+@pytest.mark.parametrize("length", [1e-3, 1e3, 1e6])
+def test_neighbouring_rods_may_differ_in_length(length):
+    # The shorter rod sets the step; one of 1 mm swings a hundred times faster than one of 10 m.
+    content = double_pendulum(1.0)
+    x, y = content["points"]["A"]["position"]
+    content["points"]["B"]["position"] = [x + length, y]
+    h = 0.01 * min(1.0, math.sqrt(length))
+    assert observe(start(content, h=h), h, 500, QUIET).max() < 1e-12
+
+
+def spring_pendulum(stiffness: float) -> Content:
+    points = {"A": {"position": [1.0, 0.0], "mass": 1.0}}
+    tie = {"type": "spring", "points": ["ground", "A"], "at": [0, 0], "stiffness": stiffness}
+    return mechanism("stiff", 2, points=points, forces={"tie": tie})
+
+
+@pytest.mark.filterwarnings("ignore:the energy is off by")
+@pytest.mark.parametrize("h", [1e-3, 1e-2])
+@pytest.mark.parametrize("stiffness", [1.0, 1e3, 1e6, 1e9, 1e12])
+def test_a_spring_may_be_as_stiff_as_a_rod(stiffness, h):
+    # Its length is known to 2e-16, so its force to 2e-16 k and the energy of a step, through 0.05
+    # m, to 1e-17 k; 500 steps of either sign make 2e-16 k, with a factor of ten to spare.
+    error = observe(start(spring_pendulum(stiffness), h=h), h, 500, ["energy.balance"])
+    assert np.abs(error).max() < 1e-12 * GRAVITY + 2e-15 * stiffness
+
+
+@pytest.mark.parametrize("h", [0.5, 1.0, 3.0])
+def test_a_free_system_survives_steps_of_radians(h):
+    # Beyond 1 rad a step is halved inside; it stays exact in energy.
+    content = free_system(3) | {"forces": {}}
+    assert observe(start(content, h=h), h, 300, QUIET).max() < 1e-12
 
 
 # ----------------------------------------------------------------------------------- dependent rows
@@ -182,7 +246,7 @@ def test_nothing_of_the_published_extremes_is_wrong():
 @pytest.mark.parametrize("first", range(0, 60, 10))
 def test_random_mechanisms_keep_energy_and_joints(first):
     for seed in range(first, first + 10):
-        found = run(mechanism(seed), 0.01, 50)
+        found = run(random_mechanism(seed), 0.01, 50)
         assert found.outcome.startswith("kept"), (seed, found)
 
 
