@@ -12,14 +12,11 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from build_fmu import symbols
-from build_fmu.canvas import Canvas, Colour, Pixel
-from build_fmu.symbols import DARK
+from build_fmu.canvas import DARK, Array, Canvas, Colour, Pixel
 from solver.mechanics.build_mechanism import collect
 from solver.scene import (
     Bar,
@@ -40,8 +37,6 @@ if TYPE_CHECKING:
     from solver.mechanics.combination import Combination
     from solver.mechanics.parts import Parts
     from solver.scene import Scene
-
-Array = NDArray[np.float64]
 
 WIDTH, HEIGHT, MARGIN = 480, 360, 40
 MOST = 2000
@@ -65,19 +60,22 @@ class _Drawing:
 
     def __init__(self, scene: Scene) -> None:
         self.scene, self.parts = scene, collect(scene)
-        self.canvas = Canvas(WIDTH, HEIGHT)
+        self._default = self.parts.mechanism.default
         self._seen: list[Array] = []
         """Places that the picture must hold."""
-        self._strokes: list[tuple[int, float, Callable[[], None]]] = []
-        self._towards, self._right, self._up = _view(scene, self.parts)
+        self._strokes: list[tuple[int, float, Callable[[Canvas], None]]] = []
+        """Layer, distance towards the eye, and what draws it."""
+        self._towards, *view = _view(scene, self.parts)
+        self._view = np.array(view)
+        """Directions to the right and up."""
         self._held: dict[str, list[Array]] = defaultdict(list)
+        """Places that hold a body."""
 
     # ----------------------------------------------------------------------------- places
 
     def _drawn(self, numbers: Sequence) -> Array:
         """Three coordinates of a vector of the scene."""
-        values = [self.parts.mechanism.default(x) for x in numbers]
-        return np.array([*values, 0.0][:3])
+        return np.array([*map(self._default, numbers), 0.0][:3])
 
     def _at(self, place: Combination) -> Array:
         return self._drawn(self.parts.mechanism.drawn(place))
@@ -93,52 +91,45 @@ class _Drawing:
                 self._pin(places[-1], ground=True)
         return places
 
-    def _two(self, ends: Iterable[PointReference]) -> tuple[Array, Array]:
-        first, second = self._ends(ends)
-        return first, second
-
-    def _pixel(self, place: Array) -> Pixel:
-        x, y = float(place @ self._right), float(place @ self._up)
-        return (
-            0.5 * WIDTH + (x - self._middle[0]) * self._scale,
-            0.5 * HEIGHT - (y - self._middle[1]) * self._scale,
-        )
-
-    def _fit(self) -> None:
-        """Choose scale and middle so that all places are seen."""
-        x = [float(place @ self._right) for place in self._seen] or [0.0]
-        y = [float(place @ self._up) for place in self._seen] or [0.0]
-        wide, high = max(x) - min(x), max(y) - min(y)
-        self._middle = 0.5 * (max(x) + min(x)), 0.5 * (max(y) + min(y))
-        scales = [(WIDTH - 2 * MARGIN) / wide] if wide > 0.0 else []
-        scales += [(HEIGHT - 2 * MARGIN) / high] if high > 0.0 else []
-        self._scale = min(scales, default=1.0)
-
     # ----------------------------------------------------------------------------- strokes
 
-    def _stroke(self, layer: int, places: Sequence[Array], draw: Callable[..., None]) -> None:
-        """Draw later: layer by layer, what is far away first."""
+    def _stroke(
+        self, layer: int, places: Sequence[Array], shape: Callable[..., None], **style: Any
+    ) -> None:
+        """Draw a shape of the canvas later: layer by layer, what is far away first."""
         self._seen.extend(places)
         depth = float(np.mean([place @ self._towards for place in places]))
-        self._strokes.append((layer, depth, lambda: draw(*map(self._pixel, places))))
 
-    def _line(self, layer: int, a: Array, b: Array, width: float, colour: Colour) -> None:
-        canvas = self.canvas
-        self._stroke(layer, (a, b), lambda p, q: canvas.line(p, q, width, colour))
+        def draw(canvas: Canvas) -> None:
+            shape(canvas, *map(self._pixel, places), **style)
+
+        self._strokes.append((layer, depth, draw))
+
+    def _line(self, layer: int, *places: Array, width: float, colour: Colour) -> None:
+        self._stroke(layer, places, Canvas.path, width=width, colour=colour)
+
+    def _pixel(self, place: Array) -> Pixel:
+        x, y = (self._scale * (self._view @ place - self._middle)).tolist()
+        return 0.5 * WIDTH + x, 0.5 * HEIGHT - y
 
     def png(self) -> bytes:
-        """Collect all strokes, and draw them."""
+        """Collect all strokes, choose the scale by which they are seen, and draw them."""
         for part in (self._joints, self._forces, self._drivers, self._points, self._bodies):
             part()
-        self._fit()
+        seen = np.array(self._seen or [np.zeros(3)]) @ self._view.T
+        least, most = seen.min(axis=0), seen.max(axis=0)
+        self._middle = 0.5 * (least + most)
+        rooms = zip((WIDTH - 2 * MARGIN, HEIGHT - 2 * MARGIN), most - least, strict=True)
+        self._scale = min((room / span for room, span in rooms if span > 0.0), default=1.0)
+        canvas = Canvas(WIDTH, HEIGHT)
         for _, _, draw in sorted(self._strokes, key=lambda stroke: stroke[:2]):
-            draw()
-        return self.canvas.png()
+            draw(canvas)
+        return canvas.png()
 
     def _joints(self) -> None:
         for joint in _some(self.scene.joints.values()):
             if isinstance(joint, Distance):
-                self._line(2, *self._two(joint.points), 2.5, STEEL)
+                self._line(2, *self._ends(joint.points), width=2.5, colour=STEEL)
             elif isinstance(joint, BodyJoint):
                 self._joint(joint)
             elif isinstance(joint, PointOn):
@@ -146,7 +137,11 @@ class _Drawing:
                 axis = joint.axis if isinstance(joint, PointOnLine) else None
                 self._pin(place, ground=joint.body is None, axis=axis)
             elif isinstance(joint, Rolling):
-                self._disc(joint)
+                axis = np.array([0.0, 0.0, 1.0]) if joint.axis is None else self._drawn(joint.axis)
+                first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+                directions = np.array([first, np.cross(axis, first) / np.linalg.norm(axis)], float)
+                rim = self._rim(joint.body, self._default(joint.radius), directions, STEEL, 2)
+                self._held[joint.body] += [rim[0], rim[12], rim[24], rim[36]]
 
     def _joint(self, joint: BodyJoint) -> None:
         if joint.points is not None:
@@ -165,80 +160,64 @@ class _Drawing:
     def _pin(
         self, place: Array, *, ground: bool, axis: Sequence | None = None, turns: bool = True
     ) -> None:
-        """Draw a joint: on the ground with hatching below it, and on a rail if it has an axis."""
-        canvas, direction = self.canvas, None if axis is None else self._direction(axis)
+        """Draw a joint, with the direction in the picture of an axis that does not point at it."""
+        direction = None
+        if axis is not None:
+            along = self._drawn(axis)
+            x, y = (self._view @ along).tolist()
+            length = math.hypot(x, y)
+            if length > 1e-6 * np.linalg.norm(along):
+                direction = (x / length, -y / length)
+        style = {"ground": ground, "direction": direction, "turns": turns}
+        self._stroke(4, (place,), Canvas.joint, **style)
 
-        def draw(p: Pixel) -> None:
-            if ground:
-                symbols.hatch(canvas, p)
-            if direction is not None:
-                symbols.rail(canvas, p, direction)
-            if turns or direction is None:
-                symbols.pin(canvas, p)
-            else:
-                symbols.block(canvas, p, direction)
-
-        self._stroke(4, (place,), draw)
-
-    def _direction(self, axis: Sequence) -> Pixel | None:
-        """Direction of an axis in the picture, of length 1; None if it points at the eye."""
-        along = self._drawn(axis)
-        x, y = float(along @ self._right), -float(along @ self._up)
-        length = math.hypot(x, y)
-        return (x / length, y / length) if length > 1e-6 * np.linalg.norm(along) else None
-
-    def _disc(self, joint: Rolling) -> None:
-        """Draw the rim of a rolling disc."""
-        centre = self._at(self.parts.named(joint.body))
-        radius = self.parts.mechanism.default(joint.radius)
-        axis = np.array([0.0, 0.0, 1.0]) if joint.axis is None else self._drawn(joint.axis)
-        first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
-        first = np.array(first * radius / np.linalg.norm(first), dtype=float)
-        second = np.array(np.cross(axis, first) / np.linalg.norm(axis), dtype=float)
+    def _rim(
+        self, body: str, radius: float, directions: Array, colour: Colour, layer: int
+    ) -> list[Array]:
+        """Draw a circle around the origin of a body, in the plane of two directions."""
+        centre = self._at(self.parts.named(body))
+        first, second = (radius * x / np.linalg.norm(directions[0]) for x in directions)
         turns = np.linspace(0.0, 2.0 * math.pi, 49)
         rim = [centre + math.cos(x) * first + math.sin(x) * second for x in turns]
-        self._held[joint.body] += [rim[0], rim[12], rim[24], rim[36]]
-        canvas = self.canvas
-        self._stroke(2, rim, lambda *pixels: canvas.path(pixels, 2.5, STEEL))
+        self._line(layer, *rim, width=2.5, colour=colour)
+        return rim
 
     def _forces(self) -> None:
-        canvas = self.canvas
         for force in _some(self.scene.forces.values()):
             if isinstance(force, Spring):
-                ends = self._ends(force.points)
-                self._stroke(3, ends, lambda p, q: canvas.path(symbols.coil(p, q), 1.6, SPRING))
+                self._stroke(3, self._ends(force.points), Canvas.coil, width=1.6, colour=SPRING)
             elif isinstance(force, Damper):
-                a, b = self._two(force.points)
-                self._line(3, a, b, 1.4, DAMPER)
-                self._line(3, a + 0.38 * (b - a), a + 0.62 * (b - a), 6.0, DAMPER)
+                a, b = self._ends(force.points)
+                self._line(3, a, b, width=1.4, colour=DAMPER)
+                cylinder = a + 0.38 * (b - a), a + 0.62 * (b - a)
+                self._line(3, *cylinder, width=6.0, colour=DAMPER)
 
     def _drivers(self) -> None:
-        canvas = self.canvas
         for driver in _some(self.scene.drivers.values()):
             if isinstance(driver, PositionDriver):
-                places = self._ends((driver.point,))
-                self._stroke(5, places, lambda p: canvas.ring(p, 7.5, 1.8, DRIVER))
+                style = {"radius": 7.5, "width": 1.8, "colour": DRIVER}
+                self._stroke(5, self._ends((driver.point,)), Canvas.ring, **style)
             elif isinstance(driver, DistanceDriver):
-                self._line(3, *self._two(driver.points), 2.5, DRIVER)
+                self._line(3, *self._ends(driver.points), width=2.5, colour=DRIVER)
 
     def _points(self) -> None:
-        canvas, default = self.canvas, self.parts.mechanism.default
-        heaviest = max((default(p.mass) for p in self.scene.points.values()), default=0.0)
-        for name, point in _some(self.scene.points.items()):
+        points = self.scene.points
+        heaviest = max((self._default(p.mass) for p in points.values()), default=0.0)
+        for name, point in _some(points.items()):
             place = self._at(self.parts.named(name))
             if point.fixed:
                 self._pin(place, ground=True)
                 continue
-            share = default(point.mass) / heaviest if heaviest > 0.0 else 0.0
+            share = self._default(point.mass) / heaviest if heaviest > 0.0 else 0.0
             radius = 3.0 + 4.0 * max(0.0, share) ** (1.0 / 3.0)
-            self._stroke(4, (place,), lambda p, r=radius: canvas.disc(p, r, DARK))
+            self._stroke(4, (place,), Canvas.disc, radius=radius, colour=DARK)
 
     def _bodies(self) -> None:
         for k, (name, body) in enumerate(_some(self.scene.bodies.items())):
             colour = BODIES[k % len(BODIES)]
             if isinstance(body, Bar):
-                a, b = (self._at(self.parts.named(end)) for end in body.points)
-                self._line(1, a, b, 6.0, colour)
+                ends = (self._at(self.parts.named(end)) for end in body.points)
+                self._line(1, *ends, width=6.0, colour=colour)
             elif isinstance(body, Rigid):
                 self._rigid(name, body, colour)
 
@@ -248,24 +227,18 @@ class _Drawing:
         places = [*self._held[name]]
         places += [self._at(self.parts.named(f"{name}.{point}")) for point in body.points]
         for place in places:
-            self._line(1, origin, place, 6.0, colour)
-        canvas = self.canvas
-        self._stroke(1, (origin,), lambda p: canvas.disc(p, 6.0, colour))
+            self._line(1, origin, place, width=6.0, colour=colour)
+        self._stroke(1, (origin,), Canvas.disc, radius=6.0, colour=colour)
         if not places:
-            reach = self._gyration(body)
-            sides = [origin, origin - reach * self._right, origin + reach * self._right]
-            self._stroke(
-                1, sides, lambda p, q, r: canvas.ring(p, 0.5 * math.dist(q, r), 2.5, colour)
-            )
+            self._rim(name, self._gyration(body), self._view, colour, 1)
 
     def _gyration(self, body: Rigid) -> float:
         """Radius of gyration [m]: the size of a body that nothing holds."""
-        default = self.parts.mechanism.default
-        inertia, mass = body.inertia, default(body.mass)
+        inertia, mass = body.inertia, self._default(body.mass)
         if isinstance(inertia, tuple):
-            moment = 0.5 * sum(default(inertia[k][k]) for k in range(3))
+            moment = 0.5 * sum(self._default(inertia[k][k]) for k in range(3))
         else:
-            moment = default(inertia)
+            moment = self._default(inertia)
         return math.sqrt(max(0.0, moment / mass)) if mass > 0.0 else 0.0
 
 

@@ -19,6 +19,7 @@ from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
 from build_fmu.self_check import trial
 from tests.fmu_instance import SCENES, scene_fmu
 
+BLACK = (0.0, 0.0, 0.0)
 ALL_SCENES = sorted(path.stem for path in SCENES.glob("*.toml"))
 
 
@@ -43,11 +44,11 @@ def pixels(png: bytes) -> np.ndarray:
 
 def test_a_disc_covers_its_area_and_a_line_its_length_times_its_width():
     canvas = Canvas(100, 80)
-    canvas.disc((30.0, 40.0), 10.0, (0.0, 0.0, 0.0))
+    canvas.disc((30.0, 40.0), radius=10.0, colour=BLACK)
     ink = (255 - pixels(canvas.png())[:, :, 0].astype(float)).sum() / 255
     assert ink == pytest.approx(np.pi * 10.0**2, rel=0.01)
     canvas = Canvas(100, 80)
-    canvas.line((20.0, 20.0), (70.0, 55.0), 4.0, (0.0, 0.0, 0.0))
+    canvas.path((20.0, 20.0), (70.0, 55.0), width=4.0, colour=BLACK)
     ink = (255 - pixels(canvas.png())[:, :, 0].astype(float)).sum() / 255
     assert ink == pytest.approx(4.0 * np.hypot(50.0, 35.0) + np.pi * 2.0**2, rel=0.01)
 
@@ -58,7 +59,8 @@ def test_a_picture_of_very_many_colours_is_rounded_to_a_palette():
     for row, colour in enumerate(drawn):
         for column in range(0, 100, 10):
             shade = (colour * (1.0 - column / 100)).tolist()
-            canvas.line((column + 2.0, row + 0.5), (column + 8.0, row + 0.5), 1.0, tuple(shade))
+            ends = (column + 2.0, row + 0.5), (column + 8.0, row + 0.5)
+            canvas.path(*ends, width=1.0, colour=tuple(shade))
     seen = pixels(canvas.png())[:, ::10]
     assert len(np.unique(seen.reshape(-1, 3), axis=0)) <= 256
     seen = pixels(canvas.png())[:, 5::10] / 255
@@ -69,8 +71,8 @@ def test_a_picture_of_very_many_colours_is_rounded_to_a_palette():
 
 def test_what_lies_beside_the_canvas_is_left_out():
     canvas = Canvas(20, 20)
-    canvas.line((-50.0, -50.0), (-10.0, 100.0), 3.0, (0.0, 0.0, 0.0))
-    canvas.ring((500.0, 5.0), 10.0, 2.0, (0.0, 0.0, 0.0))
+    canvas.path((-50.0, -50.0), (-10.0, 100.0), width=3.0, colour=BLACK)
+    canvas.ring((500.0, 5.0), radius=10.0, width=2.0, colour=BLACK)
     assert (pixels(canvas.png()) == 255).all()
 
 
