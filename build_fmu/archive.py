@@ -1,31 +1,25 @@
-"""The zip file: sorted entries, one fixed time, deflated, so that equal content is equal bytes.
+"""The zip file: entries of one fixed time, deflated, so that equal content is equal bytes.
 
-Of a thousand variants of one mechanism all but three entries are the same. So what was deflated is
-remembered, which `zipfile` cannot do, and the headers are written here (APPNOTE.TXT 4.3).
+Of a thousand variants of one mechanism all but a few entries are the same. So these stand first,
+and the zip file of them is remembered.
 """
 
 from __future__ import annotations
 
 import functools
+import io
 import os
-import struct
 import tempfile
-import zlib
-from collections.abc import Mapping
+import zipfile
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from build_fmu.errors import writing
 
-MOST_BYTES = 2**32 - 1
-"""Of an archive: beyond it stands the format zip64."""
-MOST_REMEMBERED = 256
-"""Deflated entries; an archive has some sixty."""
-
-_LOCAL, _CENTRAL, _END = struct.Struct("<4s5H3L2H"), struct.Struct("<4s6H3L5H2L"), "<4s4H2LH"
-_VERSION, _UNIX, _UTF8, _DEFLATED = 20, 3 << 8, 0x800, 8
-_EARLIEST = (0, 1 << 5 | 1)
-"""Time and date of 1980-01-01, the earliest that zip knows."""
-_REGULAR_FILE, _EXECUTABLE_FILE = 0o100644, 0o100755
+SHARED = ("binaries/", "documentation/licenses/", "resources/holonom_")
+"""Beginnings of the names of entries that the FMUs of many mechanisms share."""
+_EARLIEST = (1980, 1, 1, 0, 0, 0)
+_UNIX, _REGULAR_FILE, _EXECUTABLE_FILE = 3, 0o100644, 0o100755
 
 
 def write_archive(path: Path, entries: Mapping[str, bytes]) -> None:
@@ -50,30 +44,26 @@ def _replace(path: Path, content: bytes) -> None:
 
 
 def archive(entries: Mapping[str, bytes]) -> bytes:
-    """Bytes of the zip file with these entries."""
-    parts, directory, at = [], [], 0
-    for entry, data in sorted(entries.items()):
-        name = entry.encode()
-        checksum, deflated = _deflated(data)
-        sizes = (checksum, len(deflated), len(data), len(name), 0)
-        flags = 0 if entry.isascii() else _UTF8
-        shared = (_VERSION, flags, _DEFLATED, *_EARLIEST, *sizes)
-        mode = _EXECUTABLE_FILE if entry.startswith("binaries/") else _REGULAR_FILE
-        outer = (0, 0, 0, mode << 16, at)
-        parts += [_LOCAL.pack(b"PK\3\4", *shared), name, deflated]
-        directory += [_CENTRAL.pack(b"PK\1\2", _UNIX | _VERSION, *shared, *outer), name]
-        at += _LOCAL.size + len(name) + len(deflated)
-    size = sum(map(len, directory))
-    if at + size > MOST_BYTES:
-        text = f"the archive would have {at + size} bytes, more than the {MOST_BYTES} of a zip file"
-        raise ValueError(text)
-    count = len(entries)
-    end = struct.pack(_END, b"PK\5\6", 0, 0, count, count, size, at, 0)
-    return b"".join([*parts, *directory, end])
+    """Bytes of the zip file with these entries: those that FMUs share, and then the others."""
+    shared = tuple(item for item in entries.items() if item[0].startswith(SHARED))
+    others = tuple(item for item in entries.items() if not item[0].startswith(SHARED))
+    return _extended(_remembered(shared), others)
 
 
-@functools.lru_cache(MOST_REMEMBERED)
-def _deflated(data: bytes) -> tuple[int, bytes]:
-    """Checksum and deflated form."""
-    compressor = zlib.compressobj(wbits=-zlib.MAX_WBITS)
-    return zlib.crc32(data), compressor.compress(data) + compressor.flush()
+def _extended(content: bytes, entries: Iterable[tuple[str, bytes]]) -> bytes:
+    """Bytes of a zip file with more entries, sorted by name."""
+    file = io.BytesIO()
+    file.write(content)
+    with zipfile.ZipFile(file, "a", zipfile.ZIP_DEFLATED) as target:
+        for name, data in sorted(entries):
+            entry = zipfile.ZipInfo(name, _EARLIEST)
+            entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, _UNIX
+            mode = _EXECUTABLE_FILE if name.startswith("binaries/") else _REGULAR_FILE
+            entry.external_attr = mode << 16
+            target.writestr(entry, data)
+    return file.getvalue()
+
+
+@functools.lru_cache(2)
+def _remembered(entries: tuple[tuple[str, bytes], ...]) -> bytes:
+    return _extended(b"", entries)

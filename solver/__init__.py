@@ -20,45 +20,21 @@ if TYPE_CHECKING:
     from solver.scene import Scene, SceneError, SceneWarning, load, loads
     from solver.trajectory import Trajectory, simulate
 
-_HOMES = {
-    "AssemblyError": "solver.runtime",
-    "Integrator": "solver.runtime",
-    "Model": "solver.runtime",
-    "OptionError": "solver.runtime",
-    "Scene": "solver.scene",
-    "SceneError": "solver.scene",
-    "SceneWarning": "solver.scene",
-    "StepError": "solver.runtime",
-    "Trajectory": "solver.trajectory",
-    "assemble": "solver.mechanics",
-    "load": "solver.scene",
-    "loads": "solver.scene",
-    "simulate": "solver.trajectory",
-}
+__all__ = ["AssemblyError", "Integrator", "Model", "OptionError", "StepError"]
+__all__ += ["Scene", "SceneError", "SceneWarning", "Trajectory"]
+__all__ += ["assemble", "load", "loads", "simulate"]
 
-__all__ = [
-    "AssemblyError",
-    "Integrator",
-    "Model",
-    "OptionError",
-    "Scene",
-    "SceneError",
-    "SceneWarning",
-    "StepError",
-    "Trajectory",
-    "assemble",
-    "load",
-    "loads",
-    "simulate",
-]
+_HOMES = ("solver.runtime", "solver.scene", "solver.mechanics", "solver.trajectory")
+"""Modules that have these names, the one that takes longest to import last."""
 
 
 def __getattr__(name: str) -> object:
     """Import what is asked for: `solver.runtime` alone must not bring NumPy or the scene reader."""
-    if name not in _HOMES:
-        message = f"module 'solver' has no attribute {name!r}"
-        raise AttributeError(message)
-    return getattr(import_module(_HOMES[name]), name)
+    for home in map(import_module, _HOMES if name in __all__ else ()):
+        if hasattr(home, name):
+            return getattr(home, name)
+    message = f"module 'solver' has no attribute {name!r}"
+    raise AttributeError(message)
 
 
 def __dir__() -> list[str]:

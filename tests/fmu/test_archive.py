@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import subprocess
 import sys
 import sysconfig
@@ -15,8 +16,8 @@ import pytest
 from pythonfmu import fmi2slave
 
 from build_fmu import build
+from build_fmu.archive import SHARED, _remembered, write_archive
 from build_fmu.archive import archive as archive_bytes
-from build_fmu.archive import write_archive
 from build_fmu.errors import UsageError
 from build_fmu.export import identifier
 from build_fmu.instance import Log, instantiated
@@ -73,21 +74,23 @@ def test_entries_are_sorted_deflated_and_of_one_time():
         entries = archive.infolist()
         assert archive.testzip() is None
     names = [entry.filename for entry in entries]
-    assert names == sorted(names)
+    shared = [name for name in names if name.startswith(SHARED)]
+    assert names == sorted(shared) + sorted({*names} - {*shared})
     assert {entry.date_time for entry in entries} == {(1980, 1, 1, 0, 0, 0)}
     assert {entry.compress_type for entry in entries} == {zipfile.ZIP_DEFLATED}
 
 
-def test_the_zip_file_is_the_one_that_pythons_own_module_writes(tmp_path):
-    entries = {"b/é.txt": b"text " * 99, "binaries/a.so": b"\x7fELF", "empty": b""}
-    write_archive(tmp_path / "ours.zip", entries)
-    with zipfile.ZipFile(tmp_path / "theirs.zip", "w") as theirs:
-        for name, data in sorted(entries.items()):
-            header = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-            header.compress_type, header.create_system = zipfile.ZIP_DEFLATED, 3
-            header.external_attr = (0o100755 if name == "binaries/a.so" else 0o100644) << 16
-            theirs.writestr(header, data)
-    assert (tmp_path / "ours.zip").read_bytes() == (tmp_path / "theirs.zip").read_bytes()
+def test_what_fmus_share_is_zipped_once_and_the_rest_behind_it_as_if_all_were_new():
+    shared = {"binaries/a.so": b"\x7fELF", "resources/holonom_1/a.py": b"text " * 99}
+    entries = [shared | {"b/é.txt": text, "empty": b""} for text in (b"first", b"second")]
+    archives = [archive_bytes(each) for each in entries]
+    _remembered.cache_clear()
+    assert archive_bytes(entries[1]) == archives[1]
+    for each, data in zip(entries, archives, strict=True):
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            assert {name: archive.read(name) for name in archive.namelist()} == each
+            modes = {x.filename: x.external_attr >> 16 & 0o777 for x in archive.infolist()}
+        assert modes == {name: 0o755 if name == "binaries/a.so" else 0o644 for name in each}
 
 
 def test_the_archive_has_what_the_standard_wants():
