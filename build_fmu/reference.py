@@ -11,7 +11,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from build_fmu.poses import OF_THE_SOLUTION
+from build_fmu.motion import OF_THE_SOLUTION
 from build_fmu.study.csv_file import csv_rows
 from build_fmu.study.values import Mistake, nearest, refuse
 from solver.signals import Problem, arrays_over_time

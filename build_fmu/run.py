@@ -18,7 +18,7 @@ import numpy as np
 from build_fmu.errors import UsageError
 from build_fmu.fmu_runner import KeptFmu
 from build_fmu.instance import start_time_of
-from build_fmu.poses import Poses, largest_by_unit
+from build_fmu.motion import Poses, largest_by_unit
 from build_fmu.reference import Reference
 from build_fmu.signals import inputs_of
 from build_fmu.study.settings import Source, entries_of, fmu_settings

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from build_fmu import velocities
-from build_fmu.poses import Poses, largest_by_unit
+from build_fmu.motion import RESIDUAL, Poses, lag_of_velocities, largest_by_unit
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
@@ -85,7 +84,7 @@ def trial(model: Model) -> Trial:
     motion = rows[:, [names.index(name) for name in poses.names]]
     apart = None if reason else _apart(model, duration, steps, poses, motion)
     largest = largest_by_unit({v.name: v.unit for v in outputs}, sizes)
-    said += filter(None, [velocities.objection(sizes.get(velocities.RESIDUAL, 0.0), largest)])
+    said += filter(None, [lag_of_velocities(sizes.get(RESIDUAL, 0.0), largest)])
     return Trial(
         duration=integrator.time - model.experiment.start_time,
         reason=reason,

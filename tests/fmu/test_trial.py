@@ -10,7 +10,7 @@ import pytest
 import solver
 from build_fmu.documentation import accuracy, solved
 from build_fmu.export import compile_scene
-from build_fmu.poses import Poses
+from build_fmu.motion import Poses
 from build_fmu.self_check import trial
 from tests.fmu_instance import SCENES
 from tests.reduced_models import heavy_top, matrix_of, rotation

@@ -6,8 +6,8 @@ import pytest
 
 import solver
 from build_fmu import build
+from build_fmu.motion import RESIDUAL
 from build_fmu.self_check import trial
-from build_fmu.velocities import RESIDUAL
 from tests.commands import run
 from tests.fmu_instance import SCENES
 
