@@ -6,12 +6,12 @@ every start value comes back as the same double.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from itertools import starmap
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
-from build_fmu.units import base_unit_attributes, declared_types
-from build_fmu.xml_text import legible
+from build_fmu.xml_parts import base_unit_attributes, declared_types, legible
 from fmu_src.status import LOG_CATEGORIES
 from solver.scene.units import base_unit
 
@@ -63,103 +63,40 @@ def model_description(
     source
         Text of the scene, which becomes an annotation.
     """
-    attributes = {
-        "fmiVersion": "2.0",
-        "modelName": model.name,
-        "guid": guid,
-        "description": model.description,
-        "generationTool": tool,
-        "generationDateAndTime": date,
-        "variableNamingConvention": "structured",
-        "numberOfEventIndicators": "0",
-    }
-    root = Element("fmiModelDescription", {k: v for k, v in attributes.items() if v})
-    SubElement(root, "CoSimulation", {"modelIdentifier": identifier, **CAPABILITIES})
-    _units(root, model.variables)
     types = declared_types(model.variables)
-    _types(root, types, nominal or {})
-    _log_categories(root)
-    _default_experiment(root, model)
-    _annotations(root, source)
-    variables = SubElement(root, "ModelVariables")
-    variables.extend(_variable(i, x, types) for i, x in enumerate(model.variables))
-    _structure(root, model)
-    for element in root.iter():
-        for name, value in element.attrib.items():
-            element.set(name, legible(value))
+    experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
+    variables = (_variable(i, variable, types) for i, variable in enumerate(model.variables))
+    parts = [
+        _element("CoSimulation", modelIdentifier=identifier, **CAPABILITIES),
+        _element("UnitDefinitions", *map(_unit, types)),
+        _element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
+        _element("LogCategories", *starmap(_category, LOG_CATEGORIES.items())),
+        _element("DefaultExperiment", **experiment),
+        *_annotations(source),
+        _element("ModelVariables", *variables),
+        _structure(model),
+    ]
+    root = _element(
+        "fmiModelDescription",
+        *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
+        fmiVersion="2.0",
+        modelName=model.name,
+        guid=guid,
+        description=model.description or None,
+        generationTool=tool,
+        generationDateAndTime=date,
+        variableNamingConvention="structured",
+        numberOfEventIndicators="0",
+    )
     indent(root)
     return tostring(root, "UTF-8", xml_declaration=True) + b"\n"
 
 
-def _units(root: Element, variables: Iterable[Variable]) -> None:
-    names = sorted({variable.unit for variable in variables if variable.unit})
-    if not names:
-        return
-    definitions = SubElement(root, "UnitDefinitions")
-    for name in names:
-        unit = SubElement(definitions, "Unit", {"name": name})
-        base = base_unit(name)
-        if base is not None:
-            SubElement(unit, "BaseUnit", base_unit_attributes(base))
-
-
-def _types(root: Element, types: Mapping[str, str], nominal: Mapping[str, float]) -> None:
-    """One type per unit, with the nominal value of what has it."""
-    if not types:
-        return
-    definitions = SubElement(root, "TypeDefinitions")
-    for unit, name in types.items():
-        simple = SubElement(definitions, "SimpleType", {"name": name})
-        size = {"nominal": repr(nominal[unit])} if unit in nominal else {}
-        SubElement(simple, "Real", {"quantity": name.rpartition(".")[2], "unit": unit, **size})
-
-
-def _annotations(root: Element, source: Source | None) -> None:
-    """The scene, so that an FMU can be built again from what it carries."""
-    if source is None or not source.text:
-        return
-    tool = SubElement(SubElement(root, "VendorAnnotations"), "Tool", {"name": "holonom"})
-    scene = SubElement(tool, "Scene", {"format": source.notation})
-    SubElement(scene, "Text").text = legible(source.text)
-    for text in source.overrides.values():
-        SubElement(scene, "Override").text = legible(text)
-
-
-def _log_categories(root: Element) -> None:
-    categories = SubElement(root, "LogCategories")
-    for name, description in LOG_CATEGORIES.items():
-        SubElement(categories, "Category", {"name": name, "description": description})
-
-
-def _default_experiment(root: Element, model: Model) -> None:
-    values = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
-    given = {name: repr(float(value)) for name, value in values.items() if value is not None}
-    if given:
-        SubElement(root, "DefaultExperiment", given)
-
-
-def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
-    settable = variable.causality in ("parameter", "input")
-    attributes = {
-        "name": variable.name,
-        "valueReference": str(index),
-        "description": variable.description,
-        "causality": variable.causality,
-        "variability": variable.variability,
-        # Inputs must not say it: their start value is exact by definition.
-        "initial": "" if variable.causality == "input" else "exact" if settable else "calculated",
-    }
-    element = Element("ScalarVariable", {k: v for k, v in attributes.items() if v})
-    limits = {"min": variable.minimum, "max": variable.maximum}
-    if variable.clips:
-        limits = {}  # importers refuse what is beyond
-    values = {"unit": variable.unit, **limits} if variable.type == "Real" else {}
-    if variable.type == "Real" and variable.unit:
-        values = {"declaredType": types[variable.unit], **values}
-    if settable:
-        values = {**values, "start": variable.start}
-    given = {k: _text(v) for k, v in values.items() if v is not None and (k != "unit" or v)}
-    SubElement(element, variable.type, given)
+def _element(tag: str, /, *children: Element, **attributes: object) -> Element:
+    """Element with children, and with the attributes that are not None."""
+    given = {name: legible(_text(x)) for name, x in attributes.items() if x is not None}
+    element = Element(tag, given)
+    element.extend(children)
     return element
 
 
@@ -169,18 +106,67 @@ def _text(value: object) -> str:
     return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]
 
 
-def _structure(root: Element, model: Model) -> None:
+def _category(name: str, description: str) -> Element:
+    return _element("Category", name=name, description=description)
+
+
+def _unit(name: str) -> Element:
+    base = base_unit(name)
+    bases = [] if base is None else [_element("BaseUnit", **base_unit_attributes(base))]
+    return _element("Unit", *bases, name=name)
+
+
+def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
+    """Type of what has a unit, with its nominal value."""
+    quantity = name.rpartition(".")[2]
+    real = _element("Real", quantity=quantity, unit=unit, nominal=nominal.get(unit))
+    return _element("SimpleType", real, name=name)
+
+
+def _annotations(source: Source | None) -> list[Element]:
+    """The scene, so that an FMU can be built again from what it carries."""
+    if source is None or not source.text:
+        return []
+    scene = _element("Scene", format=source.notation)
+    SubElement(scene, "Text").text = legible(source.text)
+    for text in source.overrides.values():
+        SubElement(scene, "Override").text = legible(text)
+    return [_element("VendorAnnotations", _element("Tool", scene, name="holonom"))]
+
+
+def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
+    settable = variable.causality in ("parameter", "input")
+    # Inputs must not say it: their start value is exact by definition.
+    initial = None if variable.causality == "input" else "exact" if settable else "calculated"
+    given: dict[str, object] = {}
+    if variable.type == "Real" and variable.unit:
+        given = {"declaredType": types[variable.unit], "unit": variable.unit}
+    if variable.type == "Real" and not variable.clips:  # importers refuse what is beyond
+        given |= {"min": variable.minimum, "max": variable.maximum}
+    if settable:
+        given["start"] = variable.start
+    return _element(
+        "ScalarVariable",
+        _element(variable.type, **given),
+        name=variable.name,
+        valueReference=str(index),
+        description=variable.description or None,
+        causality=variable.causality,
+        variability=variable.variability,
+        initial=initial,
+    )
+
+
+def _structure(model: Model) -> Element:
     """Outputs and InitialUnknowns, each with what it depends on; indices count from 1.
 
     Of a model that was read from bytes that is not known, which means all.
     """
-    structure, variables = SubElement(root, "ModelStructure"), model.variables
-    of_unknown = model.dependencies or {}
+    of_unknown, lists = model.dependencies or {}, []
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
-        unknowns = [i for i, variable in enumerate(variables) if variable.causality in kinds]
-        element = SubElement(structure, name) if unknowns else structure
-        for i in unknowns:
-            attributes = {"index": str(i + 1)}
-            if i in of_unknown:
-                attributes["dependencies"] = " ".join(str(k + 1) for k in of_unknown[i][place])
-            SubElement(element, "Unknown", attributes)
+        unknowns = []
+        for i in (i for i, variable in enumerate(model.variables) if variable.causality in kinds):
+            known = " ".join(str(k + 1) for k in of_unknown[i][place]) if i in of_unknown else None
+            unknowns.append(_element("Unknown", index=str(i + 1), dependencies=known))
+        lists += [_element(name, *unknowns)] if unknowns else []
+    return _element("ModelStructure", *lists)

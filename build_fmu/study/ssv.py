@@ -16,8 +16,7 @@ from xml.etree.ElementTree import Element, SubElement
 from xml.parsers import expat
 
 from build_fmu.study.values import Entry, Mistake, keep
-from build_fmu.units import base_unit_attributes
-from build_fmu.xml_text import legible
+from build_fmu.xml_parts import base_unit_attributes, legible
 from solver.scene.units import BaseUnit, base_unit
 
 if TYPE_CHECKING:

@@ -1,7 +1,8 @@
-"""Units as a model description and a parameter set write them: base units, and a type for each."""
+"""What XML of a model description and a parameter set shares: base units, types, legible text."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
@@ -35,6 +36,12 @@ QUANTITIES = {
     "N.m.s/rad": "RotationalDamping",
 }
 """What is measured in a unit, as the names of declared types say it."""
+_ILLEGIBLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def legible(text: str) -> str:
+    """Text without the characters that XML does not have."""
+    return _ILLEGIBLE.sub("\N{REPLACEMENT CHARACTER}", text)
 
 
 def base_unit_attributes(base: BaseUnit) -> dict[str, str]:
