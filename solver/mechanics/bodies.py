@@ -8,9 +8,9 @@ plane; its mass matrix is diag(m, E) or diag(m, J). (theory 9)
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
-from solver.mechanics.combination import Combination, node
+from solver.mechanics.combination import node
 from solver.mechanics.equations import (
     DIRECTION,
     DRIVEN,
@@ -18,13 +18,12 @@ from solver.mechanics.equations import (
     FREE,
     GIVEN,
     POINT,
-    FormRow,
     Node,
     Scale,
 )
 from solver.mechanics.frames import BarFrame, RigidFrame
 from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, minors
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import (
     Matrix,
     Vector,
@@ -38,17 +37,16 @@ from solver.mechanics.vectors import (
     times,
     turned,
 )
-from solver.runtime.model import Row
 from solver.scene import Bar, Number, Point, Rigid
 from solver.scene.expression import cos, sin, sqrt
 
 
-def add_point(mechanism: Mechanism, name: str, point: Point, path: Vector | None) -> int:
+def add_point(rows: Rows, point: Point, path: Vector | None) -> int:
     """Add a point, whose coordinates follow `path` unless that is None; return its node."""
-    part = (f"points.{name}", f"point '{name}'")
-    mechanism.finite(point.position, part, "position")
+    mechanism = rows.mechanism
+    rows.finite(point.position, "position")
     velocity = point.velocity or (0.0,) * mechanism.dim
-    mechanism.finite(velocity, part, "velocity")
+    rows.finite(velocity, "velocity")
     motion = FIXED if point.fixed else FREE if path is None else DRIVEN
     index = mechanism.add_node(
         Node(
@@ -58,51 +56,26 @@ def add_point(mechanism: Mechanism, name: str, point: Point, path: Vector | None
     )  # fmt: skip
     if motion == FIXED:
         return index
-    mechanism.rule(point.mass, ">=", part, "mass must be >= 0 kg")
+    rows.rule(point.mass, ">=", "mass must be >= 0 kg")
     mechanism.masses[index, index] = point.mass
     if path is not None:
         mechanism.driven_signals.extend(path)
     return index
 
 
-def demand_masses(mechanism: Mechanism, points: dict[str, int]) -> None:
-    """Demand that every free point has a mass, its own or that of bars."""
-    for name, index in points.items():
-        if mechanism.nodes[index].motion == FREE:
-            part = (f"points.{name}", f"point '{name}'")
-            text = "mass must be > 0 kg, with the bars that end at it"
-            mechanism.rule(mechanism.nodes[index].mass, ">", part, text)
-
-
-def add_bar(mechanism: Mechanism, name: str, bar: Bar, points: dict[str, int]) -> BarFrame:
+def add_bar(rows: Rows, bar: Bar) -> BarFrame:
     """Add a uniform slender bar; return its frame."""
-    part = (f"bodies.{name}", f"body '{name}'")
-    first, second = (points[point] for point in bar.points)
-    mechanism.rule(bar.mass, ">", part, "mass must be > 0 kg")
-    link = node(second) - node(first)
-    length2 = add_distance(mechanism, link, None, Row(*part, "length"))
-    for a in (first, second):
+    mechanism = rows.mechanism
+    first, second = ends = tuple(rows.parts.points[point] for point in bar.points)
+    rows.rule(bar.mass, ">", "mass must be > 0 kg")
+    length2 = rows.distance(node(second) - node(first), None)
+    for a in ends:
         mechanism.nodes[a].mass = mechanism.nodes[a].mass + bar.mass / 2.0
         mechanism.nodes[a].weight = mechanism.nodes[a].weight + bar.mass / 2.0
         mechanism.add_mass(a, a, bar.mass / 3.0)
     mechanism.add_mass(first, second, bar.mass / 6.0)
     drawn = (mechanism.nodes[first].position, mechanism.nodes[second].position)
     return BarFrame(mechanism, (first, second), sqrt(length2), drawn)
-
-
-def add_distance(
-    mechanism: Mechanism, link: Combination, length: Number | None, row: Row
-) -> Number:
-    """Add the row |u|^2 = L^2, as drawn unless `length` is given; return L^2."""
-    form, _ = mechanism.form(link, link)
-    length2 = mechanism.value(form) if length is None else length * length
-    if length is None:
-        text = "its points coincide; draw them apart (squared distance {value!r} m^2)"
-        mechanism.rule(length2, ">", (row.location, row.name), text)
-    else:
-        mechanism.rule(length, ">", (row.location, row.name), "length must be > 0 m")
-    mechanism.form_rows.append(FormRow(form, length2, Scale(length2, 0), row))
-    return length2
 
 
 def _spun(spin: Number | Vector | None, arm: Vector) -> Vector:
@@ -119,18 +92,18 @@ def _rotation(body: Rigid) -> Matrix:
     return ((cos(angle), -sin(angle)), (sin(angle), cos(angle)))
 
 
-def add_rigid(mechanism: Mechanism, name: str, body: Rigid, places: Iterable[Vector]) -> RigidFrame:
+def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
     """Add a rigid body; return its frame.
 
     `places` are the global positions of what joins it to others, as drawn: they give a point-like
     body its size.
     """
-    part = (f"bodies.{name}", f"body '{name}'")
+    mechanism = rows.mechanism
     rotation = _rotation(body)
     arm = times(rotation, body.center_of_mass)
-    for what in ("position", "velocity"):
-        mechanism.finite(getattr(body, what) or (), part, what)
-    mechanism.rule(body.mass, ">", part, "mass must be > 0 kg")
+    rows.finite(body.position, "position")
+    rows.finite(body.velocity or (), "velocity")
+    rows.rule(body.mass, ">", "mass must be > 0 kg")
     origin = body.velocity or (0.0,) * mechanism.dim
     centre = mechanism.add_node(
         Node(
@@ -151,43 +124,35 @@ def add_rigid(mechanism: Mechanism, name: str, body: Rigid, places: Iterable[Vec
         body.center_of_mass, body.points,
     )  # fmt: skip
     mechanism.rigid.append((centre, *directors))
-    _add_inertia(mechanism, frame, body, places, part)
-    _add_unit_rows(mechanism, frame, part)
+    _add_inertia(rows, frame, body, places)
+    for i, first in enumerate(directors):
+        for second in directors[i:]:
+            form, _ = mechanism.form(node(first), node(second))
+            rows.form_row(form, 1.0 if first == second else 0.0, Scale(1.0, 0), "axes")
     if mechanism.dim == 3:
         mechanism.bodies[directors[0]] = len(mechanism.bodies)
     return frame
 
 
-def _add_unit_rows(mechanism: Mechanism, frame: RigidFrame, part: tuple[str, str]) -> None:
-    for i, first in enumerate(frame.directors):
-        for second in frame.directors[i:]:
-            form, _ = mechanism.form(node(first), node(second))
-            constant = 1.0 if first == second else 0.0
-            row = Row(*part, "axes")
-            mechanism.form_rows.append(FormRow(form, constant, Scale(1.0, 0), row))
-
-
-def _add_inertia(
-    mechanism: Mechanism, frame: RigidFrame, body: Rigid, places: Iterable[Vector],
-    part: tuple[str, str],
-) -> None:  # fmt: skip
+def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, places: Sequence[Vector]) -> None:
     """Give the directors their masses."""
+    mechanism = rows.mechanism
     if not isinstance(body.inertia, tuple):
         J = body.inertia
-        mechanism.rule(J, ">=", part, "inertia must be >= 0 kg.m2")
+        rows.rule(J, ">=", "inertia must be >= 0 kg.m2")
         if mechanism.default(J) == 0.0:
-            J = _least_inertia(mechanism, frame, body, places, part)
+            J = _least_inertia(rows, frame, body, places)
         mechanism.add_mass(frame.directors[0], frame.directors[0], J)
         mechanism.nodes[frame.directors[0]].mass = J
         return
     E = euler_tensor(body.inertia)
     for minor in minors(E):
         text = "inertia breaks the triangle inequality J1 + J2 >= J3 of real bodies"
-        mechanism.rule(minor, ">=", part, text)
+        rows.rule(minor, ">=", text)
     if max(abs(mechanism.default(x)) for row in E for x in row) == 0.0:
-        least = _least_inertia(mechanism, frame, body, places, part)
+        least = _least_inertia(rows, frame, body, places)
         E = tuple(scale(least, row) for row in identity(3))
-    E = floored(E, mechanism.default, FLOOR if list(places) else FREE_FLOOR)
+    E = floored(E, mechanism.default, FLOOR if places else FREE_FLOOR)
     # Norms and penalties take the largest: what holds a light direction is its body, and a penalty
     # scaled with its own small inertia would make Uzawa's iteration slow.
     largest = max((E[i][i] for i in range(3)), key=mechanism.default)
@@ -198,8 +163,7 @@ def _add_inertia(
 
 
 def _least_inertia(
-    mechanism: Mechanism, frame: RigidFrame, body: Rigid, places: Iterable[Vector],
-    part: tuple[str, str],
+    rows: Rows, frame: RigidFrame, body: Rigid, places: Sequence[Vector]
 ) -> Number:  # fmt: skip
     """Return FLOOR m l^2 for a body without inertia, l the largest offset of its places.
 
@@ -209,10 +173,10 @@ def _least_inertia(
     arms = [subtract(point, body.center_of_mass) for point in body.points.values()]
     arms += [subtract(place, frame.position) for place in places]
     squares = [dot(arm, arm) for arm in (*arms, body.center_of_mass)]
-    largest = max(squares, key=mechanism.default)
+    largest = max(squares, key=rows.mechanism.default)
     text = (
         "inertia must be > 0 kg.m2, got 0, since all points of the body lie at its centre of mass "
         "(largest squared distance {value!r} m^2); write an inertia, or a point instead of the body"
     )
-    mechanism.rule(largest, ">", part, text)
+    rows.rule(largest, ">", text)
     return FLOOR * body.mass * largest

@@ -3,47 +3,36 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from graphlib import TopologicalSorter
+from typing import Any
 
-from solver.mechanics.bodies import add_bar, add_point, add_rigid, demand_masses
+from solver.mechanics.bodies import add_bar, add_point, add_rigid
 from solver.mechanics.combination import node
-from solver.mechanics.couplings import (
-    add_angle,
-    add_constraint,
-    add_gear,
-    add_point_on,
-    add_point_on_surface,
-    add_rack,
-    add_rod,
-    add_rolling,
-)
-from solver.mechanics.drivers import add_driver, driven_points
+from solver.mechanics.couplings import COUPLINGS
+from solver.mechanics.drivers import DRIVERS, driven_points
 from solver.mechanics.equations import FREE
-from solver.mechanics.forces import add_force
-from solver.mechanics.formulas import Compiler
-from solver.mechanics.joints import add_joint
+from solver.mechanics.forces import FORCES
+from solver.mechanics.joints import JOINTS, add_joint
 from solver.mechanics.mechanism import Mechanism
-from solver.mechanics.parts import Parts
+from solver.mechanics.parts import JointParts, Parts
+from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector
 from solver.scene import (
     Bar,
     BodyJoint,
-    ConstantAngle,
-    Distance,
     ExpressionError,
     Gear,
-    Joint,
-    PointOnLine,
-    PointOnPlane,
-    PointOnSurface,
     PointReference,
     Rack,
-    Rolling,
     Scene,
     evaluate,
     symbols,
 )
+
+ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
+    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **FORCES, **DRIVERS,
+}  # fmt: skip
 
 
 def collect(scene: Scene) -> Parts:
@@ -55,32 +44,21 @@ def collect(scene: Scene) -> Parts:
         Where a part does not fit another one.
     """
     parts = Parts(scene, Mechanism(scene.dimension, _defaults(scene), _varying(scene)))
-    compiler = Compiler(parts)
     _add_points_and_bodies(parts)
-    first = [*scene.joints.items()]
-    for name, joint in sorted(first, key=lambda item: isinstance(item[1], Gear | Rack)):
-        _guarded(parts, f"joints.{name}", lambda n=name, j=joint: _add_joint(parts, compiler, n, j))
-    for name, constraint in scene.constraints.items():
-        _guarded(
-            parts, f"constraints.{name}",
-            lambda n=name, c=constraint: add_constraint(parts, compiler, n, c),
-        )  # fmt: skip
-    for name, force in scene.forces.items():
-        _guarded(parts, f"forces.{name}", lambda n=name, f=force: add_force(parts, compiler, n, f))
-    for name, driver in scene.drivers.items():
-        _guarded(parts, f"drivers.{name}", lambda n=name, d=driver: add_driver(parts, n, d))
+    for table in ("joints", "constraints", "forces", "drivers"):
+        items = getattr(scene, table).items()
+        for name, part in sorted(items, key=lambda item: isinstance(item[1], Gear | Rack)):
+            rows, found = Rows(parts, table, name), JointParts()
+            if table != "forces":
+                parts.joints[name] = found
+            try:
+                ADD[type(part)](rows, part, found)
+            except ExpressionError as error:  # a formula that has no place in a mechanism
+                rows.problem(error.message)
     _check_rows(parts)
     if parts.problems:
         scene.fail(scene.error(location, text) for location, text in parts.problems)
     return parts
-
-
-def _guarded(parts: Parts, location: str, add) -> None:
-    """Add a part; a formula that has no place in a mechanism is a mistake of the scene."""
-    try:
-        add()
-    except ExpressionError as error:
-        parts.problems.append((location, error.message))
 
 
 def _defaults(scene: Scene) -> dict[str, float]:
@@ -103,18 +81,22 @@ def _add_points_and_bodies(parts: Parts) -> None:
     parts.paths = driven_points(scene)
     for name, point in scene.points.items():
         path = parts.paths[name][1] if name in parts.paths else None
-        parts.points[name] = add_point(mechanism, name, point, path)
+        parts.points[name] = add_point(Rows(parts, "points", name), point, path)
     places = _places_of_bodies(scene)
     for name, body in scene.bodies.items():
+        rows = Rows(parts, "bodies", name)
         if isinstance(body, Bar):
-            frame = add_bar(mechanism, name, body, parts.points)
+            frame = add_bar(rows, body)
             first, second = frame.ends
             parts.links[name] = node(second) - node(first)
             if scene.dimension == 2:
                 parts.frames[name] = frame
         else:
-            parts.frames[name] = add_rigid(mechanism, name, body, places[name])
-    demand_masses(mechanism, parts.points)
+            parts.frames[name] = add_rigid(rows, body, places[name])
+    for name, index in parts.points.items():
+        if mechanism.nodes[index].motion == FREE:
+            text = "mass must be > 0 kg, with the bars that end at it"
+            Rows(parts, "points", name).rule(mechanism.nodes[index].mass, ">", text)
 
 
 def _places_of_bodies(scene: Scene) -> defaultdict[str | None, list[Vector]]:
@@ -136,26 +118,6 @@ def _references(scene: Scene) -> Iterator[PointReference]:
         point = getattr(part, "point", None)
         if point is not None:
             yield point
-
-
-def _add_joint(parts: Parts, compiler: Compiler, name: str, joint: Joint) -> None:
-    match joint:
-        case Distance():
-            add_rod(parts, name, joint)
-        case BodyJoint():
-            add_joint(parts, name, joint)
-        case PointOnSurface():
-            add_point_on_surface(parts, compiler, name, joint)
-        case PointOnLine() | PointOnPlane():
-            add_point_on(parts, name, joint)
-        case ConstantAngle():
-            add_angle(parts, name, joint)
-        case Gear():
-            add_gear(parts, name, joint)
-        case Rack():
-            add_rack(parts, name, joint)
-        case Rolling():
-            add_rolling(parts, name, joint)
 
 
 def _check_rows(parts: Parts) -> None:

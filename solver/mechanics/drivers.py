@@ -6,13 +6,20 @@ whose multiplier is the force that the driver exerts, F = -mu along +sigma.
 
 from __future__ import annotations
 
-from solver.mechanics.combination import Combination
-from solver.mechanics.equations import SIGNAL, VALUE, Leaf
+from solver.mechanics.equations import SIGNAL, Formula, Leaf, Scale
 from solver.mechanics.formulas import leaf_symbol
-from solver.mechanics.parts import JointParts, Parts
+from solver.mechanics.parts import JointParts, RowOf
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import Vector
-from solver.scene import Driver, JointDriver, Number, PositionDriver, Scene
+from solver.scene import (
+    AngleDriver,
+    DisplacementDriver,
+    DistanceDriver,
+    JointDriver,
+    Number,
+    PositionDriver,
+    Scene,
+)
 
 
 def driven_points(scene: Scene) -> dict[str, tuple[str, Vector]]:
@@ -26,41 +33,40 @@ def driven_points(scene: Scene) -> dict[str, tuple[str, Vector]]:
     }
 
 
-def add_driver(parts: Parts, name: str, driver: Driver) -> None:
-    """Add the rows of a driver."""
-    rows = Rows(parts.mechanism, f"drivers.{name}", f"driver '{name}'")
-    parts.joints[name] = JointParts()
-    if isinstance(driver, PositionDriver):
-        if driver.point.point not in parts.paths:
-            _follow(parts, rows, name, driver)
-        return
-    if isinstance(driver, JointDriver):
-        joint = parts.joints[driver.joint]
-        quantity = joint.angle if driver.type == "angle" else joint.displacement
-        if quantity is None:
-            text = f"joint '{driver.joint}' has no {driver.type}"
-            parts.problems.append((f"drivers.{name}.joint", text))
-            return
-        scale = RADIANS if driver.type == "angle" else METRES
+def drive_position(rows: Rows, driver: PositionDriver, found: JointParts) -> None:
+    """Let a point of a body follow a path; a point of its own has it as coordinates."""
+    parts = rows.parts
+    if driver.point.point not in parts.paths:
+        place = parts.place(driver.point)
+        for k, value in enumerate(driver.value):
+            axis = parts.axis(k)
+            row = _row(rows, rows.mechanism.component(place, axis), value, METRES)
+            found.pushes.append((row, 1.0, axis))
+
+
+def drive_joint(rows: Rows, driver: JointDriver, found: JointParts) -> None:
+    """Prescribe the angle or displacement of a joint."""
+    joint, turns = rows.parts.joints[driver.joint], driver.type == "angle"
+    found.driven = joint.angle if turns else joint.displacement
+    if found.driven is None:
+        rows.problem(f"joint '{driver.joint}' has no {driver.type}", ".joint")
     else:
-        quantity = parts.mechanism.length(parts.link(driver.points))
-        scale = METRES
-    row = _row(parts, rows, quantity, driver.value, scale)
-    parts.joints[name].row = ("function", row)
-    parts.driven[name] = quantity
+        found.row = _row(rows, found.driven, driver.value, RADIANS if turns else METRES)
 
 
-def _row(parts: Parts, rows: Rows, quantity: int, value: Number, scale) -> int:
-    mechanism = parts.mechanism
-    leaves = (Leaf(VALUE, mechanism.use(quantity)), Leaf(SIGNAL, mechanism.signal(value)))
-    return rows.function(leaf_symbol(0) - leaf_symbol(1), leaves, scale, "driver")
+def drive_distance(rows: Rows, driver: DistanceDriver, found: JointParts) -> None:
+    """Prescribe the distance of two places."""
+    found.driven = rows.mechanism.length(rows.parts.link(driver.points))
+    found.row = _row(rows, found.driven, driver.value, METRES)
 
 
-def _follow(parts: Parts, rows: Rows, name: str, driver: PositionDriver) -> None:
-    """Let a point of a body follow a path."""
-    mechanism = parts.mechanism
-    place: Combination = parts.place(driver.point)
-    for k, value in enumerate(driver.value):
-        axis = parts.axis(k)
-        row = _row(parts, rows, mechanism.component(place, axis), value, METRES)
-        parts.joints[name].pushes.append((("function", row), 1.0, axis))
+def _row(rows: Rows, quantity: int, value: Number, scale: Scale) -> RowOf:
+    mechanism = rows.mechanism
+    leaves = mechanism.leaf(quantity), Leaf(SIGNAL, mechanism.signal(value))
+    return rows.function(Formula(leaf_symbol(0) - leaf_symbol(1), leaves), scale, "driver")
+
+
+DRIVERS = {
+    PositionDriver: drive_position, DistanceDriver: drive_distance,
+    AngleDriver: drive_joint, DisplacementDriver: drive_joint,
+}  # fmt: skip

@@ -64,164 +64,143 @@ def refuse_switches(value: Number) -> None:
     rewritten(value, refuse)
 
 
-class Compiler:
-    """Makes formulas of the expressions of one mechanism."""
+def formula(
+    parts: Parts, number: Number, *, signals: bool, own: Mapping[str, Meaning] | None = None
+) -> Formula:
+    """Return the formula of an expression; its quantities take part in the motion.
 
-    def __init__(self, parts: Parts) -> None:
-        self.parts = parts
-        self.mechanism: Mechanism = parts.mechanism
-        self._extent = 0.0
+    Parameters
+    ----------
+    parts : Parts
+    number : Number
+    signals : bool
+        Whether parts that change with the time alone become signals.
+    own : mapping, optional
+        Symbols with a meaning of their own, such as ``length``.
 
-    def meaning(self, part: Expr, own: Mapping[str, Meaning]) -> Meaning | None:
-        """Return what a symbol or a call stands for; None for parameters, inputs and the time."""
-        if part.op == "call":
-            return self.parts.distance(part)
-        name = str(part.args[0])
-        if name in own:
-            return own[name]
-        if name in self.mechanism.varying or name in self.parts.scene.parameters:
-            return None
-        found = self.parts.meaning(name)
-        if found is None:
-            message = f"'{name}' is known only after the step, and possible only in outputs"
-            raise ExpressionError(message)
-        return found
+    Raises
+    ------
+    ExpressionError
+        When it contains what cannot be part of a formula, or nothing that moves.
+    """
+    mechanism, own = parts.mechanism, own or {}
+    known = mechanism.varying | parts.scene.parameters.keys()
+    leaves: dict[Leaf, int] = {}
 
-    def formula(
-        self, number: Number, *, signals: bool, own: Mapping[str, Meaning] | None = None
-    ) -> Formula:
-        """Return the formula of an expression; its quantities take part in the motion.
+    def leaf(found: Meaning) -> Number:
+        if not isinstance(found, Leaf):
+            return found
+        if found.kind != SIGNAL:
+            mechanism.use(found.index)
+        return leaf_symbol(leaves.setdefault(found, len(leaves)))
 
-        Parameters
-        ----------
-        number : Number
-        signals : bool
-            Whether parts that change with the time alone become signals.
-        own : mapping, optional
-            Symbols with a meaning of their own, such as ``length``.
-
-        Raises
-        ------
-        ExpressionError
-            When it contains what cannot be part of a formula, or nothing that moves.
-        """
-        leaves: dict[Leaf, int] = {}
-
-        def leaf(found: Meaning) -> Number:
-            if not isinstance(found, Leaf):
-                return found
-            if found.kind != SIGNAL:
-                self.mechanism.use(found.index)
-            return leaf_symbol(leaves.setdefault(found, len(leaves)))
-
-        def replace(part: Expr) -> Number | None:
-            if part.op not in ("symbol", "call") and self._has_quantity(part, own or {}):
-                return None
-            found = self.meaning(part, own or {}) if part.op in ("symbol", "call") else None
+    def replace(part: Expr) -> Number | None:
+        if part.op in ("symbol", "call"):
+            found = _meaning(parts, part, own)
             if found is not None:
                 return leaf(found)
-            if signals and symbols(part) & self.mechanism.varying:
-                return leaf(Leaf(SIGNAL, self.mechanism.signal(part)))
-            return part
+        elif any(name in own or name not in known for name in symbols(part)):
+            return None
+        if signals and symbols(part) & mechanism.varying:
+            return leaf(Leaf(SIGNAL, mechanism.signal(part)))
+        return part
 
-        value = rewritten(number, replace)
-        if not any(leaf.kind != SIGNAL for leaf in leaves):
-            message = "it does not depend on the motion"
-            raise ExpressionError(message)
-        if not any(leaf.kind == RATE for leaf in leaves):  # velocity rows do no work
-            refuse_switches(value)
-        return Formula(value, tuple(leaves))
+    value = rewritten(number, replace)
+    if not any(leaf.kind != SIGNAL for leaf in leaves):
+        message = "it does not depend on the motion"
+        raise ExpressionError(message)
+    if not any(leaf.kind == RATE for leaf in leaves):  # velocity rows do no work
+        refuse_switches(value)
+    return Formula(value, tuple(leaves))
 
-    def _has_quantity(self, part: Expr, own: Mapping[str, Meaning]) -> bool:
-        known = self.mechanism.varying | self.parts.scene.parameters.keys()
-        return any(name in own or name not in known for name in symbols(part))
 
-    def sensed(self, number: Number) -> Number:
-        """Return an expression whose quantities are read from the sensors, as ``#value 3``."""
+def sensed(parts: Parts, number: Number) -> Number:
+    """Return an expression whose quantities are read from the sensors, as ``#value 3``."""
 
-        def replace(part: Expr) -> Number | None:
-            if part.op not in ("symbol", "call"):
-                return None
-            found = self.meaning(part, {})
-            if not isinstance(found, Leaf):
-                return part if found is None else found
-            self.mechanism.use(found.index)
-            self.mechanism.sensing = True
-            return symbol(f"#{'value' if found.kind == VALUE else 'rate'} {found.index}")
+    def replace(part: Expr) -> Number | None:
+        if part.op not in ("symbol", "call"):
+            return None
+        found = _meaning(parts, part, {})
+        if not isinstance(found, Leaf):
+            return part if found is None else found
+        parts.mechanism.use(found.index)
+        parts.mechanism.sensing = True
+        return symbol(f"#{'value' if found.kind == VALUE else 'rate'} {found.index}")
 
-        return rewritten(number, replace)
+    return rewritten(number, replace)
 
-    # ----------------------------------------------------------------------------- judgement
 
-    def scale(self, formula: Formula) -> Scale:
-        """Return the size of a formula: its largest slope times the size of what it belongs to."""
-        mechanism = self.mechanism
-        point = [self._drawn(leaf) for leaf in formula.leaves]
-        best = Scale(1.0, 0)
-        largest = 0.0
-        extent = self._extent = self._extent or drawn_extent(mechanism)
-        for k, leaf in enumerate(formula.leaves):
-            power = self._power(leaf)
-            size = extent**power
-            try:
-                slope = abs(self._slope(formula, point, k, 1e-6 * size))
-            except ExpressionError:
-                continue
-            if slope * size > largest:
-                largest, best = slope * size, Scale(slope, power)
-        return best
+def _meaning(parts: Parts, part: Expr, own: Mapping[str, Meaning]) -> Meaning | None:
+    """What a symbol or a call stands for; None for parameters, inputs and the time."""
+    if part.op == "call":
+        return parts.distance(part)
+    name = str(part.args[0])
+    if name in own:
+        return own[name]
+    if name in parts.mechanism.varying or name in parts.scene.parameters:
+        return None
+    found = parts.meaning(name)
+    if found is None:
+        message = f"'{name}' is known only after the step, and possible only in outputs"
+        raise ExpressionError(message)
+    return found
 
-    def _slope(self, formula: Formula, point: Sequence[float], k: int, d: float) -> float:
-        ends = [[x + sign * d * (i == k) for i, x in enumerate(point)] for sign in (-1.0, 1.0)]
-        first, second = (self.value(formula, end) for end in ends)
-        return (second - first) / (2.0 * d)
 
-    def value(self, formula: Formula, leaves: Sequence[float]) -> float:
-        """Value of a formula with default parameters for given values of its leaves."""
-        known = {str(leaf_symbol(k)): x for k, x in enumerate(leaves)}
-        if not isinstance(formula.value, Expr):
-            return float(formula.value)
-        return evaluate(formula.value, {**self.mechanism.defaults, **known})
+# --------------------------------------------------------------------------------- judgement
 
-    def _drawn(self, leaf: Leaf) -> float:
-        mechanism = self.mechanism
-        if leaf.kind == SIGNAL:
-            return mechanism.default(mechanism.signals[leaf.index])
-        return 0.0 if leaf.kind == RATE else mechanism.default(mechanism.drawn_value(leaf.index))
 
-    def _power(self, leaf: Leaf) -> int:
-        """Power of length in a leaf's unit; that of a signal is unknown and taken for none."""
-        if leaf.kind == SIGNAL:
-            return 0
-        return self.mechanism.length_power(leaf.index)
+def scale_of(mechanism: Mechanism, formula: Formula) -> Scale:
+    """Return the size of a formula: its largest slope times the size of what it belongs to."""
+    point = [_drawn(mechanism, leaf) for leaf in formula.leaves]
+    best, largest = Scale(1.0, 0), 0.0
+    for k, leaf in enumerate(formula.leaves):
+        # The unit of a signal is unknown and taken for none.
+        power = 0 if leaf.kind == SIGNAL else mechanism.length_power(leaf.index)
+        size = mechanism.extent**power
+        d = 1e-6 * size
+        try:
+            first, second = (
+                _value(mechanism, formula, [x + sign * d * (i == k) for i, x in enumerate(point)])
+                for sign in (-1.0, 1.0)
+            )
+        except ExpressionError:
+            continue
+        slope = abs((second - first) / (2.0 * d))
+        if slope * size > largest:
+            largest, best = slope * size, Scale(slope, power)
+    return best
 
-    def is_linear_in_rates(self, formula: Formula) -> bool:
-        """Whether psi(sigma, a + b) = psi(sigma, a) + psi(sigma, b), at points near the drawn one.
 
-        Rounding of the sum against a difference that a product of rates would make.
-        """
-        random = Random(1)
-        rates = [leaf.kind == RATE for leaf in formula.leaves]
-        if not any(rates):
+def _value(mechanism: Mechanism, formula: Formula, leaves: Sequence[float]) -> float:
+    """Value of a formula with default parameters for given values of its leaves."""
+    known = {str(leaf_symbol(k)): x for k, x in enumerate(leaves)}
+    return evaluate(formula.value, {**mechanism.defaults, **known})
+
+
+def _drawn(mechanism: Mechanism, leaf: Leaf) -> float:
+    if leaf.kind == SIGNAL:
+        return mechanism.default(mechanism.signals[leaf.index])
+    return 0.0 if leaf.kind == RATE else mechanism.default(mechanism.drawn_value(leaf.index))
+
+
+def is_linear_in_rates(mechanism: Mechanism, formula: Formula) -> bool:
+    """Whether psi(sigma, a + b) = psi(sigma, a) + psi(sigma, b), at points near the drawn one.
+
+    Rounding of the sum against a difference that a product of rates would make.
+    """
+    random = Random(1)
+    rates = [leaf.kind == RATE for leaf in formula.leaves]
+    if not any(rates):
+        return False
+    for _ in range(3):
+        at = [_drawn(mechanism, leaf) + random.uniform(0.0, 0.1) for leaf in formula.leaves]
+        a, b = ([random.uniform(-1.0, 1.0) for _ in rates] for _ in range(2))
+        both = [x + 3.0 * y for x, y in zip(a, b, strict=True)]
+        mixed = (
+            [x if rate else s for rate, x, s in zip(rates, v, at, strict=True)]
+            for v in (a, b, both)
+        )
+        psi = [_value(mechanism, formula, leaves) for leaves in mixed]
+        if abs(psi[0] + 3.0 * psi[1] - psi[2]) > 1e-9 * max(abs(x) for x in psi):
             return False
-        for _ in range(3):
-            at = [self._drawn(leaf) + random.uniform(0.0, 0.1) for leaf in formula.leaves]
-            a, b = ([random.uniform(-1.0, 1.0) for _ in rates] for _ in range(2))
-            both = [x + 3.0 * y for x, y in zip(a, b, strict=True)]
-            mixed = [
-                [x if rate else s for rate, x, s in zip(rates, v, at, strict=True)]
-                for v in (a, b, both)
-            ]
-            psi = [self.value(formula, leaves) for leaves in mixed]
-            if abs(psi[0] + 3.0 * psi[1] - psi[2]) > 1e-9 * max(abs(x) for x in psi):
-                return False
-        return True
-
-
-def drawn_extent(mechanism: Mechanism) -> float:
-    """Diagonal of the box around all points as drawn [m]; 1 for a mechanism of one place."""
-    positions = [
-        [mechanism.default(x) for x in node.position] for node in mechanism.nodes if node.kind == 0
-    ]
-    sides = [max(column) - min(column) for column in zip(*positions, strict=True)]
-    return sum(side * side for side in sides) ** 0.5 or 1.0
+    return True

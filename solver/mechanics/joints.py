@@ -12,35 +12,40 @@ from dataclasses import dataclass
 from math import pi
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import VALUE, Leaf
+from solver.mechanics.equations import Formula
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Frame, Ground
 from solver.mechanics.mechanism import Mechanism
-from solver.mechanics.parts import JointParts, Parts
+from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import METRES, Rows
-from solver.mechanics.vectors import Vector, dot, perpendicular, turned, unit
-from solver.scene import BodyJoint, Screw, Universal
+from solver.mechanics.vectors import Vector, perpendicular, turned, unit
+from solver.scene import (
+    BodyJoint,
+    Cylindrical,
+    Fixed,
+    Planar,
+    Prismatic,
+    Revolute,
+    Screw,
+    Spherical,
+    Universal,
+)
 
 
 @dataclass(slots=True)
 class Pair:
     """Two bodies at a joint: what its rows are written with."""
 
-    mechanism: Mechanism
     rows: Rows
+    joint: BodyJoint
+    found: JointParts
     A: Frame
     B: Frame
-    joint: BodyJoint
     ends: tuple[Combination, Combination]
     """The joint's place on either."""
     axis: Vector
     normals: tuple[Vector, ...]
     """Perpendicular to the axis: two in space, one in the plane."""
-
-    @property
-    def link(self) -> Combination:
-        """From the joint's place on A to that on B."""
-        return self.ends[1] - self.ends[0]
 
     def meet(self) -> None:
         """Let the places coincide."""
@@ -48,21 +53,75 @@ class Pair:
 
     def align(self) -> None:
         """Keep the axes parallel: a . b_1 = a . b_2 = 0; in the plane J a . b = 0."""
-        if self.mechanism.dim == 2:
-            self.rows.direction(self.A.direction(self.normals[0]), self.B.direction(self.axis))
-            return
         for normal in self.normals:
-            self.rows.direction(self.A.direction(self.axis), self.B.direction(normal))
+            a, b = (self.axis, normal) if len(self.normals) == 2 else (normal, self.axis)
+            self.rows.direction(self.A.direction(a), self.B.direction(b))
 
     def slide(self) -> None:
         """Keep B on the axis: (x_B - x_A) . c = 0 for each normal c of A."""
         for normal in self.normals:
-            self.rows.offset(self.link, self.A.direction(normal))
+            self.rows.offset(self._link, self.A.direction(normal))
+
+    def stay(self) -> None:
+        """Keep B on the plane across the axis: (x_B - x_A) . a = 0."""
+        self.rows.offset(self._link, self.A.direction(self.axis))
 
     def hold(self) -> None:
-        """Keep B from turning about the axis: c_1 . b_2 = 0."""
-        first, second = self.normals
-        self.rows.direction(self.A.direction(first), self.B.direction(second))
+        """Keep B from turning about the axis: c_1 . b_2 = 0; in the plane parallel axes do."""
+        if len(self.normals) == 2:
+            first, second = self.normals
+            self.rows.direction(self.A.direction(first), self.B.direction(second))
+
+    def cross(self) -> None:
+        """Keep the axis of A perpendicular to the other one, of B."""
+        assert isinstance(self.joint, Universal)
+        second = unit(self.joint.axes[1])
+        self.rows.direction(self.A.direction(self.axis), self.B.direction(second))
+
+    def lock(self) -> None:
+        """Keep B from turning at all."""
+        axes = (self.B if isinstance(self.A, Ground) else self.A).axes
+        pairs = ((1, 0),) if len(axes) == 2 else ((0, 1), (1, 2), (2, 0))
+        for i, k in pairs:
+            self.rows.direction(self.A.direction(axes[i]), self.B.direction(axes[k]))
+
+    def turn(self) -> None:
+        """Offer the angle about the axis."""
+        mechanism = self.rows.mechanism
+        self.found.angle = angle_between(mechanism, self.A, self.B, self.axis or None)
+
+    def move(self) -> None:
+        """Offer the displacement along the axis."""
+        along = self.A.direction(self.axis)
+        self.found.displacement = self.rows.mechanism.component(self._link, along)
+
+    def advance(self) -> None:
+        """Couple displacement and angle by the pitch."""
+        assert isinstance(self.joint, Screw)
+        assert self.found.displacement is not None
+        assert self.found.angle is not None
+        leaf = self.rows.mechanism.leaf
+        advance = leaf_symbol(0) - self.joint.pitch / (2.0 * pi) * leaf_symbol(1)
+        formula = Formula(advance, (leaf(self.found.displacement), leaf(self.found.angle)))
+        self.found.row = self.rows.function(formula, METRES)
+
+    @property
+    def _link(self) -> Combination:
+        """From the joint's place on A to that on B."""
+        return self.ends[1] - self.ends[0]
+
+
+JOINTS: dict[type[BodyJoint], tuple[Callable[[Pair], None], ...]] = {
+    Spherical: (Pair.meet,),
+    Revolute: (Pair.meet, Pair.align, Pair.turn),
+    Universal: (Pair.meet, Pair.cross),
+    Cylindrical: (Pair.align, Pair.slide, Pair.turn, Pair.move),
+    Prismatic: (Pair.align, Pair.slide, Pair.hold, Pair.move),
+    Planar: (Pair.align, Pair.stay),
+    Fixed: (Pair.meet, Pair.lock),
+    Screw: (Pair.align, Pair.slide, Pair.turn, Pair.move, Pair.advance),
+}
+"""Rows of each joint, and what it offers; a hinge in the plane has no axis to align."""
 
 
 def angle_between(mechanism: Mechanism, A: Frame, B: Frame, axis: Vector | None) -> int:
@@ -80,90 +139,9 @@ def angle_between(mechanism: Mechanism, A: Frame, B: Frame, axis: Vector | None)
     return mechanism.angle((A.direction(mark), seen), (A.direction(across), seen))
 
 
-def _revolute(pair: Pair, found: JointParts) -> None:
-    pair.meet()
-    if pair.mechanism.dim == 3:
-        pair.align()
-    _turn(pair, found)
-
-
-def _turn(pair: Pair, found: JointParts) -> None:
-    axis = None if pair.mechanism.dim == 2 else pair.axis
-    found.angle = angle_between(pair.mechanism, pair.A, pair.B, axis)
-
-
-def _move(pair: Pair, found: JointParts) -> None:
-    found.displacement = pair.mechanism.component(pair.link, pair.A.direction(pair.axis))
-
-
-def _spherical(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
-    pair.meet()
-
-
-def _universal(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
-    assert isinstance(pair.joint, Universal)
-    pair.meet()
-    pair.rows.direction(pair.A.direction(pair.axis), pair.B.direction(unit(pair.joint.axes[1])))
-
-
-def _cylindrical(pair: Pair, found: JointParts) -> None:
-    pair.align()
-    pair.slide()
-    _turn(pair, found)
-    _move(pair, found)
-
-
-def _prismatic(pair: Pair, found: JointParts) -> None:
-    pair.align()
-    pair.slide()
-    if pair.mechanism.dim == 3:
-        pair.hold()
-    _move(pair, found)
-
-
-def _planar(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
-    pair.align()
-    pair.rows.offset(pair.link, pair.A.direction(pair.axis))
-
-
-def _fixed(pair: Pair, found: JointParts) -> None:  # noqa: ARG001
-    pair.meet()
-    axes = (pair.B if isinstance(pair.A, Ground) else pair.A).axes
-    if pair.mechanism.dim == 2:
-        pair.rows.direction(pair.A.direction(axes[1]), pair.B.direction(axes[0]))
-        return
-    for k in range(3):
-        pair.rows.direction(pair.A.direction(axes[k]), pair.B.direction(axes[(k + 1) % 3]))
-
-
-def _screw(pair: Pair, found: JointParts) -> None:
-    _cylindrical(pair, found)
-    assert isinstance(pair.joint, Screw)
-    assert found.displacement is not None
-    assert found.angle is not None
-    leaves = tuple(Leaf(VALUE, pair.mechanism.use(q)) for q in (found.displacement, found.angle))
-    advance = leaf_symbol(0) - pair.joint.pitch / (2.0 * pi) * leaf_symbol(1)
-    found.row = ("function", pair.rows.function(advance, leaves, METRES))
-
-
-JOINTS: dict[str, Callable[[Pair, JointParts], None]] = {
-    "spherical": _spherical,
-    "revolute": _revolute,
-    "universal": _universal,
-    "cylindrical": _cylindrical,
-    "prismatic": _prismatic,
-    "planar": _planar,
-    "fixed": _fixed,
-    "screw": _screw,
-}
-"""Rows of each joint."""
-
-
-def add_joint(parts: Parts, name: str, joint: BodyJoint) -> None:
+def add_joint(rows: Rows, joint: BodyJoint, found: JointParts) -> None:
     """Add the rows of a lower pair."""
-    mechanism = parts.mechanism
-    rows = Rows(mechanism, f"joints.{name}", f"joint '{name}'")
-    found = parts.joints[name] = JointParts()
+    parts = rows.parts
     if joint.bodies is None:
         assert joint.points is not None
         first, second = joint.points
@@ -172,8 +150,9 @@ def add_joint(parts: Parts, name: str, joint: BodyJoint) -> None:
     else:
         names = zip(joint.on, joint.bodies, strict=True)
         rows.detail = " on {} and {}".format(*(_called(point or body) for point, body in names))
-        pair = _pair(parts, rows, joint, joint.bodies)
-        JOINTS[joint.type](pair, found)
+        pair = _pair(rows, joint, found, joint.bodies)
+        for add in JOINTS[type(joint)]:
+            add(pair)
         if joint.axis is not None:
             found.axis = pair.A.direction(pair.axis)
     found.reaction = rows.close()
@@ -184,30 +163,27 @@ def _called(name: str | None) -> str:
 
 
 def _pair(
-    parts: Parts, rows: Rows, joint: BodyJoint, bodies: tuple[str | None, str | None]
+    rows: Rows, joint: BodyJoint, found: JointParts, bodies: tuple[str | None, str | None]
 ) -> Pair:  # fmt: skip
-    mechanism = parts.mechanism
+    parts = rows.parts
     A, B = (parts.frame(body) for body in bodies)
     axis: Vector = ()
     normals: tuple[Vector, ...] = ()
     if joint.axis is not None:
-        part = (rows.location, rows.name)
-        mechanism.finite(joint.axis, part, "axis")
-        mechanism.rule(dot(joint.axis, joint.axis), ">", part, "axis must not be of length zero")
-        axis = unit(joint.axis)
-        plane = mechanism.dim == 2
-        normals = (turned(axis),) if plane else perpendicular(axis, mechanism.default)
-    assert joint.position is not None or joint.type in ("prismatic", "fixed")
-    place = joint.position or _origin(parts, bodies[1])
+        rows.finite(joint.axis, "axis")
+        axis = rows.unit(joint.axis)
+        normals = rows.mechanism.normals(axis)
+    assert joint.position is not None or isinstance(joint, Prismatic | Fixed)
+    place = joint.position or _origin(rows, bodies[1])
     first, second = (
         parts.named(point) if point else frame.place(place)
         for point, frame in zip(joint.on, (A, B), strict=True)
     )
-    return Pair(mechanism, rows, A, B, joint, (first, second), axis, normals)
+    return Pair(rows, joint, found, A, B, (first, second), axis, normals)
 
 
-def _origin(parts: Parts, body: str | None) -> Vector:
+def _origin(rows: Rows, body: str | None) -> Vector:
     """Place of a joint whose position is not given: the origin of its second body."""
-    if body is None or not parts.is_place(body):
-        return (0.0,) * parts.mechanism.dim
-    return parts.mechanism.drawn(parts.named(body))
+    if body is None or not rows.parts.is_place(body):
+        return (0.0,) * rows.mechanism.dim
+    return rows.mechanism.drawn(rows.parts.named(body))

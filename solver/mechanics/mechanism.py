@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from sys import intern
-from typing import Literal
+from functools import cached_property
 
 from solver.mechanics.combination import Combination, node
 from solver.mechanics.equations import (
@@ -19,6 +18,7 @@ from solver.mechanics.equations import (
     LENGTH,
     POINT,
     SIGNAL,
+    VALUE,
     BodyMoment,
     Coincidence,
     Element,
@@ -33,13 +33,13 @@ from solver.mechanics.equations import (
     Part,
     Quantity,
 )
-from solver.mechanics.vectors import Vector, add, dot, scale, turned
+from solver.mechanics.vectors import Vector, add, dot, perpendicular, scale, turned
 from solver.runtime.model import Rule
 from solver.scene import Expr, Number, evaluate
 from solver.scene.expression import atan2, sqrt
 
 
-@dataclass(slots=True)
+@dataclass
 class Mechanism:
     """Everything a model consists of, by index."""
 
@@ -122,6 +122,18 @@ class Mechanism:
                 total = add(total, scale(turn, turned(position)))
         return total
 
+    @cached_property
+    def extent(self) -> float:
+        """Diagonal of the box around all points as drawn [m]; 1 for a mechanism of one place."""
+        points = [node.position for node in self.nodes if node.kind == POINT]
+        positions = [[self.default(x) for x in position] for position in points]
+        sides = [max(column) - min(column) for column in zip(*positions, strict=True)]
+        return sum(side * side for side in sides) ** 0.5 or 1.0
+
+    def normals(self, axis: Vector) -> tuple[Vector, ...]:
+        """Return the unit vectors perpendicular to one: two in space, one in the plane."""
+        return (turned(axis),) if self.dim == 2 else perpendicular(axis, self.default)
+
     # ------------------------------------------------------------------- forms and quantities
 
     def form(self, u: Combination, w: Combination) -> tuple[int, int]:
@@ -191,6 +203,10 @@ class Mechanism:
         self.active.setdefault(quantity)
         return quantity
 
+    def leaf(self, quantity: int, kind: int = VALUE) -> Leaf:
+        """Return a quantity, or its rate, as what a formula depends on."""
+        return Leaf(kind, self.use(quantity))
+
     def signal(self, number: Number) -> int:
         """Return the index of a prescribed value among `signals`."""
         if number not in self._signals:
@@ -234,23 +250,3 @@ class Mechanism:
     def directors(self, first: int | None) -> list[int]:
         """Return the nodes of the body with this first director."""
         return [] if first is None else [*range(first, first + (1 if self.dim == 2 else 3))]
-
-    # ---------------------------------------------------------------------------------- rules
-
-    def rule(
-        self, number: Number, relation: Literal[">", ">=", "finite"], part: tuple[str, str],
-        text: str,
-    ) -> None:  # fmt: skip
-        """Demand that a number is `relation` 0 (or finite); `text` says what, with its value.
-
-        `part` is where in the scene the number stands and what it is called there.
-        """
-        message = intern(text if "{value" in text else f"{text}, got {{value!r}}")
-        self.rule_numbers.append(number)
-        self.rules.append(Rule(-1, relation, 0.0, *part, message))
-
-    def finite(self, vector: Vector, part: tuple[str, str], what: str) -> None:
-        """Demand that what the expressions of a vector yield is a finite number."""
-        for number in vector:
-            if isinstance(number, Expr):
-                self.rule(number, "finite", part, f"{what} must be a finite number")

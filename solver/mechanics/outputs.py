@@ -196,10 +196,11 @@ def _of_a_driver(measures: Measures, name: str, driver: Driver) -> Found:
     """Force or torque of a driver, and its power."""
     parts = measures.parts
     if not isinstance(driver, PositionDriver):
-        row = parts.joints[name].row
-        assert row is not None
-        value = -1.0 * measures.multiplier(row)
-        rate = measures.value(Ref("quantity_rate", parts.driven[name]))
+        found = parts.joints[name]
+        assert found.row is not None
+        assert found.driven is not None
+        value = -1.0 * measures.multiplier(found.row)
+        rate = measures.value(Ref("quantity_rate", found.driven))
         return {"force": value, "torque": value, "power": value * rate}
     place = parts.place(driver.point)
     force: Values = measures.pushed(parts.joints[name])

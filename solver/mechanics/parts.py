@@ -14,25 +14,29 @@ from solver.scene import Expr, Number, PointReference, Scene
 
 AXES = "xyz"
 Meaning = Leaf | Number
+RowOf = tuple[str, int]
+"""Kind of a row, "form", "function" or "velocity", and its index among those."""
 
 
 @dataclass(slots=True)
 class JointParts:
-    """What a joint offers to others, and where its reactions are found."""
+    """What a joint or driver offers to others, and where its reactions are found."""
 
     angle: int | None = None
     """Quantity: of the second body about the axis against the first, zero as drawn."""
     displacement: int | None = None
     """Quantity: of the second body along the axis, zero as drawn."""
+    driven: int | None = None
+    """Quantity that a driver prescribes."""
     reaction: int | None = None
     """Index among the mechanism's reactions."""
     axis: Combination | None = None
     """Unit direction, fixed in the first body."""
-    row: tuple[str, int] | None = None
-    """The one row, "form", "function" or "velocity", of a joint whose reaction is one number."""
+    row: RowOf | None = None
+    """The one row of a joint whose reaction is one number."""
     factor: Number = 1.0
     """What -mu of that row is multiplied with to be the reaction."""
-    pushes: list[tuple[tuple[str, int], Number, Combination]] = field(default_factory=list)
+    pushes: list[tuple[RowOf, Number, Combination]] = field(default_factory=list)
     """Row, slope, direction: -mu slope direction is a part of the force on the second body."""
     own: dict[str, Leaf] = field(default_factory=dict)
     """Symbols of the slopes with a meaning of their own."""
@@ -53,8 +57,6 @@ class Parts:
     joints: dict[str, JointParts] = field(default_factory=dict)
     paths: Mapping[str, tuple[str, Vector]] = field(default_factory=dict)
     """Driver of each driven point, and the path that it prescribes."""
-    driven: dict[str, int] = field(default_factory=dict)
-    """Quantity that a driver prescribes."""
     elements: dict[str, int] = field(default_factory=dict)
     """Element of a force."""
     problems: list[tuple[str, str]] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""Rows between places and directions of two bodies, with the reactions they bring.
+"""A part of the scene as it is added: its rows, the reaction they bring, and what it demands.
 
 coincidence  x_A - x_B = 0          lambda is the force on the second body
 offset       (x_B - x_A) . c = 0    -mu c is the force on the second body
@@ -7,73 +7,122 @@ direction    a . b = 0              -mu b x a is the torque on the second body
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from sys import intern
+from typing import Literal
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import Coincidence, FormRow, Formula, FunctionRow, Leaf, Scale
-from solver.mechanics.mechanism import Mechanism
-from solver.runtime.model import Row
-from solver.scene import Number
+from solver.mechanics.equations import Coincidence, FormRow, Formula, FunctionRow, Scale
+from solver.mechanics.formulas import scale_of
+from solver.mechanics.parts import Parts, RowOf
+from solver.mechanics.vectors import Vector, dot, unit
+from solver.runtime.model import Row, Rule
+from solver.scene import Expr, Number
 
 COINCIDENCE, FORCE, TORQUE = 0, 1, 2
 """Kinds of reaction entries."""
 METRES, RADIANS = Scale(1.0, 1), Scale(1.0, 0)
 
 
-@dataclass(slots=True)
 class Rows:
-    """Rows of one part of the scene, and the entries of its reaction."""
+    """Rows of one part of the scene, ``joints.bearing``."""
 
-    mechanism: Mechanism
-    location: str
-    name: str
-    detail: str = ""
-    entries: list[tuple[int, int, int]] = field(default_factory=list)
-    """Kind, index of the row among its kind, sign."""
+    def __init__(self, parts: Parts, table: str, name: str) -> None:
+        self.parts, self.mechanism, self.name = parts, parts.mechanism, name
+        self.location, word = f"{table}.{name}", {"bodies": "body"}.get(table, table[:-1])
+        self.title = f"{word} '{name}'"
+        """What the part is called in a sentence."""
+        self.detail = ""
+        self.entries: list[tuple[int, int, int]] = []
+        """Of the reaction: kind, index of the row among its kind, sign."""
 
-    def _row(self, kind: str) -> Row:
-        return Row(self.location, self.name, kind, self.detail)
+    # --------------------------------------------------------------------------------- demands
+
+    def rule(self, number: Number, relation: Literal[">", ">=", "finite"], text: str) -> None:
+        """Demand that a number is `relation` 0 (or finite); `text` says what, with its value."""
+        message = intern(text if "{value" in text else f"{text}, got {{value!r}}")
+        self.mechanism.rule_numbers.append(number)
+        self.mechanism.rules.append(Rule(-1, relation, 0.0, self.location, self.title, message))
+
+    def finite(self, vector: Iterable[Number], what: str) -> None:
+        """Demand that what the expressions of a vector yield is a finite number."""
+        for number in vector:
+            if isinstance(number, Expr):
+                self.rule(number, "finite", f"{what} must be a finite number")
+
+    def unit(self, vector: Vector, text: str = "axis must not be of length zero") -> Vector:
+        """Return a/|a|, and demand that it exists."""
+        self.rule(dot(vector, vector), ">", text)
+        return unit(vector)
+
+    def problem(self, text: str, field: str = "") -> None:
+        """Report a mistake of the scene at a field of the part."""
+        self.parts.problems.append((f"{self.location}{field}", text))
+
+    # ------------------------------------------------------------------------------------ rows
+
+    def row(self, kind: str) -> Row:
+        """Return what a row of this part is called."""
+        return Row(self.location, self.title, kind, self.detail)
 
     def coincidence(self, first: Combination, second: Combination) -> None:
         """Let two places coincide."""
         self.entries.append((COINCIDENCE, len(self.mechanism.coincidences), 1))
         form = self.mechanism.link(first - second)
-        self.mechanism.coincidences.append(Coincidence(form, self._row("apart")))
+        self.mechanism.coincidences.append(Coincidence(form, self.row("apart")))
 
     def offset(
         self, link: Combination, direction: Combination, value: Number = 0.0, kind: str = "off"
-    ) -> int:
-        """Hold link . direction, the link to the second body; return the form row."""
+    ) -> RowOf:
+        """Hold link . direction, the link to the second body."""
         return self._form_row(FORCE, link, direction, value, METRES, kind)
 
     def direction(
         self, first: Combination, second: Combination, value: Number = 0.0, kind: str = "turned"
-    ) -> int:
-        """Hold the dot product of unit directions of the two bodies; return the form row."""
+    ) -> RowOf:
+        """Hold the dot product of unit directions of the two bodies."""
         return self._form_row(TORQUE, first, second, value, RADIANS, kind)
 
     def _form_row(
         self, entry: int, u: Combination, w: Combination, value: Number, scale: Scale, kind: str
-    ) -> int:  # fmt: skip
+    ) -> RowOf:  # fmt: skip
         form, sign = self.mechanism.form(u, w)
+        self.entries.append((entry, len(self.mechanism.form_rows), sign))
+        return self.form_row(form, value, scale, kind)
+
+    def form_row(self, form: int, value: Number, scale: Scale, kind: str) -> RowOf:
+        """Hold a form."""
         rows = self.mechanism.form_rows
-        rows.append(FormRow(form, value, scale, self._row(kind)))
-        self.entries.append((entry, len(rows) - 1, sign))
-        return len(rows) - 1
+        rows.append(FormRow(form, value, scale, self.row(kind)))
+        return "form", len(rows) - 1
+
+    def distance(self, link: Combination, length: Number | None) -> Number:
+        """Add the row |u|^2 = L^2, as drawn unless `length` is given; return L^2."""
+        form, _ = self.mechanism.form(link, link)
+        length2 = self.mechanism.value(form) if length is None else length * length
+        if length is None:
+            text = "its points coincide; draw them apart (squared distance {value!r} m^2)"
+            self.rule(length2, ">", text)
+        else:
+            self.rule(length, ">", "length must be > 0 m")
+        self.form_row(form, length2, Scale(length2, 0), "length")
+        return length2
 
     def function(
-        self, value: Number, leaves: tuple[Leaf, ...], scale: Scale, kind: str = "value"
-    ) -> int:
-        """Hold a formula at zero; return the function row."""
+        self, formula: Formula, scale: Scale | None = None, kind: str = "value"
+    ) -> RowOf:  # fmt: skip
+        """Hold a formula at zero."""
         rows = self.mechanism.function_rows
-        rows.append(FunctionRow(Formula(value, leaves), scale, self._row(kind)))
-        return len(rows) - 1
+        scale = scale or scale_of(self.mechanism, formula)
+        rows.append(FunctionRow(formula, scale, self.row(kind)))
+        return "function", len(rows) - 1
 
-    def velocity(self, value: Number, leaves: tuple[Leaf, ...], scale: Scale) -> int:
-        """Hold a formula that is linear in rates at zero; return the velocity row."""
+    def velocity(self, formula: Formula, scale: Scale | None = None) -> RowOf:
+        """Hold a formula that is linear in rates at zero."""
         rows = self.mechanism.velocity_rows
-        rows.append(FunctionRow(Formula(value, leaves), scale, self._row("velocity")))
-        return len(rows) - 1
+        scale = scale or scale_of(self.mechanism, formula)
+        rows.append(FunctionRow(formula, scale, self.row("velocity")))
+        return "velocity", len(rows) - 1
 
     def close(self) -> int | None:
         """Add the reaction of these rows to what is measured; return its index."""
