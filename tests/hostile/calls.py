@@ -1,7 +1,9 @@
 """Calls of FMI in any order, with any values: refused or taken, and never a wrong number after it.
 
 An instance gets legal and illegal calls, a twin the legal ones alone. After an illegal call the
-first one is brought back by a saved state or a reset; then all outputs agree bit for bit.
+first one is brought back by a saved state or a reset; then all outputs agree bit for bit. It also
+goes back to states saved long before, or goes on as another instance that is given its bytes; the
+twin never sees a state, and repeats the calls that led there from the beginning.
 Not tried: what ends pythonfmu's library itself (docs/fmu.md, section 5).
 """
 
@@ -56,6 +58,8 @@ TEXTS = ("", "nonsense", "x" * 10000, "%s%n%d", "é", "midpoint-al\n")
 STEPS = (0.01, 0.05, 0.003, 1e-6, 0.1)
 FATAL = 4
 
+Call = tuple[str, tuple[object, ...]]
+
 
 class FatalError(Exception):
     """An FMI function answered fmi2Fatal; the text says which."""
@@ -67,9 +71,9 @@ def prepare(folder: Path) -> None:
 
 
 @functools.cache
-def _twins(folder: Path) -> tuple[Unit, Unit]:
+def _instances(folder: Path) -> tuple[Unit, Unit, Unit]:
     logging.getLogger("holonom").disabled = True
-    return Unit(folder / "unpacked"), Unit(folder / "unpacked")
+    return Unit(folder / "unpacked"), Unit(folder / "unpacked"), Unit(folder / "unpacked")
 
 
 class Unit:
@@ -111,12 +115,15 @@ class Unit:
 class Sequence:
     """Calls of one case; the phase is 0 instantiated, 1 initializing, 2 stepping, 3 terminated."""
 
-    def __init__(self, chance: random.Random, tried: Unit, plain: Unit) -> None:
-        self.chance, self.tried, self.plain = chance, tried, plain
+    def __init__(self, chance: random.Random, tried: Unit, plain: Unit, spare: Unit) -> None:
+        self.chance, self.tried, self.plain, self.spare = chance, tried, plain, spare
+        self.saved: list[tuple[object, list[Call], float]] = []
         self.start()
 
     def start(self) -> None:
         """Reset both."""
+        self.forget()
+        self.done: list[Call] = []
         self.both("reset")
         self.phase, self.time = 0, 0.0
 
@@ -124,7 +131,14 @@ class Sequence:
         """Call a function of both, which must answer alike."""
         answers = [unit.call(name, *arguments) for unit in (self.tried, self.plain)]
         assert answers[0] == answers[1], f"{name}{arguments} answers {answers}"
+        self.done.append((name, arguments))
         return answers[0]
+
+    def forget(self) -> None:
+        """Free the saved states."""
+        for state, *_ in self.saved:
+            self.tried.fmu.freeFMUState(state)
+        self.saved = []
 
     def set_both(self, name: str, value: float, kind: str = "Real") -> None:
         """Set a variable of both."""
@@ -160,7 +174,7 @@ class Sequence:
 
     def _stepping(self) -> None:
         chance = self.chance
-        kind = chance.randrange(12)
+        kind = chance.randrange(15)
         ranges = {"stiffness": 50.0, "push": 5.0, "pull": 9.0, "lift": 0.1}
         if kind < 4:
             name = list(ranges)[kind]
@@ -171,6 +185,12 @@ class Sequence:
         elif kind == 5 and chance.random() < 0.1:
             self.both("terminate")
             self.phase = 3
+        elif kind == 6:
+            self.saved.append((self.tried.fmu.getFMUState(), [*self.done], self.time))
+        elif kind == 7 and self.saved:
+            self._long_back()
+        elif kind == 8:
+            self._elsewhere()
         else:
             step = chance.choice(STEPS)
             if self.both("doStep", self.time, step):
@@ -191,6 +211,27 @@ class Sequence:
             state = fmu.deserializeFMUState(data)
         fmu.setFMUState(state)
         fmu.freeFMUState(state)
+
+    def _long_back(self) -> None:
+        state, done, self.time = self.chance.choice(self.saved)
+        self.tried.fmu.setFMUState(state)
+        self.done = [*done]
+        for name, arguments in done:
+            self.plain.call(name, *arguments)
+
+    def _elsewhere(self) -> None:
+        state = self.tried.fmu.getFMUState()
+        data = self.tried.fmu.serializeFMUState(state)
+        self.tried.fmu.freeFMUState(state)
+        self.forget()  # a state belongs to the instance that gave it; bytes do not
+        self.tried, self.spare = self.spare, self.tried
+        for call in (("reset",), ("setupExperiment", None, 0.0, 1e9)):
+            self.tried.call(*call)
+        self.tried.call("enterInitializationMode")
+        self.tried.call("exitInitializationMode")
+        state = self.tried.fmu.deserializeFMUState(data)
+        self.tried.fmu.setFMUState(state)
+        self.tried.fmu.freeFMUState(state)
 
     def illegal(self) -> None:
         """One call that is refused, or whose effect a saved state takes back."""
@@ -275,14 +316,15 @@ def case(seed: str, number: int, folder: Path) -> str | None:
     """Make some calls."""
     chance = random.Random(f"{seed}/{number}")
     try:
-        sequence = Sequence(chance, *_twins(folder))
+        sequence = Sequence(chance, *_instances(folder))
         for _ in range(chance.randrange(10, 50)):
             (sequence.illegal if chance.random() < 0.4 else sequence.legal)()
             if chance.random() < 0.3:
                 sequence.compare()
         sequence.compare()
+        sequence.forget()
     except FatalError as error:
-        _twins.cache_clear()
+        _instances.cache_clear()
         return str(error)
     except AssertionError as error:
         return str(error)[:300]

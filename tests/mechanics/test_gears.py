@@ -1,53 +1,12 @@
-"""Gears and racks: their freedom, what free trains keep, second order, and closed forms."""
+"""Gears and racks against closed forms; freedom, momenta and order are in `test_joints.py`."""
 
 from __future__ import annotations
-
-from itertools import pairwise
 
 import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.mobility import survey
-from tests.free_flight import assert_nothing_is_lost
-from tests.geared_scenes import PLANAR, SPATIAL, TRAINS, train
 from tests.mechanism_runs import run
-
-EVERY_TRAIN = pytest.mark.parametrize(("dimension", "kind"), TRAINS)
-
-
-@EVERY_TRAIN
-def test_a_coupling_takes_one_freedom_from_its_two_joints(dimension: int, kind: str) -> None:
-    rows = (SPATIAL if dimension == 3 else PLANAR)[kind][4]
-    found = survey(solver.assemble(solver.loads(train(dimension, kind, 0.01))))
-    assert found.degrees_of_freedom == (18 if dimension == 3 else 9) - rows
-    assert found.redundant_rows == 0
-
-
-@EVERY_TRAIN
-def test_a_free_train_keeps_energy_and_momenta_for_ten_thousand_large_steps(
-    dimension: int, kind: str
-) -> None:
-    """0.1 s at 1 to 2 rad/s; angles run on for hundreds of turns, and the coupling holds them."""
-    found = solver.simulate(
-        solver.loads(train(dimension, kind, 0.1)), stop_time=1000.0, step_size=10.0
-    )
-    assert_nothing_is_lost(found, dimension)
-    angle = found["first.angle"]
-    assert np.ptp(angle) > 100 * 2 * np.pi
-    second = found["second.angle" if kind[0] == "g" else "second.displacement"]
-    # 1e-12: a few last digits of angles of 1000 rad.
-    assert second == pytest.approx((-1.5 if kind[0] == "g" else 0.12) * angle, abs=1e-12)
-
-
-@EVERY_TRAIN
-def test_a_train_keeps_second_order(dimension: int, kind: str) -> None:
-    names = ["B.x", "B.y", "B.vx", "B.vy", "first.angle", "first.angular_velocity"]
-    drawn = [solver.loads(train(dimension, kind, h)) for h in (0.04, 0.02, 0.01)]
-    ends = [run(scene, names, scene.solver.step_size, 1.0)[-1] for scene in drawn]
-    coarse, fine = (float(np.linalg.norm(a - b)) for a, b in pairwise(ends))
-    assert coarse > 1e-6
-    assert np.log2(coarse / fine) == pytest.approx(2.0, abs=0.15)
 
 
 def wheels(dimension: int, ratio: float) -> str:

@@ -16,9 +16,8 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import constraint_jacobian
-from tests.geared_scenes import TRAINS, train
 from tests.joint_rows import LOWER, OF_POINTS, Drawn, Joint, own_rows
-from tests.joint_scenes import PAIRS, pair
+from tests.joint_scenes import PAIRS, TRAINS, pair, train
 from tests.reduced_models import Array, matrix_of, rotation
 
 ROWS = LOWER | OF_POINTS
@@ -47,7 +46,7 @@ TRAIN = {
     2: [Drawn(np.array([0.4, 0.2]), np.eye(2)), Drawn(np.array([0.1, 0.1]), plane(0.3)),
         BODIES[2][1]],
 }  # fmt: skip
-"""Bodies of `joint_scenes` and `geared_scenes` as drawn."""
+"""Bodies of `joint_scenes` as drawn."""
 
 
 def moved(text: str) -> tuple[Array, Array]:

@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.geared_scenes import train
-from tests.joint_scenes import pair
+from tests.joint_scenes import pair, train
 from tests.mechanism_runs import run
 from tests.reduced_models import Array, matrix_of, rotation
 
