@@ -10,6 +10,7 @@ from typing import Any
 from solver.runtime import Integrator, Model
 from solver.runtime.kernel import shared_library
 from solver.runtime.layout import OFFSETS, SIZES, TABLES, measured_size, state_size
+from tests.kernels_without_skips import kernel_without
 
 Doubles = ctypes.Array[ctypes.c_double]
 
@@ -34,7 +35,6 @@ def declared(library: ctypes.CDLL) -> ctypes.CDLL:
     """Declare the functions that only tests call."""
     pointer, integer, size = ctypes.c_void_p, ctypes.c_int32, ctypes.c_int64
     for name, result, arguments in (
-        ("model_bytes", size, []),
         ("work_size", size, [pointer]),
         ("measured_size", size, [pointer]),
         ("evaluate", None, [pointer, pointer, integer]),
@@ -43,7 +43,6 @@ def declared(library: ctypes.CDLL) -> ctypes.CDLL:
         ("advance", integer, [*[pointer] * 4, ctypes.c_double]),
         ("set_inputs", None, [pointer] * 6),
         ("measure", None, [pointer] * 4),
-        ("probe", integer, [*[pointer] * 4, ctypes.c_double, *[pointer] * 5]),
     ):
         function = getattr(library, f"holonom_{name}")
         function.restype, function.argtypes = result, arguments
@@ -67,7 +66,6 @@ class Kernel:
             **{f"{name}_at": offset for name, offset in model.offsets.items()},
         )
         structure = ctypes.addressof(self._struct)
-        assert self._library.holonom_model_bytes() == ctypes.sizeof(ModelStruct)
         assert self._library.holonom_state_size(structure) == len(self.state)
         assert self._library.holonom_measured_size(structure) == measured_size(model.sizes)
         self.work = (ctypes.c_double * self._library.holonom_work_size(structure))()
@@ -107,11 +105,13 @@ class Kernel:
     def probe(
         self, h: float, w: Sequence[float], mu: Sequence[float], x: Sequence[float]
     ) -> tuple[int, list[float], list[float]]:
-        """Return status, residual and tangent times `x` of one step, for tests of the tangent."""
+        """Return status, residual and tangent times `x` of one step: what `probe.c` adds."""
+        library = kernel_without(0, self.model.sizes["dim"])
+        assert library.holonom_model_bytes() == ctypes.sizeof(ModelStruct)
         size = len(w) + len(mu)
         r, tx = doubles([0.0] * size), doubles([0.0] * size)
-        arguments = (h, doubles(w), doubles(mu), doubles(x), r, tx)
-        status = self._library.holonom_probe(*self._pointers, *arguments)
+        arguments = (ctypes.c_double(h), doubles(w), doubles(mu), doubles(x), r, tx)
+        status = library.holonom_probe(*map(ctypes.c_void_p, self._pointers), *arguments)
         return status, list(r)[:size], list(tx)[:size]
 
 

@@ -9,8 +9,6 @@ int32_t holonom_abi(void) { return HOLONOM_ABI; }
 
 int32_t holonom_dimension(void) { return DIM; }
 
-int64_t holonom_model_bytes(void) { return (int64_t)sizeof(holonom_model); }
-
 int64_t holonom_state_size(const holonom_model *m)
 {
     hm_state ignored;

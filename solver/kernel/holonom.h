@@ -44,9 +44,6 @@ HOLONOM_API int32_t holonom_abi(void);
 /* Coordinates of a node in every model of this library: 2 or 3. */
 HOLONOM_API int32_t holonom_dimension(void);
 
-/* Bytes of a holonom_model. */
-HOLONOM_API int64_t holonom_model_bytes(void);
-
 /* Sizes in doubles. */
 HOLONOM_API int64_t holonom_state_size(const holonom_model *model);
 HOLONOM_API int64_t holonom_work_size(const holonom_model *model);
@@ -81,12 +78,5 @@ HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers,
 
 /* Fills the section `measured` of `numbers`, hm_measured, from `state` (not modified) and runs the fourth tape. */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work);
-
-/* One step of length h from `state` (not modified), for tests of the tangent: residual r at the increment
-   w = d - h v of the free nodes (dim n_free) and multipliers mu (n_rows), r (dim n_free + n_rows, overwritten), and the
-   tangent times a direction x, tx (both dim n_free + n_rows; tx overwritten). */
-HOLONOM_API int32_t holonom_probe(const holonom_model *model, double *numbers, double *state,
-                                  double *work, double h, const double *w, const double *mu,
-                                  const double *x, double *r, double *tx);
 
 #endif

@@ -70,20 +70,3 @@ void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *
         x[k] = less_products(x[k], m, column, value + ptr[k] + 1, x) * value[ptr[k]];
     }
 }
-
-/* Product y = A x with the unfactorised matrix, for tests; x, y (n) in elimination order, y overwritten. */
-void hm_lu_multiply(int32_t n, const int32_t *ptr, const int32_t *column, const double *value, const double *x,
-                    double *y)
-{
-    for (int32_t k = 0; k < n; k++) y[k] = 0.0;
-    for (int32_t k = 0; k < n; k++) {
-        const int32_t m = (ptr[k + 1] - ptr[k] - 1) / 2;
-        const double *upper = value + ptr[k] + 1, *lower = upper + m;
-        y[k] += value[ptr[k]] * x[k];
-        for (int32_t i = 0; i < m; i++) {
-            y[k] += upper[i] * x[column[i]];
-            y[column[i]] += lower[i] * x[k];
-        }
-        column += m;
-    }
-}

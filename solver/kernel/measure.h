@@ -1,4 +1,4 @@
-/* Residuals, measurements, and a look into one step. */
+/* Residuals and measurements. */
 #ifndef HOLONOM_MEASURE_H
 #define HOLONOM_MEASURE_H
 
@@ -162,37 +162,6 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
     hm_run_tape(m, number, 3);
-}
-
-HM_SELDOM int32_t holonom_probe(const holonom_model *m, double *number, double *state, double *work, double h,
-                                const double *w, const double *mu, const double *x, double *r, double *tx)
-{
-    context c;
-    const int32_t n = DIM * m->n_free, size = n + m->n_rows;
-    open_context(&c, m, number, state, work);
-    c.h = h;
-    signals_at(&c, c.t + h, c.k.signal1);
-    prepare_step(&c, 0);
-    for (int32_t k = 0; k < n; k++) {
-        c.k.w[k] = w[k];
-        c.k.d[k] = c.k.hv[k] + w[k];
-    }
-    for (int32_t i = 0; i < m->n_rows; i++) {
-        c.k.mu[i] = mu[i];
-        c.k.lambda[i] = 0.0;
-    }
-    int32_t status = evaluate_residual(&c);
-    if (!status) status = assemble_tangent(&c);
-    if (status) return status;
-    double *in = c.k.rhs, *out = c.k.product;
-    for (int32_t k = 0; k < n; k++) in[m->full.node_position[k / DIM] + k % DIM] = x[k];
-    for (int32_t i = 0; i < m->n_rows; i++) in[m->full.row_position[i]] = x[n + i];
-    hm_lu_multiply(size, m->full.lu_ptr, m->full.lu_column, c.k.value, in, out);
-    for (int32_t k = 0; k < n; k++) tx[k] = out[m->full.node_position[k / DIM] + k % DIM];
-    for (int32_t i = 0; i < m->n_rows; i++) tx[n + i] = out[m->full.row_position[i]];
-    memcpy(r, c.k.momentum, sizeof(double) * (size_t)n);
-    for (int32_t i = 0; i < m->n_rows; i++) r[n + i] = row_residual(&c, i);
-    return HOLONOM_OK;
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* Sentences in memory of a fixed size, with numbers written as Python writes them: no locale, no printf. */
+/* Sentences in memory of a fixed size, with numbers as Python writes them, whatever the locale. */
 #ifndef HOLONOM_TEXT_H
 #define HOLONOM_TEXT_H
 
