@@ -212,15 +212,15 @@ def _constant(name: str) -> str:
 def _enumerations(layout: Declaration, options: Declaration, errors: Declaration) -> Iterator[str]:
     values = layout.values
     sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS")}
-    sizes |= {"MODEL_FILE_VERSION": values["VERSION"], "OF_A_LAW": values["OF_A_LAW"]}
+    sizes["OF_A_LAW"] = values["OF_A_LAW"]
     yield "enum { " + ", ".join(f"{name} = {size}" for name, size in sizes.items()) + " };\n"
     for table, prefix, last in (
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
-        ("TYPES", "TYPE_", "END"), ("CAUSALITIES", "CAUSALITY_", "END"),
-        ("VARIABILITIES", "VARIABILITY_", "END"), ("KINDS", "KIND_", "END"),
         ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)
+    for field, words in values["WORDS"].items():
+        yield _enumeration(layout, "WORDS", f"{field.upper()}_", words, "END")
     yield _enumeration(layout, "FLAGS", "", values["FLAGS"], values=values["FLAGS"])
     yield _enumeration(layout, "RELATIONS", "", values["RELATIONS"].values())
     formulations = options.values["FORMULATIONS"]

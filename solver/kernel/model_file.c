@@ -20,10 +20,8 @@ uint32_t hm_checksum(uint32_t before, const void *bytes, size_t count)
 static const char *flaw_of_header(const hm_header *h, int64_t length)
 {
     if (length < (int64_t)sizeof *h || memcmp(h->magic, "HOLONOM", 8)) return "it is no model of holonom";
-    if (h->version != MODEL_FILE_VERSION || h->abi != HOLONOM_ABI || h->n_sizes != N_SIZES || h->n_offsets != N_OFFSETS ||
-        h->n_tables != N_TABLES || h->n_head != S_HEAD)
-        return "it is of another version of holonom";
-    const size_t begin = offsetof(hm_header, version);
+    if (h->abi != HOLONOM_ABI) return "it is of another version of holonom";
+    const size_t begin = offsetof(hm_header, abi);
     if (h->length != (uint64_t)length || h->checksum != hm_checksum(0, (const char *)h + begin, (size_t)length - begin))
         return "it is damaged";
     return NULL;
@@ -36,7 +34,7 @@ static int lay_out(const char *bytes, hm_model_file *f)
 {
     const hm_header *h = f->header;
     const int32_t *ints = (const int32_t *)(const void *)(bytes + sizeof *h);
-    const uint64_t n_before = N_SIZES + N_OFFSETS + N_TABLES, doubles = (uint64_t)h->n_head + h->n_numbers;
+    const uint64_t n_before = N_SIZES + N_OFFSETS + N_TABLES, doubles = S_HEAD + (uint64_t)h->n_numbers;
     const uint64_t need = sizeof *h + 4 * even(h->n_ints) + 8 * doubles + sizeof(hm_variable) * (uint64_t)h->n_variables +
                           sizeof(hm_rule) * (uint64_t)h->n_rules + sizeof(hm_row) * (uint64_t)h->n_rows +
                           4 * even(h->n_sampled) + h->n_text;
@@ -53,7 +51,7 @@ static int lay_out(const char *bytes, hm_model_file *f)
     memcpy(&f->model.mass_at, ints + N_SIZES, 4 * N_OFFSETS);
     for (size_t i = 0; i < N_TABLES; table += f->table_length[i++]) pointer[i] = table;
     f->settings = (const double *)(const void *)(ints + even(h->n_ints));
-    f->numbers = f->settings + h->n_head;
+    f->numbers = f->settings + S_HEAD;
     f->variable = (const hm_variable *)(const void *)(f->numbers + h->n_numbers);
     f->rule = (const hm_rule *)(const void *)(f->variable + h->n_variables);
     f->row = (const hm_row *)(const void *)(f->rule + h->n_rules);

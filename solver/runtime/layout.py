@@ -12,11 +12,10 @@ from __future__ import annotations
 
 from collections import namedtuple
 from collections.abc import Mapping
+from zlib import crc32
 
-ABI = 17
-"""Changes with what is declared here and with the entry points of the core."""
-VERSION = 5
-"""Of the bytes of a model."""
+ENTRY_POINTS = 17
+"""To be raised when functions that the core exports change, or the order of a model's bytes."""
 
 
 class Table(namedtuple("Table", "length low end width", defaults=("", None, None, 1))):
@@ -289,13 +288,12 @@ MEASURED = {
 HEADER = {
     "magic": "8s",  # "HOLONOM" and 0
     "checksum": "I",  # CRC-32 of all that follows
-    "version": "I", "abi": "I",  # of the program
-    "n_sizes": "I", "n_offsets": "I", "n_tables": "I", "n_head": "I",  # likewise
+    "abi": "I",  # `ABI` of the program
     "n_ints": "I", "n_numbers": "I", "n_variables": "I", "n_rules": "I", "n_rows": "I",
     "n_sampled": "I", "n_text": "I",  # lengths; of texts in bytes
     "guid": "40s",  # of the FMU that carries it
     "fingerprint": "32s",  # hash of all that a run depends on
-    "length": "Q",  # of the file in bytes
+    "length": "I",  # of the file in bytes
 }
 """Header of the bytes of a model, by the letters of ``struct``; likewise the records below."""
 
@@ -311,10 +309,14 @@ VARIABLE = {
 RULE = {"number": "i", "relation": "i", "bound": "d", "name": "I", "message": "I"}
 ROW = {"name": "I", "detail": "I", "kind": "I", "unused": "I"}
 
-TYPES = ("Real", "Boolean", "String")
-CAUSALITIES = ("parameter", "input", "output", "calculatedParameter")
-VARIABILITIES = ("fixed", "tunable", "continuous")
-KINDS = ("parameter", "input", "number", "measured", "option")
+WORDS = {
+    "type": ("Real", "Boolean", "String"),
+    "causality": ("parameter", "input", "output", "calculatedParameter"),
+    "variability": ("fixed", "tunable", "continuous"),
+    "kind": ("parameter", "input", "number", "measured", "option"),
+}
+"""What a record of a variable has numbers for."""
+
 FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "order": 32}
 RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least"}
 OF_A_LAW = 256
@@ -330,6 +332,14 @@ CODES = (
 )
 """Operations of the tape and of functions, by their codes."""
 # fmt: on
+
+ABI = crc32(
+    repr([
+        ENTRY_POINTS, SIZES, ISLAND_PARTS, TABLES, OFFSETS, HEAD, STATE, MEASURED, HEADER, VARIABLE,
+        RULE, ROW, WORDS, FLAGS, RELATIONS, ROW_KINDS, CODES,
+    ]).encode()
+) >> 1  # fmt: skip
+"""Number of this declaration, by which code, library and model know that they belong together."""
 
 PLACE = {name: place for place, name in enumerate(HEAD)}
 """Index of each scalar of the head."""

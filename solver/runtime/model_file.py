@@ -16,22 +16,6 @@ from array import array
 from collections.abc import Sequence
 
 from . import layout
-from .layout import (
-    ABI,
-    CAUSALITIES,
-    FLAGS,
-    HEAD,
-    KINDS,
-    OF_A_LAW,
-    OFFSETS,
-    RELATIONS,
-    ROW_KINDS,
-    SIZES,
-    TABLES,
-    TYPES,
-    VARIABILITIES,
-    VERSION,
-)  # fmt: skip
 
 TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
@@ -93,19 +77,20 @@ class _Reader:
         """Return a variable from its record."""
         from .model import Variable
 
-        name, unit, kind_of_value, causality, variability, kind, place, *numbers = record
-        start, low, high, _, flags, words = numbers
-        value_type, option = TYPES[kind_of_value], KINDS[kind] == "option"
-        given = {flag for flag, bit in FLAGS.items() if flags & bit}
+        name, unit, *codes, place, start, low, high, _, flags, words = record
+        value_type, causality, variability, kind = (
+            known[code] for known, code in zip(layout.WORDS.values(), codes, strict=True)
+        )
+        given = {flag for flag, bit in layout.FLAGS.items() if flags & bit}
         if value_type == "String":
             start = self.words(words)[int(start)]
         elif value_type == "Boolean":
             start = bool(start)
         return Variable(
-            self.text(name), value_type, CAUSALITIES[causality], VARIABILITIES[variability],
-            self.text(unit), description, start if "has_start" in given else None,
-            low if "has_minimum" in given else None, high if "has_maximum" in given else None,
-            KINDS[kind], 0 if option else place, "clips" in given,
+            self.text(name), value_type, causality, variability, self.text(unit), description,
+            start if "has_start" in given else None, low if "has_minimum" in given else None,
+            high if "has_maximum" in given else None, kind, 0 if kind == "option" else place,
+            "clips" in given,
         )  # fmt: skip
 
     def rule(self, record: tuple, location: str) -> Rule:
@@ -113,7 +98,7 @@ class _Reader:
         from .model import Rule
 
         number, relation, bound, name, message = record
-        relation = [*RELATIONS][relation & ~OF_A_LAW]
+        relation = [*layout.RELATIONS][relation & ~layout.OF_A_LAW]
         return Rule(number, relation, bound, location, self.text(name), self.text(message))
 
     def row(self, record: tuple, location: str) -> Row:
@@ -121,7 +106,7 @@ class _Reader:
         from .model import Row
 
         name, detail, kind, _ = record
-        return Row(location, self.text(name), ROW_KINDS[kind], self.text(detail))
+        return Row(location, self.text(name), layout.ROW_KINDS[kind], self.text(detail))
 
 
 def fingerprint(data: bytes) -> str:
@@ -136,11 +121,10 @@ def _counts(data: bytes) -> Sequence[int]:
     _, checksum, *counts, _, _, length = HEADER.unpack_from(data)
     if length != len(data) or checksum != zlib.crc32(data[BEFORE_CHECKED:]):
         raise ValueError(DAMAGED)
-    version = (VERSION, ABI, len(SIZES), len(OFFSETS), len(TABLES), len(HEAD))
-    if tuple(counts[: len(version)]) != version:
+    if counts[0] != layout.ABI:
         message = "the model is of another version of holonom; build it again"
         raise ValueError(message)
-    return counts[len(version) :]
+    return counts[1:]
 
 
 def from_bytes(data: bytes) -> dict[str, Any]:
@@ -166,24 +150,25 @@ def _fields(
 
     reader = _Reader(data)
     ints = reader.numbers("i", n_ints)
-    reader.numbers("d", len(HEAD))  # the core's: a state at the start of a run
+    reader.numbers("d", len(layout.HEAD))  # the core's: a state at the start of a run
     numbers = reader.numbers("d", n_numbers)
     variables = reader.records(VARIABLE, n_variables)
     rules, rows = reader.records(RULE, n_rules), reader.records(ROW, n_rows)
     sampled = reader.numbers("I", n_sampled)
     reader.texts(n_text)
     rest = reader.rest()
-    dimension = ints[SIZES.index("dim")]
+    dimension = ints[layout.SIZES.index("dim")]
     if dimension not in (2, 3):
         raise ValueError(DAMAGED)
-    sizes, offsets, lengths, tables = _split(ints, len(SIZES), len(OFFSETS), len(TABLES))
+    groups = layout.SIZES, layout.OFFSETS, layout.TABLES
+    sizes, offsets, lengths, tables = _split(ints, *map(len, groups))
     read = tuple(map(reader.variable, variables, rest["variables"]))
     return {
         "name": rest["name"],
         "description": rest["description"],
-        "sizes": dict(zip(SIZES, sizes, strict=True)),
-        "tables": dict(zip(TABLES, _split(tables, *lengths)[:-1], strict=True)),
-        "offsets": dict(zip(OFFSETS, offsets, strict=True)),
+        "sizes": dict(zip(layout.SIZES, sizes, strict=True)),
+        "tables": dict(zip(layout.TABLES, _split(tables, *lengths)[:-1], strict=True)),
+        "offsets": dict(zip(layout.OFFSETS, offsets, strict=True)),
         "numbers": numbers,
         "variables": read,
         "rules": tuple(map(reader.rule, rules, rest["rules"])),

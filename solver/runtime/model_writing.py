@@ -12,23 +12,7 @@ from collections.abc import Iterable, Iterator
 
 from solver.options import OPTIONS
 
-from .layout import (
-    ABI,
-    CAUSALITIES,
-    FLAGS,
-    HEAD,
-    KINDS,
-    OF_A_LAW,
-    OFFSETS,
-    PLACE,
-    RELATIONS,
-    ROW_KINDS,
-    SIZES,
-    TABLES,
-    TYPES,
-    VARIABILITIES,
-    VERSION,
-)  # fmt: skip
+from . import layout
 from .model import Model, Rule, Variable
 from .model_file import BEFORE_CHECKED, HEADER, MAGIC, ROW, RULE, VARIABLE
 from .options import encode
@@ -77,14 +61,15 @@ def _record(variable: Variable, texts: _Texts) -> bytes:
     if variable.kind == "option":
         option = OPTIONS[variable.name.removeprefix("solver.")]
         name, start = encode(option.name, start)
-        place, least = PLACE[name], option.least
+        place, least = layout.PLACE[name], option.least
         words = texts.words(option.words) if option.words else 0
         flags |= {"whole": option.whole, "order": bool(option.allowed)}
+    codes = [known.index(getattr(variable, field)) for field, known in layout.WORDS.items()]
+    numbers = (start, variable.minimum, variable.maximum, least)
     return VARIABLE.pack(
-        texts.at(variable.name), texts.at(variable.unit), TYPES.index(variable.type),
-        CAUSALITIES.index(variable.causality), VARIABILITIES.index(variable.variability),
-        KINDS.index(variable.kind), place, float(start or 0.0), float(variable.minimum or 0.0),
-        float(variable.maximum or 0.0), least, sum(FLAGS[x] for x in flags if flags[x]), words,
+        texts.at(variable.name), texts.at(variable.unit), *codes, place,
+        *(float(number or 0.0) for number in numbers),
+        sum(layout.FLAGS[flag] for flag in flags if flags[flag]), words,
     )  # fmt: skip
 
 
@@ -94,11 +79,13 @@ def _records(model: Model, texts: _Texts) -> Iterator[bytes]:
     for variable in model.variables:
         yield _record(variable, texts)
     for rule in model.rules:
-        relation = [*RELATIONS].index(rule.relation) | (OF_A_LAW if rule in laws else 0)
+        relation = [*layout.RELATIONS].index(rule.relation)
+        relation |= layout.OF_A_LAW if rule in laws else 0
         places = texts.at(rule.name), texts.at(rule.message)
         yield RULE.pack(rule.number, relation, rule.bound, *places)
     for row in model.rows:
-        yield ROW.pack(texts.at(row.name), texts.at(row.detail), ROW_KINDS.index(row.kind), 0)
+        kind = layout.ROW_KINDS.index(row.kind)
+        yield ROW.pack(texts.at(row.name), texts.at(row.detail), kind, 0)
 
 
 def _rest(model: Model) -> dict[str, object]:
@@ -114,12 +101,12 @@ def _rest(model: Model) -> dict[str, object]:
 
 def _settings(model: Model) -> array:
     """Return the head of the state that a run begins with."""
-    head = array("d", bytes(8 * len(HEAD)))
+    head = array("d", bytes(8 * len(layout.HEAD)))
     for name, value in model.settings.items():
         stored, number = encode(name, value)
-        head[PLACE[stored]] = number
+        head[layout.PLACE[stored]] = number
     start, stop, *_ = model.experiment
-    head[PLACE["time"]], head[PLACE["horizon"]] = start, stop - start
+    head[layout.PLACE["time"]], head[layout.PLACE["horizon"]] = start, stop - start
     return head
 
 
@@ -139,9 +126,9 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
 
     `guid` is that of the FMU which carries it; the fingerprint does not depend on it.
     """
-    assert tuple(model.sizes) == SIZES
-    assert tuple(model.tables) == tuple(TABLES)
-    assert tuple(model.offsets) == tuple(OFFSETS)
+    assert tuple(model.sizes) == layout.SIZES
+    assert tuple(model.tables) == tuple(layout.TABLES)
+    assert tuple(model.offsets) == tuple(layout.OFFSETS)
     texts = _Texts()
     numbers = [*model.sizes.values(), *model.offsets.values(), *map(len, model.tables.values())]
     ints = array("i", numbers)
@@ -156,9 +143,8 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
         _filled(json.dumps(_rest(model), separators=(",", ":")).encode(), b" "),
     ])  # fmt: skip
     counts = (
-        VERSION, ABI, len(SIZES), len(OFFSETS), len(TABLES), len(HEAD), len(ints),
-        len(model.numbers), len(model.variables), len(model.rules), len(model.rows),
-        len(model.sampled), len(text),
+        layout.ABI, len(ints), len(model.numbers), len(model.variables), len(model.rules),
+        len(model.rows), len(model.sampled), len(text),
     )  # fmt: skip
     fingerprint = hashlib.sha256(body).hexdigest()[:32].encode()
     length = HEADER.size + len(body)
