@@ -143,20 +143,29 @@ def observed_order(steps: Sequence[float], errors: Sequence[float]) -> float:
 # -------------------------------------------------------------------------------------- mechanisms
 
 
-def rods(names: Iterable[tuple[str, str]], prefix: str = "rod") -> Content:
-    """Joints of type distance between pairs of points."""
-    pairs = enumerate(names, start=1)
-    return {f"{prefix}{i}": {"type": "distance", "points": list(pair)} for i, pair in pairs}
+def rods(names: Iterable[tuple[str, str]], **law: float) -> Content:
+    """Joints of type distance between pairs of points, as long as drawn or of one `length`."""
+    joint: Content = {"type": "distance"} | law
+    return {f"rod{i}": joint | {"points": list(pair)} for i, pair in enumerate(names, start=1)}
 
 
-def chain(n: int, *, dimension: int = 2, mass: float = 1.0, length: float = 1.0) -> Content:
-    """N unit rods with a unit mass at each joint, released from rest in the horizontal."""
-    rest = [0.0] * (dimension - 1)
-    points: Content = {"P0": {"position": [0.0, *rest], "fixed": True}}
+def chain(
+    n: int,
+    angle: float = math.pi / 2,
+    *,
+    dimension: int = 2,
+    mass: float = 1.0,
+    length: float = 1.0,
+) -> Content:
+    """N rods with a mass at each joint, at rest, all at `angle` from the vertical: horizontal."""
+    x, y = length * math.sin(angle), -length * math.cos(angle)
+    if angle == math.pi / 2:
+        y = 0.0
+    points: Content = {"P0": {"position": [0.0] * dimension, "fixed": True}}
     for i in range(1, n + 1):
-        points[f"P{i}"] = {"position": [length * i, *rest], "mass": mass}
+        points[f"P{i}"] = {"position": [i * x, *[0.0] * (dimension - 2), i * y], "mass": mass}
     pairs = ((f"P{i - 1}", f"P{i}") for i in range(1, n + 1))
-    return mechanism(f"chain{n}", dimension, points=points, joints=rods(pairs))
+    return mechanism(f"chain{n}", dimension, points=points, joints=rods(pairs, length=length))
 
 
 def tree(n: int, *, dimension: int = 2) -> Content:
@@ -198,7 +207,7 @@ def conical_pendulum(angle: float) -> Content:
     return mechanism("conical", 3, points=points, joints=rods([("O", "A")]))
 
 
-def travelling_wave(n: int, *, dimension: int = 3) -> Content:
+def travelling_wave(n: int, dimension: int = 3) -> Content:
     """A straight chain of n light links without gravity, one period of a sine as velocity."""
     content = chain(n, dimension=dimension, mass=0.1, length=0.1)
     for i in range(1, n + 1):
@@ -218,7 +227,7 @@ def double_pendulum(angle: float = math.pi / 2) -> Content:
     return mechanism("double", 2, points=points, joints=rods([("O", "A"), ("A", "B")]))
 
 
-def four_bar(n: int) -> Content:
+def four_bar(n: int = 2) -> Content:
     """N loops of uniform unit bars on N + 1 cranks, upright and moving at 1 m/s (IFToMM A02)."""
     points: Content = {}
     for i in range(n + 1):

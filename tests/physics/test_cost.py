@@ -83,7 +83,7 @@ def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
             "energy.error",
             "constraint.position",
         ]
-        integrator = start(travelling_wave(n, dimension=dimension), h=1e-3)
+        integrator = start(travelling_wave(n, dimension), h=1e-3)
         iterations, substeps, energy, constraint = observe(integrator, 1e-3, 100, names)[1:].T
         assert substeps.max() == 1
         assert energy.max() < 1e-12
