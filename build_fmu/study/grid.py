@@ -13,13 +13,12 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
 from build_fmu.study.csv_file import csv_rows
-from build_fmu.study.parameter_files import value_of_cell
 from build_fmu.study.values import (
     Entry,
     Mistake,
@@ -35,9 +34,14 @@ from build_fmu.study.values import (
 MOST_ROWS = 1_000_000
 """Most runs or variants of one study; a grid of more is rather a mistake."""
 FORM = "write values, a=2,3, or a range, a=1:5:9, which is 9 values from 1 to 5"
+NAMES = "write the names of parameters, separated by commas, into the first line"
 
 Row = dict[str, Entry]
-_ITEM = re.compile(r"(?:\[[^\]]*\]|[^,])*")
+_ITEM = re.compile(r"(?:^|,)\s*((?:\[[^\]]*\]|[^,])*)")
+
+
+class _WrongItemError(ValueError):
+    """A mistake so many characters behind the begin of an item, and what it is."""
 
 
 def rows_of(
@@ -63,8 +67,12 @@ def rows_of(
         With every mistake of all of them, if the caller takes none.
     """
     told, mistakes = mistakes, [] if mistakes is None else mistakes
-    lists = [_table(table, mistakes)] if table is not None else []
-    lists += [[{name: x} for x in values] for name, values in _grids(grids, mistakes)]
+    lists: list[list[Row]] = []
+    if isinstance(table, str | PathLike):
+        lists.append(_table_of_file(Path(table), mistakes))
+    elif table is not None:
+        lists.append(_table(table, mistakes))
+    lists += _grids(grids, mistakes)
     seen: dict[str, str] = {}
     for rows in lists:
         for name, entry in rows[0].items() if rows else ():
@@ -87,109 +95,84 @@ def rows_of(
 
 def _grids(
     grids: Iterable[str] | Mapping[str, object], mistakes: list[Mistake]
-) -> list[tuple[str, list[Entry]]]:
+) -> Iterator[list[Row]]:
+    """Rows of each grid, which have one name."""
     if isinstance(grids, Mapping):
-        pairs = [
-            (name, values, f"grid[{name!r}]={values if isinstance(values, str) else shown(values)}")
-            for name, values in grids.items()
-        ]
-    else:
-        pairs = []
-        many = isinstance(grids, Iterable) and not isinstance(grids, str)
-        for text in map(str, grids if many else [grids]):
-            name, equals, values = text.partition("=")
-            where = f"--grid {text}"
-            if equals and name.strip():
-                pairs.append((name.strip(), values, where))
-            else:
-                mistakes.append(Mistake(where, "not of the form name=values", FORM))
-    return [(name, _entries(values, where, mistakes)) for name, values, where in pairs]
+        for name, values in grids.items():
+            text = values if isinstance(values, str) else shown(values)
+            yield _grid(name, values, f"grid[{name!r}]={text}", 0, mistakes)
+        return
+    many = isinstance(grids, Iterable) and not isinstance(grids, str)
+    for text in map(str, grids if many else [grids]):
+        name, equals, values = text.partition("=")
+        if equals and name.strip():
+            yield _grid(name.strip(), values, f"--grid {text}", len(name) + 1, mistakes)
+        else:
+            mistakes.append(Mistake(f"--grid {text}", "not of the form name=values", FORM))
 
 
-def _entries(values: object, where: str, mistakes: list[Mistake]) -> list[Entry]:
+def _grid(name: str, values: object, where: str, column: int, mistakes: list[Mistake]) -> list[Row]:
+    """Rows of one grid; its text begins behind this column."""
+    found: list[object] = []
     if isinstance(values, str):
-        found = _values(values, where, mistakes)
+        for match in _ITEM.finditer(values):
+            try:
+                found += _values_of(match[1].strip())
+            except _WrongItemError as wrong:
+                behind, words = wrong.args
+                at = column + match.start(1) + behind + 1
+                mistakes.append(Mistake(where, f"column {at}: {words}", FORM))
     else:
-        found = plain(values)
-        found = [plain(value) for value in found] if isinstance(found, Iterable) else [found]
+        listed = plain(values)
+        found += map(plain, listed) if isinstance(listed, Iterable) else [listed]
         if not found:
             mistakes.append(Mistake(where, "no values", FORM))
     seen: set[object] = set()
-    for value in found:
-        same = (
-            value if is_number(value) else repr(value)
-        )  # 1 and 1.0 are one value, 1 and true are two
+    for value in found:  # 1 and 1.0 are one value, 1 and true are two
+        same = value if is_number(value) else repr(value)
         if same in seen:
             message = f"the value {shown(value)} is given twice; give it once"
             mistakes.append(Mistake(where, message))
         seen.add(same)
-    return [Entry(value, where) for value in found]
+    return [{name: Entry(value, where)} for value in found]
 
 
-def _values(text: str, where: str, mistakes: list[Mistake]) -> list[object]:
-    """Values of "1:5:9,7", each item with its column for mistakes."""
-    values: list[object] = []
-    argument = where.removeprefix("--grid ")
-    offset, at = len(argument) - len(text) if argument != where else 0, 0
-    while True:
-        match = _ITEM.match(text, at)
-        item = match.group() if match else ""
-        column = offset + at + len(item) - len(item.lstrip()) + 1
-        values += _item(item.strip(), column, where, mistakes)
-        at += len(item)
-        if at >= len(text):
-            return values
-        at += 1  # the comma
-
-
-def _item(item: str, column: int, where: str, mistakes: list[Mistake]) -> list[object]:
+def _values_of(item: str) -> list[object]:
     """Values of one item: a range, or a single value."""
     parts = item.split(":")
+    if not item:
+        raise _WrongItemError(0, "a value is missing")
     if len(parts) == 1 or item.startswith("["):
-        try:
-            if not item:
-                mistakes.append(Mistake(where, f"column {column}: a value is missing", FORM))
-                return []
-            return [read_value(item)]
-        except ValueError as error:
-            mistakes.append(Mistake(where, f"column {column}: {item!r}: {error}", FORM))
-            return []
-    log = len(parts) == 4 and parts[3].strip() == "log"
-    if len(parts) != 3 and not log:
-        message = f"column {column}: {item!r} is not a range from:to:count"
-        mistakes.append(Mistake(where, message, FORM))
-        return []
+        return [_read(item, 0)]
+    is_log = len(parts) == 4 and parts[3].strip() == "log"
+    if len(parts) != 3 and not is_log:
+        raise _WrongItemError(0, f"{item!r} is not a range from:to:count")
     numbers: list[float] = []
+    at = 0
     for part in parts[:3]:
-        try:
-            value = read_value(part) if not part.strip().startswith(("[", "{")) else part
-        except ValueError as error:
-            mistakes.append(Mistake(where, f"column {column}: {part!r}: {error}", FORM))
-            return []
+        value = part if part.strip().startswith(("[", "{")) else _read(part, at)
         if not is_finite(value):
-            message = f"column {column}: {shown(part)} is not {wanted_instead(value)}"
-            mistakes.append(Mistake(where, message, FORM))
-            return []
+            raise _WrongItemError(at, f"{shown(part)} is not {wanted_instead(value)}")
         numbers.append(value)
-        column += len(part) + 1
-    return _range(numbers, log, where, mistakes)
-
-
-def _range(
-    numbers: Sequence[float], log: bool, where: str, mistakes: list[Mistake]
-) -> list[object]:
+        at += len(part) + 1
     first, last, count = numbers
     wrong = ""
     if not (isinstance(count, int) and 2 <= count <= MOST_ROWS):
         wrong = f"the count must be a whole number from 2 to {MOST_ROWS}, got {count!r}"
     elif first == last:
         wrong = f"from and to of a range must differ, got {first!r} and {last!r}"
-    elif log and not (first > 0.0 < last or first < 0.0 > last):
+    elif is_log and not (first > 0.0 < last or first < 0.0 > last):
         wrong = f"from and to of a range with log must have one sign, got {first!r} and {last!r}"
     if wrong:
-        mistakes.append(Mistake(where, wrong, FORM))
-        return []
-    return _log_spaced(first, last, int(count)) if log else _evenly_spaced(first, last, int(count))
+        raise _WrongItemError(0, wrong)
+    return (_log_spaced if is_log else _evenly_spaced)(first, last, int(count))
+
+
+def _read(text: str, at: int) -> object:
+    try:
+        return read_value(text)
+    except ValueError as error:
+        raise _WrongItemError(at, f"{text!r}: {error}") from None
 
 
 def _log_spaced(first: float, last: float, count: int) -> list[object]:
@@ -213,25 +196,7 @@ def _evenly_spaced(first: float, last: float, count: int) -> list[object]:
 # ---------------------------------------------------------------------------------------- tables
 
 
-def _table(
-    table: str | PathLike[str] | Sequence[Mapping[str, object]], mistakes: list[Mistake]
-) -> list[Row]:
-    if not isinstance(table, str | PathLike):
-        return _rows(table, mistakes)
-    path, before = Path(table), len(mistakes)
-    rows = [*csv_rows(path, mistakes)]
-    is_read = len(mistakes) == before
-    if not rows and not is_read:
-        return []
-    (header, head), *lines = rows or [(f"{path}:1", [])]
-    wrong = _wrong_names(header, head, mistakes)
-    if head and not lines and is_read:
-        mistakes.append(Mistake(str(path), "has no rows below its header"))
-    read = [_row(where, header, head, cells, mistakes) for where, cells in lines]
-    return [{name: row[name] for name in row if name not in wrong} for row in read]
-
-
-def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> list[Row]:
+def _table(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> list[Row]:
     """Rows of a table that is given in Python."""
     rows: list[Row] = []
     for i, row in enumerate(table):
@@ -250,41 +215,45 @@ def _rows(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> lis
     return rows
 
 
-def _wrong_names(where: str, head: Sequence[str], mistakes: list[Mistake]) -> set[str]:
+def _table_of_file(path: Path, mistakes: list[Mistake]) -> list[Row]:
+    before = len(mistakes)
+    (header, head), *lines = [*csv_rows(path, mistakes)] or [(f"{path}:1", [])]
+    is_read = len(mistakes) == before
+    if not head and is_read:
+        mistakes.append(Mistake(header, "no header", NAMES))
+    elif not lines and is_read:
+        mistakes.append(Mistake(str(path), "has no rows below its header"))
     wrong: set[str] = set()
-    help = "write the names of parameters, separated by commas, into the first line"
-    if not head:
-        mistakes.append(Mistake(where, "no header", help))
     for number, name in enumerate(head, start=1):
-        message = ""
-        if not name:
-            message = f"column {number} has no name"
-        elif name in head[: number - 1]:
-            message = f"column {number}: {name!r} is given twice"
-        elif re.search("[;\t]", name) or _is_number(name):
-            message = f"column {number}: {name!r} is not a name"
-        if message:
-            mistakes.append(Mistake(where, message, help))
+        if message := _wrong_name(number, name, head):
+            mistakes.append(Mistake(header, message, NAMES))
             wrong.add(name)
-    return wrong
+    rows: list[Row] = []
+    for where, cells in lines:
+        row: Row = {}
+        for name, cell in zip(head, cells, strict=True):
+            try:
+                if not cell:
+                    mistakes.append(Mistake(where, f"{name}: an empty cell"))
+                elif name not in wrong:
+                    row[name] = Entry(read_value(cell), where, named=header)
+            except ValueError as error:
+                mistakes.append(Mistake(where, f"{name}: {cell}: {error}"))
+        rows.append(row)
+    return rows
 
 
-def _is_number(name: str) -> bool:
+def _wrong_name(number: int, name: str, head: Sequence[str]) -> str:
+    if not name:
+        return f"column {number} has no name"
+    if name in head[: number - 1]:
+        return f"column {number}: {name!r} is given twice"
     try:
-        return isinstance(read_value(name), int | float)
+        is_name = isinstance(read_value(name), bool | str)
     except ValueError:  # a list, or a number with a mistake
-        return True
-
-
-def _row(
-    where: str, header: str, head: Sequence[str], cells: Sequence[str], mistakes: list[Mistake]
-) -> Row:
-    row = {}
-    for name, cell in zip(head, cells, strict=True):
-        before = len(mistakes)
-        if not cell:
-            mistakes.append(Mistake(where, f"{name}: an empty cell"))
-        value = value_of_cell(cell, where, mistakes)
-        if len(mistakes) == before:
-            row[name] = Entry(value, where, named=header)
-    return row
+        is_name = False
+    return (
+        ""
+        if is_name and not re.search("[;\t]", name)
+        else f"column {number}: {name!r} is not a name"
+    )

@@ -7,13 +7,11 @@ in a copy of it can be given back to every command by `--parameters`.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
-from dataclasses import replace
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
-from xml.parsers import expat
 
 from build_fmu.study.values import Entry, Mistake, keep
 from build_fmu.xml_parts import base_unit_attributes, legible
@@ -74,115 +72,79 @@ def _units(root: Element, parameters: Iterable[Variable]) -> None:
         SubElement(unit, f"{{{COMMON}}}BaseUnit", base_unit_attributes(base))
 
 
+# ----------------------------------------------------------------------------------- read
+
+
 def read_parameter_set(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
-    """Values of a .ssv file by name."""
-    reader = _Reader(path, mistakes)
+    """Values of a .ssv file by name; lxml knows the line of each element."""
+    from lxml import etree  # pyright: ignore[reportAttributeAccessIssue]
+
+    def object_to(element: Any, message: str, help: str = "") -> None:
+        mistakes.append(Mistake(f"{path}:{element.sourceline}", message, help))
+
+    parser = etree.XMLParser(resolve_entities=False, no_network=True)
     try:
-        reader.parser.Parse(path.read_bytes(), True)
-    except expat.ExpatError as error:
-        where = f"{path}:{error.lineno}:{error.offset + 1}"
-        mistakes.append(Mistake(where, f"not XML: {expat.ErrorString(error.code)}"))
-    except (LookupError, ValueError) as error:  # an encoding that Python or expat does not know
-        mistakes.append(Mistake(f"{path}:1", f"not XML: {error}", "save the file as UTF-8"))
-    return reader.in_stated_units()
-
-
-class _Reader:
-    """Reads the elements as they come: the parser alone knows their lines."""
-
-    def __init__(self, path: Path, mistakes: list[Mistake]) -> None:
-        self._found: dict[str, Entry] = {}
-        self._units: dict[str, tuple[BaseUnit, float]] = {}  # and their offsets
-        self._unit = ""
-        self._unit_lines: dict[str, int] = {}
-        self._path, self._mistakes = path, mistakes
-        self._depth = 0
-        self._name, self._line = "", 0  # of the Parameter that is open, and of its value
-        self.parser = expat.ParserCreate(namespace_separator=" ")
-        self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
-
-    def _start(self, tag: str, attributes: dict[str, str]) -> None:
-        namespace, _, kind = tag.rpartition(" ")
-        self._depth += 1
-        if self._depth == 1 and (namespace, kind) != (VALUES, "ParameterSet"):
-            help = f"the root must be ParameterSet of the namespace {VALUES}"
-            self._object(f"not a parameter set of SSP 1.0, but {kind!r}", help)
-        if namespace == COMMON and kind == "Unit":
-            self._begin_unit(attributes.get("name", ""))
-        elif namespace == COMMON and kind == "BaseUnit":
-            self._define(attributes)
-        elif namespace != VALUES:
-            return
-        elif kind == "Parameter":
-            self._name, self._line = attributes.get("name", ""), 0
-            if not self._name:
-                self._object("a Parameter without a name")
-        elif self._name and kind in _READERS:
-            if self._line:
-                help = f"the first is in line {self._line}"
-                self._object(f"{self._name}: has two values", help)
-            else:
-                self._take(kind, attributes)
-            self._line = self._line or self.parser.CurrentLineNumber
-
-    def _take(self, kind: str, attributes: dict[str, str]) -> None:
-        read, words = _READERS[kind]
-        text = attributes.get("value", "")
-        try:
-            value = read(text)
-        except (ValueError, KeyError):
-            self._object(f"{self._name}: must be {words}, got {text!r}")
-            return
-        entry = Entry(value, self._where(), attributes.get("unit", ""), repeats=True)
-        keep(self._found, self._name, entry, self._mistakes)
-
-    def _begin_unit(self, name: str) -> None:
-        self._unit, line = name, self.parser.CurrentLineNumber
-        first = self._unit_lines.setdefault(name, line)
-        if first != line:
-            self._object(f"unit {name!r}: defined twice, first in line {first}")
-
-    def _define(self, attributes: dict[str, str]) -> None:
-        """Take what the file says of a unit: value in SI = factor * value + offset."""
-        numbers = {"factor": 1.0, "offset": 0.0}
-        powers: dict[str, int] = {}
-        for name, text in attributes.items():
-            try:
-                if name in numbers:
-                    numbers[name] = float(text)
-                    if name == "factor" and not 0.0 < numbers[name] <= sys.float_info.max:
-                        message = f"unit {self._unit!r}: factor must be a finite number > 0"
-                        self._object(f"{message}, got {text!r}")
-                elif int(text):
-                    powers[name] = int(text)
-            except ValueError:
-                self._object(f"unit {self._unit!r}: {name} must be a number, got {text!r}")
-        base = BaseUnit(powers, numbers["factor"])
-        self._units[self._unit] = base, numbers["offset"]
-
-    def in_stated_units(self) -> dict[str, Entry]:
-        """Values by name; units are defined behind the values that have them."""
-        for name, entry in self._found.items():
-            base, offset = self._units.get(entry.unit, (None, 0.0))
+        root = etree.fromstring(path.read_bytes(), parser)
+    except etree.XMLSyntaxError as error:
+        where = f"{path}:{error.lineno}:{(error.offset or 0) + 1}"
+        message = f"not XML: {str(error.msg).partition(', line ')[0]}"
+        mistakes.append(Mistake(where, message))
+        return {}
+    if root.tag != f"{{{VALUES}}}ParameterSet":
+        help = f"the root must be ParameterSet of the namespace {VALUES}"
+        message = f"not a parameter set of SSP 1.0, but {etree.QName(root).localname!r}"
+        object_to(root, message, help)
+    units = _defined_units(root, object_to)
+    found: dict[str, Entry] = {}
+    for parameter in root.iter(f"{{{VALUES}}}Parameter"):
+        name = parameter.get("name", "")
+        given = list(parameter.iterchildren(*(f"{{{VALUES}}}{kind}" for kind in _READERS)))
+        if not name:
+            object_to(parameter, "a Parameter without a name")
+        elif not given:
+            help = f"write an element {', '.join(_READERS)} in it"
+            object_to(parameter, f"{name}: has no value", help)
+        elif len(given) > 1:
+            help = f"the first is in line {given[0].sourceline}"
+            object_to(given[1], f"{name}: has two values", help)
+        else:
+            element, unit = given[0], given[0].get("unit", "")
+            base, offset = units.get(unit, (None, 0.0))
             if offset:
-                message = f"{name}: the unit {entry.unit!r} has an offset"
                 help = "write the value in a unit without one"
-                self._mistakes.append(Mistake(entry.where, message, help))
-            self._found[name] = replace(entry, base=base)
-        return self._found
+                object_to(element, f"{name}: the unit {unit!r} has an offset", help)
+            read, words = _READERS[etree.QName(element).localname]
+            text, where = element.get("value", ""), f"{path}:{element.sourceline}"
+            try:
+                entry = Entry(read(text), where, unit, base=base, repeats=True)
+                keep(found, name, entry, mistakes)
+            except (ValueError, KeyError):
+                object_to(element, f"{name}: must be {words}, got {text!r}")
+    return found
 
-    def _end(self, tag: str) -> None:
-        self._depth -= 1
-        if tag != f"{VALUES} Parameter":
-            return
-        if self._name and not self._line:
-            kinds = ", ".join(_READERS)
-            self._object(f"{self._name}: has no value", f"write an element {kinds} in it")
-        self._name = ""
 
-    def _object(self, message: str, help: str = "") -> None:
-        self._mistakes.append(Mistake(self._where(), message, help))
-
-    def _where(self) -> str:
-        return f"{self._path}:{self.parser.CurrentLineNumber}"
+def _defined_units(
+    root: Any, object_to: Callable[[Any, str], None]
+) -> dict[str, tuple[BaseUnit, float]]:
+    """What the file says of each unit, and its offset: value in SI = factor * value + offset."""
+    lines: dict[str, int] = {}
+    found: dict[str, tuple[BaseUnit, float]] = {}
+    for unit in root.iter(f"{{{COMMON}}}Unit"):
+        name = unit.get("name", "")
+        first = lines.setdefault(name, unit.sourceline)
+        if first != unit.sourceline:
+            object_to(unit, f"unit {name!r}: defined twice, first in line {first}")
+        for base in unit.iterchildren(f"{{{COMMON}}}BaseUnit"):
+            numbers: dict[str, float] = {}
+            for key, text in base.items():
+                try:
+                    numbers[key] = float(text) if key in ("factor", "offset") else int(text)
+                except ValueError:
+                    object_to(base, f"unit {name!r}: {key} must be a number, got {text!r}")
+            factor, offset = numbers.pop("factor", 1.0), numbers.pop("offset", 0.0)
+            if not 0.0 < factor <= sys.float_info.max:
+                message = f"unit {name!r}: factor must be a finite number > 0"
+                object_to(base, f"{message}, got {base.get('factor')!r}")
+            powers = {key: int(power) for key, power in numbers.items() if power}
+            found[name] = BaseUnit(powers, factor), offset
+    return found

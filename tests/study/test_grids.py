@@ -169,10 +169,10 @@ def test_mistakes_of_grids_name_the_place_and_come_all_at_once(grids, reports):
         ("a;b\n1;2\n", "a.csv:1: error: column 1: 'a;b' is not a name"),
         ("1,2\n3,4\n", "a.csv:1: error: column 1: '1' is not a name"),
         ("1_0\n3\n", "a.csv:1: error: column 1: '1_0' is not a name"),
-        ("a\n1_0\n", "a.csv:2: error: 1_0: a number has no '_'"),
+        ("a\n1_0\n", "a.csv:2: error: a: 1_0: a number has no '_'"),
         ("a,b\n1,2\n3\n", "a.csv:3: error: has 1 cell, and the header has 2"),
         ("a,b\n1,2\n3,\n", "a.csv:3: error: b: an empty cell"),
-        ("a\n[1\n", "a.csv:2: error: [1: "),
+        ("a\n[1\n", "a.csv:2: error: a: [1: "),
     ],
     ids=range(11),
 )

@@ -14,8 +14,9 @@ from lxml import etree
 from build_fmu import build
 from build_fmu.errors import UsageError
 from build_fmu.run import run_fmu
-from build_fmu.study.parameter_files import read_parameters
+from build_fmu.study.parameter_files import entries_of_files
 from build_fmu.study.ssv import COMMON, VALUES
+from build_fmu.study.values import refuse
 from tests.commands import run
 from tests.fmu_instance import SCENES, pendulum
 
@@ -76,7 +77,9 @@ def written(folder: Path, name: str, text: str) -> Path:
 @pytest.mark.parametrize("kind", FILES)
 def test_a_file_says_the_same_in_every_notation(tmp_path, kind):
     file = written(tmp_path, f"values.{kind}", FILES[kind])
-    assert {name: entry.value for name, entry in read_parameters([file]).items()} == VALUES_OF_FILES
+    assert {
+        name: entry.value for name, entry in entries_of_files([file]).items()
+    } == VALUES_OF_FILES
     by_file = build(PENDULUM, tmp_path / "a.fmu", parameters=file)
     by_name = build(PENDULUM, tmp_path / "b.fmu", parameters=VALUES_OF_FILES)
     assert by_file.read_bytes() == by_name.read_bytes()
@@ -170,8 +173,13 @@ def test_set_has_precedence_and_of_two_files_the_later(capsys, tmp_path):
             "a.csv:3: error: length: an empty cell\n"
             "a.csv:5: error: length: given twice, first at a.csv:4",
         ),
-        ("a.ssv", "<a>\n</b>", "a.ssv:1: error: not a parameter set of SSP 1.0, but 'a'\n"),
-        ("a.ssv", "", "a.ssv:1:1: error: not XML: no element found"),
+        (
+            "a.ssv",
+            "<a>\n</b>",
+            "a.ssv:2:5: error: not XML: Opening and ending tag mismatch: a line 1",
+        ),
+        ("a.ssv", "<a>\n</a>", "a.ssv:1: error: not a parameter set of SSP 1.0, but 'a'\n"),
+        ("a.ssv", "", "a.ssv:1:1: error: not XML: Document is empty"),
         (
             "a.ssv",
             SET.format(value="long", unit="m"),
@@ -190,14 +198,14 @@ def test_mistakes_of_a_file_name_their_line(tmp_path, monkeypatch, name, text, r
     monkeypatch.chdir(tmp_path)
     written(tmp_path, name, text)
     with pytest.raises(UsageError) as caught:
-        read_parameters([name])
+        refuse(entry.wrong for entry in entries_of_files([name]).values() if entry.wrong)
     assert str(caught.value).startswith(report)
 
 
 def test_a_file_that_is_missing_ends_with_2(capsys, tmp_path):
     code, out, err = run(capsys, "build", PENDULUM, "--parameters", tmp_path / "none.toml")
     assert (code, out) == (2, "")
-    assert err == f"{tmp_path / 'none.toml'}: error: cannot be read: No such file or directory\n"
+    assert err == f"{tmp_path / 'none.toml'}: error: file not found\n"
 
 
 def test_mistakes_in_values_name_the_file_and_all_are_reported(capsys, tmp_path):
@@ -240,7 +248,7 @@ def test_the_set_has_every_parameter_with_its_unit(tmp_path):
     fmu = build(measured(tmp_path), tmp_path / "a.fmu")
     variables = fmpy.read_model_description(str(fmu)).modelVariables
     expected = {v.name: v.unit or "" for v in variables if v.causality == "parameter"}
-    found = read_parameters([tmp_path / "a.ssv"])
+    found = entries_of_files([tmp_path / "a.ssv"])
     assert {name: entry.unit for name, entry in found.items()} == expected
     assert found["length"].unit == "m"
 

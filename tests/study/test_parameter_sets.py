@@ -10,8 +10,9 @@ from lxml import etree
 from build_fmu import build
 from build_fmu.errors import UsageError
 from build_fmu.run import run_fmu
-from build_fmu.study.parameter_files import read_parameters
+from build_fmu.study.parameter_files import entries_of_files
 from build_fmu.study.ssv import COMMON, VALUES
+from build_fmu.study.values import refuse
 from tests.commands import run
 from tests.fmu_instance import SCENES
 from tests.study.test_parameter_files import PENDULUM, SCHEMA, measured, model_of, written
@@ -101,11 +102,11 @@ def test_the_longest_step_is_a_setting_of_the_scene_in_whatever_unit(tmp_path):
     [
         (
             '<?xml version="1.0" encoding="klingon"?><a/>',
-            "set.ssv:1: error: not XML: unknown encoding",
+            "set.ssv:1:39: error: not XML: Unsupported encoding: klingon",
         ),
         (
-            '<?xml version="1.0" encoding="utf-7"?><a/>',
-            "set.ssv:1: error: not XML: ",
+            '<?xml version="1.0" encoding="ascii"?><a>\u00fc</a>',
+            "set.ssv:1:",
         ),
         (
             SET.format(
@@ -162,7 +163,7 @@ def test_mistakes_of_a_set_name_their_line(tmp_path, monkeypatch, text, report):
     monkeypatch.chdir(tmp_path)
     written(tmp_path, "set.ssv", text)
     with pytest.raises(UsageError) as caught:
-        read_parameters(["set.ssv"])
+        refuse(entry.wrong for entry in entries_of_files(["set.ssv"]).values() if entry.wrong)
     assert str(caught.value).startswith(report)
 
 
