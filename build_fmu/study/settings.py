@@ -1,4 +1,4 @@
-"""Values from files and the command line, brought to the units and types of what they are for."""
+"""Values by name, brought to the units and types of what they are for: scenes and FMUs."""
 
 from __future__ import annotations
 
@@ -8,12 +8,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING
 
-from build_fmu.study.names import OURS, SETTABLE, not_settable
 from build_fmu.study.parameter_files import entries_of_files
 from build_fmu.study.values import (
     Entry,
     Mistake,
+    WrongValueError,
     is_finite,
+    is_number,
+    listed,
+    nearest,
     plain,
     refuse,
     shown,
@@ -27,8 +30,10 @@ if TYPE_CHECKING:
 
     from solver.runtime import Model
     from solver.scene import Scene
-    from solver.scene.units import BaseUnit
 
+SETTABLE = ("parameter", "input")
+OURS = "holonom "
+"""What the name of the tool begins with that wrote an FMU of this package."""
 Source = Mapping[str, object] | str | PathLike[str]
 """Values by name, or a file of them."""
 
@@ -78,7 +83,7 @@ def scene_overrides(
     from solver.scene import Given, SceneError
 
     mistakes: list[Mistake | str] = [*told, *(e.wrong for e in entries.values() if e.wrong)]
-    told_before = len(mistakes)
+    is_told = bool(mistakes)
     entries = {name: entry for name, entry in entries.items() if not entry.wrong}
     if any(entry.unit or entry.repeats for entry in entries.values()):
         from build_fmu.export import compile_scene
@@ -87,7 +92,7 @@ def scene_overrides(
     found: dict[str, object] = {
         name: Given(entry.value, entry.where, entry.named) for name, entry in entries.items()
     }
-    if told_before:
+    if is_told:
         from build_fmu.export import load_scene
 
         try:
@@ -102,7 +107,7 @@ def _fitted(
     model: Model, entries: Mapping[str, Entry], mistakes: list[Mistake | str]
 ) -> dict[str, Entry]:
     """Values in the units of the scene, without those that it has already."""
-    variables = {v.name: v for v in model.variables if v.causality in ("parameter", "input")}
+    variables = {v.name: v for v in model.variables if v.causality in SETTABLE}
     fitted: dict[str, Entry] = {}
     for name, entry in entries.items():
         variable = variables.get(name)
@@ -112,18 +117,20 @@ def _fitted(
                 mistakes.append(Mistake(entry.where, message, "leave the unit out"))
             fitted[name] = entry
             continue
-        before = len(mistakes)
-        value = converted(entry, name, variable.unit, mistakes)
-        if value == variable.start or len(mistakes) > before:
+        try:
+            value = converted(entry, name, variable.unit)
+        except WrongValueError as wrong:
+            mistakes.append(wrong.at(entry.where))
             continue
-        if variable.kind == "option" and isinstance(value, float) and value.is_integer():
-            value = int(value)  # an FMU's numbers are Real, a scene's counts are not
-        fitted[name] = Entry(value, entry.where)
+        if value != variable.start:
+            if variable.kind == "option" and isinstance(value, float) and value.is_integer():
+                value = int(value)  # an FMU's numbers are Real, a scene's counts are not
+            fitted[name] = Entry(value, entry.where)
     return fitted
 
 
-def converted(entry: Entry, name: str, unit: str, mistakes: list) -> object:
-    """Value in `unit`; where the entry has another of another kind, a mistake."""
+def converted(entry: Entry, name: str, unit: str) -> object:
+    """Value in `unit`; WrongValueError where the entry has one of another kind."""
     value = entry.value
     same, stated = entry.unit == unit, entry.base
     if not entry.unit or (same and not stated) or not is_finite(value):
@@ -137,21 +144,13 @@ def converted(entry: Entry, name: str, unit: str, mistakes: list) -> object:
         return value  # nobody said what the parameter is measured in
     if given is None or wanted is None or not fits:
         words = f"the unit {unit!r}" if unit else "no unit"
-        message = f"{name}: given in {entry.unit!r}, but has {words}"
-        mistakes.append(Mistake(entry.where, message, _unit_help(entry.unit, given, unit)))
-        return value
-    ratio = given.factor / wanted.factor
-    if same and math.isclose(ratio, 1.0):
+        unknown = f"{entry.unit!r} is not known, and the file does not define it"
+        reason = f"{entry.unit!r} measures something else" if given else unknown
+        help = f"{reason}; give the value in {unit}" if unit else "leave the unit out"
+        raise WrongValueError(name, f"given in {entry.unit!r}, but has {words}", help)
+    if same and math.isclose(given.factor / wanted.factor, 1.0):
         return value  # 0.0174533 and all digits of it are one degree
     return float(value) * given.factor / wanted.factor
-
-
-def _unit_help(given: str, base: BaseUnit | None, wanted: str) -> str:
-    if not wanted:
-        return "leave the unit out"
-    unknown = f"{given!r} is not known, and the file does not define it"
-    reason = f"{given!r} measures something else" if base else unknown
-    return f"{reason}; give the value in {wanted}"
 
 
 # ---------------------------------------------------------------------------------------- FMUs
@@ -189,58 +188,88 @@ def fmu_settings(
                 mistakes.append(entry.wrong)
                 continue
             if name not in variables:
-                mistakes.append(not_settable(entry.named or entry.where, name, description))
+                mistakes.append(_not_settable(entry.named or entry.where, name, description))
                 continue
             known = (name, entry.where, repr(entry.value))
             if known not in seen:
-                found: list[Mistake] = []
-                value = _checked(entry, variables[name], found)
-                seen[known] = value
-                mistakes += found or _refused(entry, name, value, description)
+                seen[known] = None
+                try:
+                    seen[known] = _checked(entry, variables[name], description.generationTool)
+                except WrongValueError as wrong:
+                    mistakes.append(wrong.at(entry.where))
             values[name] = seen[known]
         settings.append(values)
     refuse(mistakes if told is None else [])
     return settings
 
 
-def _checked(entry: Entry, variable: ScalarVariable, mistakes: list[Mistake]) -> object:
+def _checked(entry: Entry, variable: ScalarVariable, tool: str | None) -> object:
     """Value in the unit and of the type of its variable, within its limits."""
     unit = getattr(variable, "unit", None) or ""
-    value = converted(entry, variable.name, unit, mistakes)
-    if mistakes:
-        return value  # nobody knows whether it is within the limits
+    value = converted(entry, variable.name, unit)
     fits, words = _KINDS.get(variable.type, _KINDS["Integer"])  # an Enumeration is one
-    in_unit = f" in {unit}" if unit else ""
+    in_unit = f" {unit}" if unit else ""
     if not fits(value):
         words = wanted_instead(value) if variable.type == "Real" else words
-        message = f"{variable.name}: must be {words}{in_unit}, got {shown(value)}"
+        words = f"{words} in{in_unit}" if unit else words
         with_unit = isinstance(value, str) and re.fullmatch(r"[-+]?[\d.]+ ?[^\W\d].*", value)
         help = "a unit is not written here" if with_unit and variable.type != "Boolean" else ""
-        mistakes.append(Mistake(entry.where, message, help))
-    elif isinstance(value, int | float):
-        for bound, relation in ((variable.min, ">="), (variable.max, "<=")):
-            if bound is None or (
-                value >= float(bound) if relation == ">=" else value <= float(bound)
-            ):
-                continue
-            limit = f"{variable.name}: must be {relation} {float(bound):g}"
-            unit_of_limit = f" {unit}" if unit else ""
-            mistakes.append(Mistake(entry.where, f"{limit}{unit_of_limit}, got {value!r}"))
+        raise WrongValueError(variable.name, f"must be {words}, got {shown(value)}", help)
+    if is_number(value):
+        low, high = (float(x) if x is not None else value for x in (variable.min, variable.max))
+        if not low <= value <= high:
+            limit = f">= {low:g}" if value < low else f"<= {high:g}"
+            raise WrongValueError(variable.name, f"must be {limit}{in_unit}, got {value!r}")
+    if tool == f"{OURS}{VERSION}" and variable.name.startswith("solver."):
+        _require_setting(variable.name, value)
     return float(value) if variable.type == "Real" and is_finite(value) else value
 
 
-def _refused(
-    entry: Entry, name: str, value: object, description: ModelDescription
-) -> list[Mistake]:
-    """What an FMU of this version would say of a setting of its solver in the run."""
-    setting = name.removeprefix("solver.")
-    if setting == name or description.generationTool != f"{OURS}{VERSION}":
-        return []
+def _require_setting(name: str, value: object) -> None:
+    """Raise what an FMU of this version would say of a setting of its solver in the run."""
     from solver.runtime import OptionError
     from solver.runtime.options import encode
 
     try:
-        encode(setting, value)
+        encode(name.removeprefix("solver."), value)
     except OptionError as error:
-        return [Mistake(entry.where, str(error))]
-    return []
+        raise WrongValueError(*str(error).split(": ", 1)) from None
+
+
+def _not_settable(where: str, name: str, description: ModelDescription) -> Mistake:
+    """Mistake of a name that is none of a parameter or input."""
+    causality = {v.name: v.causality for v in description.modelVariables}
+    settable = [each for each, kind in causality.items() if kind in SETTABLE]
+    if name in causality:
+        kind = "an output" if causality[name] == "output" else f"a variable ({causality[name]})"
+        help = f"settable: {listed(settable)}" if settable else "it has no parameters and inputs"
+        return Mistake(where, f"{name}: is {kind} and cannot be set", help)
+    message = f"{description.modelName} has no parameter or input {name!r}"
+    table, dot, part = str(name).partition(".")
+    if table in ("parameters", "inputs"):
+        return Mistake(where, message, nearest(part.partition(".")[0], settable))
+    is_field = bool(dot) or name == "gravity" or "[" in part + table
+    if is_field and table != "solver" and (description.generationTool or "").startswith(OURS):
+        help = "fields of a scene are fixed in its FMU: declare a parameter for it in the scene, "
+        return Mistake(where, message, help + "or build FMUs with other values (build, variants)")
+    return Mistake(where, message, nearest(name, settable))
+
+
+def outputs_of(
+    description: ModelDescription, names: Sequence[str] | None, mistakes: list[Mistake]
+) -> list[str]:
+    """Outputs that are asked for, each once, or all; any variable that is a number can be one."""
+    kinds = {v.name: v.type for v in description.modelVariables}
+    outputs = [v.name for v in description.modelVariables if v.causality == "output"]
+    if names is None:
+        return outputs
+    names = [names] if isinstance(names, str) else names
+    for name in names:
+        where = f"output {name}"
+        if name not in kinds:
+            message = f"{description.modelName} has no variable {name!r}"
+            mistakes.append(Mistake(where, message, nearest(name, outputs, kinds)))
+        elif kinds[name] == "String":
+            help = "a sweep stores only numbers"
+            mistakes.append(Mistake(where, f"{name}: is a text, not a number", help))
+    return list(dict.fromkeys(names))

@@ -20,10 +20,9 @@ from build_fmu.study.engines import engine_of
 from build_fmu.study.forms import in_form, require_form
 from build_fmu.study.grid import rows_of
 from build_fmu.study.jobs import Task
-from build_fmu.study.names import outputs_of
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.run_row import Shared, release, run_row
-from build_fmu.study.settings import Source, entries_of, fmu_settings
+from build_fmu.study.settings import Source, entries_of, fmu_settings, outputs_of
 from build_fmu.study.stores import by_run, check_name, holds_trajectories, store_for
 from build_fmu.study.values import Entry, Mistake, refuse
 from build_fmu.target import runnable

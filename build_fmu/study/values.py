@@ -65,6 +65,15 @@ class Mistake:
         )
 
 
+class WrongValueError(ValueError):
+    """Of what a value is, what is wrong with it and perhaps a help; the caller knows its place."""
+
+    def at(self, where: str) -> Mistake:
+        """The mistake, in its place."""
+        name, words, *help = self.args
+        return Mistake(where, f"{name}: {words}", *help)
+
+
 def refuse(mistakes: Iterable[Mistake | str]) -> None:
     """Raise UsageError with all mistakes, each once, if there are any."""
     if text := in_one_text(mistakes):
