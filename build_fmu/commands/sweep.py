@@ -53,22 +53,26 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         _print(found, path, spent)
     _tell(found.warnings, "warnings")
-    failed = [f"run {r.run} ended at t = {r.end_time:g} s: {r.reason}" for r in found.failed]
+    failed = [f"run {run} ended at t = {time:g} s: {why}" for run, time, why in _failures(found)]
     _tell(failed, "runs")
-    return UNFINISHED if found.failed else 0
+    return UNFINISHED if failed else 0
+
+
+def _failures(found: Sweep) -> list[tuple[int, float, str]]:
+    """Number, end time and reason of each run that failed."""
+    return found.failed[["run", "end_time", "reason"]].tolist()
 
 
 def _extremes(found: Sweep) -> list[tuple[str, float, int, float, int]]:
     """Smallest and largest value of each output, each with its run; of clean runs alone."""
-    rows = []
-    for at, name in enumerate(found.plan.outputs):
-        clean = [(r.run, r.summary[at]) for r in found.results if not r.reason]
-        low, high = ([(each[i], run) for run, each in clean if each[i] == each[i]] for i in (1, 2))
-        if low and high:
-            rows.append((name, *min(low), *max(high)))
-        else:
-            rows.append((name, math.nan, 0, math.nan, 0))
-    return rows
+    clean = found.results[found.results["finished"]]
+
+    def values(name: str) -> list[tuple[float, int]]:
+        pairs = zip(clean[name].tolist(), clean["run"].tolist(), strict=True)
+        return [pair for pair in pairs if not math.isnan(pair[0])] or [(math.nan, 0)]
+
+    names = found.plan.outputs
+    return [(name, *min(values(f"{name}.min")), *max(values(f"{name}.max"))) for name in names]
 
 
 def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
@@ -76,7 +80,9 @@ def _document(found: Sweep, path: Path, spent: float) -> dict[str, object]:
         "results": str(path),
         "runs": found.plan.count,
         "resumed": found.resumed,
-        "failed": [{"run": r.run, "time": r.end_time, "reason": r.reason} for r in found.failed],
+        "failed": [
+            {"run": run, "time": time, "reason": reason} for run, time, reason in _failures(found)
+        ],
         "wall_time": spent,
         "outputs": {
             name: {"min": low, "run_of_min": low_run, "max": high, "run_of_max": high_run}

@@ -15,11 +15,11 @@ PACKAGES = ("numpy", "pandas", "xarray")
 FORMS = (*PACKAGES, "sweep")
 
 
-def in_form(found: Sweep, form: str, trajectories: bool) -> Any:
+def in_form(found: Sweep, form: str) -> Any:
     """Results of a sweep in one of `FORMS`."""
     if form == "sweep":
         return found
-    return {"numpy": _numpy, "pandas": _pandas, "xarray": _xarray}[form](found, trajectories)
+    return {"numpy": _numpy, "pandas": _pandas, "xarray": _xarray}[form](found)
 
 
 def require_form(form: str) -> None:
@@ -34,49 +34,47 @@ def require_form(form: str) -> None:
         raise EnvironmentLackError(text)
 
 
-def _numpy(found: Sweep, trajectories: bool) -> ndarray:
+def _numpy(found: Sweep) -> ndarray:
     """Structured array; of trajectories each field holds all points, and so does "time"."""
     import numpy as np
 
-    table = found.plan.table(found.results)
-    if not trajectories:
+    table = found.results
+    if found.trajectories is None:
         return table
-    arrays = found.plan.arrays(found.results)
-    arrays["time"] = np.broadcast_to(found.plan.times, (len(table), len(found.plan.times)))
-    fields = [(name, values.dtype, values.shape[1:]) for name, values in arrays.items()]
+    points = (len(found.plan.times),)
+    fields = [(name, "f8", points) for name in (*found.plan.outputs, "time")]
     whole = np.empty(len(table), np.dtype([*table.dtype.descr, *fields]))
     for name in table.dtype.names or ():
         whole[name] = table[name]
-    for name, values in arrays.items():
-        whole[name] = values
+    whole["time"] = found.plan.times
+    for i, name in enumerate(found.plan.outputs):
+        whole[name] = found.trajectories[:, :, i]
     return whole
 
 
-def _pandas(found: Sweep, trajectories: bool) -> Any:
+def _pandas(found: Sweep) -> Any:
     """Data frame of the summary by run; of trajectories, by run and time."""
     import pandas as pd  # pyright: ignore[reportMissingImports]
 
-    if not trajectories:
-        return pd.DataFrame.from_records(found.plan.table(found.results), index="run")
-    runs = [result.run for result in found.results]
-    index = pd.MultiIndex.from_product([runs, found.plan.times], names=["run", "time"])
-    arrays = found.plan.arrays(found.results)
-    return pd.DataFrame({name: values.ravel() for name, values in arrays.items()}, index)
+    if found.trajectories is None:
+        return pd.DataFrame.from_records(found.results, index="run")
+    axes = [found.results["run"], found.plan.times]
+    index = pd.MultiIndex.from_product(axes, names=["run", "time"])
+    values = found.trajectories.reshape(len(index), -1)
+    return pd.DataFrame(values, index, list(found.plan.outputs))
 
 
-def _xarray(found: Sweep, trajectories: bool) -> Any:
+def _xarray(found: Sweep) -> Any:
     """Data set along "run", of trajectories along "time" too; what was varied is a coordinate."""
     import xarray  # pyright: ignore[reportMissingImports]
 
-    table, plan = found.plan.table(found.results), found.plan
-    varied = plan.columns[1 : 1 + len(plan.names)]
-    coordinates: dict[str, Any] = {"run": table["run"]}
-    coordinates |= {name: ("run", table[name]) for name in varied}
-    values: dict[str, Any] = {
-        name: ("run", table[name]) for name in plan.columns if name not in ("run", *varied)
-    }
-    if trajectories:
+    plan = found.plan
+    columns = {name: ("run", found.results[name]) for name in plan.columns}
+    coordinates: dict[str, Any] = {name: columns.pop(name) for name in plan.columns[: plan.leading]}
+    values: dict[str, Any] = dict(columns)
+    if found.trajectories is not None:
         coordinates["time"] = ("time", list(plan.times), {"units": "s"})
-        for name, array in plan.arrays(found.results).items():
-            values[name] = (("run", "time"), array, {"units": plan.units.get(name, "")})
+        for i, name in enumerate(plan.outputs):
+            units = {"units": plan.units.get(name, "")}
+            values[name] = (("run", "time"), found.trajectories[:, :, i], units)
     return xarray.Dataset(values, coordinates)

@@ -1,12 +1,13 @@
-"""What a sweep is to do, and what it found: the columns of its summary, one row for each run."""
+"""What a sweep is to do, and the table of what it finds: one row for each run."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+import math
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,8 @@ if TYPE_CHECKING:
 
 OWN_COLUMNS = ("run", "finished", "end_time", "reason")
 OF_OUTPUTS = ("final", "min", "max")
+_KINDS = {bool: "?", str: "text"}
+"""Of values in a table, by their type; other values are numbers."""
 
 
 @dataclass(frozen=True)
@@ -28,11 +31,11 @@ class Result:
     end_time: float
     reason: str
     """Why it ended early; empty if it did not."""
-    summary: Sequence[Sequence[float]]
+    summary: Sequence[float]
     """Last, smallest and largest value of each output; NaN where there is none."""
-    values: ndarray | None = field(default=None, repr=False, compare=False)
+    values: ndarray | None = None
     """Shape (points, outputs)."""
-    warnings: tuple[str, ...] = field(default=(), repr=False, compare=False)
+    warnings: tuple[str, ...] = ()
     """What the FMU said besides; files do not have it."""
 
 
@@ -57,14 +60,9 @@ class Plan:
         return len(self.rows)
 
     @property
-    def names(self) -> list[str]:
-        """What is varied."""
-        return list(self.rows[0])
-
-    @property
     def leading(self) -> int:
         """Number of columns that the plan knows: those of the run and of what is varied."""
-        return 1 + len(self.names)
+        return 1 + len(self.rows[0])
 
     @cached_property
     def document(self) -> dict[str, Any]:
@@ -83,11 +81,11 @@ class Plan:
             },
         }
 
-    @property
+    @cached_property
     def columns(self) -> list[str]:
-        """Head of the summary."""
+        """Head of the table."""
         # A parameter may have the name of a column.
-        varied = [f"{name} (parameter)" if name in OWN_COLUMNS else name for name in self.names]
+        varied = [f"{name} (parameter)" if name in OWN_COLUMNS else name for name in self.rows[0]]
         of_outputs = [f"{name}.{what}" for name in self.outputs for what in OF_OUTPUTS]
         return ["run", *varied, *OWN_COLUMNS[1:], *of_outputs]
 
@@ -99,69 +97,23 @@ class Plan:
             text = f"the results would have two columns {', '.join(map(repr, twice))}: leave the "
             raise UsageError(text + "output of this name out, or do not vary its parameter")
 
-    def record(self, result: Result, longest: int | None = None) -> tuple[Any, ...]:
-        """Row of the summary; texts as bytes of at most this length, for HDF5."""
-        numbers = [number for each in result.summary for number in each]
-        row = self.rows[result.run - 1]
-        cells = [result.run, *(row[name] for name in self.names), not result.reason]
-        cells += [result.end_time, result.reason]
-        texts = [_text(cell) if isinstance(cell, str | list) else cell for cell in cells]
-        if longest is not None:
-            texts = [_cut(x, longest) if isinstance(x, str) else x for x in texts]
-        return (*texts, *numbers)
-
-    def row(self, result: Result) -> list[str]:
-        """Line of a CSV file; numbers read back as the same."""
-        return [x if isinstance(x, str) else json.dumps(x) for x in self.record(result)]
-
-    def result_of(self, row: Sequence[str]) -> Result:
-        """Result of a line, without its trajectory; ValueError where it is none."""
-        own = self.leading
-        numbers = [float(text) for text in row[own + 3 :]]
-        summary = [numbers[i : i + 3] for i in range(0, len(numbers), 3)]
-        run, end = int(row[0]), float(row[own + 1])
-        if not 1 <= run <= self.count:
-            text = f"there is no run {run}"
-            raise ValueError(text)
-        return Result(run, end, row[own + 2], summary)
-
-    def dtype(self, longest: int | None = None) -> dtype:
-        """Type of a row of the summary; of texts, bytes for HDF5, else objects."""
+    def dtype(self, text: str = "O") -> dtype:
+        """Type of a row of the table, with texts of this type."""
         import numpy as np
 
-        kinds = ["i8", *map(self._kind, self.names), "?", "f8", "text"]
-        kinds += ["f8"] * (len(OF_OUTPUTS) * len(self.outputs))
-        text = "O" if longest is None else f"S{longest}"
+        varied = [_KINDS.get(type(value), "f8") for value in self.rows[0].values()]
+        numbers = ["f8"] * (len(OF_OUTPUTS) * len(self.outputs))
+        kinds = ["i8", *varied, "?", "f8", "text", *numbers]
         columns = zip(self.columns, kinds, strict=True)
         return np.dtype([(name, text if kind == "text" else kind) for name, kind in columns])
 
-    def _kind(self, name: str) -> str:
-        values = [row[name] for row in self.rows]
-        if all(isinstance(value, bool) for value in values):
-            return "?"
-        number = all(isinstance(x, int | float) and not isinstance(x, bool) for x in values)
-        return "f8" if number else "text"
-
-    def arrays(self, results: Sequence[Result]) -> dict[str, ndarray]:
-        """Trajectories by output, shape (runs, points), NaN where a run did not come."""
+    def table(self) -> ndarray:
+        """Table of all runs, with what the plan knows of them and no results."""
         import numpy as np
 
-        whole = np.full((len(results), len(self.times), len(self.outputs)), np.nan)
-        for at, result in enumerate(results):
-            if result.values is not None:
-                whole[at, : len(result.values)] = result.values
-        return {name: whole[:, :, i] for i, name in enumerate(self.outputs)}
-
-    def table(self, results: Sequence[Result]) -> ndarray:
-        """Structured array of the summary."""
-        import numpy as np
-
-        return np.array([self.record(result) for result in results], self.dtype())
-
-
-def _text(cell: object) -> str:
-    return cell if isinstance(cell, str) else json.dumps(cell)
-
-
-def _cut(text: str, longest: int) -> bytes:
-    return text.encode()[:longest].decode(errors="ignore").encode()
+        numbers = [math.nan] * (len(OF_OUTPUTS) * len(self.outputs))
+        rows = [
+            (run, *row.values(), False, math.nan, "", *numbers)
+            for run, row in enumerate(self.rows, start=1)
+        ]
+        return np.array(rows, self.dtype())

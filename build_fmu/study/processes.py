@@ -91,7 +91,7 @@ class _Team:
                 "processes cannot be started; in a script, call this below "
                 '`if __name__ == "__main__":`, or take the engine "serial"'
             )
-            raise EnvironmentLackError(text)
+            raise EnvironmentLackError(text) from None
         self._renewed(process)
         if process.jobs and self._on_trial:
             self._on_trial = False

@@ -40,9 +40,9 @@ def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
     values = record.values if len(record.values) > 1 or not record.reason else record.values[:0]
     if len(values):
         columns = (values[-1], values.min(axis=0), values.max(axis=0))
-        summary = list(zip(*(column.tolist() for column in columns), strict=True))
+        summary = [x for each in zip(*columns, strict=True) for x in map(float, each)]
     else:
-        summary = [(math.nan,) * 3] * len(shared.outputs)
+        summary = [math.nan] * 3 * len(shared.outputs)
     kept = values if shared.trajectories else None
     return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
 

@@ -1,31 +1,38 @@
 """Where a sweep keeps what it has: a CSV file of summaries, or HDF5 with trajectories as well.
 
 Each knows the plan of its sweep, so that an interrupted one goes on where it stopped, and another
-one is not mixed into it.
+one is not mixed into it. One sweep at a time writes into a file: the lock is the operating system's
+(flock), so it ends with the process however that ends; Windows and some network drives have none.
 """
 
 from __future__ import annotations
 
 import contextlib
 import csv
+import errno
 import io
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, BinaryIO, TextIO
+
+import numpy as np
 
 from build_fmu.errors import EnvironmentLackError, UsageError, writing
-from build_fmu.study.lock import LOCKS, lock
 from build_fmu.study.plan import Plan, Result
 
-LONGEST_REASON = 300
-"""Bytes of a reason in HDF5."""
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None
+
+LONGEST_TEXT = 300
+"""Bytes of a text in HDF5."""
 REMEDY = "name another file, or begin anew with --fresh"
 
 
-def check_name(path: Path | None) -> None:
+def require_kind(path: Path | None) -> None:
     """Refuse a file that cannot hold results, before anything is done to it."""
     if path is not None and path.suffix not in (".csv", ".h5", ".hdf5"):
         text = f"{path}: results go to a .csv, .h5 or .hdf5 file"
@@ -42,14 +49,14 @@ def store_for(
 ) -> Store:
     """Store for a file name: none, .csv, .h5 or .hdf5; a fresh one forgets what the file has.
 
-    With `trajectories` its results have them, where the file does.
+    With `trajectories` its results have them.
 
     Raises
     ------
     UsageError
         If the file is another sweep's, of none at all, damaged, or in use.
     """
-    check_name(path)
+    require_kind(path)
     if path is None:
         return Store(plan, trajectories)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -62,17 +69,40 @@ class Store:
 
     def __init__(self, plan: Plan, trajectories: bool) -> None:
         self.plan = plan
-        self.results: dict[int, Result] = {}
-        self._trajectories = trajectories
+        self.table = plan.table()
+        self.is_done = np.zeros(plan.count, bool)
+        """Of which runs the table has the results."""
+        shape = (plan.count, len(plan.times), len(plan.outputs))
+        self.trajectories = np.full(shape, np.nan) if trajectories else None
 
     def keep(self, result: Result) -> None:
         """Take a result."""
-        # Trajectories may be gigabytes, and the file has them.
-        values = result.values if self._trajectories else None
-        self.results[result.run] = replace(result, values=values, warnings=())
+        at, leading = result.run - 1, self.plan.leading
+        values = (not result.reason, result.end_time, result.reason, *result.summary)
+        self.table[at] = (*self.table[at].tolist()[:leading], *values)
+        if self.trajectories is not None and result.values is not None:
+            self.trajectories[at, : len(result.values)] = result.values
+        self.is_done[at] = True
 
     def close(self) -> None:
         """Finish the file."""
+
+
+def _lock(path: Path, results: Path) -> BinaryIO:
+    """File, made if it is not there, that is ours until it is closed; its results are named."""
+    file = path.open("ab")
+    if fcntl is not None:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            if error.errno in (errno.EAGAIN, errno.EACCES):
+                file.close()
+                text = (
+                    f"{results} is in use: another sweep writes into it, or a program has it open; "
+                    "wait for its end, or name another file"
+                )
+                raise UsageError(text) from None
+    return file
 
 
 def _require_the_same(path: Path, theirs: Any, ours: Mapping[str, Any]) -> None:
@@ -108,7 +138,7 @@ class CsvStore(Store):
             text = f"{path} is there and is not one of a sweep; name another file, or --fresh"
             raise UsageError(text)
         # The plan stays the file that it is, which the results do not: it is what is locked.
-        self._lock = lock(plan_path, path)
+        self._lock = _lock(plan_path, path)
         try:
             if fresh:
                 path.unlink(missing_ok=True)
@@ -117,10 +147,17 @@ class CsvStore(Store):
                 self._read()
             else:  # in this order: results are never there without a plan that is theirs and whole
                 plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
-            self._file = self._begin(path)
+            self._file = self._begin()
         except BaseException:
             self._lock.close()
             raise
+
+    def _line(self, at: int) -> list[str]:
+        """Cells of a run; numbers read back as the same."""
+        return [*self._lead(at), *_texts(self.table[at].tolist()[self.plan.leading :])]
+
+    def _lead(self, at: int) -> list[str]:
+        return _texts((at + 1, *self.plan.rows[at].values()))
 
     def _read(self) -> None:
         """Results of the lines that are whole and have the values of their run."""
@@ -129,38 +166,43 @@ class CsvStore(Store):
             rows = list(csv.reader(io.StringIO(whole.decode(), newline="")))
         except (UnicodeDecodeError, csv.Error) as error:
             raise _damaged(self._path, error) from None
-        columns, leading = self.plan.columns, self.plan.leading
-        if rows[:1] != [columns]:
+        if rows[:1] != [self.plan.columns]:
             raise _damaged(self._path, "its first line does not name the columns of this one")
+        leading = self.plan.leading
+        runs = {tuple(self._lead(at)): at + 1 for at in range(self.plan.count)}
         for row in rows[1:]:
-            if len(row) == len(columns):
+            run = runs.get(tuple(row[:leading]))
+            if run and len(row) == len(self.plan.columns):
                 with contextlib.suppress(ValueError):  # what cannot be read is run again
-                    result = self.plan.result_of(row)
-                    if row[:leading] == self.plan.row(result)[:leading]:
-                        self.results[result.run] = result
+                    end, reason, *numbers = row[leading + 1 :]
+                    super().keep(Result(run, float(end), reason, [*map(float, numbers)]))
 
-    def _begin(self, path: Path) -> TextIO:
+    def _begin(self) -> TextIO:
         """File with what is known, in the order of the runs."""
-        other = path.with_name(f".{path.name}.new")
-        with writing(path), other.open("w", newline="", encoding="utf-8") as file:
+        other = self._path.with_name(f".{self._path.name}.new")
+        with writing(self._path), other.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(self.plan.columns)
-            writer.writerows(self.plan.row(self.results[run]) for run in sorted(self.results))
-        other.replace(path)
-        return path.open("a", newline="", encoding="utf-8")
+            writer.writerows(self._line(at) for at in self.is_done.nonzero()[0].tolist())
+        other.replace(self._path)
+        return self._path.open("a", newline="", encoding="utf-8")
 
     def keep(self, result: Result) -> None:
         """Write the line of a result at once."""
         super().keep(result)
         with writing(self._path):
-            csv.writer(self._file, lineterminator="\n").writerow(self.plan.row(result))
+            csv.writer(self._file, lineterminator="\n").writerow(self._line(result.run - 1))
             self._file.flush()
 
     def close(self) -> None:
         """Put the lines into the order of the runs."""
         with contextlib.closing(self._lock), writing(self._path):
             self._file.close()
-            self._begin(self._path).close()
+            self._begin().close()
+
+
+def _texts(cells: Sequence[Any]) -> list[str]:
+    return [x if isinstance(x, str) else json.dumps(x) for x in cells]
 
 
 # ---------------------------------------------------------------------------------------- HDF5
@@ -185,22 +227,21 @@ class Hdf5Store(Store):
                 f"{path}: HDF5 takes the '/' of {grouped[0]!r} for a group; write a .csv, or leave "
             )
             raise UsageError(text + "it out")
-        self._lock = lock(path, path)
+        self._path, self._lock = path, _lock(path, path)
         there = path.stat().st_size > 0 and not fresh
         try:
             # What h5py says that a name may stand for is more than a data set; here it is one.
             # Its own lock would find ours in its way.
-            locking = False if LOCKS else None
+            locking = None if fcntl is None else False
             self._file: Any = h5py.File(path, "r+" if there else "w", locking=locking)
         except OSError as error:
             self._lock.close()
             text = f"{path}: cannot be opened ({error}); name another file, or --fresh"
             raise UsageError(text) from None
-        self._path = path
         try:
             if there:
                 _require_the_same(path, self._file.attrs.get("plan"), plan.document)
-                self._read(path)
+                self._read()
             else:
                 with _writing_hdf5(path):
                     self._create(h5py)
@@ -209,10 +250,8 @@ class Hdf5Store(Store):
             raise
 
     def _create(self, h5py: Any) -> None:
-        import numpy as np
-
         plan = self.plan
-        runs = np.zeros(plan.count, plan.dtype(LONGEST_REASON))
+        runs = np.zeros(plan.count, plan.dtype(f"S{LONGEST_TEXT}"))
         self._file.create_dataset("runs", data=runs)
         self._file.create_dataset("time", data=np.array(plan.times)).attrs["unit"] = "s"
         early = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
@@ -226,51 +265,47 @@ class Hdf5Store(Store):
         self._file.attrs["plan"] = json.dumps(plan.document)  # last: without it nothing is taken
         self._file.flush()
 
-    def _read(self, path: Path) -> None:
+    def _read(self) -> None:
+        """Take the runs of the file that have the values of the plan; others are run again."""
+        plan, shape = self.plan, (self.plan.count, len(self.plan.times))
         try:
-            self._require_structure()
-            for row in self._file["runs"][:]:
-                if row["run"]:
-                    cells = [x.decode() if isinstance(x, bytes) else str(x.item()) for x in row]
-                    self._take(self.plan.result_of(cells), row)
+            runs = self._file["runs"][:]
+            if runs.shape != shape[:1] or runs.dtype.names != tuple(plan.columns):
+                raise _damaged(self._path, "'runs' does not have the runs and columns of this one")
+            lead = list(plan.columns[: plan.leading])
+            ours = [self._record(at)[: plan.leading] for at in range(plan.count)]
+            self.is_done[:] = [x == y for x, y in zip(runs[lead].tolist(), ours, strict=True)]
+            for name in plan.columns[plan.leading :]:
+                text = runs.dtype[name].kind == "S"
+                column = np.char.decode(runs[name], errors="ignore") if text else runs[name]
+                self.table[name][self.is_done] = column[self.is_done]
+            for i, name in enumerate(plan.outputs):
+                values = self._file["trajectories"][name]
+                if values.shape != shape:
+                    text = f"the trajectory {name!r} does not have its runs and times"
+                    raise _damaged(self._path, text)
+                if self.trajectories is not None:
+                    self.trajectories[self.is_done, :, i] = values[:][self.is_done]
         except (KeyError, IndexError, ValueError, TypeError, AttributeError, OSError) as error:
-            raise _damaged(path, error) from None
+            raise _damaged(self._path, error) from None
 
-    def _require_structure(self) -> None:
-        runs, shape = self._file["runs"], (self.plan.count, len(self.plan.times))
-        if runs.shape != shape[:1] or runs.dtype.names != tuple(self.plan.columns):
-            text = "'runs' does not have the runs and columns of this one"
-            raise ValueError(text)
-        for name in self.plan.outputs:
-            if self._file["trajectories"][name].shape != shape:
-                text = f"the trajectory {name!r} does not have its runs and times"
-                raise ValueError(text)
-
-    def _take(self, result: Result, row: Any) -> None:
-        """Take a result from the file, unless its row has other values: then it is run again."""
-        import numpy as np
-
-        ours = np.array(self.plan.record(result, LONGEST_REASON), self.plan.dtype(LONGEST_REASON))
-        leading = self.plan.leading
-        if row.tolist()[:leading] != ours.tolist()[:leading]:
-            return
-        if self._trajectories:
-            group, at = self._file["trajectories"], result.run - 1
-            columns = [group[name][at] for name in self.plan.outputs]
-            empty = np.empty((len(self.plan.times), 0))
-            result = replace(result, values=np.column_stack(columns) if columns else empty)
-        self.results[result.run] = result
+    def _record(self, at: int) -> tuple[Any, ...]:
+        """Row of a run, with texts as bytes that are whole characters."""
+        return tuple(
+            x.encode()[:LONGEST_TEXT].decode(errors="ignore").encode() if isinstance(x, str) else x
+            for x in self.table[at].tolist()
+        )
 
     def keep(self, result: Result) -> None:
         """Write trajectory and line of a result."""
+        super().keep(result)
         at = result.run - 1
         with _writing_hdf5(self._path):
             if result.values is not None:
                 for name, column in zip(self.plan.outputs, result.values.T, strict=True):
                     self._file["trajectories"][name][at, : len(column)] = column
-            self._file["runs"][at] = self.plan.record(result, LONGEST_REASON)
+            self._file["runs"][at] = self._record(at)
             self._file.flush()
-        super().keep(result)
 
     def close(self) -> None:
         """Close the file."""
@@ -287,8 +322,3 @@ def _writing_hdf5(path: Path) -> Iterator[None]:
         reason = re.search(r"error message = '(.*?)'", str(error))
         text = f"{path}: {reason[1] if reason else error}"
         raise UsageError(text) from None
-
-
-def by_run(results: Mapping[int, Result]) -> Sequence[Result]:
-    """Results in the order of the runs."""
-    return [results[run] for run in sorted(results)]

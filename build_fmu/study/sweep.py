@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
 from build_fmu.instance import check_platform, description_of
@@ -23,9 +23,12 @@ from build_fmu.study.jobs import Task
 from build_fmu.study.plan import Plan, Result
 from build_fmu.study.run_row import Shared, release, run_row
 from build_fmu.study.settings import Source, entries_of, fmu_settings, outputs_of
-from build_fmu.study.stores import by_run, check_name, holds_trajectories, store_for
+from build_fmu.study.stores import holds_trajectories, require_kind, store_for
 from build_fmu.study.values import Entry, Mistake, refuse
 from build_fmu.target import runnable
+
+if TYPE_CHECKING:
+    from numpy import ndarray
 
 MOST_VALUES = 500_000_000
 """Most numbers of the trajectories of one sweep: 4 GB."""
@@ -36,16 +39,19 @@ class Sweep:
     """What was to be done, and its results in the order of the runs."""
 
     plan: Plan
-    results: Sequence[Result]
+    results: ndarray
+    """One row for each run, as of the form "numpy" without trajectories."""
+    trajectories: ndarray | None
+    """Shape (runs, points, outputs), if they were asked for; NaN after an early end."""
     resumed: int
     """How many of the results were there before."""
-    warnings: Sequence[str] = ()
+    warnings: Sequence[str]
     """What the FMU warned of in the other ones, each sentence once."""
 
     @property
-    def failed(self) -> list[Result]:
+    def failed(self) -> ndarray:
         """Runs that did not come to their end."""
-        return [result for result in self.results if result.reason]
+        return self.results[~self.results["finished"]]
 
 
 def sweep(
@@ -107,7 +113,7 @@ def sweep(
     rows = rows_of(grid, table, mistakes)
     run_jobs = engine_of(engine, workers)
     file = None if path is None else Path(path)
-    check_name(file)
+    require_kind(file)
     with runnable(fspath(fmu), entries_of(parameters)) as (unit, fixed):
         plan = _plan(unit, [fixed, *rows], outputs, stop_time, step_size, mistakes)
         plan.check_columns(trajectories)
@@ -117,25 +123,24 @@ def sweep(
             contextlib.closing(store_for(file, plan, fresh, trajectories)) as store,
             tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True) as folder,
         ):
-            known = {
-                n for n, x in store.results.items() if x.values is not None or not trajectories
-            }
-            jobs = [(n, row) for n, row in enumerate(plan.rows, start=1) if n not in known]
+            lacking = trajectories and not holds_trajectories(file)
+            left = [n for n, known in enumerate(store.is_done) if lacking or not known]
+            jobs = [(n + 1, plan.rows[n]) for n in left]
             task = Task(run_row, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan))
             said: set[str] = set()
             try:
                 with contextlib.closing(run_jobs(task, jobs)) as results:
-                    for done, result in enumerate(results, start=len(known) + 1):
+                    for done, result in enumerate(results, start=plan.count - len(jobs) + 1):
                         store.keep(result)
                         said.update(result.warnings)
                         if progress:
                             progress(done, plan.count)
             except KeyboardInterrupt:
-                raise _interruption(len(store.results), plan.count, file, fresh) from None
+                raise _interruption(int(store.is_done.sum()), plan.count, file, fresh) from None
             finally:
                 release()
-    found = Sweep(plan, by_run(store.results), len(known), sorted(said))
-    return in_form(found, form, trajectories)
+    found = Sweep(plan, store.table, store.trajectories, plan.count - len(jobs), sorted(said))
+    return in_form(found, form)
 
 
 def _interruption(done: int, count: int, file: Path | None, fresh: bool) -> KeyboardInterrupt:
@@ -193,4 +198,4 @@ def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str)
 
 def _lost(plan: Plan, job: tuple[int, Mapping[str, Any]], reason: str) -> Result:
     """Result of a run whose process died: nobody knows what its outputs were."""
-    return Result(job[0], plan.times[0], reason, [(math.nan,) * 3] * len(plan.outputs))
+    return Result(job[0], plan.times[0], reason, [math.nan] * 3 * len(plan.outputs))
