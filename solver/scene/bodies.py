@@ -9,13 +9,13 @@ from solver.scene.fields import (
     COMPONENTS,
     NAME,
     NUMBER,
+    TWO,
     ByShape,
     Components,
     Kind,
     ListOf,
     Part,
     Plain,
-    PointNames,
     Quantity,
     Table,
     shown,
@@ -59,37 +59,35 @@ class Point(Part):
     mass: Annotated[Number, Quantity("kg", rule=NOT_NEGATIVE)] = 0.0
     fixed: Annotated[bool, Plain(type=bool)] = False
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that a fixed point has no velocity, and note where it is drawn."""
-        point, name = super(Point, cls).read(reader, path, given), str(path[1])
-        if point.fixed is True:
+        name = str(path[1])
+        if self.fixed is True:
             reader.fixed.add(name)
-            if any(component != 0.0 for component in point.velocity or ()):
+            if any(component != 0.0 for component in self.velocity or ()):
                 message = "a fixed point cannot have a velocity"
                 reader.draft.error((*path, "velocity"), message, "leave out velocity or fixed")
         if given.position is not BROKEN:
-            reader.places.drawn[name] = point.position
-        return point
+            reader.places.drawn[name] = self.position
 
 
-class BarEnds(PointNames):
-    """Names of two points of the table [points]."""
+def _bar_ends(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str, str]:
+    """Check that a bar has two points of the table [points], of which one can move."""
+    if names is BROKEN:
+        return "", ""
+    first, second = names
+    for i, point in enumerate(names):
+        _check_end(reader, (*path, i), point)
+    if first == second:
+        reader.draft.error(path, f"both ends are '{first}'")
+    elif {first, second} <= reader.fixed:
+        message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
+        reader.draft.error(path, message)
+    reader.places.add_bar(str(path[1]), (first, second))
+    return first, second
 
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check that they are two such points, of which one can move."""
-        if value is BROKEN:
-            return "", ""
-        first, second = value
-        for i, point in enumerate(value):
-            _check_end(reader, (*path, i), point)
-        if first == second:
-            reader.draft.error(path, f"both ends are '{first}'")
-        elif {first, second} <= reader.fixed:
-            message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
-            reader.draft.error(path, message)
-        reader.places.add_bar(str(path[1]), (first, second))
-        return first, second
+
+_BAR_ENDS = ListOf(item=NAME, size=TWO, example=["A", "B"], reading=_bar_ends)
 
 
 def _check_end(reader: "Reader", path: Path, point: str) -> None:
@@ -109,7 +107,7 @@ class Bar(Part):
     type = "bar"
     offers = _TURN
 
-    points: Annotated[tuple[str, str], BarEnds(item=NAME, two=True, example=["A", "B"])]
+    points: Annotated[tuple[str, str], _BAR_ENDS]
     mass: Annotated[Number, Quantity("kg", rule=POSITIVE, example=1.0)]
 
 
@@ -124,13 +122,12 @@ class NoList(Kind):
         return BROKEN
 
 
-class NamedPlaces(Table):
-    """Places in the axes of a body, by name."""
+def _named_places(reader: "Reader", path: Path, places: Any, _: Any) -> dict[str, Vector]:
+    given = {} if places is BROKEN else places
+    return {name: reader.vector((*path, name), place) for name, place in given.items()}
 
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
-        """Check all places."""
-        given = {} if value is BROKEN else value
-        return {name: reader.vector((*path, name), place) for name, place in given.items()}
+
+_NAMED_PLACES = Table("m", "named points in body axes", item=COMPONENTS, reading=_named_places)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -185,9 +182,7 @@ class Rigid(Part):
         ),
     ] = None  # fmt: skip
     """A number in 2-D, a vector in global axes in 3-D; None: not given, at rest."""
-    points: Annotated[
-        dict[str, Vector], NamedPlaces("m", "named points in body axes", item=COMPONENTS)
-    ] = field(default_factory=dict)
+    points: Annotated[dict[str, Vector], _NAMED_PLACES] = field(default_factory=dict)
 
     @classmethod
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:

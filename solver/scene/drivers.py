@@ -13,14 +13,15 @@ from solver.scene.fields import (
     ONE_END,
     TWO_ENDS,
     Components,
-    JointName,
     Part,
     PointReference,
     Quantity,
+    Reading,
+    joint_with,
 )
 from solver.scene.quantities import VECTOR, Level, Offer
 from solver.scene.report import Path
-from solver.scene.rules import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW
+from solver.scene.rules import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW, Place
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -49,17 +50,14 @@ class PositionDriver(Part):
     value: Annotated[Vector, Components("m", place=DRIVER, example=[0, 0, "sin(t)"])]
     """One expression in time, inputs and parameters for each axis."""
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
         """Check that the point can move, and that no other driver moves it."""
-        driver = super(PositionDriver, cls).read(reader, path, given)
-        point, where = driver.point, (*path, "point")
+        point, where = self.point, (*path, "point")
         if point.point in reader.fixed:
             message = f"the point '{point.point}' is fixed, and cannot be driven"
             reader.draft.error(where, message, "leave out its fixed = true")
         if point.point is not None and point.at is None:
-            _once(reader, where, cls.type, point.point)
-        return driver
+            _once(reader, where, self.type, point.point)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,13 +78,10 @@ class JointDriver(Part):
     joint: str
     value: Number
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
         """Check that no other driver moves the joint in the same way."""
-        driver = cls(**reader.fields(cls, path, given))
-        if reader.has(driver.joint, cls.type):
-            _once(reader, (*path, "joint"), cls.type, driver.joint)
-        return driver
+        if reader.has(self.joint, self.type):
+            _once(reader, (*path, "joint"), self.type, self.joint)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,7 +91,7 @@ class AngleDriver(JointDriver):
     type = "angle"
     offers = _along("torque", "N.m", "angle")
 
-    joint: Annotated[str, JointName(example="bearing")]
+    joint: Annotated[str, joint_with("angle", "bearing")]
     value: Annotated[Number, Quantity("rad", "0 as drawn", place=DRIVER, example="2*pi*t")]
 
 
@@ -107,7 +102,7 @@ class DisplacementDriver(JointDriver):
     type = "displacement"
     offers = _along("force", "N", "displacement")
 
-    joint: Annotated[str, JointName(example="guide", has="displacement")]
+    joint: Annotated[str, joint_with("displacement", "guide")]
     value: Annotated[Number, Quantity("m", "0 as drawn", place=DRIVER, example="0.1*sin(t)")]
 
 
@@ -119,16 +114,14 @@ def _once(reader: "Reader", where: Path, what: str, name: str) -> None:
         reader.draft.error(where, message, "leave out one of the two")
 
 
-class Row(Quantity):
-    """An expression that stays zero: of positions, or linear in velocities."""
+def _row(place: Place, level: Level) -> Reading:
+    """Return the reading of a row, which depends on positions, or linearly on velocities."""
 
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
-        """Check that it constrains the mechanism."""
+    def read(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
         before = len(reader.draft.problems)
-        number = super().read(reader, path, value, given)
+        number = reader.number(path, value, place)
         if value is BROKEN or len(reader.draft.problems) > before:
             return number
-        level: Level = "position" if self.place is CONSTRAINT else "rate"
         levels = {reader.known.quantities.get(mention.name) for mention in value.mentions}
         calls = any(mention.role == "function" for mention in value.mentions)
         if level not in levels and not (level == "position" and calls):
@@ -138,6 +131,8 @@ class Row(Quantity):
             message = "must be linear in the velocities"
             reader.draft.error(path, message, 'such as "A.vx*sin(b) - A.vy*cos(b)"')
         return number
+
+    return read
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,12 +145,11 @@ class Constraint(Part):
         ),
     )
 
-    value: Annotated[Number | None, Row(place=CONSTRAINT)] = None
-    velocity: Annotated[Number | None, Row(place=VELOCITY_ROW)] = None
+    value: Annotated[Number | None, Quantity(reading=_row(CONSTRAINT, "position"))] = None
+    velocity: Annotated[Number | None, Quantity(reading=_row(VELOCITY_ROW, "rate"))] = None
     """Exactly one of the two is given."""
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that one of the two is given."""
         if (given.value is None) == (given.velocity is None):
             message = "neither 'value' nor 'velocity' is given"
@@ -163,7 +157,6 @@ class Constraint(Part):
                 message = "either 'value' or 'velocity' is possible, not both"
             help = "write value = ... for positions, or velocity = ... for velocities"
             reader.draft.error(path, message, help)
-        return super(Constraint, cls).read(reader, path, given)
 
 
 def _degree(number: Any, levels: Mapping[str, Level]) -> int:

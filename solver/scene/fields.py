@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
 
+from solver.scene import grammar
 from solver.scene.expression import ExpressionError, Vector
-from solver.scene.grammar import Reading, read
 from solver.scene.quantities import Offer
 from solver.scene.report import Path
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
@@ -55,6 +55,11 @@ class PointReference:
     """Place on the ground. With the name of a body: place on it, as drawn, in global axes."""
 
 
+Reading: TypeAlias = Callable[["Reader", Path, Any, Any], Any]
+"""From the parsed value of a field to that of the part: reader, path, value, and all fields of the
+part as they were parsed."""
+
+
 @dataclass(frozen=True)
 class Kind:
     """Kind of a field: of a quantity, of a name, of a choice.
@@ -69,6 +74,10 @@ class Kind:
         How the field is written, for the report of one that is missing.
     required : bool or None
         Whether a file must give it; None: where the part's field has no default.
+    beside : mapping of str to Kind
+        Fields of the file that belong to the value of this one.
+    reading : callable, optional
+        How the value is checked against the scene, where that is special.
     """
 
     unit: str = ""
@@ -77,31 +86,32 @@ class Kind:
     place: Place = GEOMETRY
     example: Any = None
     required: bool | None = None
+    beside: Mapping[str, Kind] = field(default_factory=dict)
+    reading: Reading | None = None
 
-    FORM: ClassVar[dict[str, Any]] = {}
-    """What the file may have, as JSON Schema."""
-
-    @property
-    def beside(self) -> Mapping[str, Kind]:
-        """Fields of the file that belong to the value of this one."""
+    def form(self) -> dict[str, Any]:
+        """JSON Schema of what the file may have; empty where that is a mistake."""
         return {}
-
-    def schema(self) -> dict[str, Any]:
-        """JSON Schema of the field."""
-        description = ", ".join(filter(None, (self.unit, self.text)))
-        told = {"description": description} if description else {}
-        return {**self.FORM, **told, **({"examples": [self.example]} if self.example else {})}
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Check what a file writes, by itself; ``BROKEN`` after a mistake."""
         raise NotImplementedError
 
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check what was parsed against the scene, and return the value of the part's field.
-
-        `given` has all fields of the part as they were parsed.
-        """
+    def usual(self, reader: Reader, path: Path, value: Any) -> Any:  # noqa: ARG002
+        """Check what was parsed against the scene, where no `reading` says how."""
         return value
+
+    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:
+        """Return the value of the part's field."""
+        if self.reading is not None:
+            return self.reading(reader, path, value, given)
+        return self.usual(reader, path, value)
+
+    def schema(self) -> dict[str, Any]:
+        """JSON Schema of the field."""
+        description = ", ".join(filter(None, (self.unit, self.text)))
+        told = {"description": description} if description else {}
+        return {**self.form(), **told, **({"examples": [self.example]} if self.example else {})}
 
     def wrong(self, draft: Draft, path: Path, rule: str, value: object) -> Any:
         """Report a value of a type that does not fit."""
@@ -110,20 +120,20 @@ class Kind:
 
 
 class Quantity(Kind):
-    """A number, or an expression as text; it arrives as a ``Reading``."""
+    """A number, or an expression as text; parsed, it is a ``Reading`` of the grammar."""
 
-    FORM: ClassVar = {
-        "type": ["number", "string"],
-        "description": "a number, or an expression as text",
-    }
+    def form(self) -> dict[str, Any]:
+        """JSON Schema of a number."""
+        text = "a number, or an expression as text"
+        return {"type": ["number", "string"], "description": text}
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Read a number or the text of an expression."""
         if type(value) is float and math.isfinite(value):  # most are
-            return Reading(value, value)
+            return grammar.Reading(value, value)
         if isinstance(value, str):
             try:
-                return read(value)
+                return grammar.read(value)
             except ExpressionError as error:
                 message = f"{error.message}, column {error.column} of '{value}'"
                 mark = (value, error.column or 1)
@@ -137,75 +147,47 @@ class Quantity(Kind):
         except OverflowError:
             number = math.inf
         if math.isfinite(number):
-            return Reading(value, number)
+            return grammar.Reading(value, number)
         draft.error(path, f"must be a finite number, got {shown(value)}")
         return BROKEN
 
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+    def usual(self, reader: Reader, path: Path, value: Any) -> Any:
         """Check symbols, rule and unit."""
         return reader.number(path, value, self.place, self.rule, self.unit)
 
 
-class Angle(Quantity):
-    """An angle in rad; one of more than a turn is perhaps in degrees."""
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check symbols, and warn of degrees."""
-        return 0.0 if value is BROKEN else reader.angle(path, value, self.place)
-
-
-@dataclass(frozen=True)
-class Setting(Quantity):
-    """A number without symbols, with a default."""
-
-    place: Place = SETTING
-    default: float = 0.0
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check the rule."""
-        return reader.constant(path, value, self.default, self.rule, self.unit)
-
-
 @dataclass(frozen=True)
 class ListOf(Kind):
-    """A list of values of one kind, of any number or of two."""
+    """A list of values of one kind: of any number, or of two."""
 
-    item: Kind = dataclasses.field(default_factory=Quantity)
-    two: bool = False
+    item: Kind = field(default_factory=Quantity)
+    size: tuple[int, int] | None = None
 
-    def schema(self) -> dict[str, Any]:
+    def form(self) -> dict[str, Any]:
         """JSON Schema of a list."""
-        size = {"minItems": 2, "maxItems": 2} if self.two else {}
-        return {"type": "array", "items": self.item.schema(), **size, **super().schema()}
+        size = dict(zip(("minItems", "maxItems"), self.size or (), strict=False))
+        return {"type": "array", "items": self.item.schema(), **size}
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Check all items."""
         if not isinstance(value, list):
             return self.wrong(draft, path, "must be a list", value)
         parsed = [self.item.parse(draft, (*path, i), item) for i, item in enumerate(value)]
-        if self.two and len(value) != 2:
+        if self.size == TWO and len(value) != 2:
             return self.wrong(draft, path, "must have two entries", value)
-        return BROKEN if BROKEN in parsed else parsed
+        return BROKEN if any(item is BROKEN for item in parsed) else parsed
 
 
-class Components(Kind):
+TWO = (2, 2)
+
+
+@dataclass(frozen=True)
+class Components(ListOf):
     """A vector: as many numbers as the scene has dimensions."""
 
-    FORM: ClassVar = {
-        "type": "array",
-        "items": {"type": ["number", "string"]},
-        "minItems": 2,
-        "maxItems": 3,
-    }
+    size: tuple[int, int] | None = (2, 3)
 
-    def parse(self, draft: Draft, path: Path, value: Any) -> Any:
-        """Check all numbers."""
-        if not isinstance(value, list):
-            return self.wrong(draft, path, "must be a list", value)
-        parsed = [NUMBER.parse(draft, (*path, i), item) for i, item in enumerate(value)]
-        return BROKEN if any(x is BROKEN for x in parsed) else parsed
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+    def usual(self, reader: Reader, path: Path, value: Any) -> Any:
         """Check symbols and number of components."""
         return reader.vector(path, value, self.place)
 
@@ -213,19 +195,9 @@ class Components(Kind):
 class Direction(Components):
     """A vector of any length but zero."""
 
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+    def usual(self, reader: Reader, path: Path, value: Any) -> Any:
         """Check components and length."""
         return reader.axis(path, value)
-
-
-class Directions(ListOf):
-    """Two directions."""
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check both."""
-        if value is BROKEN:
-            return reader.zero(), reader.zero()
-        return tuple(reader.axis((*path, i), axis) for i, axis in enumerate(value))
 
 
 @dataclass(frozen=True)
@@ -235,16 +207,12 @@ class Table(Kind):
     item: Kind | None = None
     parts: tuple[type[Part], ...] = ()
 
-    def schema(self) -> dict[str, Any]:
+    def form(self) -> dict[str, Any]:
         """JSON Schema of a table."""
         if self.item is not None:
-            return {
-                "type": "object",
-                "additionalProperties": self.item.schema(),
-                **super().schema(),
-            }
-        forms = [schema_of(part) for part in self.parts]
-        return {**(forms[0] if len(forms) == 1 else {"anyOf": forms}), **super().schema()}
+            return {"type": "object", "additionalProperties": self.item.schema()}
+        first, *more = [schema_of(part) for part in self.parts]
+        return {"anyOf": [first, *more]} if more else first
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Check all items."""
@@ -253,22 +221,22 @@ class Table(Kind):
         if self.item is None:
             return value
         parsed = {name: self.item.parse(draft, (*path, name), x) for name, x in value.items()}
-        return BROKEN if BROKEN in parsed.values() else parsed
+        return BROKEN if any(item is BROKEN for item in parsed.values()) else parsed
 
 
 @dataclass(frozen=True)
 class ByShape(Kind):
-    """One of several kinds, by the shape of what is written; it stays as it was parsed."""
+    """One of several kinds, by the shape of what is written."""
 
     number: Kind | None = None
     vector: Kind | None = None
     vectors: Kind | None = None
     table: Kind | None = None
 
-    def schema(self) -> dict[str, Any]:
+    def form(self) -> dict[str, Any]:
         """JSON Schema of all of them."""
         kinds = (self.number, self.table, self.vector, self.vectors)
-        return {"oneOf": [kind.schema() for kind in kinds if kind], **super().schema()}
+        return {"oneOf": [kind.schema() for kind in kinds if kind and kind.form()]}
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Parse what the shape of the value tells."""
@@ -288,11 +256,11 @@ class Choice(Kind):
 
     words: tuple[str | int, ...] = ()
 
-    def schema(self) -> dict[str, Any]:
+    def form(self) -> dict[str, Any]:
         """JSON Schema of the words."""
         first, *more = self.words
-        form = {"enum": [first, *more]} if more else {"const": first}
-        return {"type": _TYPES[type(first)][0], **form, **super().schema()}
+        words = {"enum": [first, *more]} if more else {"const": first}
+        return {"type": _TYPES[type(first)][0], **words}
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Report a value outside the list."""
@@ -319,17 +287,17 @@ class Plain(Kind):
     type: type = str
     pattern: str = ""
 
-    def schema(self) -> dict[str, Any]:
+    def form(self) -> dict[str, Any]:
         """JSON Schema of the type."""
         pattern = {"pattern": self.pattern} if self.pattern else {}
-        return {"type": _TYPES[self.type][0], **pattern, **super().schema()}
+        return {"type": _TYPES[self.type][0], **pattern}
 
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Check the type."""
         fits = type(value) is self.type
         return value if fits else self.wrong(draft, path, _TYPES[self.type][1], value)
 
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
+    def usual(self, reader: Reader, path: Path, value: Any) -> Any:
         """Check the rule of a whole number."""
         if self.rule is not None and value is not BROKEN and not self.rule.holds(value):
             reader.draft.error(path, f"must be {self.rule.words}, got {value}")
@@ -343,99 +311,63 @@ _TYPES = {
 }
 
 
-class BodyName(Plain):
-    """Name of a body; None is the ground."""
+def setting(
+    unit: str = "", text: str = "", rule: Rule | None = None, default: float = 0.0, **more: Any
+) -> Quantity:
+    """Return the kind of a number without symbols, with a default."""
 
-    def schema(self) -> dict[str, Any]:
-        """JSON Schema of a name that may be missing."""
-        return {**super().schema(), "default": "ground"}
+    def constant(reader: Reader, path: Path, value: Any, _: Any) -> float:
+        return reader.constant(path, value, default, rule, unit)
 
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Report what is no body with axes."""
-        fine = value is not BROKEN and reader.body(path, value, ground=True)
-        return value if fine and value != "ground" else None
+    return Quantity(unit, text, rule, SETTING, reading=constant, **more)
 
 
-@dataclass(frozen=True)
-class JointName(Plain):
-    """Name of a joint that has an angle or a displacement."""
+def joint_with(word: str, example: str) -> Plain:
+    """Return the kind of the name of a joint that has an angle or a displacement."""
 
-    has: str = "angle"
+    def read(reader: Reader, path: Path, name: Any, _: Any) -> str:
+        reader.joint(path, name, word)
+        return "" if name is BROKEN else name
 
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Report what is no such joint."""
-        reader.joint(path, value, self.has)
-        return "" if value is BROKEN else value
+    return Plain(example=example, reading=read)
 
 
-@dataclass(frozen=True)
-class JointNames(ListOf):
-    """Names of two joints, the first with an angle."""
-
-    second: str = "angle"
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Report what are no such joints."""
-        if value is BROKEN:
-            return "", ""
-        fine = [
-            reader.joint((*path, i), name, has)
-            for i, (name, has) in enumerate(zip(value, ("angle", self.second), strict=True))
-        ]
-        if all(fine) and value[0] == value[1] and self.second == "angle":
-            reader.draft.error(path, f"both joints are '{value[0]}'")
-        return tuple(value)
+def _body(reader: Reader, path: Path, name: Any, _: Any) -> str | None:
+    fine = name is not BROKEN and reader.body(path, name, ground=True)
+    return name if fine and name != "ground" else None
 
 
-class BodyNames(ListOf):
-    """Names of the two bodies of a joint; None is the ground."""
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Report what are no two bodies."""
-        return reader.pair(path, value)
-
-
-class PointNames(ListOf):
-    """Names of two points."""
-
-
-class Ends(PointNames):
-    """Two ends of a part: names, and beside them the places of those on a body or the ground."""
-
-    @property
-    def beside(self) -> Mapping[str, Kind]:
-        """Fields of the file that belong to the ends."""
-        return {"at": _AT}
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:
-        """Find both places."""
-        return reader.ends(path[:-1], value, given.at)
-
-
-class End(Plain):
-    """One end of a part: its name, and beside it the place on a body."""
-
-    @property
-    def beside(self) -> Mapping[str, Kind]:
-        """Fields of the file that belong to the end."""
-        return {"at": _ON}
-
-    def read(self, reader: Reader, path: Path, value: Any, given: Any) -> Any:
-        """Find the place."""
-        return reader.point(path[:-1], value, given.at)
+def _directions(reader: Reader, path: Path, axes: Any, _: Any) -> Any:
+    if axes is BROKEN:
+        return reader.zero(), reader.zero()
+    return tuple(reader.axis((*path, i), axis) for i, axis in enumerate(axes))
 
 
 NUMBER, COMPONENTS, NAME = Quantity(), Components(), Plain()
-_AT = ByShape(
-    text="m, place of 'ground', or of each end, as drawn",
-    vector=COMPONENTS,
-    vectors=ListOf(item=COMPONENTS),
+TWO_ENDS = ListOf(
+    item=NAME, size=TWO, example=["A", "B"],
+    beside={
+        "at": ByShape(
+            text="m, place of 'ground', or of each end, as drawn",
+            vector=COMPONENTS, vectors=ListOf(item=COMPONENTS),
+        )
+    },
+    reading=lambda reader, path, names, given: reader.ends(path[:-1], names, given.at),
+)  # fmt: skip
+"""Two ends of a part: names, and beside them the places of those on a body or the ground."""
+ONE_END = Plain(
+    example="A",
+    beside={"at": Components("m", "place on the body that `point` names, as drawn")},
+    reading=lambda reader, path, name, given: reader.point(path[:-1], name, given.at),
 )
-_ON = Components("m", "place on the body that `point` names, as drawn")
-TWO_ENDS = Ends(item=NAME, two=True, example=["A", "B"])
-TWO_BODIES = BodyNames(item=NAME, two=True, example=["ground", "rod"])
-TWO_AXES = Directions(item=COMPONENTS, two=True, example=[[1, 0, 0], [0, 1, 0]])
-ONE_END = End(example="A")
+TWO_BODIES = ListOf(
+    item=NAME, size=TWO, example=["ground", "rod"],
+    reading=lambda reader, path, names, _: reader.pair(path, names),
+)  # fmt: skip
+TWO_AXES = ListOf(
+    item=COMPONENTS, size=TWO, example=[[1, 0, 0], [0, 1, 0]], reading=_directions
+)  # fmt: skip
+BODY_OR_GROUND = Plain(text="the ground unless given", reading=_body)
 
 
 class Field(NamedTuple):
@@ -468,7 +400,12 @@ class Part:
     @classmethod
     def read(cls, reader: Reader, path: Path, given: Any) -> Any:
         """Return the part whose fields, as they were parsed, are `given`."""
-        return cls(**reader.fields(cls, path, given))
+        part = cls(**reader.fields(cls, path, given))
+        part.check(reader, path, given)
+        return part
+
+    def check(self, reader: Reader, path: Path, given: Any) -> None:
+        """Report fields that do not fit each other or the scene; `given` is what was parsed."""
 
     @classmethod
     def offered(cls, *, joins_points: bool) -> tuple[Offer, ...]:  # noqa: ARG003
@@ -502,11 +439,12 @@ def fields_of(part: type[Part]) -> Mapping[str, Field]:
 def schema_of(part: type[Part]) -> dict[str, Any]:
     """JSON Schema of a part."""
     properties = {}
-    for name, field in fields_of(part).items():
-        properties[name] = field.kind.schema()
-        if isinstance(field.default, (str, bool, int, float, dict)) and field.kind.required is None:
-            properties[name]["default"] = field.default
-    required = [name for name, field in fields_of(part).items() if field.required]
+    for name, found in fields_of(part).items():
+        properties[name] = found.kind.schema()
+        told = isinstance(found.default, (str, bool, int, float, dict))
+        if told and found.kind.required is None:
+            properties[name]["default"] = found.default
+    required = [name for name, found in fields_of(part).items() if found.required]
     return {
         "type": "object",
         "description": (part.__doc__ or "").partition("\n\n")[0].replace("\n    ", " "),

@@ -11,18 +11,19 @@ from solver.scene.expression import Number, Vector
 from solver.scene.fields import (
     BROKEN,
     COMPONENTS,
+    NUMBER,
     ONE_END,
+    TWO,
     TWO_ENDS,
-    Angle,
     ByShape,
     Choice,
     Components,
-    JointName,
     ListOf,
     Part,
     Plain,
     PointReference,
     Quantity,
+    joint_with,
 )
 from solver.scene.quantities import Offer
 from solver.scene.report import Path
@@ -43,7 +44,7 @@ _AGAINST = Offer(
     "torque of {name}, positive against the angle of {part.joint}: it turns it back",
 )
 _AXES = Choice(words=("global", "body"))
-_JOINT = JointName(example="bearing")
+_JOINT = joint_with("angle", "bearing")
 
 
 def _quantity(unit: str, example: float | None = None, text: str = "") -> Quantity:
@@ -66,8 +67,7 @@ class Spring(Part):
     ] = None
     """Stored energy, an expression in the symbol ``length`` (m)."""
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that it is linear or has an energy in its length, and not both."""
         draft, energy = reader.draft, (*path, "energy")
         if given.stiffness is None and given.energy is None:
@@ -83,7 +83,6 @@ class Spring(Part):
         if given.energy not in (None, BROKEN) and "length" not in {x.name for x in mentions}:
             message = "mentions no 'length', the length of the spring in m"
             draft.error(energy, message, 'such as "50*(length - 1)**2"')
-        return super(Spring, cls).read(reader, path, given)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,6 +96,10 @@ class Damper(Part):
     damping: Annotated[Number, _quantity("N.s/m", 1.0)]
 
 
+def _angle(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
+    return 0.0 if value is BROKEN else reader.angle(path, value, FORCE)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TorsionSpring(Part):
     """A torsion spring at a joint that has an angle: stiffness * (angle - free_angle)."""
@@ -106,7 +109,9 @@ class TorsionSpring(Part):
 
     joint: Annotated[str, _JOINT]
     stiffness: Annotated[Number, _quantity("N.m/rad", 10.0)]
-    free_angle: Annotated[Number, Angle("rad", "as drawn unless given", place=FORCE)] = 0.0
+    free_angle: Annotated[
+        Number, Quantity("rad", "as drawn unless given", place=FORCE, reading=_angle)
+    ] = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,35 +148,29 @@ class Force(Part):
     value: Annotated[Vector, Components("N", place=LOAD, example=[0, 0, 1])]
     axes: Annotated[Literal["global", "body"], _AXES] = "global"
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
         """Check that the point can move, and has the axes that are asked for."""
-        force = super(Force, cls).read(reader, path, given)
-        point = force.point.point
+        point = self.point.point
         if point in reader.fixed:
             reader.draft.error((*path, "point"), f"a force on the fixed point '{point}'")
-        if force.axes == "body" and point and reader.owner(point) is None:
+        if self.axes == "body" and point and reader.owner(point) is None:
             message = f"'{point}' is a point, which has no axes of a body"
             reader.draft.error((*path, "axes"), message, "name a point of a rigid body")
-        return force
 
 
-class Moment(ByShape):
-    """A torque: a number in the plane, a vector in space."""
-
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check that it has the dimension of the scene."""
-        if value is BROKEN:
+def _moment(reader: "Reader", path: Path, value: Any, _: Any) -> Number | Vector:
+    """Check that a torque is a number in the plane, a vector in space."""
+    if value is BROKEN:
+        return 0.0
+    if isinstance(value, list):
+        if reader.dimension == 2:
+            reader.draft.error(path, "must be a number in dimension 2, got a vector")
             return 0.0
-        if isinstance(value, list):
-            if reader.dimension == 2:
-                reader.draft.error(path, "must be a number in dimension 2, got a vector")
-                return 0.0
-            return reader.vector(path, value, LOAD)
-        if reader.dimension == 3:
-            help = 'write value = [0, 0, "..."]'
-            reader.draft.error(path, "must be a vector of 3 numbers in dimension 3", help)
-        return reader.number(path, value, LOAD)
+        return reader.vector(path, value, LOAD)
+    if reader.dimension == 3:
+        help = 'write value = [0, 0, "..."]'
+        reader.draft.error(path, "must be a vector of 3 numbers in dimension 3", help)
+    return reader.number(path, value, LOAD)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -183,15 +182,14 @@ class Torque(Part):
     body: Annotated[str, Plain(example="crank")]
     value: Annotated[
         Number | Vector,
-        Moment(
-            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=Quantity(),
-            vector=COMPONENTS,
+        ByShape(
+            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=NUMBER,
+            vector=COMPONENTS, reading=_moment,
         ),
     ]  # fmt: skip
     axes: Annotated[Literal["global", "body"], _AXES] = "global"
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that there is such a body, with the axes that are asked for."""
         body = given.body
         if body is not BROKEN and reader.body((*path, "body"), body, bar=True):
@@ -199,7 +197,6 @@ class Torque(Part):
             if bar and given.axes == "body":
                 message = f"the bar '{body}' has no axes in space"
                 reader.draft.error((*path, "axes"), message, "leave it out: global axes")
-        return super(Torque, cls).read(reader, path, given)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -211,10 +208,8 @@ class Potential(Part):
 
     value: Annotated[Number, Quantity("J", place=POTENTIAL, example="2.0*A.x**2")]
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that it depends on the mechanism, if it is not wrong for another reason."""
-        potential = super(Potential, cls).read(reader, path, given)
         if given.value is not BROKEN and not any(
             mention.role == "function" or mention.name not in reader.known.parts
             for mention in given.value.mentions
@@ -222,20 +217,15 @@ class Potential(Part):
         ):
             message = "mentions no position of the mechanism, and so makes no force"
             reader.draft.error((*path, "value"), message, 'such as "2.0*A.x**2"')
-        return potential
 
 
-class Masses(ListOf):
-    """The two masses that attract each other."""
-
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Check both."""
-        if value is BROKEN:
-            return 1.0, 1.0
-        return tuple(
-            reader.number((*path, i), mass, PROPERTY, POSITIVE, "kg")
-            for i, mass in enumerate(value)
-        )
+def _masses(reader: "Reader", path: Path, masses: Any, _: Any) -> tuple[Number, ...]:
+    """Check both masses that attract each other."""
+    if masses is BROKEN:
+        return 1.0, 1.0
+    return tuple(
+        reader.number((*path, i), mass, PROPERTY, POSITIVE, "kg") for i, mass in enumerate(masses)
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -248,10 +238,11 @@ class Gravitation(Part):
     points: Annotated[Ends, TWO_ENDS]
     masses: Annotated[
         tuple[Number, Number],
-        Masses(
-            "kg", "those of the points unless given", example=[1.0, 1.0], required=False, two=True
+        ListOf(
+            text="kg, those of the points unless given", example=[1.0, 1.0], required=False,
+            size=TWO, reading=_masses,
         ),
-    ]
+    ]  # fmt: skip
     constant: Annotated[
         Number, Quantity("m3/(kg.s2)", "CODATA 2018 unless given", place=PROPERTY)
     ] = 6.6743e-11

@@ -44,16 +44,16 @@ class Shape(Part):
         raise NotImplementedError
 
 
-class Edges(Components):
-    """Edges of a box."""
+def _edges(reader: "Reader", path: Path, value: Any, _: Any) -> Vector:
+    """Check that the edges of a box are positive."""
+    edges, ones = reader.vector(path, value), (1.0,) * len(reader.zero())
+    values = None if value is BROKEN else reader.values(edges)
+    if values is not None and min(values, default=1.0) <= 0.0:
+        reader.draft.error(path, f"sizes must be > 0 m, got {shown(values)}")
+    return edges if value is not BROKEN and len(edges) == len(ones) else ones
 
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
-        """Check that they are positive."""
-        edges, ones = super().read(reader, path, value, given), (1.0,) * len(reader.zero())
-        values = None if value is BROKEN else reader.values(edges)
-        if values is not None and min(values, default=1.0) <= 0.0:
-            reader.draft.error(path, f"sizes must be > 0 m, got {shown(values)}")
-        return edges if value is not BROKEN and len(edges) == len(ones) else ones
+
+_SIZE = Components("m", "along x, y, z", example=[0.2, 0.1, 0.1], reading=_edges)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,7 +62,7 @@ class Box(Shape):
 
     type = "box"
 
-    size: Annotated[Vector, Edges("m", "along x, y, z", example=[0.2, 0.1, 0.1])]
+    size: Annotated[Vector, _SIZE]
     density: Annotated[Number | None, _density("kg/m3", "in 2-D kg/m2")] = None
 
     def gyration(self) -> tuple[Number, Vector]:

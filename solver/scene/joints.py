@@ -10,19 +10,22 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import (
+    BODY_OR_GROUND,
     BROKEN,
+    NAME,
     ONE_END,
+    TWO,
     TWO_AXES,
     TWO_BODIES,
     TWO_ENDS,
-    BodyName,
     Components,
     Direction,
-    JointNames,
+    ListOf,
     Part,
     Plain,
     PointReference,
     Quantity,
+    Reading,
 )
 from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, VECTOR, Offer
 from solver.scene.report import Path
@@ -56,6 +59,19 @@ def _on_the_second(word: str, unit: str) -> tuple[Offer]:
 
 
 FORCE = _force_on("its second body")
+
+
+def _only_in_space(message: str) -> Reading:
+    """Return the reading of an axis that is a mistake in the plane."""
+
+    def read(reader: "Reader", path: Path, value: Any, _: Any) -> Vector | None:
+        if reader.dimension != 2:
+            return reader.axis(path, value)
+        reader.draft.error(path, message, "leave it out")
+        return None
+
+    return read
+
 
 Ends: TypeAlias = tuple[PointReference, PointReference]
 Pair: TypeAlias = tuple[str | None, str | None]
@@ -130,7 +146,9 @@ class BodyJoint(Part):
                 reader.draft.error(path, message, help)
         if cls.meets and given.position is not None and given.bodies is not None:
             values["on"] = _named_points(reader, path, cls, values)
-        return cls(**values)
+        joint = cls(**values)
+        joint.check(reader, path, given)
+        return joint
 
 
 def _shared_point(
@@ -215,20 +233,17 @@ class Revolute(BodyJoint):
     position: Annotated[Vector | None, _PLACE] = None
     axis: Annotated[
         Vector | None,
-        Direction(text="direction as drawn, of any length; only in 3-D", example=[0, 0, 1]),
-    ] = None
+        Direction(
+            text="direction as drawn, of any length; only in 3-D", example=[0, 0, 1],
+            reading=_only_in_space("a revolute joint in the plane has no axis: it turns about z"),
+        ),
+    ] = None  # fmt: skip
     points: Annotated[Ends | None, TWO_ENDS] = None
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
-        """Check that there is an axis in space, and none in the plane."""
-        if given.points is None and reader.dimension == 2 and given.axis is not None:
-            message = "a revolute joint in the plane has no axis: it turns about z"
-            reader.draft.error((*path, "axis"), message, "leave it out")
-            given.axis = None
-        elif given.points is None and reader.dimension == 3 and given.axis is None:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that there is an axis in space."""
+        if reader.dimension == 3 and given.axis is None:
             reader.draft.error(path, "'axis' is missing", "write axis = [0, 0, 1]")
-        return super(Revolute, cls).read(reader, path, given)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -249,16 +264,13 @@ class Universal(BodyJoint):
         """The axis of the joint is the one in the first body."""
         object.__setattr__(self, "axis", self.axes[0])
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
         """Check that the axes are at right angles."""
-        joint = super(Universal, cls).read(reader, path, given)
-        cosine = _cosine(reader, joint.axes)
+        cosine = _cosine(reader, self.axes)
         if cosine is not None and abs(cosine) > ALIGNED:
             angle = math.degrees(math.acos(cosine))
             message = f"the two axes must be perpendicular, got {angle:.6g} degrees between them"
             reader.draft.error((*path, "axes"), message)
-        return joint
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -330,29 +342,23 @@ class PointOn(Part):
     point: PointReference
     body: str | None
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the point is none of the body, and that one of the two can move."""
-        values, where = reader.fields(cls, path, given), (*path, "point")
-        point, body = values["point"].point, values.get("body")
+        point, body, where = self.point.point, self.body, (*path, "point")
         if point in reader.fixed and given.body in (None, "ground"):
             reader.draft.error(where, f"the point '{point}' is fixed, and so is the ground")
         if body is not None and point and reader.owner(point) == body:
             reader.draft.error(where, f"'{point}' is a point of the body '{body}' itself")
-        return cls(**values)
 
 
-class Surface(Quantity):
-    """An expression that depends on the coordinates of a point."""
-
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Number:  # noqa: ARG002
-        """Check that it mentions them."""
-        own = ("x", "y", "z")[: reader.dimension or 3]
-        number = reader.number(path, value, Place(tunable=False, own=own))
-        if value is not BROKEN and not any(mention.name in own for mention in value.mentions):
-            message = f"mentions none of the coordinates {', '.join(own)} of the point"
-            reader.draft.error(path, message, "write an expression that is 0 on the surface")
-        return number
+def _surface(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
+    """Check that an expression depends on the coordinates of a point."""
+    own = ("x", "y", "z")[: reader.dimension or 3]
+    number = reader.number(path, value, Place(tunable=False, own=own))
+    if value is not BROKEN and not any(mention.name in own for mention in value.mentions):
+        message = f"mentions none of the coordinates {', '.join(own)} of the point"
+        reader.draft.error(path, message, "write an expression that is 0 on the surface")
+    return number
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -362,7 +368,7 @@ class PointOnLine(PointOn):
     type = "point_on_line"
 
     point: Annotated[PointReference, ONE_END]
-    body: Annotated[str | None, BodyName()] = None
+    body: Annotated[str | None, BODY_OR_GROUND] = None
     position: Annotated[Vector | None, Components("m", "a place of the line as drawn")] = None
     """None: where the point is drawn."""
     axis: Annotated[Vector, _AXIS]
@@ -376,7 +382,7 @@ class PointOnPlane(PointOn):
     only_in_space = "in the plane write 'point_on_line'"
 
     point: Annotated[PointReference, ONE_END]
-    body: Annotated[str | None, BodyName()] = None
+    body: Annotated[str | None, BODY_OR_GROUND] = None
     position: Annotated[Vector | None, Components("m", "a place of the plane as drawn")] = None
     axis: Annotated[Vector, _NORMAL]
 
@@ -391,9 +397,12 @@ class PointOnSurface(PointOn):
     type = "point_on_surface"
 
     point: Annotated[PointReference, ONE_END]
-    body: Annotated[str | None, BodyName()] = None
+    body: Annotated[str | None, BODY_OR_GROUND] = None
     surface: Annotated[
-        Number, Surface(text="zero on the surface, in body axes", example="x**2 + y**2 - 1")
+        Number,
+        Quantity(
+            text="zero on the surface, in body axes", example="x**2 + y**2 - 1", reading=_surface
+        ),
     ]
 
 
@@ -412,11 +421,9 @@ class ConstantAngle(Part):
     axes: Annotated[tuple[Vector, Vector], TWO_AXES]
     value: Annotated[Number | None, Quantity("rad", "as drawn unless given")] = None
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
         """Check that the axes are not parallel, where the joint is singular."""
-        joint = super(ConstantAngle, cls).read(reader, path, given)
-        value, cosine = joint.value, _cosine(reader, joint.axes)
+        value, cosine = self.value, _cosine(reader, self.axes)
         angle = None if value is None else reader.value(value)
         help = "for parallel axes write 'prismatic', 'cylindrical' or 'planar'"
         if angle is not None and not (ALIGNED < angle < math.pi - ALIGNED):
@@ -427,7 +434,21 @@ class ConstantAngle(Part):
         elif value is None and cosine is not None and 1.0 - abs(cosine) < 0.5 * ALIGNED**2:
             message = "the axes are parallel as drawn, where the joint is singular"
             reader.draft.error((*path, "axes"), message, help)
-        return joint
+
+
+def _two_joints(second: str) -> ListOf:
+    """Return the kind of names of two joints, the first with an angle."""
+
+    def read(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str, ...]:
+        if names is BROKEN:
+            return "", ""
+        has = zip(names, ("angle", second), strict=True)
+        fine = [reader.joint((*path, i), name, word) for i, (name, word) in enumerate(has)]
+        if all(fine) and names[0] == names[1] and second == "angle":
+            reader.draft.error(path, f"both joints are '{names[0]}'")
+        return tuple(names)
+
+    return ListOf(item=NAME, size=TWO, example=["first", "second"], reading=read)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -437,9 +458,7 @@ class Gear(Part):
     type = "gear"
     offers = _on_the_second("torque", "N.m")
 
-    joints: Annotated[
-        tuple[str, str], JointNames(item=Plain(), two=True, example=["first", "second"])
-    ]
+    joints: Annotated[tuple[str, str], _two_joints("angle")]
     ratio: Annotated[Number, Quantity(rule=NOT_ZERO, example=-2.0)]
 
 
@@ -450,10 +469,7 @@ class Rack(Part):
     type = "rack"
     offers = _on_the_second("force", "N")
 
-    joints: Annotated[
-        tuple[str, str],
-        JointNames(item=Plain(), two=True, example=["first", "second"], second="displacement"),
-    ]
+    joints: Annotated[tuple[str, str], _two_joints("displacement")]
     radius: Annotated[Number, Quantity("m", "of the pinion", NOT_ZERO, example=0.1)]
 
 
@@ -468,26 +484,24 @@ class Rolling(Part):
     """Its origin is the centre of the disc."""
     radius: Annotated[Number, Quantity("m", rule=POSITIVE, example=0.1)]
     axis: Annotated[
-        Vector | None, Direction(text="of the disc; only in 3-D", example=[0, 1, 0])
-    ] = None
+        Vector | None,
+        Direction(
+            text="of the disc; only in 3-D", example=[0, 1, 0],
+            reading=_only_in_space("a disc in the plane has no axis: it turns about z"),
+        ),
+    ] = None  # fmt: skip
     position: Annotated[Vector | None, Components("m", "a place of the plane; the origin")] = None
     normal: Annotated[Vector | None, Direction(text="towards the disc; +z, in 2-D +y")] = None
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the body can roll, about an axis in space."""
         draft, body = reader.draft, given.body
         if body is not BROKEN and reader.known.parts.get(body) == "bar":
             draft.error((*path, "body"), f"'{body}' is a bar, and does not roll")
         elif body is not BROKEN:
             reader.body((*path, "body"), body)
-        if reader.dimension == 2 and given.axis is not None:
-            message = "a disc in the plane has no axis: it turns about z"
-            draft.error((*path, "axis"), message, "leave it out")
-            given.axis = None
-        elif reader.dimension != 2 and given.axis is None:
+        if reader.dimension != 2 and given.axis is None:
             draft.error(path, "'axis' is missing: that of the disc", "write axis = [0, 1, 0]")
-        return super(Rolling, cls).read(reader, path, given)
 
 
 JOINTS: dict[str, type[Part]] = {

@@ -6,7 +6,7 @@ from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene.expression import Number
-from solver.scene.fields import BROKEN, Choice, Part, Plain, Quantity, Setting
+from solver.scene.fields import BROKEN, Choice, Part, Plain, Quantity, setting
 from solver.scene.report import Path
 from solver.scene.rules import PARAMETER
 from solver.scene.units import not_of_si
@@ -16,65 +16,56 @@ if TYPE_CHECKING:
     from solver.scene.references import Reader
 
 
-class Unit(Plain):
-    """A unit of SI."""
-
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:  # noqa: ARG002
-        """Report one that is not of SI: nothing would convert the number."""
-        message, help = not_of_si(value) if isinstance(value, str) else ("", "")
-        if message:
-            reader.draft.error(path, message, help)
-        return value
+def _unit(reader: "Reader", path: Path, unit: Any, _: Any) -> Any:
+    """Report a unit that is not of SI: nothing would convert the number."""
+    message, help = not_of_si(unit) if isinstance(unit, str) else ("", "")
+    if message:
+        reader.draft.error(path, message, help)
+    return unit
 
 
-class Limit(Setting):
-    """The least or greatest value of a parameter or input."""
-
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
-        """Check it; what is calculated from a parameter with a mistake is not wrong once more."""
-        before = len(reader.draft.problems)
-        limit = None if value is BROKEN else super().read(reader, path, value, given)
-        if len(reader.draft.problems) > before:
-            reader.known.values.pop(str(path[1]), None)
-        return limit
+def _limit(reader: "Reader", path: Path, value: Any, _: Any) -> float | None:
+    """Check min or max; what is calculated from a parameter with a mistake is not wrong as well."""
+    before = len(reader.draft.problems)
+    limit = None if value is BROKEN else reader.constant(path, value, 0.0)
+    if len(reader.draft.problems) > before:
+        reader.known.values.pop(str(path[1]), None)
+    return limit
 
 
-class Default(Quantity):
-    """Default value of a parameter."""
-
-    def read(self, reader: "Reader", path: Path, value: Any, given: Any) -> Any:
-        """Note the value, and whether it is or depends on a tunable one."""
-        name, known = str(path[1]), reader.known
-        uses = _uses(given)
-        origins = [known.tunable[used] for used in uses if used in known.tunable]
-        if given.variability == "tunable" or origins:
-            known.tunable[name] = origins[0] if origins else name
-        if uses and given.variability not in (None, BROKEN):
-            message = "a calculated parameter has the variability of what it is calculated from"
-            reader.draft.error((*path[:2], "variability"), message, "leave it out")
-        if value is BROKEN:
-            return 0.0
-        path = _value_path(reader.draft, name)
-        if reader.mentions_are_allowed(path, value, replace(PARAMETER, of=name)):
-            default = reader.default(path, value)
-            if default is not None:
-                known.values[name] = default
-        return value.number
+def _default(reader: "Reader", path: Path, value: Any, given: Any) -> Number:
+    """Note the default value of a parameter, and whether it is or depends on a tunable one."""
+    name, known = str(path[1]), reader.known
+    uses = _uses(given)
+    origins = [known.tunable[used] for used in uses if used in known.tunable]
+    if given.variability == "tunable" or origins:
+        known.tunable[name] = origins[0] if origins else name
+    if uses and given.variability not in (None, BROKEN):
+        message = "a calculated parameter has the variability of what it is calculated from"
+        reader.draft.error((*path[:2], "variability"), message, "leave it out")
+    if value is BROKEN:
+        return 0.0
+    path = _value_path(reader.draft, name)
+    if reader.mentions_are_allowed(path, value, replace(PARAMETER, of=name)):
+        default = reader.default(path, value)
+        if default is not None:
+            known.values[name] = default
+    return value.number
 
 
-UNIT, TEXT = Unit(), Plain()
+UNIT, TEXT, _LIMIT = Plain(reading=_unit), Plain(), Quantity(reading=_limit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Part):
     """A number with a name, settable in the FMU."""
 
-    value: Annotated[Number, Default(example=1.0)]
+    value: Annotated[Number, Quantity(example=1.0, reading=_default)]
     """Default; an expression in other parameters makes it a calculated parameter."""
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
-    min: Annotated[float | None, Limit()] = None
-    max: Annotated[float | None, Limit()] = None
+    min: Annotated[float | None, _LIMIT] = None
+    max: Annotated[float | None, _LIMIT] = None
     variability: Annotated[Literal["fixed", "tunable"], Choice(words=("fixed", "tunable"))] = (
         "fixed"
     )
@@ -84,44 +75,42 @@ class Parameter(Part):
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
         """Check that the default value is within the limits."""
         name, values = str(path[1]), reader.fields(cls, path, given)
-        if not _within_limits(reader, (*path, "value"), values, reader.known.values.get(name)):
-            reader.known.values.pop(name, None)
         values["variability"] = "tunable" if name in reader.known.tunable else "fixed"
-        return cls(**values)
+        parameter = cls(**values)
+        if not _within_limits(reader, (*path, "value"), parameter, reader.known.values.get(name)):
+            reader.known.values.pop(name, None)
+        return parameter
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input(Part):
     """A number that arrives from outside at every communication step."""
 
-    start: Annotated[float, Setting()] = 0.0
+    start: Annotated[float, setting()] = 0.0
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
-    min: Annotated[float | None, Limit()] = None
-    max: Annotated[float | None, Limit()] = None
+    min: Annotated[float | None, _LIMIT] = None
+    max: Annotated[float | None, _LIMIT] = None
     interpolation: Annotated[Literal["hold", "ramp"], Choice(words=("hold", "ramp"))] = "hold"
     """How drivers and forces see it within a communication step: constant, or a straight line from
     the value before to the new one."""
     limit: Annotated[Literal["refuse", "clip"], Choice(words=("refuse", "clip"))] = "refuse"
     """What happens to a value beyond `min` or `max`: an error, or the limit instead."""
 
-    @classmethod
-    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the start is within the limits, and that there are some to clip to."""
-        values = reader.fields(cls, path, given)
-        _within_limits(reader, (*path, "start"), values, values.get("start", 0.0))
+        _within_limits(reader, (*path, "start"), self, self.start)
         if given.limit == "clip" and given.min is None and given.max is None:
             message = "there is nothing to clip to without min or max"
             reader.draft.error((*path, "limit"), message, "give one, or leave it out")
-        return cls(**values)
 
 
 def _within_limits(
-    reader: "Reader", path: Path, values: Mapping[str, Any], value: float | None
+    reader: "Reader", path: Path, part: "Parameter | Input", value: float | None
 ) -> bool:
     """Hold the value at a path against min and max."""
-    low, high, unit = values.get("min"), values.get("max"), values.get("unit")
-    behind = f" {unit}" if isinstance(unit, str) and unit else ""
+    low, high = part.min, part.max
+    behind = f" {part.unit}" if isinstance(part.unit, str) and part.unit else ""
     if low is not None and high is not None and low > high:
         reader.draft.error((*path[:2], "min"), f"min {low:g} is larger than max {high:g}")
     elif value is not None and low is not None and not value >= low:

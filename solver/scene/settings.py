@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, make_dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
 from solver.options import OPTIONS, Option
-from solver.scene.fields import Choice, Kind, Part, Plain, Setting, fields_of
+from solver.scene.fields import Choice, Kind, Part, Plain, fields_of, setting
 from solver.scene.rules import POSITIVE, Rule
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def _kind(option: Option) -> Kind:
         return Plain(text=text, type=int, rule=Rule(option.holds, words))
     words = f"{'>= 0' if option.low == 0.0 else '> 0'} and <= {option.high:g}"
     rule = _TOLERANCE if option.name == "tolerance" else Rule(option.holds, words)
-    return Setting(option.unit, text, rule, default=float(option.default))
+    return setting(option.unit, text, rule, float(option.default))
 
 
 if TYPE_CHECKING:
@@ -62,14 +62,14 @@ else:
 class Experiment(Part):
     """Default run of the FMU."""
 
-    start_time: Annotated[float, Setting("s")] = 0.0
+    start_time: Annotated[float, setting("s")] = 0.0
     stop_time: Annotated[
-        float, Setting("s", "one second after the start unless given", required=False)
+        float, setting("s", "one second after the start unless given", required=False)
     ] = 1.0
     step_size: Annotated[
-        float, Setting("s", "the communication step", POSITIVE, required=False)
+        float, setting("s", "the communication step", POSITIVE, required=False)
     ] = 0.1
-    tolerance: Annotated[float | None, Setting(rule=_TOLERANCE)] = None
+    tolerance: Annotated[float | None, setting(rule=_TOLERANCE)] = None
 
 
 def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
