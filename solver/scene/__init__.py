@@ -15,7 +15,7 @@ from solver.scene.drivers import (
     JointDriver,
     PositionDriver,
 )
-from solver.scene.expression import Expr, ExpressionError, Number, Vector, evaluate, parse, symbols
+from solver.scene.expression import Expr, ExpressionError, Number, Vector, evaluate, symbols
 from solver.scene.fields import PointReference
 from solver.scene.forces import (
     Damper,
@@ -29,6 +29,7 @@ from solver.scene.forces import (
     TorsionDamper,
     TorsionSpring,
 )
+from solver.scene.grammar import parse
 from solver.scene.joints import (
     BodyJoint,
     ConstantAngle,

@@ -13,8 +13,15 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Literal, NamedTuple, NoReturn
 
-from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS, ExpressionError
-from solver.scene.tree import Expr, Number, operate, symbol
+from solver.scene.expression import (
+    FUNCTIONS,
+    MECHANISM_FUNCTIONS,
+    Expr,
+    ExpressionError,
+    Number,
+    operate,
+    symbol,
+)
 
 CONSTANTS = {"pi": 3.141592653589793}
 

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from solver.scene.draft import Draft
+from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.fields import Part
 from solver.scene.numbers import Known
-from solver.scene.operations import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.quantities import MOTION, Offer
 from solver.scene.report import Path
 from solver.scene.scene import NOUNS, TABLES, TYPES

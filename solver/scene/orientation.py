@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from solver.scene.expression import Number, Vector, cos, operate, select, sin, sqrt
 from solver.scene.fields import BROKEN, COMPONENTS, NUMBER, Components, ListOf, Part, Quantity
-from solver.scene.geometry import applied, dot
+from solver.scene.numbers import applied, dot
 from solver.scene.report import Path
 
 if TYPE_CHECKING:

@@ -12,8 +12,7 @@ from typing import Any
 from solver.scene.draft import Draft
 from solver.scene.expression import Vector
 from solver.scene.fields import BROKEN, Part, PointReference, fields_of, shown
-from solver.scene.geometry import Vectors
-from solver.scene.numbers import Known, unknown_end
+from solver.scene.numbers import Known, Numbers, unknown_end
 from solver.scene.places import Places, same
 from solver.scene.report import Path
 from solver.scene.scene import TYPES
@@ -23,7 +22,7 @@ NOWHERE = PointReference(point=None)
 """Stands for a reference that has been reported."""
 
 
-class Reader(Vectors):
+class Reader(Numbers):
     """Reader of the parts of one scene; knows where everything is drawn once bodies are read."""
 
     def __init__(

@@ -10,8 +10,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solver.mechanics.tape import CODES, Segment, Tape
-from solver.scene.expression import Expr, ExpressionError, evaluate, operate, symbol
-from solver.scene.operations import OPERATIONS, apply
+from solver.scene.expression import (
+    OPERATIONS,
+    Expr,
+    ExpressionError,
+    apply,
+    evaluate,
+    operate,
+    symbol,
+)
 from tests.kernel_calls import Kernel
 from tests.twins import PENDULUM, model_of, start
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from solver.scene import SceneError, SolverSettings, loads
+from solver.scene.expression import FUNCTIONS
 from solver.scene.names import RESERVED
-from solver.scene.operations import FUNCTIONS
 from solver.scene.scene import TYPES
 
 if sys.version_info >= (3, 11):

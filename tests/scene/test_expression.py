@@ -10,17 +10,16 @@ from hypothesis import strategies as st
 
 import solver
 from solver.scene.expression import (
+    FUNCTIONS,
     Expr,
     ExpressionError,
     evaluate,
     operate,
-    parse,
-    read,
     select,
     symbol,
     symbols,
 )
-from solver.scene.operations import FUNCTIONS
+from solver.scene.grammar import parse, read
 
 PYTHON = {name: getattr(math, name, None) for name in FUNCTIONS} | {
     "abs": math.fabs,

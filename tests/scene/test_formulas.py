@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 import solver
 from solver.mechanics.derivative import SLOPES, derivative
-from solver.scene.expression import evaluate, operate, parse, symbol
+from solver.scene.expression import evaluate, operate, symbol
+from solver.scene.grammar import parse
 
 TEXTS = [
     "x**3 - 2*x + a/x", "sin(x)*cos(2*x) + tan(x/4)", "atan2(x, 1 + x**2)", "sqrt(1 + x*x)",
@@ -47,7 +48,7 @@ def test_every_operation_that_is_not_constant_in_pieces_has_its_slopes():
         "not",
         "select",
     }
-    from solver.scene.operations import OPERATIONS
+    from solver.scene.expression import OPERATIONS
 
     assert set(SLOPES) | flat == set(OPERATIONS)
     assert derivative(operate("sign", symbol("x")), "x") == 0.0
