@@ -22,7 +22,7 @@ from build_fmu.motion import Poses, largest_by_unit
 from build_fmu.reference import Reference
 from build_fmu.signals import inputs_of
 from build_fmu.study.settings import Source, entries_of, fmu_settings
-from build_fmu.study.values import is_finite, shown
+from solver.runtime import OptionError
 from solver.signals import communication_points
 
 if TYPE_CHECKING:
@@ -164,30 +164,14 @@ def communication_times(
     UsageError
         If they make no sense, or are so many that the run would not come to an end.
     """
-    experiment = description.defaultExperiment
-    start = start_time_of(description)
+    experiment, start = description.defaultExperiment, start_time_of(description)
+    chosen = step_size is not None
     if stop_time is None:
         stop_time = float(getattr(experiment, "stopTime", None) or start + 1.0)
-    if not (is_finite(stop_time) and stop_time > start):
-        text = f"the stop time must be after the start time {start!r} s, got {shown(stop_time)}"
-        raise UsageError(text)
-    given = step_size is not None
     if step_size is None:
         step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
-    if not (is_finite(step_size) and step_size > 0.0):
-        text = f"the communication step must be > 0 s, got {shown(step_size)}"
-        raise UsageError(text)
-    if given and step_size > (stop_time - start) * (1.0 + 1e-9):
-        text = (
-            f"the communication step of {step_size:g} s is longer than the run of "
-            f"{stop_time - start:g} s; take a shorter step"
-        )
-        raise UsageError(text)
-    steps = (stop_time - start) / step_size
-    if steps > MOST_STEPS:
-        text = (
-            f"{stop_time - start:g} s in steps of {step_size:g} s are {steps:.3g} communication "
-            f"steps, more than the {MOST_STEPS:g} of one run; take a longer step"
-        )
-        raise UsageError(text)
-    return communication_points(start, stop_time, step_size)
+    try:
+        times = start, stop_time, step_size
+        return communication_points(*times, step_is_chosen=chosen, most=MOST_STEPS)
+    except OptionError as error:
+        raise UsageError(str(error)) from None

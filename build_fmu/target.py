@@ -32,11 +32,6 @@ def is_fmu(target: str) -> bool:
     return path.suffix == ".fmu" or zipfile.is_zipfile(path)
 
 
-def scene_model(target: str, entries: Mapping[str, Entry]) -> Model:
-    """Compiled model of a scene file with these values; its mistakes become a UsageError."""
-    return scene_and_model(target, entries)[1]
-
-
 def scene_and_model(target: str, entries: Mapping[str, Entry]) -> tuple[Scene, Model]:
     """Scene of a file with these values, and its model; its mistakes become a UsageError."""
     from build_fmu.export import compile_scene, load_scene

@@ -5,10 +5,13 @@ Between the times of an array an input goes in a straight line; before and after
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from solver.runtime.errors import OptionError, is_double, shown
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -17,12 +20,34 @@ Problem = tuple[str, str]
 """What is wrong, and what helps."""
 
 
-def communication_points(start: float, stop: float, step: float) -> list[float]:
+def communication_points(
+    start: float, stop: float, step: float, *, step_is_chosen: bool, most: float = math.inf
+) -> list[float]:
     """Start of each communication step and the end of the last, which is exactly `stop` [s].
 
-    Point i is ``start + i * step``, so that rounding does not add up.
+    Point i is ``start + i * step``, so that rounding does not add up. A step that somebody chose
+    must not be longer than the run.
+
+    Raises
+    ------
+    OptionError
+        If there is no such run, or it has more than `most` steps.
     """
-    count = max(1, round((stop - start) / step + 0.499999))
+    number = "must be a finite number"
+    if not (is_double(stop) and start < stop < math.inf):
+        message = f"the stop time {number} after the start time {start!r} s, got {shown(stop)}"
+        raise OptionError(message)
+    if not (is_double(step) and 0.0 < step < math.inf):
+        message = f"the communication step {number} > 0 s, got {shown(step)}"
+        raise OptionError(message)
+    length, steps = f"{stop - start:g} s", (stop - start) / step
+    if step_is_chosen and steps < 1.0 - 1e-9:
+        message = f"the communication step of {step:g} s is longer than the run of {length}"
+        raise OptionError(message + "; take a shorter step")
+    if steps > most:
+        message = f"{length} in steps of {step:g} s are {steps:.3g} communication steps"
+        raise OptionError(message + f", more than the {most:g} of one run; take a longer step")
+    count = max(1, round(steps + 0.499999))
     return [*(start + i * step for i in range(count)), stop]
 
 

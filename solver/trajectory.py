@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ import numpy as np
 
 from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
-from solver.runtime.errors import UnknownNameError, is_double, shown
+from solver.runtime.errors import UnknownNameError
 from solver.scene import Scene, load
 from solver.signals import Problem, changes, communication_points, sampled
 
@@ -115,9 +114,10 @@ def simulate(
     for name, value in {**(parameters or {}), **held, **settings}.items():
         integrator[name] = value
     names = _collected(model, outputs)
-    start, stop, step = _times(model, stop_time, step_size)
+    start, stop, step, _ = model.experiment
+    stop, step = (x if y is None else y for x, y in ((stop, stop_time), (step, step_size)))
+    times = communication_points(start, stop, step, step_is_chosen=step_size is not None)
     integrator.state.head["horizon"] = stop - start
-    times = communication_points(start, stop, step)
     signals = _sampled(inputs or {}, held, times)
     rows = _rows(integrator, times, signals, [model.index(name) for name in names])
     table = np.array(rows, dtype=float)
@@ -157,28 +157,6 @@ def _sampled(
     if problems:
         raise OptionError("\n".join(f"inputs: {message}; {help}" for message, help in problems))
     return found
-
-
-def _times(
-    model: Model, stop_time: float | None, step_size: float | None
-) -> tuple[float, float, float]:
-    """Start, stop and communication step [s]: the experiment's where left out."""
-    start = model.experiment.start_time
-    stop = model.experiment.stop_time if stop_time is None else stop_time
-    step = model.experiment.step_size if step_size is None else step_size
-    for name, value in (("stop_time", stop), ("step_size", step)):
-        if not is_double(value):
-            message = f"{name}: must be a finite number in s, got {shown(value)}"
-            raise OptionError(message)
-    if not (math.isfinite(stop) and stop > start):
-        message = f"stop_time: must be > start_time = {start!r} s and finite, got {stop!r}"
-        raise OptionError(message)
-    longest = stop - start if step_size is not None else math.inf
-    if not (math.isfinite(step) and 0.0 < step <= longest * (1.0 + 1e-9)):
-        rule = f"must be > 0 s and at most the length of the run, {stop - start:g} s"
-        message = f"step_size: {rule}, got {step!r}"
-        raise OptionError(message)
-    return start, stop, step
 
 
 def _collected(model: Model, outputs: Sequence[str] | None) -> tuple[str, ...]:

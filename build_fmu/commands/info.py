@@ -18,7 +18,7 @@ from build_fmu.equilibrium import (
 from build_fmu.errors import UsageError
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
-from build_fmu.target import fmu_model, is_fmu, scene_model
+from build_fmu.target import fmu_model, is_fmu, scene_and_model
 
 if TYPE_CHECKING:
     from solver.mechanics.mobility import Survey
@@ -32,6 +32,11 @@ FORCES = {
     "potentials": ("potential", "gravitation"),
 }
 """Rows of the table, and the types of forces in each."""
+VARIABLE_FIELDS = {
+    **{x: x for x in ("name", "type", "unit", "causality", "variability", "start")},
+    **{"minimum": "min", "maximum": "max", "description": "description"},
+}
+"""What --json has of a variable, and what it is called there."""
 ROUNDING = 1e-10
 """Part of the largest value of its unit below which a value is shown as 0."""
 
@@ -42,7 +47,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     if not is_fmu(arguments.target):
         entries = given_on_the_command_line(arguments.parameters, arguments.settings)
-        model = scene_model(arguments.target, entries)
+        _, model = scene_and_model(arguments.target, entries)
     elif arguments.settings or arguments.parameters:
         text = (
             "--set and --parameters change the numbers of a scene; those of an FMU are set when it "
@@ -172,17 +177,7 @@ def _document(model: Model, counts: Survey) -> dict[str, object]:
         "velocity_parts": _velocity_parts(model),
         "experiment": model.experiment._asdict(),
         "variables": [
-            {
-                "name": v.name,
-                "type": v.type,
-                "unit": v.unit,
-                "causality": v.causality,
-                "variability": v.variability,
-                "start": v.start,
-                "min": v.minimum,
-                "max": v.maximum,
-                "description": v.description,
-            }
+            {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
             for v in model.variables
         ],
     }

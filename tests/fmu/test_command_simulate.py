@@ -120,9 +120,9 @@ def test_a_value_of_another_type_ends_with_2(capsys, wrong, words):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--stop", "inf"), "must be after the start time 0.0 s, got inf"),
-        (("--stop", "nan"), "must be after the start time 0.0 s, got nan"),
-        (("--step", "inf"), "must be > 0 s, got inf"),
+        (("--stop", "inf"), "after the start time 0.0 s, got inf"),
+        (("--stop", "nan"), "after the start time 0.0 s, got nan"),
+        (("--step", "inf"), "must be a finite number > 0 s, got inf"),
         (("--step", "1e-12"), "more than the 1e+07 of one run"),
         (("--stop", "1e300"), "more than the 1e+07 of one run"),
     ],

@@ -52,15 +52,18 @@ def test_what_is_asked_for_is_collected_in_that_order():
     assert trajectory["A.x"][0] == 0.6
 
 
+STOP, STEP = "the stop time", "the communication step"
+
+
 @pytest.mark.parametrize("step_size", [0.0, -0.1, math.nan, math.inf, 1.01])
 def test_a_step_that_leads_nowhere_is_refused(step_size):
-    with pytest.raises(OptionError, match=r"^step_size: must be > 0 s"):
+    with pytest.raises(OptionError, match=f"^{STEP} .* s"):
         run(step_size=step_size)
 
 
 @pytest.mark.parametrize("stop_time", [0.0, -1.0, math.nan, math.inf])
 def test_an_end_that_is_not_after_the_start_is_refused(stop_time):
-    with pytest.raises(OptionError, match=r"^stop_time: must be > start_time = 0.0 s"):
+    with pytest.raises(OptionError, match=f"^{STOP} .* after the start time 0.0 s"):
         run(stop_time=stop_time)
 
 
@@ -120,19 +123,19 @@ def test_dir_lists_the_names_for_users(package):
 @pytest.mark.parametrize(
     ("arguments", "name"),
     [
-        ({"stop_time": 10**400}, "stop_time"), ({"step_size": -(10**5000)}, "step_size"),
+        ({"stop_time": 10**400}, STOP), ({"step_size": -(10**5000)}, STEP),
         ({"tolerance": 10**400}, "solver.tolerance"), ({"order": 10**400}, "solver.order"),
         ({"parameters": {"solver.penalty": 10**5000}}, "solver.penalty"),
     ],
     ids=range(5),
 )  # fmt: skip
 def test_an_integer_that_no_double_holds_is_refused(arguments, name):
-    with pytest.raises(OptionError, match=f"^{name}: must be .*got an integer of more"):
+    with pytest.raises(OptionError, match=f"^{name}:? must be .*got an integer of more"):
         run(**arguments)
 
 
 @pytest.mark.parametrize("value", ["1", 1j, (1.0,)])
-@pytest.mark.parametrize("name", ["stop_time", "step_size"])
-def test_a_time_that_is_no_number_is_refused(name, value):
-    with pytest.raises(OptionError, match=f"^{name}: must be a finite number in s, got"):
+@pytest.mark.parametrize(("name", "words"), [("stop_time", STOP), ("step_size", STEP)])
+def test_a_time_that_is_no_number_is_refused(name, words, value):
+    with pytest.raises(OptionError, match=f"^{words} must be a finite number .* s, got"):
         run(**{name: value})

@@ -147,7 +147,7 @@ def test_pandas_and_xarray_have_the_same_numbers():
             ],
         ),
         (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
-        (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be after"]),
+        (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be a finite number after"]),
         (("--grid", "mass=1", "--engine", "threads"), ["there is no engine 'threads'"]),
         (("--grid", "mass=1", "--jobs", "0"), ["number of processes must be at least 1, got 0"]),
     ],
