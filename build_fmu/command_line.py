@@ -14,21 +14,10 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from build_fmu.errors import LACK, USAGE, CommandError
+from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
-
-INTERRUPTED = 130  # as a shell says it: 128 + SIGINT
-EXIT_CODES = """exit codes:
-  0  done
-  1  a check failed
-  2  usage or scene error
-  3  the simulation did not finish or logged an error, or no equilibrium was found
-  4  the environment lacks something
-  130  interrupted (Ctrl-C)
-"""
-
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
@@ -100,10 +89,11 @@ def setting(text: str) -> tuple[str, object]:
 
 
 def _parser() -> argparse.ArgumentParser:
+    codes = [f"  {code}  {meaning}\n" for code, meaning in EXIT_CODES.items()]
     parser = _Parser(
         prog="holonom",
         description="Turn mechanisms into FMI 2.0 co-simulation units; run and check them.",
-        epilog=EXIT_CODES,
+        epilog="".join(["exit codes:\n", *codes]),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("--version", action="version", version=f"%(prog)s {VERSION}")

@@ -1,8 +1,4 @@
-"""What ends a command, each with its exit code.
-
-0 done; 1 a check failed; 2 usage or scene error; 3 the simulation did not finish or logged an
-error, or no equilibrium was found; 4 the environment lacks something. Ctrl-C ends it with 130.
-"""
+"""What ends a command, each with its exit code."""
 
 from __future__ import annotations
 
@@ -10,10 +6,16 @@ import contextlib
 from collections.abc import Iterator
 from os import PathLike, fspath
 
-CHECK_FAILED = 1
-USAGE = 2
-UNFINISHED = 3
-LACK = 4
+DONE, CHECK_FAILED, USAGE, UNFINISHED, LACK, INTERRUPTED = 0, 1, 2, 3, 4, 128 + 2
+EXIT_CODES = {
+    DONE: "done",
+    CHECK_FAILED: "a check failed",
+    USAGE: "usage or scene error",
+    UNFINISHED: "the simulation did not finish or logged an error, or no equilibrium was found",
+    LACK: "the environment lacks something",
+    INTERRUPTED: "interrupted (Ctrl-C)",  # as a shell says it: 128 + SIGINT
+}
+"""What the exit codes of the command mean."""
 
 
 @contextlib.contextmanager

@@ -15,8 +15,6 @@ from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
 from build_fmu.instance import (
-    FATAL,
-    WARNING,
     Log,
     description_of,
     instantiated,
@@ -24,6 +22,7 @@ from build_fmu.instance import (
     not_said_twice,
     unpacked,
 )
+from fmu_src.status import FATAL, WARNING
 
 if TYPE_CHECKING:
     from tempfile import TemporaryDirectory

@@ -20,13 +20,11 @@ from typing import TYPE_CHECKING, Any
 
 from build_fmu.archive_check import require_whole
 from build_fmu.errors import EnvironmentLackError, UsageError, writing
-from fmu_src.status import LOGGER
+from fmu_src.status import DISCARD, ERROR, LOGGER, WARNING
 
 if TYPE_CHECKING:
     from fmpy.fmi2 import FMU2Slave
     from fmpy.model_description import ModelDescription
-
-WARNING, DISCARD, ERROR, FATAL = 1, 2, 3, 4  # fmi2Status
 
 LOADING = threading.Lock()
 """Held while fmpy loads a library: it takes the whole process to the folder of it and back."""

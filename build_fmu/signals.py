@@ -37,17 +37,10 @@ class Inputs:
         if not self.changing:
             return {}
         known = [v.name for v in description.modelVariables if v.causality == "input"]
-        self._check(description.modelName or "", known, values)
-        problems: list[Problem] = []
-        columns = sampled(self.changing, times, problems)
-        refuse(Mistake(self.where, *problem) for problem in problems)
-        return columns
-
-    def _check(self, model: str, known: Sequence[str], values: Mapping[str, object]) -> None:
         mistakes = []
         for name in self.changing.keys() - {"time"}:
             if name not in known:
-                message = f"{model} has no input {name!r}"
+                message = f"{description.modelName} has no input {name!r}"
                 mistakes.append(Mistake(self.where, message, nearest(name, known)))
             elif name in values:
                 help = "leave out the column, or the value"
@@ -56,6 +49,10 @@ class Inputs:
         if self.changing.keys() <= {"time"}:
             mistakes.append(Mistake(self.where, "has no column of an input", nearest("", known)))
         refuse(mistakes)
+        problems: list[Problem] = []
+        columns = sampled(self.changing, times, problems)
+        refuse(Mistake(self.where, *problem) for problem in problems)
+        return columns
 
     def notes(self, start: float) -> tuple[str, ...]:
         """A sentence if the times of arrays begin after the start of the run [s]."""

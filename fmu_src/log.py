@@ -11,13 +11,11 @@ from solver.runtime import AssemblyError, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
 from .snapshot import SnapshotError
-from .status import LOGGER
+from .status import DISCARD, ERROR, LOG_CATEGORIES, LOGGER, OK, WARNING
 
 MOST_TOLD = 20
 """Sentences of an instance that go there: an importer may set a wrong value at every step."""
-LEVELS = OK, WARNING, DISCARD, ERROR = (0, 1, 2, 3)
-"""Of the standard, fmi2Status."""
-CATEGORIES = ("logAll", "logStatusWarning", "logStatusDiscard", "logStatusError")
+CATEGORIES = dict(zip((WARNING, DISCARD, ERROR, OK), LOG_CATEGORIES, strict=True))
 """Of what is logged at each level."""
 
 

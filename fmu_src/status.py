@@ -16,6 +16,8 @@ INTERRUPTED = 105  # the user interrupted the step
 INTERNAL_FAULT = 106  # a fault of this program; the log has its text
 NOT_FINITE = 107  # an output is not a finite number, and 0 was handed out for it
 
+OK, WARNING, DISCARD, ERROR, FATAL = range(5)  # fmi2Status
+
 LOG_CATEGORIES = {
     "logStatusWarning": "Effects that you may not expect. The run goes on.",
     "logStatusDiscard": "Why a communication step was discarded, and what to change.",

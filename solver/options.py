@@ -30,40 +30,20 @@ AUTOMATIC = 0.0
 
 @dataclass(frozen=True)
 class Option:
-    """One setting; `default` tells whether it is a word, true or false, or a number.
-
-    Attributes
-    ----------
-    name : str
-    default : str, bool or float
-    meaning : str
-    unit : str
-    words : tuple of str
-        All that a word may be, the default first; a state holds the index.
-    low, high : float
-        Least and largest number.
-    least : float
-        Smallest number other than 0, which turns the setting off.
-    allowed : tuple of float
-        All that a number may be, where these are few.
-    whole : bool
-        Whether a number counts something.
-    place : str
-        Scalar of the state's head that holds it; empty: of the same name.
-    """
+    """One setting; `default` tells whether it is a word, true or false, or a number."""
 
     name: str
     default: str | bool | float
     meaning: str
     _: KW_ONLY
     unit: str = ""
-    words: tuple[str, ...] = ()
-    low: float = TINY
-    high: float = 1.0
-    least: float = 0.0
-    allowed: tuple[float, ...] = ()
-    whole: bool = False
-    place: str = ""
+    words: tuple[str, ...] = ()  # all that a word may be, the default first; a state has the index
+    low: float = TINY  # least number
+    high: float = 1.0  # largest number
+    least: float = 0.0  # smallest number other than 0, which turns the setting off
+    allowed: tuple[float, ...] = ()  # all that a number may be, where these are few
+    whole: bool = False  # whether a number counts something
+    place: str = ""  # scalar of the state's head that holds it; empty: of the same name
 
     @property
     def is_switch(self) -> bool:

@@ -23,7 +23,7 @@ from build_fmu.export import identifier
 from build_fmu.instance import Log, instantiated
 from build_fmu.payload import payload
 from build_fmu.run import run_fmu
-from fmu_src.log import LEVELS, Fmi2Slave
+from fmu_src.log import CATEGORIES, Fmi2Slave
 from fmu_src.status import LOG_CATEGORIES
 from solver.runtime.model_file import HEADER
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
@@ -237,7 +237,7 @@ def test_the_log_hands_over_the_levels_and_categories_of_pythonfmus_own():
     slave, theirs = Fmi2Slave(instance_name="a"), fmi2slave.Fmi2Slave
     whole = type("Whole", (theirs,), {"do_step": None, "log_categories": LOG_CATEGORIES})
     whole = whole(instance_name="a")
-    for level in LEVELS:
+    for level in CATEGORIES:
         slave._log("text", level)
         whole.log("text", fmi2slave.Fmi2Status(level))
     ours = slave._get_log_queue()
