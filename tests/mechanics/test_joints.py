@@ -9,7 +9,6 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import survey
-from tests.free_flight import assert_nothing_is_lost
 from tests.joint_scenes import COUPLINGS, PAIRS, PLANAR, SPATIAL, pair, train
 
 REACTING = [
@@ -25,6 +24,18 @@ EVERY = pytest.mark.parametrize(("dimension", "kind"), [*PAIRS, *COUPLINGS])
 
 def _run(scene: str, stop: float, step: float) -> solver.Trajectory:
     return solver.simulate(solver.loads(scene), stop_time=stop, step_size=step)
+
+
+def assert_nothing_is_lost(run: solver.Trajectory, dimension: int) -> None:
+    """Energy and momenta to 1e-11 of their own size, constraints to 1e-12, all along a run."""
+    energy = run["energy.total"]
+    assert np.ptp(energy) < 1e-11 * energy[0]
+    assert np.max(run["constraint.position"]) < 1e-12
+    axes, turning = ("xy", "z") if dimension == 2 else ("xyz", "xyz")
+    for name, parts in (("momentum", axes), ("angular_momentum", turning)):
+        vector = np.stack([run[f"{name}.{axis}"] for axis in parts])
+        drift = np.max(np.abs(vector - vector[:, :1]))
+        assert drift < 1e-11 * np.linalg.norm(vector[:, 0])
 
 
 def drawn(dimension: int, kind: str, h: float) -> str:

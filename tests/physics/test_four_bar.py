@@ -17,7 +17,6 @@ from tests.problems import (
     assemble,
     four_bar,
     observe,
-    observed_order,
     start,
     view,
 )
@@ -77,15 +76,6 @@ def test_every_stiff_penalty_and_either_algorithm_pass_them(penalty, algorithm):
     reference, _ = cranks(2, 0.005)
     assert np.ptp(found, axis=1).max() < 1e-9
     assert found == pytest.approx(reference, abs=1e-8)
-
-
-@pytest.mark.parametrize("place", range(4), ids=[f"t={t:g}s" for t in TIMES[1:]])
-def test_the_motion_is_of_second_order_at_every_time(place):
-    # (h rate)^2 = (0.01 * 9)^2 is the relative size of the next term: slopes within 0.1.
-    steps = [0.01, 0.005, 0.0025]
-    found = [cranks(2, h)[0][place, 0] for h in steps]
-    errors = [np.linalg.norm(position - B0_MINUS_A0[place]) for position in found]
-    assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.1)
 
 
 @pytest.mark.parametrize("n", [1, 3, 8, 20])

@@ -9,7 +9,6 @@ import pytest
 
 from tests.mechanism_runs import extrapolated, run, times, vector
 from tests.nonholonomic_models import chaplygin_sleigh, rolling_disc, snakeboard
-from tests.problems import observed_order
 from tests.reduced_models import Array, rotation
 
 TILT, ROLL, TURN = 0.3, 15.0, -2.0
@@ -38,22 +37,6 @@ def test_the_disc_rolls_where_the_oracle_rolls():
     assert found == pytest.approx(exact, abs=1e-6)
 
 
-def test_the_rolling_disc_is_of_second_order():
-    exact = disc_at(times(0.5, 0.5))[0][-1]
-    steps = [0.008, 0.004, 0.002]
-    errors = [
-        np.linalg.norm(run("rolling_disc", vector("disc"), h, 0.5)[-1] - exact) for h in steps
-    ]
-    assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.1)
-
-
-def test_the_contact_of_the_disc_does_no_work_and_does_not_lift():
-    names = ["energy.error", "constraint.position"]
-    error, gap = run("rolling_disc", names, 0.002, 5.0, every=0.02).T
-    assert error.max() < 1e-11
-    assert gap.max() < 1e-12
-
-
 def test_the_sleigh_follows_the_hyperbolic_functions():
     t = times(10.0, 1.0)
     x, y, angle, _, spin = chaplygin_sleigh(t, a=0.5, mass=2.0, inertia=0.5, speed=-1.0, spin=0.5).T
@@ -67,10 +50,6 @@ def test_the_sleigh_ends_centre_of_mass_in_front_and_straight():
     # All its energy, 1 + 0.125 J = m u^2/2 with 2 kg, is in the motion forwards.
     assert vx * math.cos(angle) + vy * math.sin(angle) == pytest.approx(math.sqrt(1.125), abs=1e-4)
     assert abs(spin) < 1e-4
-
-
-def test_the_knife_edge_does_no_work():
-    assert run("chaplygin_sleigh", ["energy.error"], 0.05, 10.0, every=0.5).max() < 1e-12
 
 
 def test_the_snakeboard_goes_as_the_oracle():

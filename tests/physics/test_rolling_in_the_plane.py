@@ -12,7 +12,6 @@ import pytest
 
 import solver
 from tests.mechanism_runs import run, times
-from tests.problems import observed_order
 from tests.reduced_models import Array
 
 RADIUS, MASS, SLOPE, GRAVITY = 0.3, 2.0, 0.4, 9.81
@@ -83,17 +82,6 @@ def test_a_disc_rolls_down_with_a_constant_share_of_gravity(share):
     # 24 rad/s at most and 0.6 rad a step, of sixth order.
     assert way == pytest.approx(gain * t**2 / 2, abs=1e-6)
     assert turn == pytest.approx(gain * t**2 / (2 * RADIUS), abs=4e-6)
-
-
-def test_the_disc_on_the_slope_is_of_second_order():
-    steps = [0.02, 0.01, 0.005]
-    errors = []
-    for h in steps:
-        values = run(slope(), [*NAMES, "disc.vx", "disc.vy"], h, 1.0)[-1:]
-        way, _, _ = ways(values)
-        speed = -values[:, 3:] @ UPHILL
-        errors.append(float(np.hypot(way - GAIN / 2, speed - GAIN)[0]))
-    assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.1)
 
 
 def test_the_line_carries_the_disc_and_a_third_of_its_push_is_friction():

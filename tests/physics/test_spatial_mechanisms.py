@@ -11,7 +11,6 @@ import solver
 from tests.mechanism_kinematics import cardan_angle, differential, slider_crank, stewart
 from tests.mechanism_runs import extrapolated, run, scene, times, vector
 from tests.newton_euler import bricard
-from tests.problems import observed_order
 from tests.reduced_models import Governor
 
 CORNER = vector("rod3.end")
@@ -68,13 +67,6 @@ def test_the_governor_lifts_its_slider_as_the_oracle():
     exact = Governor().motion(t)[:, [0, 4]]
     found = extrapolated("flyball_governor", GOVERNOR, 0.0025, 1.0, every=0.1)
     assert found == pytest.approx(exact, abs=2e-5)
-
-
-def test_the_governor_is_of_second_order():
-    exact = Governor().motion(times(0.5, 0.5))[-1, [0, 4]]
-    steps = [0.01, 0.005, 0.0025]
-    errors = [np.abs(run("flyball_governor", GOVERNOR, h, 0.5)[-1] - exact).max() for h in steps]
-    assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.2)
 
 
 def test_the_governor_keeps_its_moment_of_momentum_and_only_loses_energy():
