@@ -29,7 +29,16 @@ _TWICE = "Cannot overwrite a value"
 _TOML_HELP = {
     "Illegal character '\\n'": "a text ends on the line it begins on: close its quotes",
     _TWICE: "the same key is given twice",
+    "Cannot declare": "put the fields of both tables below one heading",
+    "Expected '=' after a key": "write name = value; a name has letters, digits, _ and -",
+    "Expected ']' at the end of a table": "a heading is [name], on a line of its own",
+    "Expected newline or end of document": "write one field a line, and numbers as 1 or 0.5",
+    "Invalid value": "quote texts; write numbers as 0.5 or 1e-3, true and false in small letters",
+    "Unclosed array": "close it by ], and put commas between its values",
+    "Unclosed inline table": "close it by }, and put commas between its fields",
+    "Unescaped '\\' in a string": "write it twice, or put the text in single quotes",
 }
+"""What helps, by the beginning of what the reader of TOML says."""
 
 
 def text_of(path: str) -> tuple[str, str]:
@@ -92,14 +101,14 @@ def _toml(text: str, name: str) -> dict[str, Any]:
         message = _TUPLE.sub(lambda found: ".".join(_QUOTED.findall(found[0])), message)
         line = int(place[1]) if place and place[1] else len(text.rstrip().split("\n"))
         column = int(place[2]) if place and place[2] else None
-        help = _TOML_HELP.get(message)
+        help = next((x for start, x in _TOML_HELP.items() if message.startswith(start)), None)
         if message == _TWICE:
             before = sum(len(each) + 1 for each in text.split("\n")[: line - 1])
             first = first_of_repeated(text[: before + column - 1] if column else text)
             help = f"{help}, first in line {first}" if first else help
-        elif not help:  # such as angle = 90 deg
+        else:  # such as angle = 90 deg
             pieces = re.split(r"[=,{}\[\]]", text.split("\n")[line - 1])
-            help = next(filter(None, map(in_si, pieces)), None)
+            help = next(filter(None, map(in_si, pieces)), help)
         _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
 
 
