@@ -3,23 +3,9 @@
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
+from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
-from solver.scene.fields import (
-    BROKEN,
-    COMPONENTS,
-    NAME,
-    NUMBER,
-    TWO,
-    ByShape,
-    Components,
-    Kind,
-    ListOf,
-    Part,
-    Plain,
-    Quantity,
-    Table,
-    shown,
-)
+from solver.scene.fields import BROKEN, Part, shown
 from solver.scene.inertia import SHAPES, read_inertia
 from solver.scene.orientation import InBodyAxes, Orientation, read_orientation, read_spin
 from solver.scene.quantities import (
@@ -53,11 +39,13 @@ class Point(Part):
 
     offers = MOTION
 
-    position: Annotated[Vector, Components("m", "as drawn", example=[0, 0, 0])]
-    velocity: Annotated[Vector | None, Components("m/s", "at the start", example=[0, 0, 0])] = None
+    position: Annotated[Vector, kind.Components("m", "as drawn", example=[0, 0, 0])]
+    velocity: Annotated[
+        Vector | None, kind.Components("m/s", "at the start", example=[0, 0, 0])
+    ] = None
     """None: not given, at rest; `assemble` is free to choose it."""
-    mass: Annotated[Number, Quantity("kg", rule=NOT_NEGATIVE)] = 0.0
-    fixed: Annotated[bool, Plain(type=bool)] = False
+    mass: Annotated[Number, kind.Quantity("kg", rule=NOT_NEGATIVE)] = 0.0
+    fixed: Annotated[bool, kind.Plain(type=bool)] = False
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that a fixed point has no velocity, and note where it is drawn."""
@@ -87,7 +75,7 @@ def _bar_ends(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str, st
     return first, second
 
 
-_BAR_ENDS = ListOf(item=NAME, size=TWO, example=["A", "B"], reading=_bar_ends)
+_BAR_ENDS = kind.ListOf(item=kind.NAME, size=kind.TWO, example=["A", "B"], reading=_bar_ends)
 
 
 def _check_end(reader: "Reader", path: Path, point: str) -> None:
@@ -108,10 +96,10 @@ class Bar(Part):
     offers = _TURN
 
     points: Annotated[tuple[str, str], _BAR_ENDS]
-    mass: Annotated[Number, Quantity("kg", rule=POSITIVE, example=1.0)]
+    mass: Annotated[Number, kind.Quantity("kg", rule=POSITIVE, example=1.0)]
 
 
-class NoList(Kind):
+class NoList(kind.Kind):
     """Stands where a list is a mistake."""
 
     def parse(self, draft: "Draft", path: Path, value: Any) -> Any:
@@ -127,7 +115,9 @@ def _named_places(reader: "Reader", path: Path, places: Any, _: Any) -> dict[str
     return {name: reader.vector((*path, name), place) for name, place in given.items()}
 
 
-_NAMED_PLACES = Table("m", "named points in body axes", item=COMPONENTS, reading=_named_places)
+_NAMED_PLACES = kind.Table(
+    "m", "named points in body axes", item=kind.COMPONENTS, reading=_named_places
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -144,41 +134,43 @@ class Rigid(Part):
         ),
     )
     also = {  # noqa: RUF012
-        "shape": Table(
+        "shape": kind.Table(
             text="box, cylinder or sphere; in 2-D box, disc or rod; with a density or mass",
             parts=tuple((SHAPES[3] | SHAPES[2]).values()),
         )
     }
 
-    mass: Annotated[Number, Quantity("kg", rule=POSITIVE, required=False)]
+    mass: Annotated[Number, kind.Quantity("kg", rule=POSITIVE, required=False)]
     inertia: Annotated[
         Number | tuple[Vector, Vector, Vector],
-        ByShape(
+        kind.ByShape(
             text="kg.m2 about the centre of mass: a number in 2-D, [Jx, Jy, Jz] or 3 x 3 in 3-D",
-            required=False, number=NUMBER, vector=COMPONENTS, vectors=ListOf(item=COMPONENTS),
+            required=False, number=kind.NUMBER, vector=kind.COMPONENTS,
+            vectors=kind.ListOf(item=kind.COMPONENTS),
         ),
     ]  # fmt: skip
     """A number in 2-D, a symmetric 3 x 3 matrix in body axes in 3-D."""
     center_of_mass: Annotated[
-        Vector, Components("m", "in body axes, from the origin", required=False)
+        Vector, kind.Components("m", "in body axes, from the origin", required=False)
     ]  # fmt: skip
-    position: Annotated[Vector, Components("m", "of the origin, as drawn", example=[0, 0, 0])]
+    position: Annotated[Vector, kind.Components("m", "of the origin, as drawn", example=[0, 0, 0])]
     orientation: Annotated[
         Number | tuple[Vector, Vector, Vector],
-        ByShape(
+        kind.ByShape(
             text="rad in 2-D; in 3-D { axis, angle }, { quaternion }, { rotation_vector } or "
             "{ matrix }",
-            required=False, number=NUMBER, vector=NoList(), table=Table(parts=(Orientation,)),
+            required=False, number=kind.NUMBER, vector=NoList(),
+            table=kind.Table(parts=(Orientation,)),
         ),
     ]  # fmt: skip
     """An angle in 2-D; in 3-D the rotation matrix, whose columns are the body's axes."""
-    velocity: Annotated[Vector | None, Components("m/s", "of the origin, at the start")] = None
+    velocity: Annotated[Vector | None, kind.Components("m/s", "of the origin, at the start")] = None
     """None: not given, at rest."""
     angular_velocity: Annotated[
         Number | Vector | None,
-        ByShape(
+        kind.ByShape(
             text="rad/s: a number in 2-D; in 3-D a vector, or { body = [...] }",
-            number=NUMBER, vector=COMPONENTS, table=Table(parts=(InBodyAxes,)),
+            number=kind.NUMBER, vector=kind.COMPONENTS, table=kind.Table(parts=(InBodyAxes,)),
         ),
     ] = None  # fmt: skip
     """A number in 2-D, a vector in global axes in 3-D; None: not given, at rest."""

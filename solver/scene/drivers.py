@@ -7,18 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
+from solver.scene import fields as kind
 from solver.scene.expression import Expr, Number, Vector
-from solver.scene.fields import (
-    BROKEN,
-    ONE_END,
-    TWO_ENDS,
-    Components,
-    Part,
-    PointReference,
-    Quantity,
-    Reading,
-    joint_with,
-)
+from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.quantities import VECTOR, Level, Offer
 from solver.scene.report import Path
 from solver.scene.rules import CONSTRAINT, DRIVER, POSITIVE, VELOCITY_ROW, Place
@@ -46,8 +37,8 @@ class PositionDriver(Part):
         _POWER,
     )  # fmt: skip
 
-    point: Annotated[PointReference, ONE_END]
-    value: Annotated[Vector, Components("m", place=DRIVER, example=[0, 0, "sin(t)"])]
+    point: Annotated[PointReference, kind.ONE_END]
+    value: Annotated[Vector, kind.Components("m", place=DRIVER, example=[0, 0, "sin(t)"])]
     """One expression in time, inputs and parameters for each axis."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
@@ -67,8 +58,8 @@ class DistanceDriver(Part):
     type = "distance"
     offers = _along("force", "N", "distance")
 
-    points: Annotated[tuple[PointReference, PointReference], TWO_ENDS]
-    value: Annotated[Number, Quantity("m", "", POSITIVE, DRIVER, "1 + 0.1*sin(t)")]
+    points: Annotated[tuple[PointReference, PointReference], kind.TWO_ENDS]
+    value: Annotated[Number, kind.Quantity("m", "", POSITIVE, DRIVER, "1 + 0.1*sin(t)")]
 
 
 class JointDriver(Part):
@@ -91,8 +82,8 @@ class AngleDriver(JointDriver):
     type = "angle"
     offers = _along("torque", "N.m", "angle")
 
-    joint: Annotated[str, joint_with("angle", "bearing")]
-    value: Annotated[Number, Quantity("rad", "0 as drawn", place=DRIVER, example="2*pi*t")]
+    joint: Annotated[str, kind.joint_with("angle", "bearing")]
+    value: Annotated[Number, kind.Quantity("rad", "0 as drawn", place=DRIVER, example="2*pi*t")]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,8 +93,8 @@ class DisplacementDriver(JointDriver):
     type = "displacement"
     offers = _along("force", "N", "displacement")
 
-    joint: Annotated[str, joint_with("displacement", "guide")]
-    value: Annotated[Number, Quantity("m", "0 as drawn", place=DRIVER, example="0.1*sin(t)")]
+    joint: Annotated[str, kind.joint_with("displacement", "guide")]
+    value: Annotated[Number, kind.Quantity("m", "0 as drawn", place=DRIVER, example="0.1*sin(t)")]
 
 
 def _once(reader: "Reader", where: Path, what: str, name: str) -> None:
@@ -114,7 +105,7 @@ def _once(reader: "Reader", where: Path, what: str, name: str) -> None:
         reader.draft.error(where, message, "leave out one of the two")
 
 
-def _row(place: Place, level: Level) -> Reading:
+def _row(place: Place, level: Level) -> kind.Reading:
     """Return the reading of a row, which depends on positions, or linearly on velocities."""
 
     def read(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
@@ -145,8 +136,8 @@ class Constraint(Part):
         ),
     )
 
-    value: Annotated[Number | None, Quantity(reading=_row(CONSTRAINT, "position"))] = None
-    velocity: Annotated[Number | None, Quantity(reading=_row(VELOCITY_ROW, "rate"))] = None
+    value: Annotated[Number | None, kind.Quantity(reading=_row(CONSTRAINT, "position"))] = None
+    velocity: Annotated[Number | None, kind.Quantity(reading=_row(VELOCITY_ROW, "rate"))] = None
     """Exactly one of the two is given."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:

@@ -7,24 +7,9 @@ angle.
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
+from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
-from solver.scene.fields import (
-    BROKEN,
-    COMPONENTS,
-    NUMBER,
-    ONE_END,
-    TWO,
-    TWO_ENDS,
-    ByShape,
-    Choice,
-    Components,
-    ListOf,
-    Part,
-    Plain,
-    PointReference,
-    Quantity,
-    joint_with,
-)
+from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.quantities import Offer
 from solver.scene.report import Path
 from solver.scene.rules import FORCE, LOAD, NOT_NEGATIVE, POSITIVE, POTENTIAL, PROPERTY, Place
@@ -43,12 +28,12 @@ _AGAINST = Offer(
     "N.m",
     "torque of {name}, positive against the angle of {part.joint}: it turns it back",
 )
-_AXES = Choice(words=("global", "body"))
-_JOINT = joint_with("angle", "bearing")
+_AXES = kind.Choice(words=("global", "body"))
+_JOINT = kind.joint_with("angle", "bearing")
 
 
-def _quantity(unit: str, example: float | None = None, text: str = "") -> Quantity:
-    return Quantity(unit, text, NOT_NEGATIVE, FORCE, example)
+def _quantity(unit: str, example: float | None = None, text: str = "") -> kind.Quantity:
+    return kind.Quantity(unit, text, NOT_NEGATIVE, FORCE, example)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,12 +43,12 @@ class Spring(Part):
     type = "spring"
     offers = _ON_A_LINE
 
-    points: Annotated[Ends, TWO_ENDS]
+    points: Annotated[Ends, kind.TWO_ENDS]
     stiffness: Annotated[Number | None, _quantity("N/m", 100.0)] = None
     """None where `energy` is given."""
     free_length: Annotated[Number | None, _quantity("m", text="as drawn unless given")] = None
     energy: Annotated[
-        Number | None, Quantity("J", "an expression in `length`", place=Place(own=("length",)))
+        Number | None, kind.Quantity("J", "an expression in `length`", place=Place(own=("length",)))
     ] = None
     """Stored energy, an expression in the symbol ``length`` (m)."""
 
@@ -92,7 +77,7 @@ class Damper(Part):
     type = "damper"
     offers = _ON_A_LINE
 
-    points: Annotated[Ends, TWO_ENDS]
+    points: Annotated[Ends, kind.TWO_ENDS]
     damping: Annotated[Number, _quantity("N.s/m", 1.0)]
 
 
@@ -110,7 +95,7 @@ class TorsionSpring(Part):
     joint: Annotated[str, _JOINT]
     stiffness: Annotated[Number, _quantity("N.m/rad", 10.0)]
     free_angle: Annotated[
-        Number, Quantity("rad", "as drawn unless given", place=FORCE, reading=_angle)
+        Number, kind.Quantity("rad", "as drawn unless given", place=FORCE, reading=_angle)
     ] = 0.0
 
 
@@ -135,7 +120,7 @@ class JointTorque(Part):
     )  # fmt: skip
 
     joint: Annotated[str, _JOINT]
-    value: Annotated[Number, Quantity("N.m", place=LOAD, example=1.0)]
+    value: Annotated[Number, kind.Quantity("N.m", place=LOAD, example=1.0)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -144,8 +129,8 @@ class Force(Part):
 
     type = "force"
 
-    point: Annotated[PointReference, ONE_END]
-    value: Annotated[Vector, Components("N", place=LOAD, example=[0, 0, 1])]
+    point: Annotated[PointReference, kind.ONE_END]
+    value: Annotated[Vector, kind.Components("N", place=LOAD, example=[0, 0, 1])]
     axes: Annotated[Literal["global", "body"], _AXES] = "global"
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
@@ -179,12 +164,12 @@ class Torque(Part):
 
     type = "torque"
 
-    body: Annotated[str, Plain(example="crank")]
+    body: Annotated[str, kind.Plain(example="crank")]
     value: Annotated[
         Number | Vector,
-        ByShape(
-            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=NUMBER,
-            vector=COMPONENTS, reading=_moment,
+        kind.ByShape(
+            text="N.m: a number in 2-D, a vector in 3-D", example=1.0, number=kind.NUMBER,
+            vector=kind.COMPONENTS, reading=_moment,
         ),
     ]  # fmt: skip
     axes: Annotated[Literal["global", "body"], _AXES] = "global"
@@ -206,7 +191,7 @@ class Potential(Part):
     type = "potential"
     offers = (Offer("energy", "J", "energy of {name}"),)
 
-    value: Annotated[Number, Quantity("J", place=POTENTIAL, example="2.0*A.x**2")]
+    value: Annotated[Number, kind.Quantity("J", place=POTENTIAL, example="2.0*A.x**2")]
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that it depends on the mechanism, if it is not wrong for another reason."""
@@ -235,16 +220,16 @@ class Gravitation(Part):
     type = "gravitation"
     offers = _ON_A_LINE
 
-    points: Annotated[Ends, TWO_ENDS]
+    points: Annotated[Ends, kind.TWO_ENDS]
     masses: Annotated[
         tuple[Number, Number],
-        ListOf(
+        kind.ListOf(
             text="kg, those of the points unless given", example=[1.0, 1.0], required=False,
-            size=TWO, reading=_masses,
+            size=kind.TWO, reading=_masses,
         ),
     ]  # fmt: skip
     constant: Annotated[
-        Number, Quantity("m3/(kg.s2)", "CODATA 2018 unless given", place=PROPERTY)
+        Number, kind.Quantity("m3/(kg.s2)", "CODATA 2018 unless given", place=PROPERTY)
     ] = 6.6743e-11
 
     @classmethod

@@ -285,7 +285,11 @@ def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
                 reader.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
                 return NOTHING
         names = ["J1", "J2", "J3"]
-        _possible(reader, path, principal_moments(matrix), names)
+        from numpy.linalg import (
+            eigvalsh,
+        )  # only this report needs NumPy, which takes long to import
+
+        _possible(reader, path, eigvalsh(matrix).tolist(), names)
     (a, d, e), (_, b, f), (_, _, c) = rows
     return (a, d, e), (d, b, f), (e, f, c)
 
@@ -303,21 +307,3 @@ def _possible(reader: "Reader", path: Path, moments: list[float], names: list[st
             f"{names[0]} + {names[1]} = {small + middle:.12g} kg.m2{principal}"
         )
         reader.draft.error(path, message, "give it about the centre of mass, in kg.m2")
-
-
-def principal_moments(matrix: list[list[float]]) -> list[float]:
-    """Eigenvalues of a symmetric 3 x 3 matrix, ascending, by Jacobi's rotations."""
-    a = [row[:] for row in matrix]
-    for _ in range(30):  # quadratic convergence: 6 sweeps of 3 rotations are usual
-        i, j = max(((0, 1), (0, 2), (1, 2)), key=lambda pair: abs(a[pair[0]][pair[1]]))
-        if a[i][j] == 0.0:
-            break
-        angle = 0.5 * math.atan2(2.0 * a[i][j], a[j][j] - a[i][i])
-        c, s = math.cos(angle), math.sin(angle)
-        for row in a:
-            row[i], row[j] = c * row[i] - s * row[j], s * row[i] + c * row[j]
-        a[i], a[j] = (
-            [c * x - s * y for x, y in zip(a[i], a[j], strict=True)],
-            [s * x + c * y for x, y in zip(a[i], a[j], strict=True)],
-        )
-    return sorted(a[k][k] for k in range(3))

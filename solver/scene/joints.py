@@ -8,25 +8,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
+from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
-from solver.scene.fields import (
-    BODY_OR_GROUND,
-    BROKEN,
-    NAME,
-    ONE_END,
-    TWO,
-    TWO_AXES,
-    TWO_BODIES,
-    TWO_ENDS,
-    Components,
-    Direction,
-    ListOf,
-    Part,
-    Plain,
-    PointReference,
-    Quantity,
-    Reading,
-)
+from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, VECTOR, Offer
 from solver.scene.report import Path
 from solver.scene.rules import NOT_ZERO, POSITIVE, Place
@@ -61,7 +45,7 @@ def _on_the_second(word: str, unit: str) -> tuple[Offer]:
 FORCE = _force_on("its second body")
 
 
-def _only_in_space(message: str) -> Reading:
+def _only_in_space(message: str) -> kind.Reading:
     """Return the reading of an axis that is a mistake in the plane."""
 
     def read(reader: "Reader", path: Path, value: Any, _: Any) -> Vector | None:
@@ -77,10 +61,10 @@ Ends: TypeAlias = tuple[PointReference, PointReference]
 Pair: TypeAlias = tuple[str | None, str | None]
 """Names of two rigid bodies (in the plane also of bars); None is the ground."""
 
-_PLACE = Components("m", "place of the joint as drawn", example=[0, 0, 0])
-_PLACE_OR_ORIGIN = Components("m", "place of the joint as drawn; origin of the second body")
-_AXIS = Direction(text="direction as drawn, of any length", example=[0, 0, 1], required=True)
-_NORMAL = Direction(text="normal of the plane, as drawn", example=[0, 0, 1], required=True)
+_PLACE = kind.Components("m", "place of the joint as drawn", example=[0, 0, 0])
+_PLACE_OR_ORIGIN = kind.Components("m", "place of the joint as drawn; origin of the second body")
+_AXIS = kind.Direction(text="direction as drawn, of any length", example=[0, 0, 1], required=True)
+_NORMAL = kind.Direction(text="normal of the plane, as drawn", example=[0, 0, 1], required=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,8 +80,8 @@ class Distance(Part):
         ),
     )
 
-    points: Annotated[Ends, TWO_ENDS]
-    length: Annotated[Number | None, Quantity("m", "as drawn unless given", POSITIVE)] = None
+    points: Annotated[Ends, kind.TWO_ENDS]
+    length: Annotated[Number | None, kind.Quantity("m", "as drawn unless given", POSITIVE)] = None
 
 
 # ------------------------------------------------------------------------- joints of two bodies
@@ -112,7 +96,7 @@ class BodyJoint(Part):
     takes_points: ClassVar[bool] = False
     """Whether it may join two points instead of two bodies."""
 
-    bodies: Annotated[Pair | None, TWO_BODIES]
+    bodies: Annotated[Pair | None, kind.TWO_BODIES]
     position: Annotated[Vector | None, _PLACE]
     axis: Vector | None = None
     """Fixed in the first body."""
@@ -152,7 +136,7 @@ class BodyJoint(Part):
 
 
 def _shared_point(
-    reader: "Reader", path: Path, given: Any, kind: str, how: str
+    reader: "Reader", path: Path, given: Any, type: str, how: str
 ) -> dict[str, Any]:  # fmt: skip
     """Read two points that become one."""
     if given.bodies is not None:
@@ -162,7 +146,7 @@ def _shared_point(
         if getattr(given, field, None) is not None:
             message = f"points that become one need no '{field}'"
             reader.draft.error((*path, field), message, "leave it out")
-    if kind == "revolute" and reader.dimension == 3:
+    if type == "revolute" and reader.dimension == 3:
         message = "a revolute joint in space joins bodies, not points"
         reader.draft.error((*path, "points"), message, f'{how}, or type = "spherical"')
     return {"points": reader.ends(path, given.points, given.at)}
@@ -216,9 +200,9 @@ class Spherical(BodyJoint):
     only_in_space = "in the plane 'revolute' lets two bodies share a point"
     meets = takes_points = True
 
-    bodies: Annotated[Pair | None, TWO_BODIES] = None
+    bodies: Annotated[Pair | None, kind.TWO_BODIES] = None
     position: Annotated[Vector | None, _PLACE] = None
-    points: Annotated[Ends | None, TWO_ENDS] = None
+    points: Annotated[Ends | None, kind.TWO_ENDS] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -229,16 +213,16 @@ class Revolute(BodyJoint):
     offers = (*ANGLE, FORCE, TORQUE_IN_SPACE)
     meets = takes_points = True
 
-    bodies: Annotated[Pair | None, TWO_BODIES] = None
+    bodies: Annotated[Pair | None, kind.TWO_BODIES] = None
     position: Annotated[Vector | None, _PLACE] = None
     axis: Annotated[
         Vector | None,
-        Direction(
+        kind.Direction(
             text="direction as drawn, of any length; only in 3-D", example=[0, 0, 1],
             reading=_only_in_space("a revolute joint in the plane has no axis: it turns about z"),
         ),
     ] = None  # fmt: skip
-    points: Annotated[Ends | None, TWO_ENDS] = None
+    points: Annotated[Ends | None, kind.TWO_ENDS] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that there is an axis in space."""
@@ -257,7 +241,7 @@ class Universal(BodyJoint):
 
     axes: Annotated[
         tuple[Vector, Vector],
-        replace(TWO_AXES, text="axis in the first and in the second body, as drawn"),
+        replace(kind.TWO_AXES, text="axis in the first and in the second body, as drawn"),
     ]
 
     def __post_init__(self) -> None:
@@ -326,7 +310,7 @@ class Screw(BodyJoint):
     only_in_space = "in the plane write 'rack'"
 
     axis: Annotated[Vector | None, _AXIS] = None
-    pitch: Annotated[Number, Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
+    pitch: Annotated[Number, kind.Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
     """Advance of the second body."""
 
 
@@ -367,9 +351,9 @@ class PointOnLine(PointOn):
 
     type = "point_on_line"
 
-    point: Annotated[PointReference, ONE_END]
-    body: Annotated[str | None, BODY_OR_GROUND] = None
-    position: Annotated[Vector | None, Components("m", "a place of the line as drawn")] = None
+    point: Annotated[PointReference, kind.ONE_END]
+    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
+    position: Annotated[Vector | None, kind.Components("m", "a place of the line as drawn")] = None
     """None: where the point is drawn."""
     axis: Annotated[Vector, _AXIS]
 
@@ -381,9 +365,9 @@ class PointOnPlane(PointOn):
     type = "point_on_plane"
     only_in_space = "in the plane write 'point_on_line'"
 
-    point: Annotated[PointReference, ONE_END]
-    body: Annotated[str | None, BODY_OR_GROUND] = None
-    position: Annotated[Vector | None, Components("m", "a place of the plane as drawn")] = None
+    point: Annotated[PointReference, kind.ONE_END]
+    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
+    position: Annotated[Vector | None, kind.Components("m", "a place of the plane as drawn")] = None
     axis: Annotated[Vector, _NORMAL]
 
 
@@ -396,11 +380,11 @@ class PointOnSurface(PointOn):
 
     type = "point_on_surface"
 
-    point: Annotated[PointReference, ONE_END]
-    body: Annotated[str | None, BODY_OR_GROUND] = None
+    point: Annotated[PointReference, kind.ONE_END]
+    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     surface: Annotated[
         Number,
-        Quantity(
+        kind.Quantity(
             text="zero on the surface, in body axes", example="x**2 + y**2 - 1", reading=_surface
         ),
     ]
@@ -417,9 +401,9 @@ class ConstantAngle(Part):
     offers = _on_the_second("torque", "N.m")
     only_in_space = "in the plane write 'prismatic', which keeps the angle of two bodies"
 
-    bodies: Annotated[Pair, TWO_BODIES]
-    axes: Annotated[tuple[Vector, Vector], TWO_AXES]
-    value: Annotated[Number | None, Quantity("rad", "as drawn unless given")] = None
+    bodies: Annotated[Pair, kind.TWO_BODIES]
+    axes: Annotated[tuple[Vector, Vector], kind.TWO_AXES]
+    value: Annotated[Number | None, kind.Quantity("rad", "as drawn unless given")] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:  # noqa: ARG002
         """Check that the axes are not parallel, where the joint is singular."""
@@ -436,7 +420,7 @@ class ConstantAngle(Part):
             reader.draft.error((*path, "axes"), message, help)
 
 
-def _two_joints(second: str) -> ListOf:
+def _two_joints(second: str) -> kind.ListOf:
     """Return the kind of names of two joints, the first with an angle."""
 
     def read(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str, ...]:
@@ -448,7 +432,7 @@ def _two_joints(second: str) -> ListOf:
             reader.draft.error(path, f"both joints are '{names[0]}'")
         return tuple(names)
 
-    return ListOf(item=NAME, size=TWO, example=["first", "second"], reading=read)
+    return kind.ListOf(item=kind.NAME, size=kind.TWO, example=["first", "second"], reading=read)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -459,7 +443,7 @@ class Gear(Part):
     offers = _on_the_second("torque", "N.m")
 
     joints: Annotated[tuple[str, str], _two_joints("angle")]
-    ratio: Annotated[Number, Quantity(rule=NOT_ZERO, example=-2.0)]
+    ratio: Annotated[Number, kind.Quantity(rule=NOT_ZERO, example=-2.0)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -470,7 +454,7 @@ class Rack(Part):
     offers = _on_the_second("force", "N")
 
     joints: Annotated[tuple[str, str], _two_joints("displacement")]
-    radius: Annotated[Number, Quantity("m", "of the pinion", NOT_ZERO, example=0.1)]
+    radius: Annotated[Number, kind.Quantity("m", "of the pinion", NOT_ZERO, example=0.1)]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -480,18 +464,20 @@ class Rolling(Part):
     type = "rolling"
     offers = (_force_on("the disc"),)
 
-    body: Annotated[str, Plain(example="wheel")]
+    body: Annotated[str, kind.Plain(example="wheel")]
     """Its origin is the centre of the disc."""
-    radius: Annotated[Number, Quantity("m", rule=POSITIVE, example=0.1)]
+    radius: Annotated[Number, kind.Quantity("m", rule=POSITIVE, example=0.1)]
     axis: Annotated[
         Vector | None,
-        Direction(
+        kind.Direction(
             text="of the disc; only in 3-D", example=[0, 1, 0],
             reading=_only_in_space("a disc in the plane has no axis: it turns about z"),
         ),
     ] = None  # fmt: skip
-    position: Annotated[Vector | None, Components("m", "a place of the plane; the origin")] = None
-    normal: Annotated[Vector | None, Direction(text="towards the disc; +z, in 2-D +y")] = None
+    position: Annotated[Vector | None, kind.Components("m", "a place of the plane; the origin")] = (
+        None
+    )
+    normal: Annotated[Vector | None, kind.Direction(text="towards the disc; +z, in 2-D +y")] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the body can roll, about an axis in space."""

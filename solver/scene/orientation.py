@@ -9,8 +9,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
+from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector, cos, operate, select, sin, sqrt
-from solver.scene.fields import BROKEN, COMPONENTS, NUMBER, Components, ListOf, Part, Quantity
+from solver.scene.fields import BROKEN, Part
 from solver.scene.numbers import applied, dot
 from solver.scene.report import Path
 
@@ -31,18 +32,20 @@ _EXAMPLE = "write orientation = { axis = [0, 0, 1], angle = ... }"
 class Orientation(Part):
     """Orientation of a body in space; one of the four ways."""
 
-    axis: Annotated[Any, COMPONENTS] = None
-    angle: Annotated[Any, Quantity("rad")] = None
-    quaternion: Annotated[Any, ListOf(text="[w, x, y, z]", item=NUMBER)] = None
-    rotation_vector: Annotated[Any, Components("rad")] = None
-    matrix: Annotated[Any, ListOf(text="columns are the body's axes", item=COMPONENTS)] = None
+    axis: Annotated[Any, kind.COMPONENTS] = None
+    angle: Annotated[Any, kind.Quantity("rad")] = None
+    quaternion: Annotated[Any, kind.ListOf(text="[w, x, y, z]", item=kind.NUMBER)] = None
+    rotation_vector: Annotated[Any, kind.Components("rad")] = None
+    matrix: Annotated[
+        Any, kind.ListOf(text="columns are the body's axes", item=kind.COMPONENTS)
+    ] = None
 
 
 @dataclass(frozen=True, slots=True)
 class InBodyAxes(Part):
     """A vector in the axes of the body."""
 
-    body: Annotated[Any, Components(example=[0, 0, 1])]
+    body: Annotated[Any, kind.Components(example=[0, 0, 1])]
 
 
 def read_orientation(reader: "Reader", path: Path, given: Any) -> Number | Matrix:

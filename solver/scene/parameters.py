@@ -5,8 +5,9 @@ from dataclasses import dataclass, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from solver.scene import fields as kind
 from solver.scene.expression import Number
-from solver.scene.fields import BROKEN, Choice, Part, Plain, Quantity, setting
+from solver.scene.fields import BROKEN, Part
 from solver.scene.report import Path
 from solver.scene.rules import PARAMETER
 from solver.scene.units import not_of_si
@@ -53,20 +54,20 @@ def _default(reader: "Reader", path: Path, value: Any, given: Any) -> Number:
     return value.number
 
 
-UNIT, TEXT, _LIMIT = Plain(reading=_unit), Plain(), Quantity(reading=_limit)
+UNIT, TEXT, _LIMIT = kind.Plain(reading=_unit), kind.Plain(), kind.Quantity(reading=_limit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Part):
     """A number with a name, settable in the FMU."""
 
-    value: Annotated[Number, Quantity(example=1.0, reading=_default)]
+    value: Annotated[Number, kind.Quantity(example=1.0, reading=_default)]
     """Default; an expression in other parameters makes it a calculated parameter."""
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
     min: Annotated[float | None, _LIMIT] = None
     max: Annotated[float | None, _LIMIT] = None
-    variability: Annotated[Literal["fixed", "tunable"], Choice(words=("fixed", "tunable"))] = (
+    variability: Annotated[Literal["fixed", "tunable"], kind.Choice(words=("fixed", "tunable"))] = (
         "fixed"
     )
     """A tunable one may change during a run. Calculated from a tunable one means tunable."""
@@ -86,15 +87,15 @@ class Parameter(Part):
 class Input(Part):
     """A number that arrives from outside at every communication step."""
 
-    start: Annotated[float, setting()] = 0.0
+    start: Annotated[float, kind.setting()] = 0.0
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
     min: Annotated[float | None, _LIMIT] = None
     max: Annotated[float | None, _LIMIT] = None
-    interpolation: Annotated[Literal["hold", "ramp"], Choice(words=("hold", "ramp"))] = "hold"
+    interpolation: Annotated[Literal["hold", "ramp"], kind.Choice(words=("hold", "ramp"))] = "hold"
     """How drivers and forces see it within a communication step: constant, or a straight line from
     the value before to the new one."""
-    limit: Annotated[Literal["refuse", "clip"], Choice(words=("refuse", "clip"))] = "refuse"
+    limit: Annotated[Literal["refuse", "clip"], kind.Choice(words=("refuse", "clip"))] = "refuse"
     """What happens to a value beyond `min` or `max`: an error, or the limit instead."""
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:

@@ -9,20 +9,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, NoReturn
 
+from solver.scene import fields as kind
 from solver.scene.bodies import BODIES, Body, Point
 from solver.scene.drivers import DRIVERS, Constraint, Driver
 from solver.scene.expression import Number, Vector
-from solver.scene.fields import (
-    NUMBER,
-    Choice,
-    Components,
-    Kind,
-    Part,
-    Plain,
-    Quantity,
-    fields_of,
-    schema_of,
-)
+from solver.scene.fields import Part, fields_of, schema_of
 from solver.scene.forces import FORCES, ForceElement
 from solver.scene.joints import JOINTS, Joint
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
@@ -35,13 +26,13 @@ from solver.scene.settings import Experiment, SolverSettings
 class Output(Part):
     """An expression over the mechanism, computed at every communication point."""
 
-    value: Annotated[Number, Quantity(place=OUTPUT, example="A.x")]
+    value: Annotated[Number, kind.Quantity(place=OUTPUT, example="A.x")]
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
 
 
 @dataclass(frozen=True)
-class Parts(Kind):
+class Parts(kind.Kind):
     """A table whose keys name parts, of one type or several; or of the fields of one part."""
 
     noun: str = ""
@@ -54,7 +45,7 @@ class Parts(Kind):
         if not self.noun:
             return forms[0]
         if self.types == (Parameter,):
-            forms.insert(0, NUMBER.schema())
+            forms.insert(0, kind.NUMBER.schema())
         one = forms[0] if len(forms) == 1 else {"anyOf": forms}
         return {"type": "object", "additionalProperties": one}
 
@@ -67,10 +58,10 @@ def _table(noun: str, *types: type[Part]) -> Any:
 class Scene(Part):
     """A mechanism: format version 1."""
 
-    name: Annotated[str, Plain(example="double_pendulum", pattern="^[A-Za-z][A-Za-z0-9_]*$")]
-    description: Annotated[str, Plain()] = ""
-    dimension: Annotated[Literal[2, 3], Choice(words=(2, 3))] = 3
-    gravity: Annotated[Vector, Components("m/s2", example=[0, 0, -9.81])] = (0.0, 0.0, 0.0)
+    name: Annotated[str, kind.Plain(example="double_pendulum", pattern="^[A-Za-z][A-Za-z0-9_]*$")]
+    description: Annotated[str, kind.Plain()] = ""
+    dimension: Annotated[Literal[2, 3], kind.Choice(words=(2, 3))] = 3
+    gravity: Annotated[Vector, kind.Components("m/s2", example=[0, 0, -9.81])] = (0.0, 0.0, 0.0)
     parameters: Annotated[dict[str, Parameter], _table("parameter", Parameter)] = field(
         default_factory=dict
     )

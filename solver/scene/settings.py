@@ -4,7 +4,8 @@ from dataclasses import dataclass, field, make_dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
 from solver.options import OPTIONS, Option
-from solver.scene.fields import Choice, Kind, Part, Plain, fields_of, setting
+from solver.scene import fields as kind
+from solver.scene.fields import Part, fields_of
 from solver.scene.rules import POSITIVE, Rule
 
 if TYPE_CHECKING:
@@ -20,19 +21,19 @@ ROWS, MOST_INTERNAL_STEPS = 100, 10
 """Communication steps of a default run, and the most internal steps in one of them."""
 
 
-def _kind(option: Option) -> Kind:
-    """Kind of a setting; its numbers are without symbols."""
+def _kind(option: Option) -> kind.Kind:
+    """Kind of a kind.setting; its numbers are without symbols."""
     text = option.meaning
     if option.words or option.allowed:
-        return Choice(text=text, words=option.words or tuple(map(int, option.allowed)))
+        return kind.Choice(text=text, words=option.words or tuple(map(int, option.allowed)))
     if option.is_switch:
-        return Plain(text=text, type=bool)
+        return kind.Plain(text=text, type=bool)
     words = f"from {option.low:g} to {option.high:g}"
     if option.whole:
-        return Plain(text=text, type=int, rule=Rule(option.holds, words))
+        return kind.Plain(text=text, type=int, rule=Rule(option.holds, words))
     words = f"{'>= 0' if option.low == 0.0 else '> 0'} and <= {option.high:g}"
     rule = _TOLERANCE if option.name == "tolerance" else Rule(option.holds, words)
-    return setting(option.unit, text, rule, float(option.default))
+    return kind.setting(option.unit, text, rule, float(option.default))
 
 
 if TYPE_CHECKING:
@@ -62,14 +63,14 @@ else:
 class Experiment(Part):
     """Default run of the FMU."""
 
-    start_time: Annotated[float, setting("s")] = 0.0
+    start_time: Annotated[float, kind.setting("s")] = 0.0
     stop_time: Annotated[
-        float, setting("s", "one second after the start unless given", required=False)
+        float, kind.setting("s", "one second after the start unless given", required=False)
     ] = 1.0
     step_size: Annotated[
-        float, setting("s", "the communication step", POSITIVE, required=False)
+        float, kind.setting("s", "the communication step", POSITIVE, required=False)
     ] = 0.1
-    tolerance: Annotated[float | None, setting(rule=_TOLERANCE)] = None
+    tolerance: Annotated[float | None, kind.setting(rule=_TOLERANCE)] = None
 
 
 def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
@@ -80,8 +81,8 @@ def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
     )
 
     def seconds(part: type[Part], table: str, name: str, default: float) -> float:
-        given, kind = solver if part is SolverSettings else run, fields_of(part)[name].kind
-        return reader.constant((table, name), getattr(given, name), default, kind.rule, kind.unit)
+        given, own = solver if part is SolverSettings else run, fields_of(part)[name].kind
+        return reader.constant((table, name), getattr(given, name), default, own.rule, own.unit)
 
     usual = float(OPTIONS["step_size"].default)
     outer = seconds(Experiment, "experiment", "step_size", 0.0)

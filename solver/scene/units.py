@@ -15,53 +15,15 @@ import math
 import re
 from dataclasses import dataclass, field
 
-_NEWTON = {"kg": 1, "m": 1, "s": -2}
-_JOULE = {"kg": 1, "m": 2, "s": -2}
-_WATT = {"kg": 1, "m": 2, "s": -3}
-_PASCAL = {"kg": 1, "m": -1, "s": -2}
-
-_SYMBOLS: dict[str, tuple[dict[str, int], float]] = {
-    "1": ({}, 1.0),
-    "%": ({}, 0.01),
-    "m": ({"m": 1}, 1.0),
-    "mm": ({"m": 1}, 1e-3),
-    "cm": ({"m": 1}, 1e-2),
-    "km": ({"m": 1}, 1e3),
-    "s": ({"s": 1}, 1.0),
-    "ms": ({"s": 1}, 1e-3),
-    "min": ({"s": 1}, 60.0),
-    "h": ({"s": 1}, 3600.0),
-    "kg": ({"kg": 1}, 1.0),
-    "g": ({"kg": 1}, 1e-3),
-    "t": ({"kg": 1}, 1e3),
-    "rad": ({"rad": 1}, 1.0),
-    "deg": ({"rad": 1}, 0.017453292519943295),
-    "rev": ({"rad": 1}, 6.283185307179586),
-    "rpm": ({"rad": 1, "s": -1}, 0.10471975511965977),
-    "Hz": ({"s": -1}, 1.0),
-    "N": (_NEWTON, 1.0),
-    "kN": (_NEWTON, 1e3),
-    "MN": (_NEWTON, 1e6),
-    "J": (_JOULE, 1.0),
-    "kJ": (_JOULE, 1e3),
-    "W": (_WATT, 1.0),
-    "kW": (_WATT, 1e3),
-    "MW": (_WATT, 1e6),
-    "Pa": (_PASCAL, 1.0),
-    "MPa": (_PASCAL, 1e6),
-    "GPa": (_PASCAL, 1e9),
-    "A": ({"A": 1}, 1.0),
-    "K": ({"K": 1}, 1.0),
-    "mol": ({"mol": 1}, 1.0),
-    "cd": ({"cd": 1}, 1.0),
-    "V": ({"kg": 1, "m": 2, "s": -3, "A": -1}, 1.0),
-    "C": ({"A": 1, "s": 1}, 1.0),
-    "F": ({"A": 2, "s": 4, "kg": -1, "m": -2}, 1.0),
-    "H": ({"kg": 1, "m": 2, "s": -2, "A": -2}, 1.0),
-    "T": ({"kg": 1, "s": -2, "A": -1}, 1.0),
-    "Wb": ({"kg": 1, "m": 2, "s": -2, "A": -1}, 1.0),
-    "Ohm": ({"kg": 1, "m": 2, "s": -3, "A": -2}, 1.0),
-}
+_DEFINITIONS = """
+    1, % = 0.01 1, m, mm = 1e-3 m, cm = 1e-2 m, km = 1e3 m, s, ms = 1e-3 s, min = 60 s, h = 3600 s
+    kg, g = 1e-3 kg, t = 1e3 kg, rad, deg = 0.017453292519943295 rad, rev = 6.283185307179586 rad
+    rpm = 0.10471975511965977 rad/s, Hz = 1 1/s, N = 1 kg.m/s2, kN = 1e3 N, MN = 1e6 N
+    J = 1 kg.m2/s2, kJ = 1e3 J, W = 1 kg.m2/s3, kW = 1e3 W, MW = 1e6 W
+    Pa = 1 kg/m/s2, MPa = 1e6 Pa, GPa = 1e9 Pa, A, K, mol, cd
+    V = 1 W/A, C = 1 A.s, F = 1 C/V, H = 1 V.s/A, T = 1 V.s/m2, Wb = 1 V.s, Ohm = 1 V/A
+"""
+"""Symbols, each a base unit or a multiple of others before it."""
 _NAMES = {
     "N": "newton newtons", "m": "meter meters metre metres", "s": "sec second seconds",
     "kg": "kilogram kilograms", "rad": "radian radians", "deg": "degree degrees °",
@@ -90,6 +52,9 @@ class BaseUnit:
         return all(self.powers.get(base) == other.powers.get(base) for base in bases)
 
 
+_SYMBOLS: dict[str, BaseUnit] = {}
+
+
 def base_unit(unit: str) -> BaseUnit | None:
     """Powers and factor of a unit string; None where a symbol of it is not known."""
     text = re.sub(r"\s+", ".", unit.strip()).replace("²", "2").replace("³", "3")
@@ -102,12 +67,19 @@ def base_unit(unit: str) -> BaseUnit | None:
         if not match or not known:
             return None
         power = int(match["power"] or 1) * (-1 if operator == "/" else 1)
-        factor *= known[1] ** power
-        for base, exponent in known[0].items():
+        factor *= known.factor**power
+        for base, exponent in known.powers.items():
             powers[base] = powers.get(base, 0) + exponent * power
     if not 0.0 < factor < math.inf:
         return None
     return BaseUnit({base: p for base, p in powers.items() if p and _keeps(base, powers)}, factor)
+
+
+def _define(symbol: str, definition: str) -> None:
+    value, _, unit = definition.partition(" ")
+    known = base_unit(unit) if unit else BaseUnit({} if symbol == "1" else {symbol: 1})
+    assert known is not None
+    _SYMBOLS[symbol] = BaseUnit(known.powers, float(value or 1.0) * known.factor)
 
 
 def _keeps(base: str, powers: dict[str, int]) -> bool:
@@ -121,7 +93,7 @@ def not_of_si(unit: str) -> tuple[str, str]:
     base = base_unit(unit)
     meant = unit if base else _respelled(unit)
     if not meant:
-        known = ", ".join(symbol for symbol, (_, factor) in _SYMBOLS.items() if factor == 1.0)
+        known = ", ".join(symbol for symbol, known in _SYMBOLS.items() if known.factor == 1.0)
         help = f"write products, quotients and powers of {known}, or leave it out"
         return f"there is no unit {unit!r}", help
     found = base or base_unit(meant) or BaseUnit()
@@ -168,15 +140,16 @@ def _products(word: str) -> list[list[str]]:
 
 def _likelihood(symbols: list[str]) -> tuple[bool, int]:
     """Key of a product that is more likely the smaller it is: each symbol once, those of SI."""
-    return len({*symbols}) < len(symbols), sum(_SYMBOLS[s][1] != 1.0 for s in symbols)
+    return len({*symbols}) < len(symbols), sum(_SYMBOLS[s].factor != 1.0 for s in symbols)
 
 
 def _si_name(unit: str, base: BaseUnit) -> str:
     """Write a unit with symbols of SI."""
-    si = {str(powers): symbol for symbol, (powers, factor) in _SYMBOLS.items() if factor == 1.0}
+    si = {str(x.powers): symbol for symbol, x in _SYMBOLS.items() if x.factor == 1.0}
 
     def same(match: re.Match[str]) -> str:
-        return si.get(str(_SYMBOLS.get(match[0], ("",))[0]), match[0])
+        known = _SYMBOLS.get(match[0])
+        return si.get(str(known.powers), match[0]) if known else match[0]
 
     name = re.sub(r"[A-Za-z%]+", same, unit)
     if base_unit(name) == BaseUnit(base.powers):
@@ -184,3 +157,7 @@ def _si_name(unit: str, base: BaseUnit) -> str:
     above = [f"{name}{p if p > 1 else ''}" for name, p in base.powers.items() if p > 0]
     below = [f"/{name}{-p if p < -1 else ''}" for name, p in base.powers.items() if p < 0]
     return (".".join(above) or "1") + "".join(below)
+
+
+for _entry in _DEFINITIONS.strip().replace("\n", ",").split(","):
+    _define(*_entry.strip().partition(" = ")[::2])

@@ -7,7 +7,6 @@ import pytest
 
 from solver import assemble
 from solver.scene import Expr, Rigid, SceneError, evaluate, loads
-from solver.scene.inertia import principal_moments
 
 HEAD = 'name = "body"\n[parameters]\na = 0.7\n[bodies.b]\nposition = [1, 2, 3]\n'
 PLANE = HEAD.replace("[par", "dimension = 2\n[par").replace(", 3]", "]")
@@ -164,19 +163,6 @@ def test_the_triangle_inequality_is_that_of_the_principal_moments():
     body(inertia(1.0, 2.0, 3.0 - 1e-12))
     with pytest.raises(SceneError, match="inertia that no body can have"):
         body(inertia(1.0, 2.0, 3.0 + 1e-6))
-
-
-def test_principal_moments_do_not_depend_on_the_axes():
-    numbers = random.Random(7)
-    for _ in range(20):
-        moments = sorted(numbers.uniform(0, 5) for _ in range(3))
-        v = [numbers.uniform(-3, 3) for _ in range(3)]
-        r = turned(f"{{ rotation_vector = {v} }}")
-        matrix = [
-            [math.fsum(r[i][k] * moments[k] * r[j][k] for k in range(3)) for j in range(3)]
-            for i in range(3)
-        ]
-        assert principal_moments(matrix) == pytest.approx(moments, rel=1e-13)
 
 
 def test_the_place_of_a_body_point_is_where_the_turned_body_has_it():
