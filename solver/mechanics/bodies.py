@@ -11,7 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.mechanics.combination import node
-from solver.mechanics.equations import (
+from solver.mechanics.frames import BarFrame, RigidFrame
+from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, minors
+from solver.mechanics.mechanism import (
     DIRECTION,
     DRIVEN,
     FIXED,
@@ -21,8 +23,6 @@ from solver.mechanics.equations import (
     Node,
     Scale,
 )
-from solver.mechanics.frames import BarFrame, RigidFrame
-from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, minors
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import (
     Matrix,

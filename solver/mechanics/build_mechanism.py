@@ -9,12 +9,10 @@ from typing import Any
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid
 from solver.mechanics.combination import node
-from solver.mechanics.couplings import COUPLINGS
-from solver.mechanics.drivers import DRIVERS, driven_points
-from solver.mechanics.equations import FREE
+from solver.mechanics.couplings import COUPLINGS, DRIVERS, driven_points
 from solver.mechanics.forces import FORCES
 from solver.mechanics.joints import JOINTS, add_joint
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.mechanism import FREE, Mechanism
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector

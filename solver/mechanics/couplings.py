@@ -1,18 +1,21 @@
-"""Joints that are relations: distance, point on a line or surface, angle, gear, rack, rolling.
+"""Relations: distance, point on a line or surface, angle, gear, rack, rolling; and drivers.
 
     gear  theta_2 - k theta_1 = 0        rack  x_2 - R theta_1 = 0        surface  F(xi) = 0
 
 with xi the coordinates of a place in the axes of a body. A rolling disc has one holonomic row, the
 height of its centre, and one velocity row for each tangent of the plane (theory 6.2).
+
+A driven point is a node whose coordinates are signals; every other driver is a row
+sigma - f(t) = 0 whose multiplier is the force that it exerts, F = -mu along +sigma (theory 6.1).
 """
 
 from __future__ import annotations
 
 from solver.mechanics.derivative import derivative
-from solver.mechanics.equations import RATE, VALUE, Formula, Leaf, Scale
 from solver.mechanics.formulas import formula, is_linear_in_rates, leaf_symbol
 from solver.mechanics.joints import angle_between
-from solver.mechanics.parts import AXES, JointParts
+from solver.mechanics.mechanism import RATE, SIGNAL, VALUE, Formula, Leaf, Scale
+from solver.mechanics.parts import AXES, JointParts, RowOf
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import (
     Vector,
@@ -25,16 +28,22 @@ from solver.mechanics.vectors import (
     unit,
 )
 from solver.scene import (
+    AngleDriver,
     ConstantAngle,
     Constraint,
+    DisplacementDriver,
     Distance,
+    DistanceDriver,
     Gear,
+    JointDriver,
     Number,
     PointOnLine,
     PointOnPlane,
     PointOnSurface,
+    PositionDriver,
     Rack,
     Rolling,
+    Scene,
 )
 from solver.scene.expression import cos, sqrt
 
@@ -185,4 +194,54 @@ COUPLINGS = {
     Distance: add_rod, PointOnLine: add_point_on, PointOnPlane: add_point_on,
     PointOnSurface: add_point_on_surface, ConstantAngle: add_angle, Gear: add_gear,
     Rack: add_rack, Rolling: add_rolling, Constraint: add_constraint,
+}  # fmt: skip
+
+
+def driven_points(scene: Scene) -> dict[str, tuple[str, Vector]]:
+    """Return the driver of each driven point, and the path that it prescribes."""
+    return {
+        driver.point.point: (name, driver.value)
+        for name, driver in scene.drivers.items()
+        if isinstance(driver, PositionDriver)
+        and driver.point.point in scene.points
+        and not scene.points[driver.point.point].fixed
+    }
+
+
+def drive_position(rows: Rows, driver: PositionDriver, found: JointParts) -> None:
+    """Let a point of a body follow a path; a point of its own has it as coordinates."""
+    parts = rows.parts
+    if driver.point.point not in parts.paths:
+        place = parts.place(driver.point)
+        for k, value in enumerate(driver.value):
+            axis = parts.axis(k)
+            row = _row(rows, rows.mechanism.component(place, axis), value, METRES)
+            found.pushes.append((row, 1.0, axis))
+
+
+def drive_joint(rows: Rows, driver: JointDriver, found: JointParts) -> None:
+    """Prescribe the angle or displacement of a joint."""
+    joint, turns = rows.parts.joints[driver.joint], driver.type == "angle"
+    found.driven = joint.angle if turns else joint.displacement
+    if found.driven is None:
+        rows.problem(f"joint '{driver.joint}' has no {driver.type}", ".joint")
+    else:
+        found.row = _row(rows, found.driven, driver.value, RADIANS if turns else METRES)
+
+
+def drive_distance(rows: Rows, driver: DistanceDriver, found: JointParts) -> None:
+    """Prescribe the distance of two places."""
+    found.driven = rows.mechanism.length(rows.parts.link(driver.points))
+    found.row = _row(rows, found.driven, driver.value, METRES)
+
+
+def _row(rows: Rows, quantity: int, value: Number, scale: Scale) -> RowOf:
+    mechanism = rows.mechanism
+    leaves = mechanism.leaf(quantity), Leaf(SIGNAL, mechanism.signal(value))
+    return rows.function(Formula(leaf_symbol(0) - leaf_symbol(1), leaves), scale, "driver")
+
+
+DRIVERS = {
+    PositionDriver: drive_position, DistanceDriver: drive_distance,
+    AngleDriver: drive_joint, DisplacementDriver: drive_joint,
 }  # fmt: skip

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
-from solver.mechanics.equations import FIXED, SIGNAL
+from solver.mechanics.mechanism import FIXED, SIGNAL
 from solver.mechanics.sensors import Ref
 from solver.mechanics.structure import Structure
 from solver.mechanics.variables import SENSORS, Symbols, distance_between

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import VALUE, BodyMoment, Element, Formula, Leaf, Load, Moment
 from solver.mechanics.formulas import formula, leaf_symbol, sensed
 from solver.mechanics.frames import RigidFrame
+from solver.mechanics.mechanism import VALUE, BodyMoment, Element, Formula, Leaf, Load, Moment
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector, dot

@@ -11,8 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
-from solver.mechanics.equations import RATE, SIGNAL, VALUE, Formula, Leaf, Scale
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.mechanism import RATE, SIGNAL, VALUE, Formula, Leaf, Mechanism, Scale
 from solver.mechanics.parts import Meaning, Parts
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
 from solver.scene.expression import operate, symbol

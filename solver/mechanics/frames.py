@@ -7,11 +7,9 @@ second director is J d. A bar between two points has the frame d = (X_2 - X_1)/L
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Protocol
 
 from solver.mechanics.combination import Combination, node
-from solver.mechanics.equations import DIRECTION, POINT
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.mechanism import DIRECTION, POINT, Mechanism
 from solver.mechanics.vectors import (
     Matrix,
     Vector,
@@ -25,27 +23,6 @@ from solver.mechanics.vectors import (
     turned,
 )
 from solver.scene import Number
-
-
-class Frame(Protocol):
-    """A body, or the ground, to which places and directions are fixed."""
-
-    @property
-    def axes(self) -> tuple[Vector, ...]:
-        """Its axes as drawn, in global axes."""
-        ...
-
-    def place(self, position: Vector) -> Combination:
-        """Return the place that is drawn at a global position."""
-        ...
-
-    def direction(self, vector: Vector) -> Combination:
-        """Return the direction that is drawn along a global vector, and as long."""
-        ...
-
-    def coordinates(self, place: Combination) -> tuple[tuple[Combination, Combination], ...]:
-        """Return the forms that are the coordinates of a place in body axes, from the origin."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,3 +131,7 @@ class BarFrame:
         """Return the forms that are the coordinates along and across it."""
         link = place - node(self.ends[0])
         return tuple((link, self.direction(axis)) for axis in self.axes)
+
+
+Frame = Ground | RigidFrame | BarFrame
+"""A body, or the ground, to which places and directions are fixed."""

@@ -13,8 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from solver.mechanics.equations import DRIVEN, FIXED
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.mechanism import DRIVEN, FIXED, Mechanism
 
 Item = TypeVar("Item")
 

@@ -12,10 +12,9 @@ from dataclasses import dataclass
 from math import pi
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import Formula
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Frame, Ground
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.mechanism import Formula, Mechanism
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import METRES, Rows
 from solver.mechanics.vectors import Vector, perpendicular, turned, unit

@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination, node
-from solver.mechanics.equations import DIRECTION, POINT, RATE, VALUE, Leaf
 from solver.mechanics.frames import Frame, Ground, RigidFrame
-from solver.mechanics.mechanism import Mechanism
+from solver.mechanics.mechanism import DIRECTION, POINT, RATE, VALUE, Leaf, Mechanism
 from solver.mechanics.vectors import Vector, identity, norm
 from solver.scene import Expr, Number, PointReference, Scene
 

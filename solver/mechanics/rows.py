@@ -12,8 +12,8 @@ from sys import intern
 from typing import Literal
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import Coincidence, FormRow, Formula, FunctionRow, Scale
 from solver.mechanics.formulas import scale_of
+from solver.mechanics.mechanism import Coincidence, FormRow, Formula, FunctionRow, Scale
 from solver.mechanics.parts import Parts, RowOf
 from solver.mechanics.vectors import Vector, dot, unit
 from solver.runtime.model import Row, Rule

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.equations import FIXED
 from solver.mechanics.formulas import rewritten
+from solver.mechanics.mechanism import FIXED
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.structure import Structure
 from solver.mechanics.vectors import Vector, add, scale, turned

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from solver.mechanics.equations import (
+from solver.mechanics.islands import Islands, Ordered
+from solver.mechanics.mechanism import (
     DRIVEN,
     FIXED,
     FREE,
@@ -23,9 +24,8 @@ from solver.mechanics.equations import (
     FormRow,
     FunctionRow,
     Leaf,
+    Mechanism,
 )
-from solver.mechanics.islands import Islands, Ordered
-from solver.mechanics.mechanism import Mechanism
 from solver.scene import Number
 
 SQUARE, LINEAR, TURNED = 1, 2, 4
