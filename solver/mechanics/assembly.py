@@ -10,14 +10,14 @@ from solver.mechanics.build_mechanism import collect
 from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.outputs import named
-from solver.mechanics.sensors import Measures, Named, Ref
+from solver.mechanics.sensors import Measures
 from solver.mechanics.structure import Structure, pointers
 from solver.mechanics.tape import Numbers, Segment
-from solver.mechanics.variables import Symbols, distance_between, output, variable_table
+from solver.mechanics.variables import Symbols, distance_between, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
-from solver.runtime.layout import SIZES, TABLES, measured_sections, measured_size
-from solver.runtime.model import Rule, Variable
+from solver.runtime.layout import SIZES, TABLES, measured_size
+from solver.runtime.model import Rule
 from solver.runtime.options import slots_for
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
@@ -80,7 +80,7 @@ def model_of(scene: Scene) -> Model:
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
     tables["input_ramp"] = array("i", (x.interpolation == "ramp" for x in scene.inputs.values()))
-    variables = _variables(scene, table, structure, numbers)
+    variables = tuple(variables_of(scene, table, structure, numbers))
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
     model = Model(
         name=scene.name,
@@ -113,29 +113,6 @@ def _settings(scene: Scene) -> dict[str, float | str | bool]:
         name: float(value) if isinstance(value, int) and not isinstance(value, bool) else value
         for name, value in given.items()
     }
-
-
-def _variables(
-    scene: Scene, table: Sequence[Named], structure: Structure, numbers: Numbers
-) -> tuple[Variable, ...]:  # fmt: skip
-    calculated = {
-        name: numbers.place(parameter.value)
-        for name, parameter in scene.parameters.items()
-        if isinstance(parameter.value, Expr)
-    }
-    outputs = [
-        output(name, x.unit, x.description, "number", numbers.place(x.value, Segment.OUTPUTS))
-        for name, x in scene.outputs.items()
-    ]
-    sections = measured_sections(structure.sizes)
-    measured = [
-        output(x.name, x.unit, x.text, "measured", x.meaning.place(structure, sections))
-        if isinstance(x.meaning, Ref)
-        else output(x.name, x.unit, x.text, "number", numbers.place(x.meaning, Segment.OUTPUTS))
-        for x in table
-        if x.listed
-    ]
-    return variable_table(scene, outputs, measured, calculated)
 
 
 def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid
 from solver.mechanics.combination import node
-from solver.mechanics.couplings import COUPLINGS, DRIVERS, driven_points
+from solver.mechanics.couplings import COUPLINGS, driven_points
 from solver.mechanics.forces import FORCES
 from solver.mechanics.joints import JOINTS, add_joint
 from solver.mechanics.mechanism import FREE, Mechanism
@@ -29,7 +29,7 @@ from solver.scene import (
 )
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
-    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **FORCES, **DRIVERS,
+    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **FORCES,
 }  # fmt: skip
 
 

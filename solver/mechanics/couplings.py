@@ -190,13 +190,6 @@ def _roll_on_a_plane(rows: Rows, joint: Rolling, normal: Vector, found: JointPar
         found.pushes.append((rows.velocity(Formula(value, (*up, *slide)), METRES), 1.0, t))
 
 
-COUPLINGS = {
-    Distance: add_rod, PointOnLine: add_point_on, PointOnPlane: add_point_on,
-    PointOnSurface: add_point_on_surface, ConstantAngle: add_angle, Gear: add_gear,
-    Rack: add_rack, Rolling: add_rolling, Constraint: add_constraint,
-}  # fmt: skip
-
-
 def driven_points(scene: Scene) -> dict[str, tuple[str, Vector]]:
     """Return the driver of each driven point, and the path that it prescribes."""
     return {
@@ -241,7 +234,10 @@ def _row(rows: Rows, quantity: int, value: Number, scale: Scale) -> RowOf:
     return rows.function(Formula(leaf_symbol(0) - leaf_symbol(1), leaves), scale, "driver")
 
 
-DRIVERS = {
+COUPLINGS = {
+    Distance: add_rod, PointOnLine: add_point_on, PointOnPlane: add_point_on,
+    PointOnSurface: add_point_on_surface, ConstantAngle: add_angle, Gear: add_gear,
+    Rack: add_rack, Rolling: add_rolling, Constraint: add_constraint,
     PositionDriver: drive_position, DistanceDriver: drive_distance,
     AngleDriver: drive_joint, DisplacementDriver: drive_joint,
 }  # fmt: skip

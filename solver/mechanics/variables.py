@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from solver.mechanics.parts import AXES
 from solver.mechanics.sensors import Measures, Named, Ref
 from solver.mechanics.structure import Structure
-from solver.mechanics.tape import Segment
+from solver.mechanics.tape import Numbers, Segment
 from solver.options import OPTIONS
 from solver.runtime.layout import measured_sections
 from solver.runtime.model import Variable
@@ -82,46 +82,52 @@ def distance_between(dim: int, call: str) -> Number:
     return sqrt(total)
 
 
-def variable_table(
-    scene: Scene, outputs: Iterable[Variable], measured: Iterable[Variable],
-    calculated: Mapping[str, int],
-) -> tuple[Variable, ...]:  # fmt: skip
-    """Return all variables: parameters, inputs, settings, outputs of the scene, measurements."""
-    return (
-        *_parameters(scene, calculated),
-        *(
-            Variable(
-                name=name, type="Real", causality="input", variability="continuous",
-                unit=given.unit, description=given.description, start=given.start,
-                minimum=given.min, maximum=given.max, kind="input", place=place,
-                clips=given.limit == "clip",
-            )
-            for place, (name, given) in enumerate(scene.inputs.items())
-        ),
-        *_settings(scene),
-        *outputs,
-        *measured,
-    )  # fmt: skip
+def variables_of(
+    scene: Scene, table: Iterable[Named], structure: Structure, numbers: Numbers
+) -> Iterator[Variable]:
+    """Yield all variables: parameters, inputs, settings, outputs of the scene, measurements."""
+    sections = measured_sections(structure.sizes)
 
+    def output(name: str, unit: str, text: str, meaning: Ref | Number) -> Variable:
+        if isinstance(meaning, Ref):
+            kind, place = "measured", meaning.place(structure, sections)
+        else:
+            kind, place = "number", numbers.place(meaning, Segment.OUTPUTS)
+        limits = None, None, None  # start, minimum, maximum
+        return Variable(name, "Real", "output", "continuous", unit, text, *limits, kind, place)
 
-def output(name: str, unit: str, text: str, kind: str, place: int) -> Variable:
-    """Return the variable of an output: a measurement or a number of the tape."""
-    limits = None, None, None  # start, minimum, maximum
-    return Variable(name, "Real", "output", "continuous", unit, text, *limits, kind, place)
-
-
-def _parameters(scene: Scene, calculated: Mapping[str, int]) -> Iterator[Variable]:
-    place = 0
-    for name, given in scene.parameters.items():
-        free = not isinstance(given.value, Expr)
+    yield from _parameters(scene, numbers)
+    for place, (name, given) in enumerate(scene.inputs.items()):
         yield Variable(
-            name=name, type="Real", causality="parameter" if free else "calculatedParameter",
-            variability=given.variability, unit=given.unit, description=given.description,
-            start=None if isinstance(given.value, Expr) else float(given.value),
-            minimum=given.min, maximum=given.max,
-            kind="parameter" if free else "number", place=place if free else calculated[name],
+            name=name, type="Real", causality="input", variability="continuous",
+            unit=given.unit, description=given.description, start=given.start,
+            minimum=given.min, maximum=given.max, kind="input", place=place,
+            clips=given.limit == "clip",
         )  # fmt: skip
-        place += free
+    yield from _settings(scene)
+    for name, given in scene.outputs.items():
+        yield output(name, given.unit, given.description, given.value)
+    for named in table:
+        if named.listed:
+            yield output(named.name, named.unit, named.text, named.meaning)
+
+
+def _parameters(scene: Scene, numbers: Numbers) -> Iterator[Variable]:
+    free = 0
+    for name, given in scene.parameters.items():
+        common = {
+            "name": name, "type": "Real", "variability": given.variability, "unit": given.unit,
+            "description": given.description, "minimum": given.min, "maximum": given.max,
+        }  # fmt: skip
+        if isinstance(given.value, Expr):
+            place = numbers.place(given.value)
+            yield Variable(causality="calculatedParameter", kind="number", place=place, **common)
+        else:
+            start = float(given.value)
+            yield Variable(
+                causality="parameter", kind="parameter", place=free, start=start, **common
+            )
+            free += 1
 
 
 def _settings(scene: Scene) -> Iterator[Variable]:
