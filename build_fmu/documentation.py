@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sysconfig
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -31,7 +31,8 @@ td.number {{ font-variant-numeric: tabular-nums }}
 </head>
 <body>
 <h1>{name}</h1>
-{picture}<p>{description}</p>
+<img src="../model.png" alt="the mechanism as drawn" width="480" height="360">
+<p>{description}</p>
 <p>An FMI 2.0 co-simulation unit. It advances the mechanism with a conserving augmented-Lagrangian
 method; its outputs <code>energy.error</code> and <code>constraint.position</code> say how well
 energy and constraints are kept, and <code>solver.status</code> is 0 as long as every communication
@@ -46,7 +47,6 @@ step succeeded. Where it is not 0 the last step was discarded and the log has th
 </body>
 </html>
 """
-_PICTURE = '<img src="../model.png" alt="the mechanism as drawn" width="480" height="360">\n'
 _NEEDS = (
     "It needs Python 3.10 or newer on the machine that runs it, and no package. A host that is not "
     "a Python program must find libpython there; on Linux preload it: "
@@ -64,33 +64,29 @@ _SECTIONS = {
 }
 
 
-def documentation(model: Model, seen: Trial, *, pictured: bool) -> dict[str, bytes]:
+def documentation(model: Model, seen: Trial) -> dict[str, bytes]:
     """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
     ours, pythonfmu = _licence("build_fmu", "holonom"), _licence("pythonfmu", "pythonfmu")
     return {
-        "documentation/index.html": page(model, seen, pictured=pictured).encode(),
+        "documentation/index.html": page(model, seen).encode(),
         "documentation/externalDependencies.txt": f"{_NEEDS}\n".encode(),
         "documentation/licenses/license.txt": ours.encode(),
         "documentation/licenses/pythonfmu.txt": pythonfmu.encode(),
     }
 
 
-def page(model: Model, seen: Trial, *, pictured: bool) -> str:
+def page(model: Model, seen: Trial) -> str:
     """HTML page with a table of variables per causality."""
     tables = [
-        _table(title, [v for v in model.variables if _section(v) == section])
+        _table(title, [_row(v) for v in model.variables if _section(v) == section])
         for section, title in _SECTIONS.items()
     ]
-    experiment = model.experiment
+    start, stop, step, _ = model.experiment
     return _PAGE.format(
         name=escape(model.name),
         description=escape(model.description),
-        experiment=(
-            f"{experiment.start_time!r} s to {experiment.stop_time!r} s "
-            f"with steps of {experiment.step_size!r} s"
-        ),
+        experiment=f"{start!r} s to {stop!r} s with steps of {step!r} s",
         needs=_NEEDS,
-        picture=_PICTURE if pictured else "",
         solved=escape(solved(model)),
         accuracy=escape(accuracy(model, seen)),
         tables="\n".join(filter(None, tables)),
@@ -107,16 +103,12 @@ def solved(model: Model) -> str:
     coordinates = counted(sizes["dim"] * sizes["n_free"], "coordinate")
     islands = sizes["n_islands"]
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
-    text = (
-        f"{coordinates} and {counted(sizes['n_rows'], 'constraint row')}{apart}, solved by "
-        f"{settings['formulation']}"
-    )
+    rows = counted(sizes["n_rows"], "constraint row")
+    text = f"{coordinates} and {rows}{apart}, solved by {settings['formulation']}, in"
     if settings["tolerance"]:
-        return (
-            f"{text}, in steps chosen for a relative error of the run of {settings['tolerance']:g}."
-        )
+        return f"{text} steps chosen for a relative error of the run of {settings['tolerance']:g}."
     order = float(settings["order"]) or 2.0
-    return f"{text}, in internal steps of at most {settings['step_size']:g} s, of order {order:g}."
+    return f"{text} internal steps of at most {settings['step_size']:g} s, of order {order:g}."
 
 
 def accuracy(model: Model, seen: Trial) -> str:
@@ -149,12 +141,10 @@ def _seen(model: Model, seen: Trial) -> Iterator[str]:
         )
 
 
-def _table(title: str, variables: Iterable[Variable]) -> str:
-    rows = "\n".join(_row(variable) for variable in variables)
-    if not rows:
-        return ""
+def _table(title: str, rows: Sequence[str]) -> str:
     head = "<tr><th>Name</th><th>Unit</th><th>Value</th><th>Range</th><th>Meaning</th></tr>"
-    return f"<h2>{title}</h2>\n<table>\n{head}\n{rows}\n</table>"
+    listed = "\n".join([head, *rows])
+    return f"<h2>{title}</h2>\n<table>\n{listed}\n</table>" if rows else ""
 
 
 def _row(variable: Variable) -> str:

@@ -42,31 +42,27 @@ def build_archive(
     loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
     of_file = isinstance(scene, str | PathLike)
     target = fmu_path(path, Path(scene).stem if of_file else identifier(loaded.name))
-    write_fmu_and_set(compile_scene(loaded), target, loaded)
-    return target
-
-
-def write_fmu_and_set(
-    model: Model, target: Path, scene: Scene, tell: Callable[[str], object] | None = None
-) -> None:
-    """Write an FMU, as `write_fmu` does, and its parameter set; refuse to replace another's."""
-    require_own_set(target)
-    write_parameter_set(model, write_fmu(model, target, scene, tell))
+    return write_fmu(compile_scene(loaded), target, loaded)
 
 
 def write_fmu(
     model: Model,
-    path: str | PathLike[str] | None = None,
-    scene: Scene | None = None,
+    path: str | PathLike[str],
+    scene: Scene,
     tell: Callable[[str], object] | None = None,
 ) -> Path:
-    """Write the FMU of a model; a folder or None as path means the model's own name, there.
+    """Write the FMU of a model, and beside it its parameter set; `path` as in `fmu_path`.
 
     The scene that it was compiled from travels along, as text and as a picture. `tell` is called
     with what the trial run has to say, which stands on the page of the FMU as well.
     """
-    target, seen = fmu_path(path, identifier(model.name)), trial(model)
+    target = fmu_path(path, identifier(model.name))
+    beside = target.with_suffix(".ssv")
+    require_own_set(target)
+    seen = trial(model)
     write_archive(target, archive_entries(model, seen, scene))
+    with writing(beside):
+        beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
     for sentence in (*seen.remarks, *([failed] if seen.reason else ())):
         if tell:
@@ -96,14 +92,6 @@ def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
     return target
 
 
-def write_parameter_set(model: Model, fmu: Path) -> Path:
-    """Write the parameters of an FMU beside it, as a .ssv file of SSP."""
-    target = fmu.with_suffix(".ssv")
-    with writing(target):
-        target.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
-    return target
-
-
 def load_scene(
     scene: str | PathLike[str] | Scene, overrides: Mapping[str, object] | None = None
 ) -> Scene:
@@ -127,7 +115,7 @@ def compile_scene(
     return assemble(load_scene(scene, overrides))
 
 
-def archive_entries(model: Model, seen: Trial, scene: Scene | None = None) -> dict[str, bytes]:
+def archive_entries(model: Model, seen: Trial, scene: Scene) -> dict[str, bytes]:
     """Content of the archive by path."""
     code = payload(model.sizes["dim"])
     name = identifier(model.name)
@@ -137,14 +125,13 @@ def archive_entries(model: Model, seen: Trial, scene: Scene | None = None) -> di
     for library, data in wrapper_libraries().items():
         platform, suffix = library.split("/")
         entries[f"binaries/{platform}/{name}{suffix}"] = data
-    entries |= documentation(model, seen, pictured=scene is not None)
-    if scene is not None:
-        entries["model.png"] = picture(scene)
+    entries |= documentation(model, seen)
+    entries["model.png"] = picture(scene)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
     entries["modelDescription.xml"] = model_description(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
-        nominal=seen.nominal, source=scene.source if scene else None,
+        nominal=seen.nominal, source=scene.source,
     )  # fmt: skip
     return entries
 

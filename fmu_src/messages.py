@@ -58,16 +58,13 @@ class Failures:
         if len(self._sizes) < MANY:
             return ""
         count, shortest, longest = len(self._sizes), min(self._sizes), max(self._sizes)
-        if shortest == longest:
-            tried = f"{count} steps in a row failed at this time, all of {size:g} s"
-            advice = "take a smaller communication step"
-        else:
-            tried = (
-                f"{count} steps in a row failed at this time, from {longest:g} to {shortest:g} s"
-            )
+        sizes, advice = f"all of {size:g} s", "take a smaller communication step"
+        if shortest != longest:
+            sizes = f"from {longest:g} to {shortest:g} s"
             advice = "shorter communication steps alone do not help"
         return (
-            f"; {tried}: {advice}, set solver.step_size below {min(step_size, shortest):g} s, and "
-            "look for very small masses, very stiff springs, dampers or forces that jump, and "
-            "lengths that cannot be closed at this time"
+            f"; {count} steps in a row failed at this time, {sizes}: {advice}, set "
+            f"solver.step_size below {min(step_size, shortest):g} s, and look for very small "
+            "masses, very stiff springs, dampers or forces that jump, and lengths that cannot be "
+            "closed at this time"
         )

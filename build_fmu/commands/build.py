@@ -14,7 +14,7 @@ from build_fmu.target import is_fmu, scene_and_model
 
 def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
-    from build_fmu.export import fmu_path, write_fmu_and_set
+    from build_fmu.export import fmu_path, write_fmu
 
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
@@ -26,7 +26,7 @@ def run(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"{model.name}: {sentence}\n")
 
     path = fmu_path(arguments.output, Path(arguments.scene).stem)
-    write_fmu_and_set(model, path, scene, tell)
+    write_fmu(model, path, scene, tell)
     size, beside = path.stat().st_size, str(path.with_suffix(".ssv"))
     if arguments.json:
         document = {"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside}

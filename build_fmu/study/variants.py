@@ -155,7 +155,7 @@ def _shared(
 
 def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
     """Build one of the FMUs, from its number and row."""
-    from build_fmu.export import compile_scene, write_fmu, write_parameter_set
+    from build_fmu.export import compile_scene, write_fmu
     from solver.scene.reader import read_file
 
     number, row = job
@@ -167,7 +167,7 @@ def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
     except SceneError as error:
         return Variant(number, "", values, tuple(error.sentences()))
     path = Path(shared.folder, shared.name(number))
-    write_parameter_set(model, write_fmu(model, path, scene))
+    write_fmu(model, path, scene)
     return Variant(number, path.name, values, warnings=scene.sentences())
 
 

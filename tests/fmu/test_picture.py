@@ -174,7 +174,7 @@ push = { type = "force", point = "A", value = ["low + high", "both"] }
 
 def test_the_page_has_the_mechanism_first_ranges_in_words_and_whole_numbers_without_a_point():
     model = solver.assemble(solver.loads(RANGED))
-    text = page(model, trial(model), pictured=False)
+    text = page(model, trial(model))
     places = [
         text.index(f"<h2>{title}") for title in ("Inputs", "Parameters", "Outputs", "Settings")
     ]
@@ -189,7 +189,7 @@ def test_the_page_has_the_mechanism_first_ranges_in_words_and_whole_numbers_with
 
 def test_page_and_dependencies_name_libpython_and_the_platform_of_the_kernel():
     model = solver.assemble(solver.loads(RANGED))
-    files = documentation(model, trial(model), pictured=False)
+    files = documentation(model, trial(model))
     needs = files["documentation/externalDependencies.txt"].decode().strip()
     assert "libpython" in needs
     assert sysconfig.get_platform() in needs
