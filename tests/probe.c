@@ -1,6 +1,5 @@
 /* A look into one step: its residual, and its tangent times a direction. */
 #include "inputs_signals.h"
-#include "linear_solve.h"
 #include "step.h"
 #include "tangent.h"
 

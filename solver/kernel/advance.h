@@ -7,7 +7,6 @@
 #include "energy.h"
 #include "inputs_signals.h"
 #include "ledger.h"
-#include "linear_solve.h"
 #include "predict.h"
 #include "start.h"
 #include "tangent.h"

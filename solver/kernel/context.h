@@ -96,6 +96,16 @@ static inline double dot(const double *a, const double *b)
     return sum;
 }
 
+/* x = a x b, in the plane its one component. */
+static inline void cross_product(const double *a, const double *b, double *x)
+{
+#if DIM == 2
+    x[0] = a[0] * b[1] - a[1] * b[0];
+#else
+    EACH(k) x[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+#endif
+}
+
 static inline int is_lean(const context *c) { return c->lu == &c->m->lean; }
 
 static inline int is_seeking(const context *c) { return c->theta != 0.5; }

@@ -6,7 +6,6 @@
 #include "context.h"
 #include "forms.h"
 #include "function.h"
-#include "registers.h"
 #include "step.h"
 
 /* Energy of springs and potentials. */

@@ -8,7 +8,6 @@
 #define HOLONOM_ESTIMATE_H
 
 #include "composite.h"
-#include "composition.h"
 #include "context.h"
 #include "energy.h"
 #include "forms.h"
@@ -145,8 +144,6 @@ static double difference_from_halves(context *c, double t, double h, double law_
 {
     double *head = c->s.head, *whole = c->k.whole_backup, *before = whole + c->state_size, *x = c->k.estimate;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    const double *q = whole + (c->s.q - head), *q_low = whole + (c->s.q_low - head);
-    const double *v = whole + (c->s.v - head), *v_low = whole + (c->s.v_low - head);
     const double law_time_after = c->number[c->m->time_at];
     const int64_t n = DIM * c->n_moving;
     memcpy(whole, head, bytes);
@@ -156,10 +153,8 @@ static double difference_from_halves(context *c, double t, double h, double law_
     c->t = t;
     int32_t status = internal_step(c, 0.5 * h);
     if (!status) status = internal_step(c, 0.5 * h);
-    for (int64_t k = 0; k < n; k++) {
-        x[k] = (c->s.q[k] - q[k]) + (c->s.q_low[k] - q_low[k]);
-        x[n + k] = (c->s.v[k] - v[k]) + (c->s.v_low[k] - v_low[k]);
-    }
+    memset(x, 0, sizeof(double) * (size_t)(2 * n));
+    add_change(c, whole, 1.0, x);
     const double found = status || c->unweighted ? 0.0 : relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     c->unweighted = 0;
     whole[S_NEWTON_ITERATIONS] += head[S_NEWTON_ITERATIONS] - before[S_NEWTON_ITERATIONS];

@@ -12,7 +12,6 @@
 #include "half_step.h"
 #include "inputs_signals.h"
 #include "ledger.h"
-#include "linear_solve.h"
 #include "norms.h"
 #include "predict.h"
 #include "rigid.h"
@@ -180,17 +179,11 @@ static void go_back(context *c, double t, double law_time)
    what they differ by from those of one order less, without the coarsest cover: `less` times.                  */
 static void weigh(context *c, double weight, double less, extrapolation *x)
 {
-    const int64_t n = DIM * c->n_moving;
     const hm_state *s = &c->s;
-    const double *start = c->k.pair_backup, *q0 = start + (s->q - s->head), *v0 = start + (s->v - s->head);
+    const double *start = c->k.pair_backup;
     double total[RIGID], size[RIGID];
-    double *x_q = c->k.estimate, *x_v = x_q + n, *less_q = x_v + n, *less_v = less_q + n;
-    for (int64_t k = 0; k < n; k++) { /* low parts follow high ones */
-        const double dq = (s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]);
-        const double dv = (s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]);
-        x_q[k] += weight * dq, less_q[k] += less * dq;
-        x_v[k] += weight * dv, less_v[k] += less * dv;
-    }
+    add_change(c, start, weight, c->k.estimate);
+    add_change(c, start, less, c->k.estimate + 2 * DIM * c->n_moving);
     x->work += weight * ((s->head[S_WORK] - start[S_WORK]) + (s->head[S_WORK_LOW] - start[S_WORK_LOW]));
     x->dissipated += weight * ((s->head[S_DISSIPATED] - start[S_DISSIPATED]) +
                                (s->head[S_DISSIPATED_LOW] - start[S_DISSIPATED_LOW]));
@@ -208,11 +201,8 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     const int64_t n = DIM * c->n_moving;
     const hm_state *s = &c->s;
     double *head = s->head, *dq = c->k.estimate, *dv = dq + n;
-    const double *start = c->k.pair_backup, *q0 = start + (s->q - s->head), *v0 = start + (s->v - s->head);
-    for (int64_t k = 0; k < n; k++) {
-        dq[k] -= (s->q[k] - q0[k]) + (s->q_low[k] - q0[n + k]);
-        dv[k] -= (s->v[k] - v0[k]) + (s->v_low[k] - v0[n + k]);
-    }
+    const double *start = c->k.pair_backup;
+    add_change(c, start, -1.0, dq);
     const double round_off = 1e-15 * head[S_ENERGY_REFERENCE]; /* of losses that the weights take the difference of */
     if (!(x->dissipated >= -round_off)) return HOLONOM_DAMPING_REVERSED;
     if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;

@@ -10,7 +10,6 @@
 #include "extrapolation.h"
 #include "inputs_signals.h"
 #include "ledger.h"
-#include "linear_solve.h"
 #include "norms.h"
 #include "policy_stopping.h"
 #include "start.h"

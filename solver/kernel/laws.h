@@ -31,19 +31,15 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
     double u1[DIM];
     EACH(i) u1[i] = g->u0[i] + g->du[i];
     const double *u0 = is_seeking(c) ? u1 : g->u0;
-    const double y = dot(u0, u1);
+    const double y = dot(u0, u1), *moment = c->number + c->m->moment_at + TURNING * j;
+    double cross[TURNING], size2 = 0.0;
+    cross_product(u0, u1, cross);
+    for (int i = 0; i < TURNING; i++) size2 += cross[i] * cross[i];
 #if DIM == 2
-    const double *moment = c->number + c->m->moment_at + j;
-    const double cross[1] = {u0[0] * u1[1] - u0[1] * u1[0]};
-    const double size2 = cross[0] * cross[0];
     f[0] = -moment[0] * g->um[1];
     f[1] = moment[0] * g->um[0];
 #else
-    const double *moment = c->number + c->m->moment_at + 3 * j;
-    double cross[3];
-    EACH(i) cross[i] = u0[(i + 1) % 3] * u1[(i + 2) % 3] - u0[(i + 2) % 3] * u1[(i + 1) % 3];
-    const double size2 = dot(cross, cross);
-    EACH(i) f[i] = moment[(i + 1) % 3] * g->um[(i + 2) % 3] - moment[(i + 2) % 3] * g->um[(i + 1) % 3];
+    cross_product(moment, g->um, f);
 #endif
     if (!(size2 + y * y > 0.0)) return HOLONOM_ZERO_LENGTH;
     const double factor = hm_angle_over(sqrt(size2), y);
@@ -58,11 +54,6 @@ static int32_t moment_law(const context *c, int32_t j, const motion *g, double *
 /* Moment on a spatial body: f_i = m x d^i/2 on the directors, d^i the dual ones at the midpoint, since
    sum d_i x (m x d^i)/2 = m whatever their lengths and angles. `dual` (9) and `f` (9) overwritten.              */
 #if DIM == 3
-static void cross_product(const double *a, const double *b, double *x)
-{
-    EACH(k) x[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 static int32_t body_moment_law(const context *c, int32_t j, double *moment, double *dual, double *f)
 {
     const holonom_model *m = c->m;

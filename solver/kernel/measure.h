@@ -7,7 +7,6 @@
 #include "energy.h"
 #include "forms.h"
 #include "inputs_signals.h"
-#include "linear_solve.h"
 #include "norms.h"
 #include "sampling.h"
 #include "step.h"
@@ -69,12 +68,14 @@ static void measure_bodies(const context *c, const hm_measured *y)
 {
     memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * c->m->n_bodies));
 #if DIM == 3
-    double *rate = y->body_rate;
+    double *rate = y->body_rate, turning[TURNING];
     for (int32_t j = 0; j < c->m->n_bodies; j++, rate += 3) {
         const double *d = c->s.q + 3 * c->m->body_node[j], *v = c->s.v + 3 * c->m->body_node[j];
         EACH(k) rate[k] = 0.0;
-        for (int i = 0; i < 9; i += 3)
-            EACH(k) rate[k] += 0.5 * (d[i + (k + 1) % 3] * v[i + (k + 2) % 3] - d[i + (k + 2) % 3] * v[i + (k + 1) % 3]);
+        for (int i = 0; i < 9; i += 3) {
+            cross_product(d + i, v + i, turning);
+            EACH(k) rate[k] += 0.5 * turning[k];
+        }
     }
 #endif
 }
@@ -84,7 +85,7 @@ static void measure_reactions(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     const double *mu = y->multiplier;
-    double u[DIM], w[DIM];
+    double u[DIM], w[DIM], moment[TURNING];
     memset(y->reaction_force, 0, sizeof(double) * (size_t)((DIM + TURNING) * m->n_reactions)); /* and torques, behind it */
     for (int32_t e = 0; e < m->n_reaction_entries; e++) {
         const int32_t *entry = m->reaction_entry + 4 * e;
@@ -95,14 +96,9 @@ static void measure_reactions(const context *c, const hm_measured *y)
         }
         link_at_state(c, m->row_form[entry[2]], u, w);
         const double factor = -entry[3] * mu[entry[2]];
+        cross_product(w, u, moment);
         if (entry[1] == REACTION_FORCE) EACH(k) force[k] += factor * w[k];
-        else {
-#if DIM == 2
-            torque[0] += factor * (w[0] * u[1] - w[1] * u[0]);
-#else
-            EACH(k) torque[k] += factor * (w[(k + 1) % 3] * u[(k + 2) % 3] - w[(k + 2) % 3] * u[(k + 1) % 3]);
-#endif
-        }
+        else for (int k = 0; k < TURNING; k++) torque[k] += factor * moment[k];
     }
     extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
@@ -128,16 +124,13 @@ static void measure_momenta(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     const double *p = c->k.momentum;
+    double moment[TURNING];
     EACH(k) y->momentum[k] = 0.0;
     for (int k = 0; k < TURNING; k++) y->angular_momentum[k] = 0.0;
     for (int32_t a = 0; a < c->n_moving; a++, p += DIM) {
-        const double *x = c->s.q + DIM * a;
         if (!m->node_kind[a]) EACH(k) y->momentum[k] += p[k];
-#if DIM == 2
-        y->angular_momentum[0] += x[0] * p[1] - x[1] * p[0];
-#else
-        EACH(k) y->angular_momentum[k] += x[(k + 1) % 3] * p[(k + 2) % 3] - x[(k + 2) % 3] * p[(k + 1) % 3];
-#endif
+        cross_product(c->s.q + DIM * a, p, moment);
+        for (int k = 0; k < TURNING; k++) y->angular_momentum[k] += moment[k];
     }
 }
 

@@ -4,7 +4,6 @@
 
 #include "context.h"
 #include "forms.h"
-#include "linear_solve.h"
 #include "newton_record.h"
 #include "policy_factors.h"
 #include "policy_penalty.h"

@@ -8,7 +8,6 @@
 #include "forms.h"
 #include "function.h"
 #include "inputs_signals.h"
-#include "linear_solve.h"
 #include "step.h"
 #include "tangent.h"
 

@@ -4,7 +4,6 @@
 
 #include "composite.h"
 #include "context.h"
-#include "exact.h"
 #include "forms.h"
 #include "function.h"
 #include "newton.h"

@@ -6,8 +6,9 @@ import ctypes
 import functools
 import os
 import sys
+from collections.abc import Callable
 
-from .layout import ABI
+from .layout import ABI, CODES
 
 
 class KernelMissingError(Exception):
@@ -120,3 +121,18 @@ def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
 def shared_library(dimension: int) -> ctypes.CDLL:
     """Load a kernel once: ctypes keeps some 1.4 kB for every time that a library is loaded."""
     return load_library(dimension)
+
+
+@functools.cache
+def in_core(name: str) -> Callable[..., float]:
+    """Return an operation of the core on floats, with the bits of one in a run.
+
+    Its value is NaN where there is no real one, and an infinity where the result is too large.
+
+    Raises
+    ------
+    KernelMissingError
+        When there is no compiled kernel.
+    """
+    operate, code = shared_library(2).holonom_operate, CODES.index(name)
+    return lambda a, b=0.0: operate(code, a, b, 0.0)

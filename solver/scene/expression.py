@@ -15,7 +15,7 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import NoReturn, TypeAlias
 
-from solver.runtime.operations import in_core
+from solver.runtime.kernel import in_core
 
 # ----------------------------------------------------------------------------------- operations
 
