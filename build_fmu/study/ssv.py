@@ -113,6 +113,7 @@ def read_parameter_set(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
             if offset:
                 help = "write the value in a unit without one"
                 object_to(element, f"{name}: the unit {unit!r} has an offset", help)
+                continue
             read, words = _READERS[etree.QName(element).localname]
             text, where = element.get("value", ""), f"{path}:{element.sourceline}"
             try:
