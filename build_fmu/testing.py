@@ -12,6 +12,7 @@ AssertionError that says where, when and by how much.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from os import PathLike, fspath
@@ -23,7 +24,6 @@ from build_fmu.study.settings import Source, entries_of
 from build_fmu.study.values import Mistake, refuse
 
 if TYPE_CHECKING:
-    from fmpy.model_description import ModelDescription
     from numpy import ndarray
 
     from build_fmu.fmu_runner import Record
@@ -154,29 +154,22 @@ def _run_along(
     from build_fmu.study.settings import fmu_settings
     from build_fmu.target import runnable
 
-    with runnable(fspath(target), entries_of(parameters)) as (path, left):
-        fmu = KeptFmu(path)
-        try:
-            settings = fmu_settings(fmu.description, [left])[0]
-            numbers = [v for v in fmu.description.modelVariables if v.type != "String"]
-            units = {v.name: v.unit or "" for v in numbers}
-            causality = {v.name: v.causality for v in numbers}
-            names = names_to_compare(expected, columns, causality, where)
-            times = expected["time"].tolist()
-            before = _way_to(times[0], fmu.description, where)
-            record = fmu.run(settings, [*before, *times], names)
-            return names, units, replace(record, values=record.values[len(before) :])
-        finally:
-            fmu.close()
-
-
-def _way_to(time: float, description: ModelDescription, where: str) -> list[float]:
-    """Start time of the run, if the reference begins later."""
-    start = start_time_of(description)
-    if time < start:
-        message = f"begins at t = {time:g} s, before the FMU, which starts at {start:g} s"
-        refuse([Mistake(where, message, "shift its times, or leave out what comes before")])
-    return [start] if time > start else []
+    with (
+        runnable(fspath(target), entries_of(parameters)) as (path, left),
+        contextlib.closing(KeptFmu(path)) as fmu,
+    ):
+        settings = fmu_settings(fmu.description, [left])[0]
+        numbers = [v for v in fmu.description.modelVariables if v.type != "String"]
+        causality = {v.name: v.causality for v in numbers}
+        names = names_to_compare(expected, columns, causality, where)
+        start, times = start_time_of(fmu.description), expected["time"].tolist()
+        if times[0] < start:
+            message = f"begins at t = {times[0]:g} s, before the FMU, which starts at {start:g} s"
+            refuse([Mistake(where, message, "shift its times, or leave out what comes before")])
+        before = [start] if times[0] > start else []
+        record = fmu.run(settings, [*before, *times], names)
+        units = {v.name: v.unit or "" for v in numbers}
+        return names, units, replace(record, values=record.values[len(before) :])
 
 
 def _differences(

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.report import count_bar, number, print_json, print_table
-from build_fmu.study.settings import given_on_the_command_line
+from build_fmu.study.settings import study_arguments
 from build_fmu.study.sweep import Sweep, sweep
 from build_fmu.study.values import counted
 
@@ -20,31 +20,24 @@ MOST_TOLD = 10
 
 def run(arguments: argparse.Namespace) -> int:
     """Sweep; exit code 3 if a run did not come to its end."""
-    if not arguments.grid and not arguments.table:
-        text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
-        raise UsageError(text)
+    given = study_arguments(arguments)
     names = [name.strip() for text in arguments.output for name in text.split(",")]
     if "" in names:
-        given = ",".join(arguments.output)
-        text = f"--output {given!r}: a name is empty; for all outputs leave the option out"
+        listed = ",".join(arguments.output)
+        text = f"--output {listed!r}: a name is empty; for all outputs leave the option out"
         raise UsageError(text)
     path = Path(arguments.results or f"{Path(arguments.target).stem}_sweep.csv")
     begin = time.perf_counter()
     with count_bar(f"sweep of {Path(arguments.target).stem}", "runs") as progress:
         found: Sweep = sweep(
             arguments.target,
-            grid=arguments.grid,
-            table=arguments.table,
-            parameters=given_on_the_command_line(arguments.parameters, arguments.settings),
             outputs=names or None,
             stop_time=arguments.stop,
             step_size=arguments.step,
             path=path,
-            fresh=arguments.fresh,
             form="sweep",
-            engine=arguments.engine,
-            workers=arguments.jobs,
             progress=progress,
+            **given,
         )
     spent = time.perf_counter() - begin
     if arguments.json:

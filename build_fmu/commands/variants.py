@@ -6,15 +6,11 @@ import argparse
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
 from build_fmu.report import count_bar, print_json
-from build_fmu.study.settings import given_on_the_command_line
+from build_fmu.study.settings import study_arguments
 from build_fmu.target import is_fmu
-
-if TYPE_CHECKING:
-    pass
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -26,27 +22,13 @@ def run(arguments: argparse.Namespace) -> int:
     if is_fmu(scene):
         text = f"{scene}: an FMU, not a scene; sweep runs one FMU with many values"
         raise UsageError(text)
-    if not arguments.grid and not arguments.table:
-        text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
-        raise UsageError(text)
-    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
+    given = study_arguments(arguments)
     begin = time.perf_counter()
     try:
         name = Path(scene).stem
         folder = Path(arguments.output or f"{name}_variants")
         with count_bar(f"variants of {name}", "FMUs") as progress:
-            made = variants(
-                scene,
-                folder,
-                grid=arguments.grid,
-                table=arguments.table,
-                parameters=entries,
-                manifest=arguments.manifest,
-                fresh=arguments.fresh,
-                engine=arguments.engine,
-                workers=arguments.jobs,
-                progress=progress,
-            )
+            made = variants(scene, folder, manifest=arguments.manifest, progress=progress, **given)
     except SceneError as error:
         raise UsageError(str(error)) from None
     manifest = folder / arguments.manifest

@@ -97,17 +97,12 @@ def _cell(value: object) -> str:
 
 def in_one_form(variants: Sequence[Variant]) -> list[Variant]:
     """Variants with the numbers of a parameter all with a point, or all whole: not 1 and 1.5."""
-    broken = {
-        name
-        for variant in variants
-        for name, value in variant.parameters.items()
-        if isinstance(value, float)
-    }
+    broken = {n for v in variants for n, x in v.parameters.items() if isinstance(x, float)}
 
     def form(name: str, value: object) -> object:
-        if not isinstance(value, int) or isinstance(value, bool) or name not in broken:
-            return value
-        return float(value) if abs(value) <= LARGEST_WHOLE else value
+        if type(value) is int and name in broken and abs(value) <= LARGEST_WHOLE:
+            return float(value)
+        return value
 
     return [
         replace(v, parameters={name: form(name, value) for name, value in v.parameters.items()})

@@ -6,8 +6,9 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from build_fmu.errors import UsageError
 from build_fmu.study.parameter_files import entries_of_files
 from build_fmu.study.values import (
     Entry,
@@ -26,6 +27,8 @@ from build_fmu.version import VERSION
 from solver.scene.units import base_unit
 
 if TYPE_CHECKING:
+    from argparse import Namespace
+
     from fmpy.model_description import ModelDescription, ScalarVariable
 
     from solver.runtime import Model
@@ -61,6 +64,21 @@ def given_on_the_command_line(
         for name, value in settings
     }
     return entries_of_files(files) | given
+
+
+def study_arguments(arguments: Namespace) -> dict[str, Any]:
+    """What sweeps and variants take of the command line, by its names in Python."""
+    if not arguments.grid and not arguments.table:
+        text = "nothing is varied; give --grid a=1:5:9 or --table FILE.csv"
+        raise UsageError(text)
+    return {
+        "grid": arguments.grid,
+        "table": arguments.table,
+        "parameters": given_on_the_command_line(arguments.parameters, arguments.settings),
+        "fresh": arguments.fresh,
+        "engine": arguments.engine,
+        "workers": arguments.jobs,
+    }
 
 
 # -------------------------------------------------------------------------------------- scenes

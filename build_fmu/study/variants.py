@@ -16,7 +16,7 @@ from build_fmu.study.jobs import Task
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
 from build_fmu.study.output_folder import require_room
 from build_fmu.study.settings import Source, entries_of, scene_overrides
-from build_fmu.study.values import Entry, Mistake, in_one_text, refuse
+from build_fmu.study.values import Mistake, in_one_text, refuse
 from solver.scene import Given, SceneError, SceneWarning
 
 
@@ -25,12 +25,11 @@ class _Shared:
     scene: str
     overrides: Mapping[str, object]
     folder: str
-    stem: str
-    digits: int
+    count: int
 
     def name(self, number: int) -> str:
         """Name of the file of a variant."""
-        return f"{self.stem}_{number:0{self.digits}d}.fmu"
+        return f"{Path(self.scene).stem}_{number:0{len(str(self.count))}d}.fmu"
 
 
 def variants(
@@ -87,14 +86,17 @@ def variants(
     build_fmu.errors.UnfinishedError
         If a process died that wrote one of them; the others are written.
     """
-    entries = entries_of(parameters)
-    rows = _rows(scene, entries, grid, table)
+    mistakes: list[Mistake] = []
+    rows, entries = rows_of(grid, table, mistakes), entries_of(parameters)
+    if mistakes:  # those of the names, which are in all rows, are told with them
+        named = {name: entry for row in rows for name, entry in row.items()}
+        scene_overrides(scene, {**entries, **named}, mistakes)
     run_jobs = engine_of(engine, workers)
     target = manifest_path(Path(folder), manifest)
-    shared = _shared(scene, folder, entries, len(rows))
-    jobs = [(number, row) for number, row in enumerate(rows, start=1)]
+    shared = _Shared(fspath(scene), scene_overrides(scene, entries), fspath(folder), len(rows))
+    jobs = list(enumerate(rows, start=1))
     names = {shared.name(number) for number, _ in jobs}
-    room = require_room(target.parent, shared.stem, names, fresh)
+    room = require_room(target.parent, Path(scene).stem, names, fresh)
     target.parent.mkdir(parents=True, exist_ok=True)
     made: list[Variant] = []
     try:
@@ -109,48 +111,12 @@ def variants(
             room.clear({variant.fmu for variant in made})
             with writing(target):
                 target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
-    _require_all(made)
+    refuse(mistake for variant in made if not variant.lost for mistake in variant.mistakes)
+    if lost := [mistake for variant in made for mistake in variant.mistakes]:
+        raise UnfinishedError(in_one_text(lost))
     for text in dict.fromkeys(text for variant in made for text in variant.warnings):
         warnings.warn(text, SceneWarning, stacklevel=2)
     return made
-
-
-def _rows(
-    scene: str | PathLike[str],
-    entries: Mapping[str, Entry],
-    grid: Sequence[str] | Mapping[str, object],
-    table: str | PathLike[str] | Sequence[Mapping[str, object]] | None,
-) -> list[Row]:
-    """Rows of values; their mistakes are told with those of the names, which are in all rows."""
-    mistakes: list[Mistake] = []
-    rows = rows_of(grid, table, mistakes)
-    if mistakes:
-        named = {name: entry for row in rows for name, entry in row.items()}
-        scene_overrides(scene, {**entries, **named}, mistakes)
-    return rows
-
-
-def _require_all(made: Sequence[Variant]) -> None:
-    """Raise what says why there is not an FMU of each; first what is the user's to mend."""
-    refuse(mistake for variant in made if not variant.lost for mistake in variant.mistakes)
-    lost = [mistake for variant in made for mistake in variant.mistakes]
-    if lost:
-        raise UnfinishedError(in_one_text(lost))
-
-
-def _shared(
-    scene: str | PathLike[str],
-    folder: str | PathLike[str],
-    entries: Mapping[str, Entry],
-    count: int,
-) -> _Shared:
-    return _Shared(
-        scene=fspath(scene),
-        overrides=scene_overrides(scene, entries),
-        folder=fspath(folder),
-        stem=Path(scene).stem,
-        digits=len(str(count)),
-    )
 
 
 def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
