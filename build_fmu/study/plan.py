@@ -97,6 +97,11 @@ class Plan:
             text = f"the results would have two columns {', '.join(map(repr, twice))}: leave the "
             raise UsageError(text + "output of this name out, or do not vary its parameter")
 
+    def lead(self, at: int) -> tuple[Any, ...]:
+        """Row of the table as far as the plan knows it: number and values, in one order for all."""
+        row = self.rows[at]
+        return at + 1, *(row[name] for name in self.rows[0])
+
     def dtype(self, text: str = "O") -> dtype:
         """Type of a row of the table, with texts of this type."""
         import numpy as np
@@ -112,8 +117,5 @@ class Plan:
         import numpy as np
 
         numbers = [math.nan] * (len(OF_OUTPUTS) * len(self.outputs))
-        rows = [
-            (run, *row.values(), False, math.nan, "", *numbers)
-            for run, row in enumerate(self.rows, start=1)
-        ]
+        rows = [(*self.lead(at), False, math.nan, "", *numbers) for at in range(self.count)]
         return np.array(rows, self.dtype())

@@ -154,10 +154,7 @@ class CsvStore(Store):
 
     def _line(self, at: int) -> list[str]:
         """Cells of a run; numbers read back as the same."""
-        return [*self._lead(at), *_texts(self.table[at].tolist()[self.plan.leading :])]
-
-    def _lead(self, at: int) -> list[str]:
-        return _texts((at + 1, *self.plan.rows[at].values()))
+        return _texts((*self.plan.lead(at), *self.table[at].tolist()[self.plan.leading :]))
 
     def _read(self) -> None:
         """Results of the lines that are whole and have the values of their run."""
@@ -169,7 +166,7 @@ class CsvStore(Store):
         if rows[:1] != [self.plan.columns]:
             raise _damaged(self._path, "its first line does not name the columns of this one")
         leading = self.plan.leading
-        runs = {tuple(self._lead(at)): at + 1 for at in range(self.plan.count)}
+        runs = {tuple(_texts(self.plan.lead(at))): at + 1 for at in range(self.plan.count)}
         for row in rows[1:]:
             run = runs.get(tuple(row[:leading]))
             if run and len(row) == len(self.plan.columns):
