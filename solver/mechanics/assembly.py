@@ -11,9 +11,9 @@ from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.outputs import named
 from solver.mechanics.sensors import Measures
-from solver.mechanics.structure import Structure, pointers
+from solver.mechanics.structure import Structure, flat, pointers
 from solver.mechanics.tape import Numbers, Segment
-from solver.mechanics.variables import Symbols, distance_between, variables_of
+from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import SIZES, TABLES, measured_size
@@ -70,12 +70,9 @@ def model_of(scene: Scene) -> Model:
     structure = Structure(parts.mechanism)
     known = Symbols(scene, measures, table, structure)
     sections = sections_of(scene, structure)
-    dim = scene.dimension
     mechanism = parts.mechanism
     signals = [*mechanism.driven_signals, *mechanism.signals]
-    numbers = Numbers(
-        sections, signals, known.meaning, lambda call: distance_between(dim, str(call))
-    )
+    numbers = Numbers(sections, signals, known.meaning)
     tables = structure.tables() | eliminations(structure) | _functions(structure, numbers)
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
@@ -120,8 +117,7 @@ def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
     formulas = (*(row.formula for row in structure.functions), *structure.potentials.items)
     operations = [numbers.operations(x.value, len(x.leaves)) for x in formulas]
     counted = pointers([range(len(x) // 4) for x in operations])
-    flat = array("i", (x for listed in operations for x in listed))
-    return {"function_ptr": counted, "operation": flat}
+    return {"function_ptr": counted, "operation": flat(operations)}
 
 
 def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number]]:

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from solver.mechanics.mechanism import FIXED, SIGNAL
 from solver.mechanics.sensors import Ref
 from solver.mechanics.structure import Structure
-from solver.mechanics.variables import SENSORS, Symbols, distance_between
+from solver.mechanics.variables import SENSORS, Symbols
 from solver.options import OPTIONS
 from solver.runtime.model import Variable
 from solver.scene import Expr, Number, Scene, symbols
@@ -129,9 +129,7 @@ class _Search:
         if name not in self._made_of:
             kind, _, item = name.partition(" ")
             meaning: Ref | Number = 0.0  # of a leaf
-            if name.startswith("distance("):
-                meaning = distance_between(self._mechanism.dim, name)
-            elif kind in SENSORS:
+            if kind in SENSORS:
                 meaning = Ref("quantity", int(item))
             elif item or not name.startswith("#"):
                 meaning = self._symbols.measured(name)

@@ -32,17 +32,8 @@ class Ref(NamedTuple):
 
     def place(self, structure: Structure, sections: dict[str, tuple[int, int]]) -> int:
         """Return its place among the measurements."""
-        item = self.item
-        if self.section in ("position", "velocity"):
-            item = structure.node_of[item]
-        elif self.section == "driven_force":
-            item = structure.node_of[item] - structure.n_free
-        elif self.section in ("quantity", "quantity_rate"):
-            item = structure.quantity_of[item]
-        elif self.section == "multiplier":
-            item = structure.multiplier_of[item]
-        elif self.section in (parts := structure.parts):
-            item = parts[self.section].place[item]
+        places = structure.place_of.get(self.section)
+        item = self.item if places is None else places[self.item]
         width = WIDTHS[structure.mechanism.dim].get(self.section, 1)
         return sections[self.section][0] + width * item + self.k
 

@@ -10,6 +10,7 @@ from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from typing import NamedTuple
 
 from solver.mechanics.islands import Islands, Ordered
@@ -26,6 +27,7 @@ from solver.mechanics.mechanism import (
     Leaf,
     Mechanism,
 )
+from solver.runtime.layout import ISLAND_PARTS
 from solver.scene import Number
 
 SQUARE, LINEAR, TURNED = 1, 2, 4
@@ -129,11 +131,18 @@ class Structure:
         """Whether quarter turns are stored."""
         return any(kind & TURNED for kind in self.kinds)
 
-    @property
-    def parts(self) -> dict[str, Ordered]:
-        """What sections of measurements have an item for each of."""
-        bodies = dict.fromkeys(("quaternion", "body_rate"), self.bodies)
-        return {"element_force": self.elements, "rod_force": self.form_rows, **bodies}
+    @cached_property
+    def place_of(self) -> dict[str, Sequence[int] | dict[int, int]]:
+        """Of each section of measurements: place of an item, by its index before ordering."""
+        return {
+            **dict.fromkeys(("position", "velocity"), self.node_of),
+            **dict.fromkeys(("quantity", "quantity_rate"), self.quantity_of),
+            **dict.fromkeys(("quaternion", "body_rate"), self.bodies.place),
+            "element_force": self.elements.place,
+            "rod_force": self.form_rows.place,
+            "multiplier": self.multiplier_of,
+            "driven_force": {n: k for k, n in enumerate(self.driven_nodes.items)},
+        }
 
     @property
     def _rows(self) -> tuple[tuple[Ordered, int], ...]:
@@ -234,12 +243,9 @@ class Structure:
             "row_form": array("i", (row.form for row in self.form_rows.items)),
             "row_power": array("i", (row.scale.power for row in self.multipliers)),
             "coincidence_form": array("i", (row.form for row in self.coincidences.items)),
-            "composite_form_ptr": pointers(c.forms for c in composites),
-            "composite_form": flat(c.forms for c in composites),
-            "composite_node_ptr": pointers(c.nodes for c in composites),
-            "composite_node": flat(c.nodes for c in composites),
-            "composite_local_ptr": pointers(c.local for c in composites),
-            "composite_local": flat(c.local for c in composites),
+            **listed("composite_form", [c.forms for c in composites]),
+            **listed("composite_node", [c.nodes for c in composites]),
+            **listed("composite_local", [c.local for c in composites]),
             "leaf_ptr": pointers(c.leaves for c in composites),
             "leaf": flat(leaf for c in composites for leaf in c.leaves),
             "load_form": array("i", (load.form for load in loads)),
@@ -272,30 +278,29 @@ class Structure:
             yield from ((joint, kind, rows[kind].place[row], sign) for kind, row, sign in entries)
 
     def _windows(self) -> list[list[int]]:
-        """Where each island begins among free nodes and so on, see ``layout.ISLAND_PARTS``."""
-        shift, windows = self.n_free, [self.free_nodes.begin]
-        windows.append([shift + k for k in self.driven_nodes.begin])
-        shift = 0
-        for part in (self.elements, self.function_rows, self.velocity_rows, self.potentials):
-            windows.append([shift + k for k in part.begin])
-            shift += len(part)
-        return [
-            *windows,
-            self.form_rows.begin,
-            self.coincidences.begin,
-            self.loads.begin,
-            self.moments.begin,
-            self.body_moments.begin,
-            [*self.free_masses.begin[:-1], len(self.masses)],
-            self.linked.begin,
-            self.active.begin,
-            self.bodies.begin,
+        """Where each island begins among free nodes and so on: ``layout.ISLAND_PARTS``."""
+        composites = self.elements, self.function_rows, self.velocity_rows, self.potentials
+        others = (
+            self.form_rows, self.coincidences, self.loads, self.moments, self.body_moments,
+            self.free_masses, self.linked, self.active, self.bodies,
+        )  # fmt: skip
+        parts = self.free_nodes, self.driven_nodes, *composites, *others
+        shifts = [0, self.n_free, 0, *accumulate(map(len, composites[:-1]))] + [0] * len(others)
+        windows = [
+            [shift + k for k in part.begin] for part, shift in zip(parts, shifts, strict=True)
         ]
+        windows[[*ISLAND_PARTS].index("mass")][-1] = len(self.masses)  # the last one's driven too
+        return windows
 
 
 def flat(lists: Iterable[Iterable[int]]) -> array:
     """Return all integers of the lists, one after the other."""
     return array("i", (int(x) for items in lists for x in items))
+
+
+def listed(name: str, lists: Sequence[Sequence[int]]) -> dict[str, array]:
+    """Return a table of lists, one after the other, and the table of where each begins."""
+    return {f"{name}_ptr": pointers(lists), name: flat(lists)}
 
 
 def pointers(lists: Iterable[Sequence[object]]) -> array:

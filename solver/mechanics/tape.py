@@ -35,8 +35,6 @@ class Tape:
     symbols : callable
         Returns where a symbol lies in the vector of numbers, and PARAMETERS if it is fixed; or the
         Number that it stands for.
-    calls : callable
-        Returns the expression of a mechanism function such as ``distance(A, B)``.
     first : int
         First free place in the vector of numbers.
     """
@@ -44,11 +42,9 @@ class Tape:
     def __init__(
         self,
         symbols: Callable[[str], tuple[int, Segment] | Number],
-        calls: Callable[[Expr], Number],
         first: int,
     ) -> None:
         self._symbols = symbols
-        self._calls = calls
         self._first = first
         self._known: dict[tuple[Number, Segment], tuple[int, Segment]] = {}
         self.operations: dict[Segment, list[int]] = {segment: [] for segment in Segment}
@@ -96,10 +92,8 @@ class Tape:
         """Numbers that are compiled before this one."""
         if not isinstance(number, Expr):
             return []
-        if number.op == "call":
-            return [self._calls(number)]
-        if number.op == "symbol":
-            self.used[wanted].add(name := str(number.args[0]))
+        if number.op in ("symbol", "call"):
+            self.used[wanted].add(name := str(number))
             meaning = self._symbols(name)
             return [] if isinstance(meaning, tuple) else [meaning]
         return [arg for arg in number.args if not isinstance(arg, str)]
@@ -112,11 +106,10 @@ class Tape:
             place = self._new()
             self.constants[place] = float(number)
             return place, Segment.PARAMETERS
-        if number.op in ("call", "symbol") and arguments:
-            return arguments[0]
-        if number.op == "symbol":
-            found = self._symbols(str(number.args[0]))
-            assert isinstance(found, tuple)
+        if number.op in ("symbol", "call"):
+            found = self._symbols(str(number))
+            if not isinstance(found, tuple):
+                return arguments[0]
             return found if found[1] is Segment.PARAMETERS else (found[0], wanted)
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
@@ -156,8 +149,6 @@ class Numbers:
         Prescribed values, written to the section ``signal``.
     symbols : callable
         Returns what a symbol of an expression means: (section, place, Segment) or a Number.
-    calls : callable
-        Returns the expression of a mechanism function.
     """
 
     def __init__(
@@ -165,7 +156,6 @@ class Numbers:
         sections: Mapping[str, Sequence[Number]],
         signals: Sequence[Number],
         symbols: Callable[[str], tuple[str, int, Segment] | Number],
-        calls: Callable[[Expr], Number],
     ) -> None:
         assert tuple(sections) == tuple(OFFSETS)
         self.offsets: dict[str, int] = {}
@@ -186,7 +176,7 @@ class Numbers:
             section, place, segment = meaning
             return self.offsets[section] + place, segment
 
-        self.tape = Tape(place_of, calls, len(self.values))
+        self.tape = Tape(place_of, len(self.values))
         self.segment_of: dict[str, Segment] = {}
         """Latest segment that writes to each section."""
         for name, found in formulas.items():

@@ -47,7 +47,18 @@ class Symbols:
 
     def measured(self, name: str) -> Ref | Number:
         """Return what is measured under a name, or by the symbol of an expression."""
+        if name.startswith("distance("):
+            return self._distance(name)
         return self._measures.refs.get(name) or self._named[name]
+
+    def _distance(self, call: str) -> Number:
+        """Return the expression of ``distance(A, B)`` in the coordinates of its places."""
+        first, second = call.removeprefix("distance(").removesuffix(")").split(", ")
+        total: Number = 0.0
+        for axis in AXES[: self._structure.mechanism.dim]:
+            gap = symbol(f"{second}.{axis}") - symbol(f"{first}.{axis}")
+            total = total + gap * gap
+        return sqrt(total)
 
     @cached_property
     def _named(self) -> dict[str, Ref | Number]:
@@ -70,16 +81,6 @@ def _given(scene: Scene) -> Iterator[tuple[str, Meaning]]:
         place += 1
     for place, name in enumerate(scene.inputs):
         yield name, ("input", place, Segment.LAWS)
-
-
-def distance_between(dim: int, call: str) -> Number:
-    """Return the expression of ``distance(A, B)`` in the coordinates of its places."""
-    first, second = call.removeprefix("distance(").removesuffix(")").split(", ")
-    total: Number = 0.0
-    for axis in AXES[:dim]:
-        gap = symbol(f"{second}.{axis}") - symbol(f"{first}.{axis}")
-        total = total + gap * gap
-    return sqrt(total)
 
 
 def variables_of(

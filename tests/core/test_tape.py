@@ -38,7 +38,7 @@ ARITY = {
 def on_tape(engine, number, values):
     """Value of a number on the tape of a kernel, for given values of its symbols."""
     places = {name: (place, Segment.PARAMETERS) for place, name in enumerate(NAMES)}
-    tape = Tape(places.__getitem__, lambda call: call, len(NAMES))
+    tape = Tape(places.__getitem__, len(NAMES))
     place, _ = tape.compile(number)
     numbers = array("d", [values[name] for name in NAMES] + [0.0] * (tape.end - len(NAMES)))
     for constant_place, constant in tape.constants.items():
@@ -183,7 +183,7 @@ def test_what_rounds_has_the_bits_of_its_expression(engine, x, y):
 
 
 def test_equal_subexpressions_are_computed_once():
-    tape = Tape(lambda _: (0, Segment.LAWS), lambda call: call, 1)
+    tape = Tape(lambda _: (0, Segment.LAWS), 1)
     root = operate("sqrt", symbol("a"))
     tape.compile(root * root + operate("sin", root))
     codes = tape.operations[Segment.LAWS][::5]
@@ -193,7 +193,7 @@ def test_equal_subexpressions_are_computed_once():
 def test_what_parameters_do_not_fix_runs_when_it_is_needed():
     # Laws run in the middle of a step, signals at its end: neither may use what the other left.
     places = {"a": (0, Segment.PARAMETERS), "b": (1, Segment.LAWS), "c": (2, Segment.OUTPUTS)}
-    tape = Tape(places.__getitem__, lambda call: call, 3)
+    tape = Tape(places.__getitem__, 3)
     a, b, c = (symbol(name) for name in NAMES)
     law, _ = tape.compile((a + 1.0) * b)
     signal, _ = tape.compile((a + 1.0) * b, Segment.SIGNALS)
