@@ -166,11 +166,9 @@ class Carriers:
                 if choice in self._owner:
                     queue.append(self._owner[choice])
                     continue
-                free: tuple[int, int] | None = choice
-                while free is not None:
-                    taker = reached[free]
-                    self._owner[free] = taker
-                    free, self._carrier[taker] = self._carrier.get(taker), free
+                while choice is not None:
+                    taker = self._owner[choice] = reached[choice]
+                    choice, self._carrier[taker] = self._carrier.get(taker), choice
                 return True
         return False
 
@@ -183,7 +181,11 @@ def block_order(graph: Graph) -> list[int]:
     AssemblyError
         When the factorisation would need too many products.
     """
-    neighbours, weight = _neighbours(graph), graph.sizes
+    weight, neighbours = graph.sizes, [set[int]() for _ in graph.sizes]
+    for a, b in graph.couplings:
+        if a != b:
+            neighbours[a].add(b)
+            neighbours[b].add(a)
     most = left = max(MOST_PRODUCTS, MOST_OF_A_NET * sum(weight) ** 1.5)
     degree = [sum([weight[b] for b in near]) for near in neighbours]
     done = [False] * len(weight)
@@ -225,15 +227,6 @@ def _too_dense(graph: Graph, most: float) -> str:
         f"the {moving} moving coordinates are coupled too densely, by {rows} constraint rows and "
         f"by forces: one factorisation would take more than {most:,.0f} products; remove {remedy}"
     )
-
-
-def _neighbours(graph: Graph) -> list[set[int]]:
-    neighbours: list[set[int]] = [set() for _ in graph.sizes]
-    for a, b in graph.couplings:
-        if a != b:
-            neighbours[a].add(b)
-            neighbours[b].add(a)
-    return neighbours
 
 
 def _take_out(

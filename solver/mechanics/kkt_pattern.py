@@ -64,13 +64,15 @@ class Anchors:
             gradients -= a_turn * _turned(w[form]) + b_turn * _turned(u[form])
         return gradients
 
-    def of_forms(self, forms: Sequence[int]) -> list[int]:
-        """Return the nodes that can carry a row made of these forms."""
-        return self._heavy(forms, self._squares)
-
-    def of_coincidence(self, form: int) -> list[int]:
-        """Return the nodes that can carry the rows link = 0."""
-        return self._heavy((form,), self._direct)
+    def of_rows(self) -> list[list[int]]:
+        """Return the nodes that can carry each row, in the order of the multipliers."""
+        structure, first = self._structure, len(self._structure.elements)
+        functions = structure.composites[first : first + len(structure.functions)]
+        return [
+            *(self._heavy([row.form], self._squares) for row in structure.form_rows.items),
+            *(self._heavy([row.form], self._direct) for row in structure.coincidences.items),
+            *(self._heavy(composite.forms, self._squares) for composite in functions),
+        ]
 
     def _heavy(self, forms: Sequence[int], sizes: Sequence[float]) -> list[int]:
         """Free nodes with a share of G M^-1 G' that is not negligible."""
@@ -103,7 +105,9 @@ class Layout:
     A lean one has no stiffness: only masses couple nodes.
     """
 
-    def __init__(self, structure: Structure, *, lean: bool = False) -> None:
+    def __init__(
+        self, structure: Structure, anchors: Sequence[Nodes], *, lean: bool = False
+    ) -> None:  # fmt: skip
         self.structure, self.lean = structure, lean
         self.n_nodes, dim = structure.n_free, structure.mechanism.dim
         self.kinds = (
@@ -135,14 +139,10 @@ class Layout:
                 "moment": [[(nodes, nodes, BLOCKS)] for nodes in moved],
                 "body_moment": [[(nodes, nodes, ROWS)] for nodes in turned],
             }
-        anchors = Anchors(structure)
-        carriers = [anchors.of_forms([row.form]) for row in forms]
-        carriers += [anchors.of_coincidence(row.form) for row in links]
-        carriers += [anchors.of_forms(x.forms) for x, row in composites if row is not None]
         self.pattern = eliminate(
             Graph(
                 self.sizes, self.n_nodes, self._couplings(),
-                dict(enumerate(carriers, self.n_nodes)), self._islands(),
+                dict(enumerate(anchors, self.n_nodes)), self._islands(),
             )
         )  # fmt: skip
 
@@ -257,7 +257,8 @@ def eliminations(structure: Structure) -> dict[str, array]:
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
     """
-    full, lean = Layout(structure), Layout(structure, lean=True)
+    anchors = Anchors(structure).of_rows()
+    full, lean = Layout(structure, anchors), Layout(structure, anchors, lean=True)
     fits = lean.pattern.n_entries <= full.pattern.n_entries  # both live in the same memory
     worth = fits and 2 * lean.pattern.n_products <= full.pattern.n_products
     empty = {name: array("i") for name in TABLES if name.startswith("lean_")}
