@@ -112,9 +112,8 @@ def _couple(
     rows: Rows, found: JointParts, first: int | None, second: int | None, ratio: Number,
     size: Scale,
 ) -> None:  # fmt: skip
-    if first is None or second is None:
-        rows.problem("a joint it names has no such motion")
-        return
+    assert first is not None
+    assert second is not None
     leaves = rows.mechanism.leaf(first), rows.mechanism.leaf(second)
     found.row = rows.function(Formula(leaf_symbol(1) - ratio * leaf_symbol(0), leaves), size)
 
@@ -216,10 +215,8 @@ def drive_joint(rows: Rows, driver: JointDriver, found: JointParts) -> None:
     """Prescribe the angle or displacement of a joint."""
     joint, turns = rows.parts.joints[driver.joint], driver.type == "angle"
     found.driven = joint.angle if turns else joint.displacement
-    if found.driven is None:
-        rows.problem(f"joint '{driver.joint}' has no {driver.type}", ".joint")
-    else:
-        found.row = _row(rows, found.driven, driver.value, RADIANS if turns else METRES)
+    assert found.driven is not None
+    found.row = _row(rows, found.driven, driver.value, RADIANS if turns else METRES)
 
 
 def drive_distance(rows: Rows, driver: DistanceDriver, found: JointParts) -> None:

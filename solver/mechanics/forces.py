@@ -82,9 +82,7 @@ def add_twist(
 ) -> None:
     """Add a torsional spring or damper, or a torque, about the axis of a joint."""
     parts, angle = rows.parts, rows.parts.joints[force.joint].angle
-    if angle is None:
-        rows.problem(f"joint '{force.joint}' has no angle", ".joint")
-        return
+    assert angle is not None
     rows.mechanism.use(angle)
     match force:
         case TorsionSpring():
@@ -106,10 +104,7 @@ def add_load(rows: Rows, force: Force, _: JointParts) -> None:
     axes = None
     if force.axes == "body":
         frame = parts.frames.get((force.point.point or "").partition(".")[0])
-        if not isinstance(frame, RigidFrame):
-            text = "axes = 'body' needs a place on a rigid body, whose axes they are"
-            rows.problem(text, ".axes")
-            return
+        assert isinstance(frame, RigidFrame)
         axes = frame.directors[0]
     mechanism.loads.append(Load(mechanism.link(parts.place(force.point)), value, axes, sampled))
 
@@ -119,13 +114,10 @@ def add_torque(rows: Rows, force: Torque, _: JointParts) -> None:
     mechanism, parts = rows.mechanism, rows.parts
     value, sampled = _value(rows, force.value if isinstance(force.value, tuple) else (force.value,))
     frame = parts.frames.get(force.body)
-    in_body = force.axes == "body" and mechanism.dim == 3
     if isinstance(frame, RigidFrame) and mechanism.dim == 3:
-        mechanism.body_moments.append(BodyMoment(frame.directors[0], value, in_body, sampled))
+        moment = BodyMoment(frame.directors[0], value, force.axes == "body", sampled)
+        mechanism.body_moments.append(moment)
         return
-    if in_body:
-        text = "a bar between two points has no axes of its own: give the torque in global axes"
-        rows.problem(text, ".axes")
     arm = frame.along((1.0, 0.0)) if isinstance(frame, RigidFrame) else parts.links[force.body]
     mechanism.moments.append(Moment(mechanism.form(arm, arm)[0], value, sampled))
 

@@ -133,16 +133,9 @@ def _meaning(parts: Parts, part: Expr, own: Mapping[str, Meaning]) -> Meaning | 
     """What a symbol or a call stands for; None for parameters, inputs and the time."""
     if part.op == "call":
         return parts.distance(part)
-    name = str(part.args[0])
-    if name in own:
-        return own[name]
-    if name in parts.mechanism.varying or name in parts.scene.parameters:
-        return None
-    found = parts.meaning(name)
-    if found is None:
-        message = f"'{name}' is known only after the step, and possible only in outputs"
-        raise ExpressionError(message)
-    return found
+    name = str(part)
+    known = name in parts.mechanism.varying or name in parts.scene.parameters
+    return own.get(name) or (None if known else parts.meaning(name))
 
 
 # --------------------------------------------------------------------------------- judgement

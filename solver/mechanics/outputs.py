@@ -103,9 +103,7 @@ def _turn(measures: Measures, name: str) -> Found:
     parts, mechanism = measures.parts, measures.parts.mechanism
     frame = parts.frames.get(name)
     if mechanism.dim == 2:
-        angle = parts.body_angle(name)
-        assert angle is not None
-        return _of_quantity("angle", "angular_velocity", angle)
+        return _of_quantity("angle", "angular_velocity", parts.body_angle(name))
     if not isinstance(frame, RigidFrame):
         return {}
     body = mechanism.bodies[frame.directors[0]]

@@ -101,39 +101,26 @@ class Parts:
 
     # -------------------------------------------------------------------- symbols of formulas
 
-    def meaning(self, name: str) -> Meaning | None:
-        """Return what a symbol of a formula stands for: a quantity, a rate, or a known number.
-
-        None for what is no function of configuration and velocities.
-        """
+    def meaning(self, name: str) -> Meaning:
+        """Return what a symbol of a formula stands for: a quantity, a rate, or a known number."""
         owner, _, word = name.rpartition(".")
-        rate = word.startswith(("v", "angular_velocity"))
-        if self.is_place(owner) and word.removeprefix("v") in set(AXES[: self.mechanism.dim]):
-            axis = AXES.index(word.removeprefix("v"))
-            return self._of_place(self.named(owner), axis, rate)
-        quantity = self._of_part(owner, word)
-        return None if quantity is None else Leaf(RATE if rate else VALUE, quantity)
+        kind = RATE if word.startswith(("v", "angular_velocity")) else VALUE
+        if self.is_place(owner) and (axis := word.removeprefix("v")) in set(AXES):
+            place, k = self.named(owner), AXES.index(axis)
+            if not self.mechanism.moves(place):
+                return 0.0 if kind == RATE else self.mechanism.drawn(place)[k]
+            quantity = self.mechanism.component(place, self.axis(k))
+        elif owner in self.joints:
+            joint = self.joints[owner]
+            turns = word in ("angle", "angular_velocity")
+            quantity = joint.angle if turns else joint.displacement
+        else:
+            quantity = self.body_angle(owner)
+        assert quantity is not None, name
+        return Leaf(kind, quantity)
 
-    def _of_place(self, place: Combination, axis: int, rate: bool) -> Meaning:
-        mechanism = self.mechanism
-        if not mechanism.moves(place):
-            return 0.0 if rate else mechanism.drawn(place)[axis]
-        return Leaf(RATE if rate else VALUE, mechanism.component(place, self.axis(axis)))
-
-    def _of_part(self, owner: str, word: str) -> int | None:
-        joint = self.joints.get(owner)
-        if word in ("angle", "angular_velocity"):
-            if joint is None:
-                return self.body_angle(owner) if owner in self.frames else None
-            return joint.angle
-        if joint is not None and word in ("displacement", "velocity"):
-            return joint.displacement
-        return None
-
-    def body_angle(self, name: str) -> int | None:
+    def body_angle(self, name: str) -> int:
         """Return the angle of a planar body from the x axis."""
-        if self.mechanism.dim == 3:
-            return None
         frame = self.frames[name]
         along = node(frame.directors[0]) if isinstance(frame, RigidFrame) else self.links[name]
         x, y = self.axis(0), self.axis(1)
