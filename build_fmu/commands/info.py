@@ -3,18 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from build_fmu.equilibrium import (
-    TABLES,
-    UNITS,
-    Equilibrium,
-    Grid,
-    driver_names,
-    find_equilibrium,
-)
+from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
@@ -64,54 +57,77 @@ def run(arguments: argparse.Namespace) -> int:
             _print_equilibrium(model, found, survey(model).redundant_parts or ())
         return 0
     counts = survey(model)
+    document = _document(model, counts)
     if arguments.json:
-        print_json(_document(model, counts) | {"warnings": arguments.warnings})
-    else:
-        _print_counts(model, counts)
+        print_json(document | {"warnings": arguments.warnings})
+        return 0
+    title = f"{model.name}: {model.description}".rstrip(": ")
+    print_table(title, ("", ""), _rows(document, counts))
+    columns = ("variable", "unit", "kind", "start", "meaning")
+    variables = sorted(model.variables, key=lambda v: v.name.startswith("solver."))
+    print_table("variables", columns, map(_row, variables))
     return 0
 
 
 # -------------------------------------------------------------------------------------- counts
 
 
-def _print_counts(model: Model, counts: Survey) -> None:
-    print_table(_title(model), ("", ""), _rows(model, counts))
-    columns = ("variable", "unit", "kind", "start", "meaning")
-    variables = sorted(model.variables, key=lambda v: v.name.startswith("solver."))
-    print_table("variables", columns, map(_row, variables))
+def _document(model: Model, counts: Survey) -> dict[str, Any]:
+    places = [row.location.partition(".") for row in model.rows]
+    of_velocities = model.rows[len(model.rows) - model.sizes["n_velocity_rows"] :]
+    return {
+        "name": model.name,
+        "description": model.description,
+        "dimension": model.sizes["dim"],
+        **{
+            table: list(dict.fromkeys(name for kind, _, name in places if kind == table))
+            for table in ("bodies", "joints", "constraints")
+        },
+        **asdict(counts),
+        "drivers": driver_names(model),
+        "prescribed_motions": counts.drivers,
+        "velocity_rows": model.sizes["n_velocity_rows"],
+        "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
+        "experiment": model.experiment._asdict(),
+        "variables": [
+            {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
+            for v in model.variables
+        ],
+    }
 
 
-def _title(model: Model) -> str:
-    return f"{model.name}: {model.description}".rstrip(": ")
-
-
-def _rows(model: Model, counts: Survey) -> list[tuple[str, str]]:
-    rolling = _velocity_parts(model)
+def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
+    """Rows of the table: what there is, and how much of it."""
+    # A model does not say which of its fixed places were points, and which ends of springs.
+    note = " (fixed points, and places where parts meet the ground)" if counts.supports else ""
+    moving = f"{counts.moving_points} moving (origins of bodies count)"
+    rolling = f"{document['velocity_rows']}  {', '.join(document['velocity_parts'])}"
+    by_rank = "not ranked" if counts.mobility is None else f"{counts.mobility} by rank"
+    by_count = f"{counts.mobility_by_count} by counting (Kutzbach), without drivers"
+    forces = {
+        kind: [name for word in types for name in counts.forces.get(word, ())]
+        for kind, types in FORCES.items()
+    }
     return [
-        ("bodies", _names(_parts(model, "bodies"))),
-        ("joints", _names(_parts(model, "joints"))),
-        ("constraint formulas", _names(_parts(model, "constraints"))),
-        ("drivers", _names(driver_names(model))),
-        ("points", _points(counts)),
-        *((kind, _names(_of_types(counts, types))) for kind, types in FORCES.items()),
-        ("coordinates", f"{counts.coordinates} ({model.sizes['dim']} per point or axis)"),
+        ("bodies", _names(document["bodies"])),
+        ("joints", _names(document["joints"])),
+        ("constraint formulas", _names(document["constraints"])),
+        ("drivers", _names(document["drivers"])),
+        ("points", f"{moving}, {counts.supports} fixed{note}"),
+        *((kind, _names(names)) for kind, names in forces.items()),
+        ("coordinates", f"{counts.coordinates} ({document['dimension']} per point or axis)"),
         ("constraint rows", f"{counts.rows}  of bodies, joints, drivers and formulas"),
         ("redundant rows", _redundancy(counts)),
-        ("non-holonomic rows", f"{model.sizes['n_velocity_rows']}  {', '.join(rolling)}".rstrip()),
-        ("mobility", _mobility(counts)),
+        ("non-holonomic rows", rolling.rstrip()),
+        ("mobility", f"{by_rank}, {by_count}"),
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
     ]
 
 
-def _of_types(counts: Survey, types: Sequence[str]) -> list[str]:
-    return [name for word in types for name in counts.forces.get(word, ())]
-
-
-def _points(counts: Survey) -> str:
-    # A model does not say which of its fixed places were points, and which ends of springs.
-    note = " (fixed points, and places where parts meet the ground)" if counts.supports else ""
-    return f"{counts.moving_points} moving (origins of bodies count), {counts.supports} fixed{note}"
+def _names(names: Sequence[str], most: int = 8) -> str:
+    shown = ", ".join(names[:most]) + (", ..." if len(names) > most else "")
+    return f"{len(names)}  {shown}".rstrip()
 
 
 def _redundancy(counts: Survey) -> str:
@@ -124,11 +140,6 @@ def _redundancy(counts: Survey) -> str:
     return f"{counts.redundant_rows}  among those of {parts} ({note})"
 
 
-def _mobility(counts: Survey) -> str:
-    by_rank = "not ranked" if counts.mobility is None else f"{counts.mobility} by rank"
-    return f"{by_rank}, {counts.mobility_by_count} by counting (Kutzbach), without drivers"
-
-
 def _freedom(counts: Survey) -> str:
     positions, velocities = counts.degrees_of_freedom, counts.velocity_freedom
     if positions is None:
@@ -138,49 +149,11 @@ def _freedom(counts: Survey) -> str:
     return f"{positions} of positions, {velocities} of velocities"
 
 
-def _parts(model: Model, table: str) -> list[str]:
-    """Names of the bodies, joints or constraints that bring constraint rows."""
-    places = (row.location.partition(".") for row in model.rows)
-    return list(dict.fromkeys(name for kind, _, name in places if kind == table))
-
-
-def _velocity_parts(model: Model) -> list[str]:
-    """What brings rows of velocities that are not rates of rows of positions."""
-    first = len(model.rows) - model.sizes["n_velocity_rows"]
-    return list(dict.fromkeys(row.name for row in model.rows[first:]))
-
-
-def _names(names: Sequence[str], most: int = 8) -> str:
-    shown = ", ".join(names[:most]) + (", ..." if len(names) > most else "")
-    return f"{len(names)}  {shown}".rstrip()
-
-
 def _row(variable: Variable) -> tuple[str, ...]:
     kind = variable.causality
     if kind == "parameter":
         kind = f"{variable.variability} {kind}"
     return variable.name, variable.unit, kind, as_text(variable.start), variable.description
-
-
-def _document(model: Model, counts: Survey) -> dict[str, object]:
-    return {
-        "name": model.name,
-        "description": model.description,
-        "dimension": model.sizes["dim"],
-        "bodies": _parts(model, "bodies"),
-        "joints": _parts(model, "joints"),
-        "constraints": _parts(model, "constraints"),
-        **asdict(counts),
-        "drivers": driver_names(model),
-        "prescribed_motions": counts.drivers,
-        "velocity_rows": model.sizes["n_velocity_rows"],
-        "velocity_parts": _velocity_parts(model),
-        "experiment": model.experiment._asdict(),
-        "variables": [
-            {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
-            for v in model.variables
-        ],
-    }
 
 
 # --------------------------------------------------------------------------------- equilibrium
@@ -204,17 +177,19 @@ def _print_equilibrium(model: Model, found: Equilibrium, redundant: Sequence[str
 def _print_grid(title: str, grid: Grid) -> None:
     """One row for each part; what rounding leaves of a zero is shown as 0."""
     columns = list(dict.fromkeys(column for values in grid.values() for column in values))
-    largest: dict[str, float] = {}
+    units = {column: UNITS.get(column, "") for column in columns}
+    least: dict[str, float] = {}
     for values in grid.values():
         for column, value in values.items():
-            unit = UNITS.get(column, "")
-            largest[unit] = max(largest.get(unit, 0.0), abs(value))
+            unit = units[column]
+            least[unit] = max(least.get(unit, 0.0), ROUNDING * abs(value))
 
-    def shown(column: str, value: float | None) -> str:
-        if value is None:
-            return ""
-        return number(value if abs(value) > ROUNDING * largest[UNITS.get(column, "")] else 0.0)
+    def shown(column: str, value: float) -> str:
+        return number(value if abs(value) > least[units[column]] else 0.0)
 
-    rows = [(part, *(shown(c, values.get(c)) for c in columns)) for part, values in grid.items()]
-    heads = [f"{column} [{UNITS[column]}]" if column in UNITS else column for column in columns]
+    rows = [
+        (part, *(shown(c, values[c]) if c in values else "" for c in columns))
+        for part, values in grid.items()
+    ]
+    heads = [f"{column} [{unit}]" if unit else column for column, unit in units.items()]
     print_table(title, ("", *heads), rows)
