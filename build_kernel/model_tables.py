@@ -15,7 +15,7 @@ import ast
 import os
 import re
 import struct
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
 from threading import get_ident
@@ -285,62 +285,51 @@ def _sections(layout: Mapping[str, Any], scratch: Mapping[str, Any]) -> Iterator
 
 # ---------------------------------------------------------------------------------- checks
 
-
-LIST = "static const {} = {{\n{}}};\n"
-"""Definition of an array in C."""
+FUNCTION = "static int {}(const holonom_model *m, const hm_counts *k{})\n{{\n{}}}\n"
 
 
 def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
-    """Yield what tables and sections must be like, as numbers that `model_check.c` reads."""
-    sizes, tables = layout["SIZES"], layout["TABLES"]
-    names = [*sizes, *layout["COUNTS"], "n_measured", *(f"length_of_{name}" for name in tables)]
-    yield "/* Sizes, what is counted of them, and how long tables are. */"
-    yield "".join(
-        ["enum {\n", *(f"    {_count(x)},\n" for x in names), "    C_0, C_1, C_MANY, C_END\n};\n"]
-    )
+    """Yield what sizes make up, and whether tables, sections and islands are as declared."""
+    counts, tables = layout["COUNTS"], layout["TABLES"]
+    names = set(layout["SIZES"])
+
+    def in_c(formula: str) -> str:
+        return re.sub(r"(?<!->)\b(" + "|".join(counts) + r")\b", r"k->\1", _in_c(formula, names))
+
+    yield _structure("hm_counts", [f"    int64_t {name};" for name in counts])
     yield "\n".join([
-        "static void set_counts(const holonom_model *m, int64_t *count)\n{",
-        *_counts(layout["COUNTS"], layout["COUNTS"], sizes),
-        "    const int32_t *size = &m->dim;",
-        "    for (int i = 0; i < N_SIZES; i++) count[i] = size[i];",
-        *(f"    count[{_count(name)}] = {name};" for name in layout["COUNTS"]),
-        "    count[C_N_MEASURED] = holonom_measured_size(m);",
-        "    count[C_0] = 0, count[C_1] = 1, count[C_MANY] = INT32_MAX;\n}\n",
+        "static hm_counts counts_of(const holonom_model *m)\n{", *_counts(counts, counts, names),
+        f"    return (hm_counts){{{', '.join(counts)}}};\n}}\n",
     ])  # fmt: skip
-    for name, rows in (
-        ("table_rule TABLE_RULES[N_TABLES]", {x: _rule(tables, x) for x in tables}),
-        ("section_length SECTIONS[N_OFFSETS]",
-         {x: _product(length) for x, length in layout["OFFSETS"].items()}),
-        ("uint8_t ISLAND_BOUNDS[ISLAND_COLUMNS][2]",
-         {x: f"{{{', '.join(map(_count, ends))}}}" for x, ends in layout["ISLAND_PARTS"].items()}),
-    ):  # fmt: skip
-        yield LIST.format(name, "".join(f"    {row}, /* {x} */\n" for x, row in rows.items()))
+    lean = [name for name in tables if name.startswith("lean_")]
+    for name, chosen in (("has_lean_tables", lean), ("has_tables", {*tables} - {*lean})):
+        rules = filter(None, [_rule(tables, x, in_c) for x in tables if x in chosen])
+        body = "    return " + " &&\n           ".join(rules) + ";\n"
+        yield FUNCTION.format(name, ", const int32_t *length", body)
+    sections = {name: in_c(length) for name, length in layout["OFFSETS"].items() if length}
+    held = [f"hm_holds(m, m->{name}_at, {length})" for name, length in sections.items()]
+    yield FUNCTION.format("has_sections", "", "    return " + " &&\n           ".join(held) + ";\n")
+    bounds = [
+        f"        {{{in_c(low)}, {in_c(end)}}}, /* {name} */\n"
+        for name, (low, end) in layout["ISLAND_PARTS"].items()
+    ]
+    array = "    const int64_t bound[ISLAND_COLUMNS][2] = {\n" + "".join(bounds) + "    };\n"
+    yield FUNCTION.format("has_islands", "", f"{array}    return hm_divides(m, bound);\n")
 
 
-def _count(name: str) -> str:
-    return f"C_{name.upper()}"
-
-
-def _product(formula: str) -> str:
-    """Return a whole number times two counts; zero for a length that is not declared."""
-    factors = formula.split(" * ") if formula else ["0"]
-    number = next(filter(str.isdigit, factors), "1")
-    first, second, *_ = *(_count(x) for x in factors if not x.isdigit()), "C_1", "C_1"
-    return f"{{{number}, {first}, {second}}}"
-
-
-def _rule(tables: Mapping[str, Any], name: str) -> str:
-    """Return what a table must be like."""
-    table = tables[name]
+def _rule(tables: Mapping[str, Any], name: str, in_c: Callable[[str], str]) -> str:
+    """Return a call that tells whether a table is as declared."""
+    table, place = tables[name], {x: f"length[{i}]" for i, x in enumerate(tables)}
+    owner = "full." if f"lean_{name}" in tables else ""
+    given = f"m->{owner}{name.replace('lean_', 'lean.')}, {place[name]}"
     if hasattr(table, "total"):
-        total, width = table.total, 1
-        if total in tables:
-            total, width = f"length_of_{total}", tables[total].width
-        last = f".total = {_count(total)}, .most = {_count(table.most or 'many')}"
-        return f"{{{_product(table.count)}, .width = {width}, .is_pointers = 1, {last}}}"
-    rule = f"{{{_product(table.length)}, .width = {table.width}"
-    if table.low is None:
-        return f"{rule}}}"
-    end = table.end if table.end is not None else "many"
-    of, below = ("0", end) if isinstance(end, int) else (end, 0)
-    return f"{rule}, .is_within = 1, .low = {table.low}, .below = {below}, .end = {_count(of)}}}"
+        total = table.total
+        total = f"{place[total]} / {tables[total].width}" if total in tables else in_c(total)
+        return f"hm_rises({given}, {in_c(table.count)}, {total}, {in_c(table.most) or 'INT32_MAX'})"
+    length, own = in_c(table.length), place[name]
+    if table.low is not None:
+        end = "INT64_MAX" if table.end is None else in_c(str(table.end))
+        return f"hm_has({given}, {length or own}, {table.low}, {end})"
+    if not length:
+        return f"{own} % {table.width} == 0 /* {name} */" if table.width > 1 else ""
+    return f"{own} == {length} /* {name} */"

@@ -14,7 +14,7 @@ enum { LARGEST_SIZE = 1 << 26 }; /* so that no sum of a few overflows */
 typedef struct checker {
     const holonom_model *m;
     const int32_t *length;
-    int64_t count[C_END];
+    hm_counts count;
 } checker;
 
 static int within(const int32_t *value, int64_t count, int64_t low, int64_t end)
@@ -24,35 +24,30 @@ static int within(const int32_t *value, int64_t count, int64_t low, int64_t end)
     return 1;
 }
 
-static int64_t product(const checker *c, section_length x) { return x.times * c->count[x.of] * c->count[x.and_of]; }
-
-/* Whether places rise from 0 to `total`, by at most `most` each. */
-static int rises(const int32_t *at, int64_t count, int64_t total, int64_t most)
+int hm_has(const int32_t *table, int64_t length, int64_t count, int64_t low, int64_t end)
 {
-    if (at[0] != 0 || at[count] != total) return 0;
+    return length == count && within(table, count, low, end);
+}
+
+int hm_rises(const int32_t *at, int64_t length, int64_t count, int64_t total, int64_t most)
+{
+    if (length != count + 1 || at[0] != 0 || at[count] != total) return 0;
     for (int64_t i = 0; i < count; i++)
         if (at[i + 1] < at[i] || at[i + 1] - (int64_t)at[i] > most) return 0;
     return 1;
 }
 
-/* Whether a table is as long as its rule says, and its numbers lie where they may. */
-static int keeps_rule(const checker *c, size_t table)
-{
-    const table_rule *r = TABLE_RULES + table;
-    const int32_t *value = (&c->m->island_begin)[table];
-    const int64_t length = c->length[table], declared = product(c, r->length);
-    if (r->is_pointers)
-        return length == declared + 1 && c->count[r->total] % r->width == 0 &&
-               rises(value, declared, c->count[r->total] / r->width, c->count[r->most]);
-    if (r->length.times && length != declared) return 0;
-    return length % r->width == 0 && (!r->is_within || within(value, length, r->low, r->below + c->count[r->end]));
-}
+int hm_holds(const holonom_model *m, int32_t at, int64_t length) { return at >= 0 && at + length <= m->n_numbers; }
 
-static int has_tables(const checker *c)
+/* Each column rises from the first of its kind to the last. */
+int hm_divides(const holonom_model *m, const int64_t (*bound)[2])
 {
-    const size_t lean = TABLE(lean), behind = TABLE(load_slot_ptr);
-    for (size_t i = 0; i < N_TABLES; i++)
-        if ((i < lean || i >= behind || c->m->n_lean_values) && !keeps_rule(c, i)) return 0;
+    for (int k = 0; k < ISLAND_COLUMNS; k++) {
+        const int32_t *at = m->island_begin + k;
+        if (at[0] != bound[k][0] || at[(int64_t)ISLAND_COLUMNS * m->n_islands] != bound[k][1]) return 0;
+        for (int32_t i = 0; i < m->n_islands; i++)
+            if (at[ISLAND_COLUMNS * (i + 1)] < at[ISLAND_COLUMNS * i]) return 0;
+    }
     return 1;
 }
 
@@ -67,24 +62,20 @@ static int has_sizes(const checker *c)
            m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && DIM * (int64_t)m->n_driven <= m->n_signals;
 }
 
-/* Whether a section of the numbers lies within them. */
-static int holds(const checker *c, int32_t at, int64_t length) { return at >= 0 && at + length <= c->m->n_numbers; }
-
-static int has_sections(const checker *c)
+static int has_turns_and_derived(const checker *c)
 {
     const holonom_model *m = c->m;
     int turned = 0;
     for (int32_t f = 0; f < m->n_forms; f++) turned |= m->form_kind[f] & FORM_TURNED;
-    if (turned && (DIM == 3 || !holds(c, m->alpha_turn_at, m->n_entries) || !holds(c, m->beta_turn_at, m->n_entries))) return 0;
-    for (int i = 0; i < N_OFFSETS; i++)
-        if (SECTIONS[i].times && !holds(c, (&m->mass_at)[i], product(c, SECTIONS[i]))) return 0;
+    if (turned && (DIM == 3 || !hm_holds(m, m->alpha_turn_at, m->n_entries) || !hm_holds(m, m->beta_turn_at, m->n_entries)))
+        return 0;
     return m->row_scale_at == m->extent_at + 2 && m->row_sigma_at == m->row_scale_at + m->n_rows;
 }
 
 static int has_forms(const checker *c)
 {
     const holonom_model *m = c->m;
-    const int64_t n_moving = c->count[C_N_MOVING], n_nodes = c->count[C_N_NODES];
+    const int64_t n_moving = c->count.n_moving, n_nodes = c->count.n_nodes;
     for (int32_t f = 0; f < m->n_forms; f++) { /* free nodes come first, then driven ones */
         const int32_t *node = m->form_node + m->form_ptr[f];
         const int32_t count = m->form_ptr[f + 1] - m->form_ptr[f], moving = m->form_moving[f], free = m->form_free[f];
@@ -141,11 +132,11 @@ static int is_composite(const checker *c, int32_t j)
 static int has_composites(const checker *c)
 {
     const holonom_model *m = c->m;
-    const int64_t *count = c->count;
-    if (m->n_registers > count[C_LENGTH_OF_LEAF] / 4 + count[C_LENGTH_OF_OPERATION] / 4 + 1 ||
-        m->n_local_forms > count[C_LENGTH_OF_COMPOSITE_FORM] + 1 || m->n_local_nodes > count[C_LENGTH_OF_COMPOSITE_NODE] + 1)
+    const int64_t parts = (int64_t)c->length[TABLE(leaf)] / 4 + c->length[TABLE(operation)] / 4;
+    if (m->n_registers > parts + 1 || m->n_local_forms > c->length[TABLE(composite_form)] + 1 ||
+        m->n_local_nodes > c->length[TABLE(composite_node)] + 1)
         return 0;
-    for (int32_t j = 0; j < count[C_N_COMPOSITES]; j++)
+    for (int32_t j = 0; j < c->count.n_composites; j++)
         if (!is_composite(c, j)) return 0;
     return 1;
 }
@@ -155,7 +146,7 @@ static int has_loads(const checker *c)
     const holonom_model *m = c->m;
     const int32_t end[] = {m->n_loads, m->n_moments, m->n_body_moments, m->n_elements};
     for (int32_t j = 0; j < m->n_loads; j++)
-        if (m->load_axes[j] >= 0 && m->load_axes[j] > c->count[C_N_MOVING] - c->count[C_TURNING]) return 0;
+        if (m->load_axes[j] >= 0 && m->load_axes[j] > c->count.n_moving - c->count.turning) return 0;
     for (int32_t j = 0; j < m->n_body_moments; j++)
         if (m->body_moment[2 * j] < 0 || m->body_moment[2 * j] > m->n_free - 3) return 0;
     for (int32_t e = 0; e < m->n_reaction_entries; e++) {
@@ -173,23 +164,9 @@ static int has_loads(const checker *c)
 
 static int has_tape(const checker *c)
 {
-    for (int64_t i = 0; i < c->count[C_N_TAPE]; i++)
+    for (int64_t i = 0; i < c->count.n_tape; i++)
         if (!within(c->m->tape + 5 * i + 1, 4, 0, c->m->n_numbers)) return 0;
     return within(c->m->mass_node, 2 * (int64_t)c->m->n_mass_free, 0, c->m->n_free);
-}
-
-/* Whether columns of islands rise from the first of their kind to the last. */
-static int has_islands(const checker *c)
-{
-    const holonom_model *m = c->m;
-    for (int k = 0; k < ISLAND_COLUMNS; k++) {
-        const int32_t *at = m->island_begin + k;
-        const uint8_t *bound = ISLAND_BOUNDS[k];
-        if (at[0] != c->count[bound[0]] || at[(int64_t)ISLAND_COLUMNS * m->n_islands] != c->count[bound[1]]) return 0;
-        for (int32_t i = 0; i < m->n_islands; i++)
-            if (at[ISLAND_COLUMNS * (i + 1)] < at[ISLAND_COLUMNS * i]) return 0;
-    }
-    return 1;
 }
 
 /* Whether the lists of slots that the table `ptr` divides have these lengths. */
@@ -219,7 +196,7 @@ static int64_t composite_slots(const checker *c, int32_t j, int lean)
 {
     const holonom_model *m = c->m;
     const int64_t size = DIM * (int64_t)(m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
-    const int row = j >= m->n_elements && j < c->count[C_FIRST_POTENTIAL];
+    const int row = j >= m->n_elements && j < c->count.first_potential;
     return lean && !row ? 0 : (lean ? 0 : size * size) + (row ? 2 * size : 0);
 }
 
@@ -241,7 +218,7 @@ static int has_elimination(const checker *c, int lean)
 {
     const holonom_model *m = c->m;
     const holonom_elimination *e = lean ? &m->lean : &m->full;
-    const int64_t n = c->count[C_N_PIVOTS];
+    const int64_t n = c->count.n_pivots;
 #define OWN(name) (lean ? TABLE(lean.name) : TABLE(full.name))
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
@@ -268,9 +245,10 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     checker checked = {m, table_length, {0}};
     const checker *c = &checked;
     if (!has_sizes(c)) return 0;
-    set_counts(m, checked.count);
-    for (int i = 0; i < N_TABLES; i++) checked.count[C_LENGTH_OF_ISLAND_BEGIN + i] = table_length[i];
-    return has_tables(c) && has_forms(c) && has_sections(c) && has_quantities(c) && has_composites(c) && has_loads(c) &&
-           has_tape(c) && has_islands(c) && has_elimination(c, 0) && (!m->n_lean_values || has_elimination(c, 1)) &&
+    const hm_counts *count = &checked.count;
+    checked.count = counts_of(m);
+    return has_tables(m, count, table_length) && (!m->n_lean_values || has_lean_tables(m, count, table_length)) && has_forms(c) &&
+           has_sections(m, count) && has_turns_and_derived(c) && has_quantities(c) && has_composites(c) && has_loads(c) &&
+           has_tape(c) && has_islands(m, count) && has_elimination(c, 0) && (!m->n_lean_values || has_elimination(c, 1)) &&
            has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
 }

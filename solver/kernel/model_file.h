@@ -29,19 +29,12 @@ const char *hm_bind(const void *bytes, int64_t length, hm_model_file *file);
 /* Whether all indices of a model lie within what they point into, and all lists are as long as their readers think. */
 int hm_is_consistent(const holonom_model *model, const int32_t *table_length);
 
-/* Length of a section or a table: a whole number times two counts. */
-typedef struct section_length {
-    uint8_t times, of, and_of;
-} section_length;
-
-/* Rules of a table. Its length, if `times` is not 0; items of `width` integers; if `is_within`, all from `low` to below
-   `below` + a count. If `is_pointers`, one place more than the length, which rise from 0 to the count `total` of items of
-   `width`, by at most the count `most` each. */
-typedef struct table_rule {
-    section_length length;
-    uint8_t width, is_within, end, is_pointers, total, most;
-    int8_t low, below;
-} table_rule;
+/* What check_tables.h asks. Whether a table has `count` integers from `low` to below `end`; whether one more than `count` rise
+   from 0 to `total`, by at most `most` each; whether a section lies within the numbers; whether islands divide all parts. */
+int hm_has(const int32_t *table, int64_t length, int64_t count, int64_t low, int64_t end);
+int hm_rises(const int32_t *table, int64_t length, int64_t count, int64_t total, int64_t most);
+int hm_holds(const holonom_model *model, int32_t at, int64_t length);
+int hm_divides(const holonom_model *model, const int64_t (*bound)[2]);
 
 uint32_t hm_checksum(uint32_t before, const void *bytes, size_t count);
 

@@ -207,7 +207,7 @@ OFFSETS = {
     "node_mass": "n_moving",  # share of the mass in norms [kg]
     "node_weight": "n_moving",  # mass that gravity acts on [kg]
     "velocity_weight": "n_moving",  # of a velocity when it is made consistent
-    "measured": "n_measured",  # `MEASURED`
+    "measured": "holonom_measured_size(m)",  # `MEASURED`
 }
 """Sections of the vector of numbers."""
 
