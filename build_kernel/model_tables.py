@@ -221,7 +221,8 @@ def _enumerations(layout: Declaration, options: Declaration, errors: Declaration
         yield _enumeration(layout, table, prefix, values[table], last)
     for field, words in values["WORDS"].items():
         yield _enumeration(layout, "WORDS", f"{field.upper()}_", words, "END")
-    yield _enumeration(layout, "FLAGS", "", values["FLAGS"], values=values["FLAGS"])
+    for table, prefix in (("FLAGS", ""), ("RESULTS", "HOLONOM_")):
+        yield _enumeration(layout, table, prefix, values[table], values=values[table])
     yield _enumeration(layout, "RELATIONS", "", values["RELATIONS"].values())
     formulations = options.values["FORMULATIONS"]
     yield _enumeration(options, "FORMULATIONS", "HOLONOM_", formulations)

@@ -139,11 +139,20 @@ double holonom_number_of_word(const holonom_instance *i, int32_t index, const ch
     }
 }
 
+/* Makes a sentence the message, and returns the result. */
+static int32_t answer(holonom_instance *i, int32_t result, const char *format, ...)
+{
+    va_list values;
+    hm_clear(&i->message);
+    va_start(values, format);
+    hm_say_all(&i->message, format, values);
+    va_end(values);
+    return result;
+}
+
 static int32_t refuse_index(holonom_instance *i, int32_t index)
 {
-    hm_clear(&i->message);
-    hm_say(&i->message, "no variable has the index %d", index);
-    return HOLONOM_REFUSED;
+    return answer(i, HOLONOM_REFUSED, "no variable has the index %d", index);
 }
 
 static int32_t measure(holonom_instance *i)
@@ -173,11 +182,8 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
             if (result) return result;
         }
         value[k] = i->numbers[v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0)];
-        if (!(fabs(value[k]) < INFINITY)) {
-            hm_clear(&i->message);
-            hm_say(&i->message, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
-            return HOLONOM_UNTRIED;
-        }
+        if (!(fabs(value[k]) < INFINITY))
+            return answer(i, HOLONOM_UNTRIED, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
     }
     return HOLONOM_DONE;
 }
@@ -315,9 +321,8 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
     head[S_STATUS] = status;
     i->is_measured = 0;
-    hm_clear(&i->message);
-    hm_say(&i->message, "step from t = %6g s with h = %6g s: %s", t, step > longest ? longest : step, hm_about_step(status));
-    return HOLONOM_FAILED;
+    return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s", t, step > longest ? longest : step,
+                  hm_about_step(status));
 }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)
@@ -325,11 +330,8 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     double *head = i->s.head;
     const double last_digit = nextafter(fabs(t), INFINITY) - fabs(t);
     const double slack = fabs(t + step) < INFINITY ? ROUNDING * last_digit + STEP_SLACK * fabs(step) : 0.0;
-    if (!(fabs(t - head[S_TIME]) <= slack)) {
-        hm_clear(&i->message);
-        hm_say(&i->message, "step from t = %r s asked for, but the mechanism is at %r s", t, head[S_TIME]);
-        return HOLONOM_UNTRIED;
-    }
+    if (!(fabs(t - head[S_TIME]) <= slack))
+        return answer(i, HOLONOM_UNTRIED, "step from t = %r s asked for, but the mechanism is at %r s", t, head[S_TIME]);
     if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
@@ -383,9 +385,7 @@ void holonom_save(const holonom_instance *i, void *bytes)
 
 static int32_t refuse_state(holonom_instance *i, const char *why)
 {
-    hm_clear(&i->message);
-    hm_say(&i->message, "the saved state %s", why);
-    return HOLONOM_REFUSED;
+    return answer(i, HOLONOM_REFUSED, "the saved state %s", why);
 }
 
 /* Whether a saved block has only numbers that a run can come to; they steer what is not checked again. */
@@ -417,11 +417,8 @@ int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
     memcpy(&head, bytes, sizeof head);
     if (memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
         return refuse_state(i, "belongs to another model; restore it where it was saved");
-    if (length != holonom_saved_size(i) || head.length != i->state_size) {
-        hm_clear(&i->message);
-        hm_say(&i->message, "the saved state is %d bytes long, not what its header says", (int)length);
-        return HOLONOM_REFUSED;
-    }
+    if (length != holonom_saved_size(i) || head.length != i->state_size)
+        return answer(i, HOLONOM_REFUSED, "the saved state is %d bytes long, not what its header says", (int)length);
     if (head.checksum != checksum_of(head, block) || head.phase < HOLONOM_CONFIGURED || head.phase > HOLONOM_MOVING)
         return refuse_state(i, "is damaged: its checksum does not fit; save it again");
     memcpy(i->before, block, sizeof(double) * (size_t)i->state_size);

@@ -7,15 +7,6 @@
 
 typedef struct holonom_instance holonom_instance;
 
-enum holonom_result {
-    HOLONOM_DONE = 0,
-    HOLONOM_REFUSED = 1,     /* a value or a saved state that no rule allows; nothing was changed          */
-    HOLONOM_UNASSEMBLED = 2, /* the parameters break rules                                                 */
-    HOLONOM_FAILED = 3,      /* a step that cannot be solved; the state is as before, but for its status   */
-    HOLONOM_UNTRIED = 4,     /* a step that begins at another time, or a value that is not finite          */
-    HOLONOM_REMARKED = 256   /* alone, if nothing went wrong: there are remarks to fetch                    */
-};
-
 enum holonom_phase { HOLONOM_CONFIGURED, HOLONOM_ASSEMBLED, HOLONOM_MOVING }; /* values may change; start taken; after a step */
 
 /* Bytes of memory for an instance of a model file, after all of it was checked; 0 if it cannot be used, and why (room bytes). */

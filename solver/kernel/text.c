@@ -4,7 +4,6 @@
 #include "text.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,6 +64,12 @@ void hm_say(hm_text *t, const char *format, ...)
 {
     va_list values;
     va_start(values, format);
+    hm_say_all(t, format, values);
+    va_end(values);
+}
+
+void hm_say_all(hm_text *t, const char *format, va_list values)
+{
     for (const char *c = format; *c; c++) {
         const char *plain = c;
         int digits = 0;
@@ -78,5 +83,4 @@ void hm_say(hm_text *t, const char *format, ...)
         } else if (*c == 'd') say_double(t, va_arg(values, int), 'f', 0);
         else say_double(t, va_arg(values, double), *c, digits);
     }
-    va_end(values);
 }

@@ -2,6 +2,7 @@
 #ifndef HOLONOM_TEXT_H
 #define HOLONOM_TEXT_H
 
+#include <stdarg.h>
 #include <stddef.h>
 
 typedef struct hm_text {
@@ -14,5 +15,6 @@ void hm_clear(hm_text *text);
 /* Appends; what has no room is cut off. In `format`: %s a text, %d an int, %r a double with the fewest digits that give it
    back, %6g one of at most 6 significant digits, %1e of 1 and %1f of 1 decimal. */
 void hm_say(hm_text *text, const char *format, ...);
+void hm_say_all(hm_text *text, const char *format, va_list values);
 
 #endif

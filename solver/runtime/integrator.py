@@ -8,12 +8,10 @@ from collections.abc import Callable, Sequence
 
 from .errors import AssemblyError, OptionError, Status, StepError, is_double, shown, tell
 from .kernel import shared_library
-from .layout import state_size
+from .layout import RESULTS, state_size
 from .model import Model
 from .state import State
 
-REFUSED, UNASSEMBLED, FAILED, UNTRIED, REMARKED = 1, 2, 3, 4, 256
-"""Results of the core, ``holonom_result`` of ``solver/kernel/instance.h``."""
 MOST_PLANS = 64
 
 Value = float | str | bool
@@ -85,18 +83,20 @@ class Integrator:
 
     def _end(self, result: int) -> None:
         """Say what was noticed, and raise what went wrong."""
-        if result & REMARKED:
+        remarked = RESULTS["remarked"]
+        if result & remarked:
             for sentence in self._library.holonom_remarks(self._instance).decode().splitlines():
                 tell(self._log, sentence)
-        if result & ~REMARKED:
+        if result & ~remarked:
             message = self._library.holonom_message(self._instance).decode()
-            if result == REFUSED:
+            if result == RESULTS["refused"]:
                 raise OptionError(message)
-            if result == UNASSEMBLED:
+            if result == RESULTS["unassembled"]:
                 raise AssemblyError(message)
-            if result == FAILED:
+            failed = result == RESULTS["failed"]
+            if failed:
                 self.message = message
-            raise StepError(message, self.status if result == FAILED else None)
+            raise StepError(message, self.status if failed else None)
 
     # ------------------------------------------------------------------------------- values
 

@@ -321,6 +321,16 @@ FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole"
 RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least"}
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
+RESULTS = {
+    "done": 0,
+    "refused": 1,  # a value or a saved state that no rule allows; nothing was changed
+    "unassembled": 2,  # the parameters break rules
+    "failed": 3,  # a step that cannot be solved; the state is as before, but for its status
+    "untried": 4,  # a step that begins at another time, or a value that is not finite
+    "remarked": 256,  # alone, if nothing went wrong: there are remarks to fetch
+}
+"""What functions of an instance return."""
+
 ROW_KINDS = (
     "length", "apart", "off", "height", "turned", "angle", "axes", "value", "driver", "velocity",
 )
