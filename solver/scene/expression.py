@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import NoReturn, TypeAlias
 
 from solver.runtime.kernel import in_core
@@ -302,34 +303,10 @@ def _neutral(op: str, x: Number, y: Number = 0.0) -> Number | None:
     return None
 
 
-def sin(x: Number) -> Number:
-    """Sine of an angle in rad."""
-    return operate("sin", x)
-
-
-def cos(x: Number) -> Number:
-    """Cosine of an angle in rad."""
-    return operate("cos", x)
-
-
-def atan2(y: Number, x: Number) -> Number:
-    """Angle in [-pi, pi] of the vector (x, y)."""
-    return operate("atan2", y, x)
-
-
-def sqrt(x: Number) -> Number:
-    """Non-negative square root."""
-    return operate("sqrt", x)
-
-
-def log(x: Number) -> Number:
-    """Natural logarithm."""
-    return operate("log", x)
-
-
-def sign(x: Number) -> Number:
-    """-1, 0 or 1."""
-    return operate("sign", x)
+sin, cos, atan2, sqrt, log, sign = (
+    partial(operate, name) for name in ("sin", "cos", "atan2", "sqrt", "log", "sign")
+)
+"""Functions of numbers: angles are in rad, ``atan2(y, x)`` is that of the vector (x, y)."""
 
 
 def select(condition: Number, x: Number, y: Number) -> Number:

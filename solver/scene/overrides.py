@@ -93,24 +93,18 @@ def _target(data: dict[str, Any], path: Path) -> Path | None:
 
 def _replace(data: Any, path: Path, value: object) -> bool:
     """Set a value within tables and arrays that exist; a field of a table may be new."""
-    for step in path[:-1]:
-        data = _inside(data, step)
-    last = path[-1]
-    if isinstance(data, dict) and isinstance(last, str):
+    *steps, last = path
+    try:
+        for step in steps:
+            data = data[step]
+        if not isinstance(data, dict):
+            data[last]  # an array does not grow
+        elif not isinstance(last, str):
+            return False
         data[last] = value
-        return True
-    if isinstance(data, list) and isinstance(last, int) and last < len(data):
-        data[last] = value
-        return True
-    return False
-
-
-def _inside(data: Any, step: str | int) -> Any:
-    if isinstance(data, dict):
-        return data.get(step)
-    if isinstance(data, list) and isinstance(step, int) and step < len(data):
-        return data[step]
-    return None
+    except (KeyError, IndexError, TypeError):
+        return False
+    return True
 
 
 def _known(data: dict[str, Any]) -> list[str]:

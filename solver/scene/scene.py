@@ -5,7 +5,7 @@ the scene has dimensions. A ``Number`` that is not a float depends on parameters
 allows it, on inputs, the time ``t`` and the mechanism's own quantities.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, NoReturn
 
@@ -50,8 +50,8 @@ class Parts(kind.Kind):
         return {"type": "object", "additionalProperties": one}
 
 
-def _table(noun: str, *types: type[Part]) -> Any:
-    return Parts(noun=noun, types=types)
+def _table(noun: str, types: Mapping[str, type[Part]] | type[Part]) -> Parts:
+    return Parts(noun=noun, types=tuple(types.values()) if isinstance(types, Mapping) else (types,))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,21 +67,15 @@ class Scene(Part):
     )
     inputs: Annotated[dict[str, Input], _table("input", Input)] = field(default_factory=dict)
     points: Annotated[dict[str, Point], _table("point", Point)] = field(default_factory=dict)
-    bodies: Annotated[dict[str, Body], _table("body", *BODIES.values())] = field(
-        default_factory=dict
-    )
-    joints: Annotated[dict[str, Joint], _table("joint", *JOINTS.values())] = field(
-        default_factory=dict
-    )
+    bodies: Annotated[dict[str, Body], _table("body", BODIES)] = field(default_factory=dict)
+    joints: Annotated[dict[str, Joint], _table("joint", JOINTS)] = field(default_factory=dict)
     constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
         default_factory=dict
     )
-    forces: Annotated[dict[str, ForceElement], _table("force", *FORCES.values())] = field(
+    forces: Annotated[dict[str, ForceElement], _table("force", FORCES)] = field(
         default_factory=dict
     )
-    drivers: Annotated[dict[str, Driver], _table("driver", *DRIVERS.values())] = field(
-        default_factory=dict
-    )
+    drivers: Annotated[dict[str, Driver], _table("driver", DRIVERS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)
     solver: Annotated[SolverSettings, _table("", SolverSettings)] = field(
         default_factory=SolverSettings
