@@ -7,7 +7,7 @@ is an expression over those.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import count
 from math import pi
 from typing import Any, TypeAlias
@@ -21,6 +21,7 @@ from solver.mechanics.sensors import Measures, Named, Ref, Values, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.scene import (
     BodyJoint,
+    Constraint,
     Distance,
     Driver,
     Expr,
@@ -54,22 +55,11 @@ def named(measures: Measures) -> Iterator[Named]:
         frame = parts.frames.get(name)
         for point in frame.points if isinstance(frame, RigidFrame) else ():
             yield from _motion(measures, f"{name}.{point}", parts.named(f"{name}.{point}"))
-    for name, joint in scene.joints.items():
-        found, joins_points = parts.joints[name], getattr(joint, "bodies", ()) is None
-        values = _joint_motion(found) | _reaction(measures, joint, found)
-        offers = joint.offered(joins_points=joins_points)
-        yield from _named(measures, name, joint, offers, values)
-    for name, constraint in scene.constraints.items():
-        row = parts.joints[name].row
-        assert row is not None
-        values = {"multiplier": measures.ref(row)}
-        yield from _named(measures, name, constraint, constraint.offers, values)
-    for name, force in scene.forces.items():
-        values = _of_a_force(measures, name, force) if force.offers else {}
-        yield from _named(measures, name, force, force.offers, values)
-    for name, driver in scene.drivers.items():
-        values = _of_a_driver(measures, name, driver)
-        yield from _named(measures, name, driver, driver.offers, values)
+    for table, values_of in _VALUES.items():
+        for name, part in getattr(scene, table).items():
+            offers = part.offered(joins_points=getattr(part, "bodies", ()) is None)
+            values = values_of(measures, name, part) if offers else {}
+            yield from _named(measures, name, part, offers, values)
     for name, offers in WHOLE.items():
         section, k = {"constraint": "residual"}.get(name, name), count()
         for offer in offers:
@@ -117,13 +107,15 @@ def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
 # -------------------------------------------------------------------------------------- joints
 
 
-def _joint_motion(found: JointParts) -> dict[str, Any]:
-    motion = {}
+def _of_a_joint(measures: Measures, name: str, joint: Joint) -> Found:
+    """Motion of a joint, and its reaction."""
+    found = measures.parts.joints[name]
+    values = _reaction(measures, joint, found)
     if found.angle is not None:
-        motion |= _of_quantity("angle", "angular_velocity", found.angle)
+        values |= _of_quantity("angle", "angular_velocity", found.angle)
     if found.displacement is not None:
-        motion |= _of_quantity("displacement", "velocity", found.displacement)
-    return motion
+        values |= _of_quantity("displacement", "velocity", found.displacement)
+    return values
 
 
 def _reaction(measures: Measures, joint: Joint, found: JointParts) -> dict[str, Any]:
@@ -152,6 +144,12 @@ def _reaction(measures: Measures, joint: Joint, found: JointParts) -> dict[str, 
         force = add([measures.value(ref) for ref in force], scale(-1.0 * mu, axis))
         torque = add([measures.value(ref) for ref in torque], scale(mu * lead, axis))
     return {"force.{}": force, "torque.{}": torque}
+
+
+def _of_a_constraint(measures: Measures, name: str, _: Constraint) -> Found:
+    row = measures.parts.joints[name].row
+    assert row is not None
+    return {"multiplier": measures.ref(row)}
 
 
 # -------------------------------------------------------------------------------------- forces
@@ -211,3 +209,12 @@ def _of_a_driver(measures: Measures, name: str, driver: Driver) -> Found:
         for values in (force, velocity)
     )
     return {"force.{}": force, "power": dot(f, v)}
+
+
+_VALUES: dict[str, Callable[[Measures, str, Any], Found]] = {
+    "joints": _of_a_joint,
+    "constraints": _of_a_constraint,
+    "forces": _of_a_force,
+    "drivers": _of_a_driver,
+}
+"""Values of the parts of each table."""

@@ -56,7 +56,7 @@ class Point(Part):
                 message = "a fixed point cannot have a velocity"
                 reader.draft.error((*path, "velocity"), message, "leave out velocity or fixed")
         if given.position is not BROKEN:
-            reader.places.drawn[name] = self.position
+            reader.drawn[name] = self.position
 
 
 def _bar_ends(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str, str]:
@@ -71,7 +71,7 @@ def _bar_ends(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str, st
     elif {first, second} <= reader.fixed:
         message = f"both ends are fixed ('{first}' and '{second}'): the bar cannot move"
         reader.draft.error(path, message)
-    reader.places.add_bar(str(path[1]), (first, second))
+    reader.add_bar(str(path[1]), (first, second))
     return first, second
 
 
@@ -191,7 +191,7 @@ class Rigid(Part):
         )
         body = cls(**values)
         if given.position is not BROKEN:
-            reader.places.add_rigid(str(path[1]), body)
+            reader.add_rigid(str(path[1]), body)
         return body
 
 

@@ -99,11 +99,13 @@ class Draft:
     def _class(
         self, path: Path, data: dict[str, Any], known: Mapping[str, type[Part]]
     ) -> type[Part] | None:
-        table = str(path[0])
+        table, wanted = str(path[0]), data.get("type")
         if not known:
             return TABLES[table].types[0]
+        if isinstance(wanted, str) and wanted in known:
+            return known[wanted]
         usual = next((part for part in known.values() if part.is_usual), None)
-        if usual is not None and data.get("type") is None:
+        if usual is not None and wanted is None:
             if not isinstance(data.get("points"), list):
                 return usual
             self.error(path, "'type' is missing; a body with two points is a bar", _BAR)
@@ -159,16 +161,14 @@ class Draft:
         fields = fields_of(part)
         given: dict[str, Any] = dict.fromkeys(fields)
         unknown = [name for name in data if name not in fields]
-        absent = [name for name in fields if name not in data]
-        meant = {nearest(name, absent, "fields") for name in unknown}
+        meant = {nearest(name, fields.keys() - data.keys(), "fields") for name in unknown}
         for name, field in fields.items():
-            if name in data:
-                place = path if short else (*path, name)
+            value = data.get(name)
+            if value is not None:
+                given[name] = field.kind.parse(self, path if short else (*path, name), value)
+            elif name in data:  # JSON's null; an optional field is left out instead
                 given[name] = BROKEN
-                if data[name] is not None:
-                    given[name] = field.kind.parse(self, place, data[name])
-                else:  # JSON's null; an optional field is left out instead
-                    self.error(place, "must have a value, got null", "leave it out")
+                self.error((*path, name), "must have a value, got null", "leave it out")
             elif name in meant:
                 given[name] = BROKEN
             elif field.required:

@@ -154,7 +154,7 @@ def _shared_point(
 
 def _origin(reader: "Reader", pair: Pair) -> Vector:
     """Place of a joint whose position does not matter: the origin of the second body, if any."""
-    places = [reader.places.drawn[name] for name in pair[::-1] if name in reader.places.drawn]
+    places = [reader.drawn[name] for name in pair[::-1] if name in reader.drawn]
     return places[0] if places else reader.zero()
 
 
@@ -164,7 +164,7 @@ def _named_points(
     """Named points of the two bodies that are one at the position of a joint."""
     pair, where = values["bodies"], (*path, "position")
     first, second = (
-        reader.places.point_at(where, body, values["position"]) for body in pair
+        reader.point_at(where, body, values["position"]) for body in pair
     )  # fmt: skip
     held = {*reader.fixed, None} if None in pair else {first}
     if (first or second) and {first, second} <= held:

@@ -10,14 +10,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from solver.scene.expression import ExpressionError, Vector, cos, sin, symbols
-from solver.scene.numbers import Numbers, applied
+from solver.scene.numbers import Known, Numbers, applied
 from solver.scene.report import Path
 
 if TYPE_CHECKING:
     from solver.scene.bodies import Rigid
+    from solver.scene.draft import Draft
 
 SAME = 1e-12
 """Distance of equal places, relative to their coordinates: the round-off of a rotation."""
@@ -37,12 +38,11 @@ class Seat:
     """Coordinates in the axes of a rigid body [m]."""
 
 
-class Places:
-    """Where everything is drawn, once points and bodies are read."""
+class Places(Numbers):
+    """Judge of places as well, once points and bodies are read."""
 
-    def __init__(self, reader: Numbers) -> None:
-        self.reader = reader
-        self.draft = reader.draft
+    def __init__(self, draft: Draft, known: Known, dimension: Any) -> None:
+        super().__init__(draft, known, dimension)
         self.drawn: dict[str, Vector] = {}
         """Of points, origins of bodies, points of bodies and first ends of bars."""
         self.marks: dict[str, dict[str, list[float]]] = {}
@@ -66,8 +66,8 @@ class Places:
         self._mark(name, (f"{name}.{point}" for point in body.points))
 
     def _mark(self, body: str, points: Iterable[str]) -> None:
-        places = {point: self.reader.values(self.drawn.get(point, ())) or [] for point in points}
-        size = len(self.reader.zero())
+        places = {point: self.values(self.drawn.get(point, ())) or [] for point in points}
+        size = len(self.zero())
         if len(self.drawn[body]) == size:
             self.marks[body] = {n: place for n, place in places.items() if len(place) == size}
 
@@ -76,8 +76,8 @@ class Places:
 
         What lies close to one is warned of, and what an override moved on its body.
         """
-        given = self.reader.values(place)
-        if body not in self.marks or not given or len(given) != len(self.reader.zero()):
+        given = self.values(place)
+        if body not in self.marks or not given or len(given) != len(self.zero()):
             return None
         seat = self._seat(path, body, place, given)
         if self.draft.seats is not None:
@@ -106,7 +106,7 @@ class Places:
             arm = tuple(x - y for x, y in zip(place, rigid.position, strict=True))
             return applied(tuple(zip(*_axes(rigid), strict=True)), arm)
 
-        return Seat(point, self.reader.values(self.reader.calculated(path, own, ())))
+        return Seat(point, self.values(self.calculated(path, own, ())))
 
     def _warn_of_a_move(self, path: Path, body: str, before: Seat, seat: Seat) -> None:
         """Warn of a place that only fitted the pose which an override has replaced."""
@@ -132,7 +132,7 @@ class Places:
         nearest = min(marks, key=lambda point: math.dist(marks[point], given), default="")
         if not nearest:
             return
-        others = [*marks.values(), self.reader.values(self.drawn[body]) or given]
+        others = [*marks.values(), self.values(self.drawn[body]) or given]
         spans = [span for other in others if (span := math.dist(other, marks[nearest])) > 0.0]
         gap = math.dist(marks[nearest], given)
         if spans and DRAWN * min(spans) < gap <= CLOSE * min(spans):

@@ -12,7 +12,7 @@ from typing import Any
 from solver.scene.draft import Draft
 from solver.scene.expression import Vector
 from solver.scene.fields import BROKEN, Part, PointReference, fields_of, shown
-from solver.scene.numbers import Known, Numbers, unknown_end
+from solver.scene.numbers import Known, unknown_end
 from solver.scene.places import Places, same
 from solver.scene.report import Path
 from solver.scene.scene import TYPES
@@ -22,7 +22,7 @@ NOWHERE = PointReference(point=None)
 """Stands for a reference that has been reported."""
 
 
-class Reader(Numbers):
+class Reader(Places):
     """Reader of the parts of one scene; knows where everything is drawn once bodies are read."""
 
     def __init__(
@@ -35,7 +35,6 @@ class Reader(Numbers):
         """Driver of each point, and of the angle or displacement of each joint."""
         self.fixed: set[str] = set()
         """Points that are part of the ground."""
-        self.places = Places(self)
         self.parts: dict[str, dict[str, Any]] = {}
         """Parts that have been read, by table and name."""
 
@@ -136,9 +135,9 @@ class Reader(Numbers):
         if name == "ground":
             return PointReference(point=None, at=at)
         if self.known.parts.get(name) == "body":
-            point = None if at is None else self.places.point_at(path, name, at)
+            point = None if at is None else self.point_at(path, name, at)
             return PointReference(point=point or name, at=None if point else at)
-        drawn = self.values(self.places.drawn.get(name, ()))
+        drawn = self.values(self.drawn.get(name, ()))
         given = None if at is None else self.values(at)
         if drawn and given and len(drawn) == len(given) and not same(drawn, given):
             what = "point" if self.owner(name) is None else "the point"

@@ -26,12 +26,10 @@ class Place:
 SETTING = Place(parameters=False, tunable=False)
 PARAMETER = PROPERTY = Place()
 GEOMETRY = Place(tunable=False)
-FORCE = Place(time=True)
-DRIVER = Place(time=True)
-LOAD = Place(time=True, levels=("position", "rate"))
+FORCE = DRIVER = Place(time=True)
+LOAD = VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 POTENTIAL = Place(levels=("position",))
 CONSTRAINT = Place(time=True, levels=("position",))
-VELOCITY_ROW = Place(time=True, levels=("position", "rate"))
 OUTPUT = Place(time=True, levels=("position", "rate", "result"))
 
 
