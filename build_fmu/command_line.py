@@ -24,6 +24,8 @@ OTHER_WORDS = {
     **dict.fromkeys(("--dt", "--interval"), "--step"),
 }
 """Options that other programs have, and what they are called here."""
+MANY: dict[str, Any] = {"action": "append", "default": []}
+"""Of an option that may be given several times."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -105,13 +107,11 @@ def _parser() -> argparse.ArgumentParser:
     _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
     _add_variants(commands)
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
-    _add_run(simulate)
-    _add_inputs(simulate)
+    _add_run(simulate, inputs=True)
     simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
     _add_sweep(commands)
     check = commands.add_parser("check", help="run it and test that energy and constraints hold")
-    _add_run(check)
-    _add_inputs(check)
+    _add_run(check, inputs=True)
     for name in ("energy", "constraint"):
         text = f"largest relative {name} error that passes (default: %(default)s)"
         check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
@@ -136,7 +136,7 @@ def _add_variants(commands: argparse._SubParsersAction) -> None:
     command.add_argument("--manifest", default="manifest.csv", metavar="FILE", help=text)
     text = "remove the FMUs of an earlier study that are in that folder"
     command.add_argument("--fresh", action="store_true", help=text)
-    _add_study(command, "processes")
+    _add_study(command)
     _add_settings(command, "replace a parameter or any number of the scene, in all of them")
     command.add_argument("--json", action="store_true", help="print JSON instead of the file")
 
@@ -144,9 +144,9 @@ def _add_variants(commands: argparse._SubParsersAction) -> None:
 def _add_sweep(commands: argparse._SubParsersAction) -> None:
     command = commands.add_parser("sweep", help="run one FMU with many values of its parameters")
     _add_run(command)
-    _add_study(command, "processes")
+    _add_study(command)
     text = "outputs to keep, separated by commas (default: all)"
-    command.add_argument("--output", action="append", default=[], metavar="NAMES", help=text)
+    command.add_argument("--output", **MANY, metavar="NAMES", help=text)
     text = "file of results, .csv or .h5 (default: <name of the file>_sweep.csv); one that is"
     text += " there, of the same sweep, is continued"
     command.add_argument("-o", "--results", metavar="FILE", help=text)
@@ -154,47 +154,31 @@ def _add_sweep(commands: argparse._SubParsersAction) -> None:
     command.add_argument("--json", action="store_true", help="print JSON instead of a table")
 
 
-def _add_study(command: argparse.ArgumentParser, engines: str) -> None:
+def _add_study(command: argparse.ArgumentParser) -> None:
     """Arguments of what is done for many values."""
-    text = "values of one parameter, a=2,3, or a range, a=1:5:9 (9 values) or a=1:100:9:log"
-    command.add_argument(
-        "--grid", action="append", default=[], metavar="NAME=VALUES", help=f"{text}; grids multiply"
-    )
+    text = "values of one parameter, a=2,3, or a range, a=1:5:9 (9 values) or a=1:100:9:log; grids"
+    command.add_argument("--grid", **MANY, metavar="NAME=VALUES", help=f"{text} multiply")
     text = "CSV file with names in its first line and one row of values for each"
     command.add_argument("--table", metavar="FILE", help=text)
-    text = f"auto (default), serial, {engines}, processes:N or dask://HOST:PORT"
+    text = "auto (default), serial, processes, processes:N or dask://HOST:PORT"
     command.add_argument("--engine", default="auto", metavar="ENGINE", help=text)
     text = "number of processes (default: one for each processor)"
     command.add_argument("--jobs", type=int, metavar="N", help=text)
 
 
 def _add_settings(command: argparse.ArgumentParser, text: str) -> None:
-    command.add_argument(
-        *("--set", "-s"),
-        dest="settings",
-        type=setting,
-        action="append",
-        default=[],
-        metavar="NAME=VALUE",
-        help=text,
-    )
-    command.add_argument(
-        *("--parameters", "-p"),
-        action="append",
-        default=[],
-        metavar="FILE",
-        help="values from a file: .toml, .json, .csv, or .ssv (SSP); --set has precedence",
-    )
+    values = {"dest": "settings", "type": setting, "metavar": "NAME=VALUE"}
+    command.add_argument("--set", "-s", **MANY, **values, help=text)
+    text = "values from a file: .toml, .json, .csv, or .ssv (SSP); --set has precedence"
+    command.add_argument("--parameters", "-p", **MANY, metavar="FILE", help=text)
 
 
-def _add_inputs(command: argparse.ArgumentParser) -> None:
-    text = "CSV file of inputs over time: a column 'time' and one for each input"
-    command.add_argument("--inputs", metavar="FILE", help=text)
-
-
-def _add_run(command: argparse.ArgumentParser) -> None:
+def _add_run(command: argparse.ArgumentParser, *, inputs: bool = False) -> None:
     command.add_argument("target", metavar="SCENE|FMU")
     text = "(default: that of the scene)"
     command.add_argument("--stop", type=float, metavar="TIME", help=f"stop time in s {text}")
     command.add_argument("--step", type=float, metavar="SIZE", help=f"step in s {text}")
     _add_settings(command, "set a parameter or input (of a scene: any number of it)")
+    if inputs:
+        text = "CSV file of inputs over time: a column 'time' and one for each input"
+        command.add_argument("--inputs", metavar="FILE", help=text)
