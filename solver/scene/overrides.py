@@ -35,7 +35,7 @@ def apply_overrides(
     -------
     tuple of dict
         By the path of what was replaced: text of each override, ``name=value``, in the order of
-        the texts; and where it was given, ``--set name=value``.
+        the texts; and where it was given, ``--set name=value`` or ``overrides['name']=value``.
     """
     replaced: dict[Path, str] = {}
     places: dict[Path, str] = {}
@@ -43,7 +43,9 @@ def apply_overrides(
         given = override.value if isinstance(override, Given) else override
         value = _value(given)
         text = f"{name}={given if isinstance(given, str) else shown(value)}"
-        where = override.where if isinstance(override, Given) else f"--set {text}"
+        where = (
+            override.where if isinstance(override, Given) else f"overrides[{name!r}]={shown(given)}"
+        )
         path = _target(data, path_of(name))
         if not is_readable(text):
             problems.append(Problem("", "not a readable text", override=where))
