@@ -4,27 +4,26 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from build_fmu.fmu_runner import KeptFmu
-from build_fmu.study.plan import Result
+from build_fmu.study.plan import Plan, Result
 
 
 @dataclass(frozen=True)
 class Shared:
     """What every process of a sweep needs: a path, or the archive itself for other machines."""
 
+    plan: Plan
+    """Without its rows."""
     path: str
-    folder: str | None
-    """Where it is unpacked, removed at the end; None: in the one of a worker elsewhere."""
+    folder: str
+    """Where it is unpacked, removed at the end; workers elsewhere have their own."""
     data: bytes | None
-    digest: str
-    fixed: Mapping[str, Any]
-    outputs: Sequence[str]
-    times: Sequence[float]
+    """The archive, for workers elsewhere."""
     trajectories: bool
 
 
@@ -35,20 +34,22 @@ _HERE = threading.local()
 def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
     """Run one row of a sweep, from its number and values."""
     run, row = job
-    record = _kept(shared).run({**shared.fixed, **row}, shared.times, shared.outputs)
+    plan = shared.plan
+    record = _kept(shared).run({**plan.fixed, **row}, plan.times, plan.outputs)
     # Before the first step outputs may be no more than 0.
     values = record.values if len(record.values) > 1 or not record.reason else record.values[:0]
     if len(values):
         columns = (values[-1], values.min(axis=0), values.max(axis=0))
         summary = [x for each in zip(*columns, strict=True) for x in map(float, each)]
     else:
-        summary = [math.nan] * 3 * len(shared.outputs)
+        summary = [math.nan] * 3 * len(plan.outputs)
     kept = values if shared.trajectories else None
     return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
 
 
 def _kept(shared: Shared) -> KeptFmu:
-    if getattr(_HERE, "digest", None) != shared.digest:
+    digest = shared.plan.digest
+    if getattr(_HERE, "digest", None) != digest:
         release()
         if shared.data is None:
             _HERE.fmu = KeptFmu(shared.path, shared.folder)
@@ -56,10 +57,10 @@ def _kept(shared: Shared) -> KeptFmu:
             from build_fmu.study.dask_workers import folder_of_worker
 
             folder = folder_of_worker()
-            copy = Path(folder, f"{shared.digest}-{threading.get_ident()}.fmu")
+            copy = Path(folder, f"{digest}-{threading.get_ident()}.fmu")
             copy.write_bytes(shared.data)
             _HERE.fmu = KeptFmu(copy, folder)
-        _HERE.digest = shared.digest
+        _HERE.digest = digest
     return _HERE.fmu
 
 

@@ -7,7 +7,7 @@ import hashlib
 import math
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
@@ -118,7 +118,10 @@ def sweep(
         plan = _plan(unit, [fixed, *rows], outputs, stop_time, step_size, mistakes)
         plan.check_columns(trajectories)
         wanted = trajectories or holds_trajectories(file)
-        _check_size(plan, wanted)
+        if wanted and plan.count * len(plan.times) * len(plan.outputs) > MOST_VALUES:
+            text = "the trajectories would fill more than 4 GB; name fewer outputs, longer steps"
+            raise UsageError(text)
+        archive = Path(unit).read_bytes() if engine.startswith("dask") else None
         with (
             contextlib.closing(store_for(file, plan, fresh, trajectories)) as store,
             tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True) as folder,
@@ -126,7 +129,8 @@ def sweep(
             lacking = trajectories and not holds_trajectories(file)
             left = [n for n, known in enumerate(store.is_done) if lacking or not known]
             jobs = [(n + 1, plan.rows[n]) for n in left]
-            task = Task(run_row, _shared(plan, unit, folder, wanted, engine), partial(_lost, plan))
+            shared = Shared(replace(plan, rows=()), unit, folder, archive, wanted)
+            task = Task(run_row, shared, partial(_lost, shared.plan))
             said: set[str] = set()
             try:
                 with contextlib.closing(run_jobs(task, jobs)) as results:
@@ -173,26 +177,6 @@ def _plan(
         outputs=names,
         times=communication_times(description, stop_time, step_size),
         units={v.name: v.unit or "" for v in description.modelVariables},
-    )
-
-
-def _check_size(plan: Plan, trajectories: bool) -> None:
-    if trajectories and plan.count * len(plan.times) * len(plan.outputs) > MOST_VALUES:
-        text = "the trajectories would fill more than 4 GB; name fewer outputs, longer steps"
-        raise UsageError(text)
-
-
-def _shared(plan: Plan, unit: str, folder: str, trajectories: bool, engine: str) -> Shared:
-    elsewhere = engine.startswith("dask")
-    return Shared(
-        path=unit,
-        folder=None if elsewhere else folder,
-        data=Path(unit).read_bytes() if elsewhere else None,
-        digest=plan.digest,
-        fixed=plan.fixed,
-        outputs=plan.outputs,
-        times=plan.times,
-        trajectories=trajectories,
     )
 
 
