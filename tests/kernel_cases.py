@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from tests.joint_scenes import train
 from tests.twins import EVERYTHING, FORMULATIONS, SCENES, model_of
 from tests.zoo import PLANE, SPACE
 
 SOURCES = {path.stem: path for path in SCENES}
 SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}
+SOURCES["gears in the plane"] = train(2, "gear", 0.01)
 ZOO = {"zoo in the plane": PLANE, "zoo in space": SPACE}
 
 LADDER = (
