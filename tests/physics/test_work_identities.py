@@ -66,11 +66,14 @@ TORQUES: dict[str, tuple[str, Callable[[Array], Array]]] = {
 }
 
 
-def joined(dimension: int, law: str, h: float, stop: float = 4.0) -> solver.Trajectory:
+def joined(
+    dimension: int, law: str, h: float, stop: float = 4.0, formulation: str = "conserving-al"
+) -> solver.Trajectory:
     """Two bodies on a common hinge in free flight with one law between them, in plain steps."""
     reach = '\n[outputs]\nreach = { value = "distance(A.tip, B.tip)" }\n'
     text = pair(dimension, "revolute", h) + f"paired = false\n[forces]\nlaw = {{ {law} }}\n"
-    return solver.simulate(solver.loads(text + reach), stop_time=stop, step_size=h)
+    scene = solver.loads(text + reach)
+    return solver.simulate(scene, stop_time=stop, step_size=h, formulation=formulation)
 
 
 # ------------------------------------------------------------------------ laws between two bodies
@@ -88,6 +91,16 @@ def test_a_law_with_an_energy_gives_back_exactly_what_it_takes(name, h, dimensio
     assert np.ptp(run["energy.kinetic"] + stored) < ROUND_OFF * size
     assert not run["energy.work"].any()
     assert not run["energy.dissipated"].any()
+
+
+@DIMENSIONS
+@pytest.mark.parametrize("name", STORING)
+def test_the_intermediate_configuration_gives_back_what_it_takes_too(name, dimension):
+    text, energy = STORING[name]
+    run = joined(dimension, text, 0.05, formulation="conserving-al-beta")
+    size = np.ptp(run["energy.kinetic"]) + run["energy.kinetic"][0]
+    assert np.ptp(energy(run)) > 1e-2 * size
+    assert np.ptp(run["energy.kinetic"] + energy(run)) < 10 * ROUND_OFF * size
 
 
 @DIMENSIONS
