@@ -11,7 +11,7 @@ from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.outputs import named
 from solver.mechanics.sensors import Measures
-from solver.mechanics.structure import Structure, flat, pointers
+from solver.mechanics.structure import TURNED, Structure, flat, pointers
 from solver.mechanics.tape import Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
@@ -124,7 +124,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
     """Return the contents of the sections, in their order; what is derived later is 0."""
     moving = structure.nodes[: structure.n_moving]
     entries = [entry for entries in structure.entries for entry in entries]
-    turned = entries if structure.any_turned else []
+    turned = entries if any(kind & TURNED for kind in structure.kinds) else []
     parameters = [p.value for p in scene.parameters.values() if not isinstance(p.value, Expr)]
     sizes = structure.sizes
     zeros = [0.0] * sizes["n_rows"]

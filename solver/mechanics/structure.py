@@ -7,7 +7,7 @@ A composite is what is built of quantities - an element, a function row, a veloc
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
@@ -111,25 +111,16 @@ class Structure:
         """Return the free nodes of a form; they come first among its entries."""
         return [entry.node for entry in self.entries[form] if entry.node < self.n_free]
 
-    def moving(self, form: int) -> int:
-        """Return how many entries of a form move."""
-        return sum(entry.node < self.n_moving for entry in self.entries[form])
-
     @cached_property
     def kinds(self) -> list[int]:
         """Flags of the forms."""
-        return [self._kind(f, form) for f, form in enumerate(self.mechanism.forms)]
-
-    def _kind(self, f: int, form: Form) -> int:
-        moving = self.entries[f][: self.moving(f)]
-        turned = any([e.alpha[1] != 0.0 or e.beta[1] != 0.0 for e in self.entries[f]])
-        linear = all([x == 0.0 for entry in moving for x in entry.beta])
-        return SQUARE * (form.u == form.w) | LINEAR * linear | TURNED * turned
-
-    @cached_property
-    def any_turned(self) -> bool:
-        """Whether quarter turns are stored."""
-        return any(kind & TURNED for kind in self.kinds)
+        found = []
+        for form, entries in zip(self.mechanism.forms, self.entries, strict=True):
+            moving = [entry for entry in entries if entry.node < self.n_moving]
+            turned = any([e.alpha[1] != 0.0 or e.beta[1] != 0.0 for e in entries])
+            linear = all([x == 0.0 for entry in moving for x in entry.beta])
+            found.append(SQUARE * (form.u == form.w) | LINEAR * linear | TURNED * turned)
+        return found
 
     @cached_property
     def place_of(self) -> dict[str, Sequence[int] | dict[int, int]]:
@@ -230,11 +221,14 @@ class Structure:
         quantities = [mechanism.quantities[q] for q in self.quantities]
         pairs = [((*q.forms, -1))[:2] for q in quantities]
         node_of, loads = self.node_of, self.loads.items
+        rows = self.coincidences, self.form_rows, self.form_rows
         return {
             "node_kind": array("i", (node.kind for node in self.nodes)),
             "form_ptr": pointers(self.entries),
             "form_free": array("i", (len(self.free(f)) for f in range(len(self.entries)))),
-            "form_moving": array("i", (self.moving(f) for f in range(len(self.entries)))),
+            "form_moving": array(
+                "i", (sum(e.node < self.n_moving for e in entries) for entries in self.entries)
+            ),
             "form_node": flat([e.node for e in entries] for entries in self.entries),
             "form_kind": array("i", self.kinds),
             "quantity_kind": array("i", (q.kind for q in quantities)),
@@ -255,7 +249,11 @@ class Structure:
             "sampled_load": flat(place[:2] for place in self.sampled),
             "body_node": array("i", (node_of[body] for body in self.bodies.items)),
             "place_form": array("i", mechanism.places),
-            "reaction_entry": flat(self._reactions()),
+            "reaction_entry": flat(
+                (joint, kind, rows[kind].place[row], sign)
+                for joint, entries in enumerate(mechanism.reactions)
+                for kind, row, sign in entries
+            ),
             "mass_node": flat(pair[:2] for pair in self.masses),
             "island_begin": flat(zip(*self._windows(), strict=True)),
         }
@@ -270,12 +268,6 @@ class Structure:
             for place, load in enumerate(loads.items)
             if load.sampled
         ]
-
-    def _reactions(self) -> Iterator[tuple[int, int, int, int]]:
-        """Yield joint, kind, row and sign of all entries."""
-        rows = (self.coincidences, self.form_rows, self.form_rows)
-        for joint, entries in enumerate(self.mechanism.reactions):
-            yield from ((joint, kind, rows[kind].place[row], sign) for kind, row, sign in entries)
 
     def _windows(self) -> list[list[int]]:
         """Where each island begins among free nodes and so on: ``layout.ISLAND_PARTS``."""
