@@ -16,7 +16,7 @@ from solver.mechanics.tape import Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
-from solver.runtime.layout import SIZES, TABLES, measured_size
+from solver.runtime.layout import SIZES, TABLES
 from solver.runtime.model import Rule
 from solver.runtime.options import slots_for
 from solver.scene import Expr, ExpressionError, Number, Scene
@@ -159,7 +159,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
         "node_mass": [node.mass for node in moving],
         "node_weight": [node.weight for node in moving],
         "velocity_weight": [node.velocity_weight for node in moving],
-        "measured": [0.0] * measured_size(sizes),
+        "measured": [0.0] * sum([*structure.measured.values()][-1]),
     }
 
 

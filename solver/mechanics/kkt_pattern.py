@@ -215,15 +215,15 @@ class Layout:
             "lu_target": _table(pattern.target),
             "lu_island": self._pieces_of_islands(),
         }
-        for name, contributions in self.contributions.items():
-            listed = [
-                [x for piece in pieces for x in self._elements(*piece)] for pieces in contributions
-            ]
-            elements = np.fromiter(chain.from_iterable(listed), dtype=np.int64)
-            tables[f"{name}_slot_ptr"] = pointers(listed)
-            tables[f"{name}_slot"] = _table(
-                pattern.slots(*np.divmod(elements, len(pattern.counts)))
-            )
+        listed = {
+            name: [[x for piece in pieces for x in self._elements(*piece)] for pieces in each]
+            for name, each in self.contributions.items()
+        }
+        elements = np.array([x for each in listed.values() for items in each for x in items], int)
+        slots = pattern.slots(*np.divmod(elements, len(pattern.counts)))
+        ends = np.cumsum([sum(map(len, each)) for each in listed.values()])
+        for (name, each), part in zip(listed.items(), np.split(slots, ends[:-1]), strict=True):
+            tables[f"{name}_slot_ptr"], tables[f"{name}_slot"] = pointers(each), _table(part)
         named = {f"lean_{x}" if self.lean else x: table for x, table in tables.items()}
         return {name: table for name, table in named.items() if name in TABLES}
 

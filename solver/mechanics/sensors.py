@@ -30,12 +30,12 @@ class Ref(NamedTuple):
     item: int
     k: int = 0
 
-    def place(self, structure: Structure, sections: dict[str, tuple[int, int]]) -> int:
+    def place(self, structure: Structure) -> int:
         """Return its place among the measurements."""
         places = structure.place_of.get(self.section)
         item = self.item if places is None else places[self.item]
         width = WIDTHS[structure.mechanism.dim].get(self.section, 1)
-        return sections[self.section][0] + width * item + self.k
+        return structure.measured[self.section][0] + width * item + self.k
 
 
 class Named(NamedTuple):

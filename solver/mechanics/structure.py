@@ -27,7 +27,7 @@ from solver.mechanics.mechanism import (
     Leaf,
     Mechanism,
 )
-from solver.runtime.layout import ISLAND_PARTS
+from solver.runtime.layout import ISLAND_PARTS, measured_sections
 from solver.scene import Number
 
 SQUARE, LINEAR, TURNED = 1, 2, 4
@@ -214,6 +214,11 @@ class Structure:
             "n_sampled": len(self.sampled),
             "sensing": int(mechanism.sensing),
         }
+
+    @cached_property
+    def measured(self) -> dict[str, tuple[int, int]]:
+        """Offset and length of each group of measurements."""
+        return measured_sections(self.sizes)
 
     def tables(self) -> dict[str, array]:
         """Return the tables that describe the mechanism, without those of the elimination."""

@@ -10,7 +10,6 @@ from solver.mechanics.sensors import Measures, Named, Ref
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Numbers, Segment
 from solver.options import OPTIONS
-from solver.runtime.layout import measured_sections
 from solver.runtime.model import Variable
 from solver.scene import Expr, Number, Scene
 from solver.scene.expression import sqrt, symbol
@@ -30,7 +29,6 @@ class Symbols:
         self, scene: Scene, measures: Measures, table: Iterable[Named], structure: Structure
     ) -> None:  # fmt: skip
         self._structure, self._measures, self._table = structure, measures, table
-        self._sections = measured_sections(structure.sizes)
         self._given = dict(_given(scene))
 
     def meaning(self, name: str) -> Meaning:
@@ -43,7 +41,7 @@ class Symbols:
         found = self.measured(name)
         if not isinstance(found, Ref):
             return found
-        return "measured", found.place(self._structure, self._sections), Segment.OUTPUTS
+        return "measured", found.place(self._structure), Segment.OUTPUTS
 
     def measured(self, name: str) -> Ref | Number:
         """Return what is measured under a name, or by the symbol of an expression."""
@@ -87,11 +85,10 @@ def variables_of(
     scene: Scene, table: Iterable[Named], structure: Structure, numbers: Numbers
 ) -> Iterator[Variable]:
     """Yield all variables: parameters, inputs, settings, outputs of the scene, measurements."""
-    sections = measured_sections(structure.sizes)
 
     def output(name: str, unit: str, text: str, meaning: Ref | Number) -> Variable:
         if isinstance(meaning, Ref):
-            kind, place = "measured", meaning.place(structure, sections)
+            kind, place = "measured", meaning.place(structure)
         else:
             kind, place = "number", numbers.place(meaning, Segment.OUTPUTS)
         limits = None, None, None  # start, minimum, maximum
