@@ -117,7 +117,8 @@ def _structure(name: str, fields: Iterable[str]) -> str:
 
 def _structures(layout: Declaration, scratch: Declaration) -> Iterator[str]:
     values = layout.values
-    yield f"#define HOLONOM_ABI {values['ABI']}\n"
+    for name in ("ABI", "MOST_SAMPLING"):
+        yield f"#define HOLONOM_{name} {values[name]}\n"
     yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
     lean = [name for name in values["TABLES"] if name.startswith("lean_")]
     own = [x for x in values["TABLES"] if x not in values["ELIMINATION"] and x not in lean]
@@ -302,11 +303,14 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
         "static hm_counts counts_of(const holonom_model *m)\n{", *_counts(counts, counts, names),
         f"    return (hm_counts){{{', '.join(counts)}}};\n}}\n",
     ])  # fmt: skip
-    lean = [name for name in tables if name.startswith("lean_")]
-    for name, chosen in (("has_lean_tables", lean), ("has_tables", {*tables} - {*lean})):
-        rules = filter(None, [_rule(tables, x, in_c) for x in tables if x in chosen])
-        body = "    return " + " &&\n           ".join(rules) + ";\n"
-        yield FUNCTION.format(name, ", const int32_t *length", body)
+    rules = _rules(layout["ELIMINATION"], "e->", _places(layout["ELIMINATION"]), in_c)
+    arguments = ", const holonom_elimination *e, const int32_t *length, int64_t n_values"
+    yield FUNCTION.format(
+        "has_factors", arguments, rules.replace("(int64_t)m->n_lu_values", "n_values")
+    )
+    own = {x: y for x, y in tables.items() if x.removeprefix("lean_") not in layout["ELIMINATION"]}
+    rules = _rules(own, "m->", _places(tables), in_c)
+    yield FUNCTION.format("has_tables", ", const int32_t *length", rules)
     sections = {name: in_c(length) for name, length in layout["OFFSETS"].items() if length}
     held = [f"hm_holds(m, m->{name}_at, {length})" for name, length in sections.items()]
     yield FUNCTION.format("has_sections", "", "    return " + " &&\n           ".join(held) + ";\n")
@@ -318,19 +322,29 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
     yield FUNCTION.format("has_islands", "", f"{array}    return hm_divides(m, bound);\n")
 
 
-def _rule(tables: Mapping[str, Any], name: str, in_c: Callable[[str], str]) -> str:
-    """Return a call that tells whether a table is as declared."""
-    table, place = tables[name], {x: f"length[{i}]" for i, x in enumerate(tables)}
-    owner = "full." if f"lean_{name}" in tables else ""
-    given = f"m->{owner}{name.replace('lean_', 'lean.')}, {place[name]}"
-    if hasattr(table, "total"):
-        total = table.total
-        total = f"{place[total]} / {tables[total].width}" if total in tables else in_c(total)
-        return f"hm_rises({given}, {in_c(table.count)}, {total}, {in_c(table.most) or 'INT32_MAX'})"
-    length, own = in_c(table.length), place[name]
-    if table.low is not None:
-        end = "INT64_MAX" if table.end is None else in_c(str(table.end))
-        return f"hm_has({given}, {length or own}, {table.low}, {end})"
-    if not length:
-        return f"{own} % {table.width} == 0 /* {name} */" if table.width > 1 else ""
-    return f"{own} == {length} /* {name} */"
+def _places(tables: Iterable[str]) -> dict[str, str]:
+    return {name: f"length[{i}]" for i, name in enumerate(tables)}
+
+
+def _rules(
+    tables: Mapping[str, Any], owner: str, place: Mapping[str, str], in_c: Callable[[str], str]
+) -> str:
+    """Return C that tells whether tables, with their lengths at these places, are as declared."""
+    found = []
+    for name, table in tables.items():
+        own, given = place[name], f"{owner}{name}, {place[name]}"
+        if hasattr(table, "total"):
+            total = table.total
+            total = f"{place[total]} / {tables[total].width}" if total in tables else in_c(total)
+            most = in_c(table.most) or "INT32_MAX"
+            found.append(f"hm_rises({given}, {in_c(table.count)}, {total}, {most})")
+            continue
+        length = in_c(table.length)
+        if table.low is not None:
+            end = "INT64_MAX" if table.end is None else in_c(str(table.end))
+            found.append(f"hm_has({given}, {length or own}, {table.low}, {end})")
+        elif length:
+            found.append(f"{own} == {length} /* {name} */")
+        elif table.width > 1:
+            found.append(f"{own} % {table.width} == 0 /* {name} */")
+    return "    return " + " &&\n           ".join(found) + ";\n"

@@ -9,7 +9,7 @@ from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
 from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual
 from build_fmu.report import print_json, print_table
-from solver.runtime.options import MOST_SAMPLING
+from solver.runtime.layout import MOST_SAMPLING
 
 
 def run(arguments: argparse.Namespace) -> int:

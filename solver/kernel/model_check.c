@@ -247,7 +247,9 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     if (!has_sizes(c)) return 0;
     const hm_counts *count = &checked.count;
     checked.count = counts_of(m);
-    return has_tables(m, count, table_length) && (!m->n_lean_values || has_lean_tables(m, count, table_length)) && has_forms(c) &&
+    return has_tables(m, count, table_length) &&
+           has_factors(m, count, &m->full, table_length + TABLE(full), m->n_lu_values) &&
+           (!m->n_lean_values || has_factors(m, count, &m->lean, table_length + TABLE(lean), m->n_lean_values)) && has_forms(c) &&
            has_sections(m, count) && has_turns_and_derived(c) && has_quantities(c) && has_composites(c) && has_loads(c) &&
            has_tape(c) && has_islands(m, count) && has_elimination(c, 0) && (!m->n_lean_values || has_elimination(c, 1)) &&
            has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);

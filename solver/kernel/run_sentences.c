@@ -11,7 +11,6 @@
 
 static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
 static const double LEDGER_LONG = 1e-9; /* error of the ledger that round-off of a long run may come to */
-static const double MOST_SAMPLING = 1.0; /* beyond it loads that read the mechanism drive it by their delay */
 
 const char *hm_about_step(int32_t status)
 {
@@ -116,7 +115,7 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
     int32_t worst = 0;
     for (int32_t i = 1; i < f->model.n_sampled; i++)
         if (s->sampled[3 * i + 2] > s->sampled[3 * worst + 2]) worst = i;
-    if (!f->model.n_sampled || !(s->sampled[3 * worst + 2] > MOST_SAMPLING)) return;
+    if (!f->model.n_sampled || !(s->sampled[3 * worst + 2] > HOLONOM_MOST_SAMPLING)) return;
     hm_say(text, "%s is evaluated too seldom, once in a half step: until t = %6g s the motion that it causes changed its work by %1f "
                  "times the work foreseen; it alternates or reverses what it should stop; use a damper or torsion_damper instead, make "
                  "its formula smoother, or take ",

@@ -122,13 +122,6 @@ disguise, cheap where M is diagonal, and good for short steps. A row has k k dim
 k k dim dim; linear or lean none.
 """
 
-
-def _lean(table: tuple) -> tuple:
-    """Return the same table of lean factors."""
-    names = (f"lean_{x}" if x in ELIMINATION else x for x in table)
-    return type(table)(*("n_lean_values" if x == "n_lu_values" else x for x in names))
-
-
 ISLAND_PARTS = {
     "free": ("0", "n_free"), "driven": ("n_free", "n_moving"),
     "element": ("0", "n_elements"), "function": ("n_elements", "first_velocity"),
@@ -177,7 +170,7 @@ TABLES = {
     "sampled_load": Table("2 * n_sampled"),  # SAMPLED_.. and place among these
     "tape": Table("5 * n_tape"),  # of an operation: code, target, three arguments
     **ELIMINATION,
-    **{f"lean_{name}": _lean(table) for name, table in ELIMINATION.items()},
+    **{f"lean_{name}": table for name, table in ELIMINATION.items()},
     "load_slot_ptr": Pointers("n_loads", "load_slot"),
     "load_slot": Table("", 0, "n_lu_values"),  # follower load: free entries directors dim dim
     "moment_slot_ptr": Pointers("n_moments", "moment_slot"),
@@ -321,6 +314,9 @@ FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole"
 RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least"}
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
+MOST_SAMPLING = 1.0
+"""Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
+
 RESULTS = {
     "done": 0,
     "refused": 1,  # a value or a saved state that no rule allows; nothing was changed

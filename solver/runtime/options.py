@@ -6,9 +6,6 @@ from solver.options import OPTIONS, Option
 
 from .errors import OptionError
 
-MOST_SAMPLING = 1.0
-"""Largest `solver.sampling`: beyond it loads that read the mechanism drive it by their delay."""
-
 SLOTS = {2: 4, 4: 10, 6: 18, 8: 30}
 """Half steps of an internal one whose changes a state keeps, as they predict those of the next: all
 of one internal step, and at order 2, where that saves a third of the iterations, of two."""
