@@ -21,10 +21,6 @@ from functools import cached_property
 from .errors import OptionError, UnknownNameError
 from .model_file import fingerprint, from_bytes
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
 
 class Variable(
     namedtuple(
@@ -133,7 +129,7 @@ class Model(
         communication point, and in the initialization mode. The bytes do not have it.
     """
 
-    dependencies: Mapping[int, tuple[tuple[int, ...], tuple[int, ...]]] | None = None
+    dependencies: dict | None = None
     _checked: tuple[ctypes.Array[ctypes.c_double], int] | None = None
 
     @property
