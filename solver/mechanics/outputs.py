@@ -23,13 +23,11 @@ from solver.scene import (
     BodyJoint,
     Constraint,
     Distance,
-    Driver,
     Expr,
-    ForceElement,
     Gravitation,
-    Joint,
     JointTorque,
     Number,
+    Part,
     PositionDriver,
     Potential,
     Rigid,
@@ -107,7 +105,7 @@ def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
 # -------------------------------------------------------------------------------------- joints
 
 
-def _of_a_joint(measures: Measures, name: str, joint: Joint) -> Found:
+def _of_a_joint(measures: Measures, name: str, joint: Part) -> Found:
     """Motion of a joint, and its reaction."""
     found = measures.parts.joints[name]
     values = _reaction(measures, joint, found)
@@ -118,7 +116,7 @@ def _of_a_joint(measures: Measures, name: str, joint: Joint) -> Found:
     return values
 
 
-def _reaction(measures: Measures, joint: Joint, found: JointParts) -> dict[str, Any]:
+def _reaction(measures: Measures, joint: Part, found: JointParts) -> dict[str, Any]:
     """Force and torque on the second body, the point or the disc, or on what a row couples."""
     mechanism = measures.parts.mechanism
     if isinstance(joint, Distance):
@@ -155,7 +153,7 @@ def _of_a_constraint(measures: Measures, name: str, _: Constraint) -> Found:
 # -------------------------------------------------------------------------------------- forces
 
 
-def _of_a_force(measures: Measures, name: str, force: ForceElement) -> Found:
+def _of_a_force(measures: Measures, name: str, force: Part) -> Found:
     """Length and force, torque or energy of a force."""
     parts = measures.parts
     if name in parts.links:
@@ -168,7 +166,7 @@ def _of_a_force(measures: Measures, name: str, force: ForceElement) -> Found:
 
 
 def _tension(
-    measures: Measures, name: str, force: ForceElement, length: Ref
+    measures: Measures, name: str, force: Part, length: Ref
 ) -> Ref | Number:  # fmt: skip
     """Return dV/dl of a spring with an energy and of gravitation, else what is measured."""
     if isinstance(force, Gravitation):
@@ -188,7 +186,7 @@ def _tension(
 # ------------------------------------------------------------------------------------- drivers
 
 
-def _of_a_driver(measures: Measures, name: str, driver: Driver) -> Found:
+def _of_a_driver(measures: Measures, name: str, driver: Part) -> Found:
     """Force or torque of a driver, and its power."""
     parts = measures.parts
     if not isinstance(driver, PositionDriver):

@@ -11,16 +11,14 @@ from solver.scene.drivers import (
     Constraint,
     DisplacementDriver,
     DistanceDriver,
-    Driver,
     JointDriver,
     PositionDriver,
 )
 from solver.scene.expression import Expr, ExpressionError, Number, Vector, evaluate, symbols
-from solver.scene.fields import PointReference
+from solver.scene.fields import Part, PointReference
 from solver.scene.forces import (
     Damper,
     Force,
-    ForceElement,
     Gravitation,
     JointTorque,
     Potential,
@@ -37,7 +35,6 @@ from solver.scene.joints import (
     Distance,
     Fixed,
     Gear,
-    Joint,
     Planar,
     PointOn,
     PointOnLine,
@@ -56,15 +53,3 @@ from solver.scene.reader import load, loads
 from solver.scene.report import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.scene import Output, Scene, json_schema
 from solver.scene.settings import Experiment, SolverSettings
-
-__all__ = [
-    "AngleDriver", "Bar", "Body", "BodyJoint", "ConstantAngle", "Constraint", "Cylindrical",
-    "Damper", "DisplacementDriver", "Distance", "DistanceDriver", "Driver", "Experiment", "Expr",
-    "ExpressionError", "Fixed", "Force", "ForceElement", "Gear", "Given", "Gravitation", "Input",
-    "Joint", "JointDriver", "JointTorque", "Number", "Output", "Parameter", "Planar", "Point",
-    "PointOn", "PointOnLine", "PointOnPlane", "PointOnSurface", "PointReference", "PositionDriver",
-    "Potential", "Prismatic", "Problem", "Rack", "Revolute", "Rigid", "Rolling", "Scene",
-    "SceneError", "SceneWarning", "Screw", "SolverSettings", "Source", "Spherical", "Spring",
-    "Torque", "TorsionDamper", "TorsionSpring", "Universal", "Vector", "evaluate", "json_schema",
-    "load", "loads", "parse", "symbols",
-]  # fmt: skip

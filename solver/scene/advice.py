@@ -7,7 +7,8 @@ from itertools import pairwise
 from typing import Any
 
 from solver.scene.draft import Draft
-from solver.scene.joints import BodyJoint, Fixed, Joint
+from solver.scene.fields import Part
+from solver.scene.joints import BodyJoint, Fixed
 from solver.scene.numbers import Numbers
 from solver.scene.parameters import Input
 from solver.scene.report import Path, location_of
@@ -18,7 +19,7 @@ SMALL = 5.0
 """Length in mm below which few numbers of a drawing in mm are."""
 
 
-def advise(numbers: Numbers, inputs: dict[str, Input], joints: dict[str, Joint]) -> None:
+def advise(numbers: Numbers, inputs: dict[str, Input], joints: dict[str, Part]) -> None:
     """Warn of a scene as a whole, in which no mistake was found."""
     _unused(numbers)
     _held(numbers, inputs)
@@ -58,7 +59,7 @@ def _prescribes(path: Path) -> bool:
     return path[0] == "drivers" or (path[0] == "constraints" and path[2] == "value")
 
 
-def _welded_twice(draft: Draft, joints: dict[str, Joint]) -> None:
+def _welded_twice(draft: Draft, joints: dict[str, Part]) -> None:
     """Warn of joints between bodies that fixed joints hold together already."""
     welded_to: dict[str | None, str | None] = {}
 

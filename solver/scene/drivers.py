@@ -5,7 +5,7 @@ The force of a driver is the one that it exerts, positive along what it drives.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any
 
 from solver.scene import fields as kind
 from solver.scene.expression import Expr, Number, Vector
@@ -173,5 +173,3 @@ DRIVERS: dict[str, type[Part]] = {
     for driver in (PositionDriver, DistanceDriver, AngleDriver, DisplacementDriver)
 }
 """Types of drivers."""
-
-Driver: TypeAlias = PositionDriver | DistanceDriver | JointDriver

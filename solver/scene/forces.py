@@ -261,8 +261,3 @@ FORCES: dict[str, type[Part]] = {
     )
 }
 """Types of forces."""
-
-ForceElement: TypeAlias = (
-    Spring | Damper | TorsionSpring | TorsionDamper | JointTorque | Force | Torque | Potential
-    | Gravitation
-)  # fmt: skip

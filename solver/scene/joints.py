@@ -498,5 +498,3 @@ JOINTS: dict[str, type[Part]] = {
     )
 }
 """Types of joints."""
-
-Joint: TypeAlias = Distance | BodyJoint | PointOn | ConstantAngle | Gear | Rack | Rolling

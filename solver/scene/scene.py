@@ -11,11 +11,11 @@ from typing import Annotated, Any, Literal, NoReturn
 
 from solver.scene import fields as kind
 from solver.scene.bodies import BODIES, Body, Point
-from solver.scene.drivers import DRIVERS, Constraint, Driver
+from solver.scene.drivers import DRIVERS, Constraint
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part, fields_of, schema_of
-from solver.scene.forces import FORCES, ForceElement
-from solver.scene.joints import JOINTS, Joint
+from solver.scene.forces import FORCES
+from solver.scene.joints import JOINTS
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
@@ -68,14 +68,12 @@ class Scene(Part):
     inputs: Annotated[dict[str, Input], _table("input", Input)] = field(default_factory=dict)
     points: Annotated[dict[str, Point], _table("point", Point)] = field(default_factory=dict)
     bodies: Annotated[dict[str, Body], _table("body", BODIES)] = field(default_factory=dict)
-    joints: Annotated[dict[str, Joint], _table("joint", JOINTS)] = field(default_factory=dict)
+    joints: Annotated[dict[str, Part], _table("joint", JOINTS)] = field(default_factory=dict)
     constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
         default_factory=dict
     )
-    forces: Annotated[dict[str, ForceElement], _table("force", FORCES)] = field(
-        default_factory=dict
-    )
-    drivers: Annotated[dict[str, Driver], _table("driver", DRIVERS)] = field(default_factory=dict)
+    forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
+    drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)
     solver: Annotated[SolverSettings, _table("", SolverSettings)] = field(
         default_factory=SolverSettings
