@@ -56,7 +56,6 @@ def add_point(rows: Rows, point: Point, path: Vector | None) -> int:
     )  # fmt: skip
     if motion == FIXED:
         return index
-    rows.rule(point.mass, ">=", "mass must be >= 0 kg")
     mechanism.masses[index, index] = point.mass
     if path is not None:
         mechanism.driven_signals.extend(path)
@@ -67,7 +66,6 @@ def add_bar(rows: Rows, bar: Bar) -> BarFrame:
     """Add a uniform slender bar; return its frame."""
     mechanism = rows.mechanism
     first, second = ends = tuple(rows.parts.points[point] for point in bar.points)
-    rows.rule(bar.mass, ">", "mass must be > 0 kg")
     length2 = rows.distance(node(second) - node(first), None)
     for a in ends:
         mechanism.nodes[a].mass = mechanism.nodes[a].mass + bar.mass / 2.0
@@ -103,7 +101,6 @@ def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
     arm = times(rotation, body.center_of_mass)
     rows.finite(body.position, "position")
     rows.finite(body.velocity or (), "velocity")
-    rows.rule(body.mass, ">", "mass must be > 0 kg")
     origin = body.velocity or (0.0,) * mechanism.dim
     centre = mechanism.add_node(
         Node(

@@ -49,6 +49,8 @@ def collect(scene: Scene) -> Parts:
             rows, found = Rows(parts, table, name), JointParts()
             if table != "forces":
                 parts.joints[name] = found
+            if table != "drivers":
+                rows.demand(part)
             try:
                 ADD[type(part)](rows, part, found)
             except ExpressionError as error:  # a formula that has no place in a mechanism
@@ -79,10 +81,13 @@ def _add_points_and_bodies(parts: Parts) -> None:
     parts.paths = driven_points(scene)
     for name, point in scene.points.items():
         path = parts.paths[name][1] if name in parts.paths else None
-        parts.points[name] = add_point(Rows(parts, "points", name), point, path)
+        rows = Rows(parts, "points", name)
+        rows.demand(point)
+        parts.points[name] = add_point(rows, point, path)
     places = _places_of_bodies(scene)
     for name, body in scene.bodies.items():
         rows = Rows(parts, "bodies", name)
+        rows.demand(body)
         if isinstance(body, Bar):
             frame = add_bar(rows, body)
             first, second = frame.ends

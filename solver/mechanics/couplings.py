@@ -133,7 +133,6 @@ def add_constraint(rows: Rows, constraint: Constraint, found: JointParts) -> Non
 
 def add_rolling(rows: Rows, joint: Rolling, found: JointParts) -> None:
     """Let a disc roll on a fixed plane; in the plane on a fixed line."""
-    rows.rule(joint.radius, ">", "radius must be > 0 m")
     normal = identity(rows.mechanism.dim)[-1]
     if joint.normal is not None:
         normal = rows.unit(joint.normal, "normal must not be zero")

@@ -49,15 +49,12 @@ def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
         drawn = mechanism.drawn(link)
         free_length = sqrt(dot(drawn, drawn))
     assert force.stiffness is not None
-    rows.rule(force.stiffness, ">=", "stiffness must be >= 0 N/m")
-    rows.rule(free_length, ">=", "free_length must be >= 0 m")
     law = sensed(parts, force.stiffness), sensed(parts, free_length)
     _element(rows, Element(mechanism.use(mechanism.length(link)), *law))
 
 
 def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:
     """Add a damper between two places."""
-    rows.rule(force.damping, ">=", "damping must be >= 0 N.s/m")
     quantity = rows.mechanism.length(_link(rows, force.points))
     damping = sensed(rows.parts, force.damping)
     _element(rows, Element(rows.mechanism.use(quantity), damping=damping))
@@ -65,8 +62,6 @@ def add_damper(rows: Rows, force: Damper, _: JointParts) -> None:
 
 def add_gravitation(rows: Rows, force: Gravitation, _: JointParts) -> None:
     """Add the attraction of two masses."""
-    for mass in force.masses:
-        rows.rule(mass, ">=", "masses must be >= 0 kg")
     length = rows.mechanism.leaf(rows.mechanism.length(_link(rows, force.points)))
     product = force.constant * force.masses[0] * force.masses[1]
     rows.mechanism.potentials.append(Formula(-1.0 * product / leaf_symbol(0), (length,)))
@@ -86,11 +81,9 @@ def add_twist(
     rows.mechanism.use(angle)
     match force:
         case TorsionSpring():
-            rows.rule(force.stiffness, ">=", "stiffness must be >= 0 N.m/rad")
             law = sensed(parts, force.stiffness), sensed(parts, force.free_angle)
             _element(rows, Element(angle, *law))
         case TorsionDamper():
-            rows.rule(force.damping, ">=", "damping must be >= 0 N.m.s/rad")
             _element(rows, Element(angle, damping=sensed(parts, force.damping)))
         case JointTorque():
             (drive,), sampled = _value(rows, (force.value,))

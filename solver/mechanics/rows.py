@@ -18,6 +18,7 @@ from solver.mechanics.parts import Parts, RowOf
 from solver.mechanics.vectors import Vector, dot, unit
 from solver.runtime.model import Row, Rule
 from solver.scene import Expr, Number
+from solver.scene.fields import Part, fields_of
 
 COINCIDENCE, FORCE, TORQUE = 0, 1, 2
 """Kinds of reaction entries."""
@@ -49,6 +50,15 @@ class Rows:
         for number in vector:
             if isinstance(number, Expr):
                 self.rule(number, "finite", f"{what} must be a finite number")
+
+    def demand(self, part: Part) -> None:
+        """Demand what the fields of a part declare of their numbers."""
+        for name, field in fields_of(type(part)).items():
+            kind, value = field.kind, getattr(part, name, None)
+            if kind.rule is not None and kind.rule.relation is not None and value is not None:
+                text = f"{name} must be {kind.rule.words} {kind.unit}"
+                for number in value if isinstance(value, tuple) else (value,):
+                    self.rule(number, kind.rule.relation, text)
 
     def unit(self, vector: Vector, text: str = "axis must not be of length zero") -> Vector:
         """Return a/|a|, and demand that it exists."""
@@ -103,8 +113,6 @@ class Rows:
         if length is None:
             text = "its points coincide; draw them apart (squared distance {value!r} m^2)"
             self.rule(length2, ">", text)
-        else:
-            self.rule(length, ">", "length must be > 0 m")
         self.form_row(form, length2, Scale(length2, 0), "length")
         return length2
 

@@ -224,7 +224,7 @@ class Gravitation(Part):
     masses: Annotated[
         tuple[Number, Number],
         kind.ListOf(
-            text="kg, those of the points unless given", example=[1.0, 1.0], required=False,
+            "kg", "those of the points unless given", POSITIVE, PROPERTY, [1.0, 1.0], False,
             size=kind.TWO, reading=_masses,
         ),
     ]  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 from solver.scene.quantities import Level
 
@@ -40,8 +41,10 @@ class Rule:
     holds: Callable[[float], bool]
     words: str
     help: str | None = None
+    relation: Literal[">", ">="] | None = None
+    """To zero, if that is the condition: an FMU checks it again when a parameter changes."""
 
 
-POSITIVE = Rule(lambda x: x > 0.0, "> 0")
+POSITIVE = Rule(lambda x: x > 0.0, "> 0", relation=">")
 NOT_ZERO = Rule(lambda x: x != 0.0, "other than 0")
-NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0")
+NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0", relation=">=")
