@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ModuleNotFoundError as error:
         return _say(f"the package {error.name} is missing; install it: pip install holonom", LACK)
     except BrokenPipeError:
-        sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - what is left unsaid has no reader
+        sys.stdout = open(os.devnull, "w")  # noqa: SIM115 - nobody reads the rest
         return 0
     except OSError as error:
         full = error.errno == errno.ENOSPC and not error.filename  # who writes files names them

@@ -113,6 +113,7 @@ class KeptFmu:
                     pass_interrupts()
                     if progress:
                         progress((times[i] - times[0]) / (times[-1] - times[0]))
+                fmu.terminate()
         except FMICallException as error:
             if error.status == FATAL:
                 self._fmu = None  # its memory is gone

@@ -19,7 +19,7 @@ RESIDUAL = "constraint.velocity"
 LARGEST_SHARE = 0.1
 """Of the fastest motion; all scenes stay below 0.006, after a jump it is 1 and more."""
 SMALLEST = 1e-9
-"""Coordinate in m that tells a size."""
+"""Coordinates in m below this tell nothing about the size of a mechanism."""
 ROUND_OFF = 1e-6
 """Residual in 1/s below which nothing is said: what stands still moves by round-off."""
 

@@ -30,8 +30,6 @@ if TYPE_CHECKING:
 
 RECORDED = ("input", "output")
 """What a run collects, by causality."""
-MOST_STEPS = 10_000_000
-"""Most communication steps of a run: all rows are kept in memory until its end."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +109,6 @@ def run_fmu(
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
-    begin = time.perf_counter()
     with contextlib.closing(KeptFmu(path)) as fmu:
         description = fmu.description
         given = inputs_of(inputs)
@@ -121,8 +118,9 @@ def run_fmu(
         signals = given.sampled(description, start_values, times)
         variables = [v for v in description.modelVariables if v.causality in RECORDED]
         names = [v.name for v in variables if v.type != "String"]
+        begin = time.perf_counter()
         record = fmu.run(start_values, times, names, signals, progress)
-    wall_time = time.perf_counter() - begin
+        wall_time = time.perf_counter() - begin
     if not len(record.values):
         raise UsageError(record.reason)
     values = np.empty(len(record.values), [(name, float) for name in ("time", *names)])
@@ -172,6 +170,6 @@ def communication_times(
         step_size = float(getattr(experiment, "stepSize", None) or (stop_time - start) / 100)
     try:
         times = start, stop_time, step_size
-        return communication_points(*times, step_is_chosen=chosen, most=MOST_STEPS)
+        return communication_points(*times, step_is_chosen=chosen)
     except OptionError as error:
         raise UsageError(str(error)) from None

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from build_fmu.motion import RESIDUAL, Poses, lag_of_velocities, largest_by_unit
+from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from solver.runtime.errors import in_one_line
 
@@ -140,7 +141,8 @@ def _apart(
     fine = Integrator(model, log=lambda _: None)  # the coarse one has said it
     settings = model.settings
     if settings["tolerance"]:
-        fine["solver.tolerance"] = max(0.5 * float(settings["tolerance"]), 1e-14)
+        least = OPTIONS["tolerance"].least
+        fine["solver.tolerance"] = max(0.5 * float(settings["tolerance"]), least)
     else:
         longest = min(float(settings["step_size"]), duration / steps)
         fine["solver.step_size"] = 0.5 * longest

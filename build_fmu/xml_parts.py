@@ -53,8 +53,8 @@ def base_unit_attributes(base: BaseUnit) -> dict[str, str]:
 def declared_types(variables: Iterable[Variable]) -> dict[str, str]:
     """Name of the declared type by unit, of all units that variables have.
 
-    A type must not be called as a variable: names of a scene have no dot, and what is measured of a
-    part ends in a small letter's word.
+    A type must not have the name of a variable: names of a scene have no dot, and the last word of
+    a quantity begins with a small letter.
     """
     units = sorted({variable.unit for variable in variables if variable.unit})
     return {

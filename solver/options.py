@@ -51,29 +51,41 @@ class Option:
         return isinstance(self.default, bool)
 
     @property
-    def is_number(self) -> bool:
-        """Whether it is any number between limits."""
-        return not (self.words or self.is_switch or self.allowed)
-
-    @property
     def stored_as(self) -> str:
         """Scalar of the state's head that holds it."""
         return self.place or self.name
 
     @property
+    def limits(self) -> str:
+        """Between which limits a number must lie, without its unit."""
+        return f"{'>= 0' if self.low == 0.0 else '> 0'} and <= {self.high:g}"
+
+    @property
     def rule(self) -> str:
-        """What a number must be."""
+        """What a value must be."""
+        if self.words:
+            return f"one of {', '.join(self.words)}"
+        if self.is_switch:
+            return "true or false"
+        if self.allowed:
+            *few, last = (f"{order:g}" for order in ORDERS)
+            return f"{', '.join(few)} or {last}, or 0 for the one that a tolerance chooses"
         if self.least:
             return f"0 or a number from {self.least:g}, some round-off, to {self.high:g}"
         kind = "a whole number" if self.whole else "a number"
-        low = ">= 0" if self.low == 0.0 else "> 0"
-        return f"{kind} {low} and <= {self.high:g} {self.unit}".rstrip()
+        return f"{kind} {self.limits} {self.unit}".rstrip()
 
-    def holds(self, number: float) -> bool:
-        """Whether a number is between the limits; NaN never is."""
-        if not self.low <= number <= self.high or 0.0 < number < self.least:
+    def holds(self, value: object) -> bool:
+        """Whether a value is allowed; NaN never is, nor true for a number."""
+        if self.words or self.is_switch:
+            return value in (self.words or (True, False))
+        if isinstance(value, bool) or not isinstance(value, int | float):
             return False
-        return not self.whole or number == int(number)
+        if self.allowed:
+            return value in self.allowed
+        if not self.low <= value <= self.high or 0.0 < value < self.least:
+            return False
+        return not self.whole or value == int(value)
 
 
 _TABLE = (

@@ -16,12 +16,14 @@ from solver.runtime.errors import OptionError, is_double, shown
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
+MOST_STEPS = 10_000_000
+"""Most communication steps of a run: all rows are kept in memory until its end."""
 Problem = tuple[str, str]
 """What is wrong, and what helps."""
 
 
 def communication_points(
-    start: float, stop: float, step: float, *, step_is_chosen: bool, most: float = math.inf
+    start: float, stop: float, step: float, *, step_is_chosen: bool
 ) -> list[float]:
     """Start of each communication step and the end of the last, which is exactly `stop` [s].
 
@@ -31,23 +33,25 @@ def communication_points(
     Raises
     ------
     OptionError
-        If there is no such run, or it has more than `most` steps.
+        If there is no such run, or it has more than `MOST_STEPS`.
     """
     number = "must be a finite number"
-    if not (is_double(stop) and start < stop < math.inf):
+    if isinstance(stop, bool) or not (is_double(stop) and start < stop < math.inf):
         message = f"the stop time {number} after the start time {start!r} s, got {shown(stop)}"
-        raise OptionError(message)
-    if not (is_double(step) and 0.0 < step < math.inf):
+        raise OptionError(message + "; give another stop time")
+    if isinstance(step, bool) or not (is_double(step) and 0.0 < step < math.inf):
         message = f"the communication step {number} > 0 s, got {shown(step)}"
-        raise OptionError(message)
+        raise OptionError(message + "; give another step")
     length, steps = f"{stop - start:g} s", (stop - start) / step
     if step_is_chosen and steps < 1.0 - 1e-9:
         message = f"the communication step of {step:g} s is longer than the run of {length}"
         raise OptionError(message + "; take a shorter step")
-    if steps > most:
+    if steps > MOST_STEPS:
         message = f"{length} in steps of {step:g} s are {steps:.3g} communication steps"
-        raise OptionError(message + f", more than the {most:g} of one run; take a longer step")
-    count = max(1, round(steps + 0.499999))
+        raise OptionError(
+            message + f", more than the {MOST_STEPS:g} of one run; take a longer step"
+        )
+    count = max(1, math.ceil(steps - 1e-6))  # a last step of a millionth is rounding
     return [*(start + i * step for i in range(count)), stop]
 
 

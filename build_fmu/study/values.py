@@ -66,7 +66,7 @@ class Mistake:
 
 
 class WrongValueError(ValueError):
-    """Of what a value is, what is wrong with it and perhaps a help; the caller knows its place."""
+    """A value is wrong: its name, what is wrong, perhaps a remedy; the caller knows its place."""
 
     def at(self, where: str) -> Mistake:
         """The mistake, in its place."""

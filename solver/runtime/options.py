@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from solver.options import OPTIONS, Option
+from solver.options import OPTIONS
 
 from .errors import OptionError
 
@@ -31,22 +31,8 @@ def encode(name: str, value: object) -> tuple[str, float]:
     if option is None:
         message = f"solver.{name}: no such setting; known are {', '.join(OPTIONS)}"
         raise OptionError(message)
-    rule = _rule_that_breaks(option, value)
-    if rule:
-        message = f"solver.{name}: must be {rule}, got {value!r}"
+    if not option.holds(value):
+        message = f"solver.{name}: must be {option.rule}, got {value!r}"
         raise OptionError(message)
     stored = option.words.index(value) if option.words else value  # type: ignore[arg-type]
     return option.stored_as, float(stored)  # type: ignore[arg-type]
-
-
-def _rule_that_breaks(option: Option, value: object) -> str:
-    """Return the rule that a value breaks; empty if it keeps all."""
-    if option.words:
-        return "" if value in option.words else f"one of {', '.join(option.words)}"
-    if option.is_switch:
-        return "" if value in (True, False) else "true or false"
-    if option.allowed:
-        holds = value in option.allowed and not isinstance(value, bool)
-        return "" if holds else "2, 4, 6 or 8, or 0 for the one that a tolerance chooses"
-    number = float(value) if isinstance(value, int | float) else float("nan")
-    return "" if option.holds(number) else option.rule

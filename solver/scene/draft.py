@@ -163,18 +163,19 @@ class Draft:
         unknown = [name for name in data if name not in fields]
         meant = {nearest(name, fields.keys() - data.keys(), "fields") for name in unknown}
         for name, field in fields.items():
-            value = data.get(name)
+            value, place = data.get(name), path if short else (*path, name)
+            how = self.example((*path, name), field.kind.example) if field.required else None
             if value is not None:
-                given[name] = field.kind.parse(self, path if short else (*path, name), value)
-            elif name in data:  # JSON's null; an optional field is left out instead
+                given[name] = field.kind.parse(self, place, value)
+            elif name in data:  # JSON's null
                 given[name] = BROKEN
-                self.error((*path, name), "must have a value, got null", "leave it out")
+                remedy = how if field.required else "leave it out"
+                self.error(place, "must have a value, got null", remedy)
             elif name in meant:
                 given[name] = BROKEN
             elif field.required:
                 given[name] = BROKEN
-                help = self.example((*path, name), field.kind.example)
-                self.error(path, f"'{name}' is missing", help)
+                self.error(path, f"'{name}' is missing", how)
         for name in unknown:
             help = did_you_mean(name, fields, "known fields", "fields")
             self.error((*path, name), "unknown field", help)

@@ -172,9 +172,9 @@ class ListOf(Kind):
         """Check all items."""
         if not isinstance(value, list):
             return self.wrong(draft, path, "must be a list", value)
-        parsed = [self.item.parse(draft, (*path, i), item) for i, item in enumerate(value)]
         if self.size == TWO and len(value) != 2:
             return self.wrong(draft, path, "must have two entries", value)
+        parsed = [self.item.parse(draft, (*path, i), item) for i, item in enumerate(value)]
         return BROKEN if any(item is BROKEN for item in parsed) else parsed
 
 
@@ -255,6 +255,7 @@ class Choice(Kind):
     """One of a few words or whole numbers."""
 
     words: tuple[str | int, ...] = ()
+    help: str = ""
 
     def form(self) -> dict[str, Any]:
         """JSON Schema of the words."""
@@ -268,9 +269,8 @@ class Choice(Kind):
             return value
         name = str(path[-1])
         message, help = f"unknown {name} {shown(value)}", None
-        if name == "order":
-            message = f"order {shown(value)} is not available"
-            help = "use 2, 4, 6 or 8, or 0 for the one that a tolerance chooses"
+        if self.help:
+            message, help = f"{name} {shown(value)} is not available", self.help
         elif not isinstance(self.words[0], str):
             message = f"must be {' or '.join(map(str, self.words))}, got {shown(value)}"
         else:
@@ -300,7 +300,7 @@ class Plain(Kind):
     def usual(self, reader: Reader, path: Path, value: Any) -> Any:
         """Check the rule of a whole number."""
         if self.rule is not None and value is not BROKEN and not self.rule.holds(value):
-            reader.draft.error(path, f"must be {self.rule.words}, got {value}")
+            reader.draft.error(path, f"must be {self.rule.words}, got {shown(value)}")
         return value
 
 
@@ -391,7 +391,7 @@ class Part:
     is_usual: ClassVar[bool] = False
     """Whether a part without a type has this one."""
     only_in_space: ClassVar[str] = ""
-    """Of what the plane does not have: what it has instead."""
+    """For a part that exists only in space: what to write in the plane."""
     offers: ClassVar[tuple[Offer, ...]] = ()
     """Quantities that expressions and the FMU have of it."""
     also: ClassVar[Mapping[str, Kind]] = {}

@@ -1,4 +1,4 @@
-"""Attitude and spin of a rigid body: from the ways of writing them to one matrix, one vector.
+"""Orientation and spin of a rigid body: from the ways of writing them to one matrix, one vector.
 
     R = c I + s [n]x + (1 - c) n n',   n = axis/|axis|,  c = cos(angle),  s = sin(angle)
 

@@ -21,7 +21,7 @@ class Place:
     own: tuple[str, ...] = ()
     """Symbols with a meaning at this place alone."""
     of: str = ""
-    """The parameter whose value stands here, and which is no remedy for a mistake in it."""
+    """The parameter that is being defined; it is not suggested for its own value."""
 
 
 SETTING = Place(parameters=False, tunable=False)

@@ -13,26 +13,26 @@ if TYPE_CHECKING:
 
 _TOLERANCE = Rule(
     OPTIONS["tolerance"].holds,
-    "0 or from 1e-14 to 0.1",
+    f"0 or from {OPTIONS['tolerance'].least:g} to {OPTIONS['tolerance'].high:g}",
     "write for instance tolerance = 1e-6, the error of the run relative to size and speed; no run "
-    "comes closer than round-off, some 1e-14",
+    f"comes closer than round-off, some {OPTIONS['tolerance'].least:g}",
 )
 ROWS, MOST_INTERNAL_STEPS = 100, 10
 """Communication steps of a default run, and the most internal steps in one of them."""
 
 
 def _kind(option: Option) -> kind.Kind:
-    """Kind of a kind.setting; its numbers are without symbols."""
+    """Kind of the field of a setting; its numbers contain no symbols."""
     text = option.meaning
     if option.words or option.allowed:
-        return kind.Choice(text=text, words=option.words or tuple(map(int, option.allowed)))
+        words = option.words or tuple(map(int, option.allowed))
+        help = f"use {option.rule}" if option.allowed else ""
+        return kind.Choice(text=text, words=words, help=help)
     if option.is_switch:
         return kind.Plain(text=text, type=bool)
-    words = f"from {option.low:g} to {option.high:g}"
+    rule = _TOLERANCE if option.name == "tolerance" else Rule(option.holds, option.limits)
     if option.whole:
-        return kind.Plain(text=text, type=int, rule=Rule(option.holds, words))
-    words = f"{'>= 0' if option.low == 0.0 else '> 0'} and <= {option.high:g}"
-    rule = _TOLERANCE if option.name == "tolerance" else Rule(option.holds, words)
+        return kind.Plain(text=text, type=int, rule=rule)
     return kind.setting(option.unit, text, rule, float(option.default))
 
 
