@@ -136,7 +136,7 @@ class Rigid(Part):
     also = {  # noqa: RUF012
         "shape": kind.Table(
             text="box, cylinder or sphere; in 2-D box, disc or rod; with a density or mass",
-            parts=tuple((SHAPES[3] | SHAPES[2]).values()),
+            parts=tuple(SHAPES.values()),
         )
     }
 

@@ -6,7 +6,7 @@ as ``BROKEN``, so that the rest of the part can still be checked in the same run
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -38,6 +38,9 @@ class Draft:
 
     def __init__(self, data: dict[str, Any], source: Source, problems: list[Problem]) -> None:
         self.data = data
+        dimension = data.get("dimension", 3)
+        self.dimension = dimension if type(dimension) is int and dimension in (2, 3) else None
+        """Of the scene; None: broken, so that vectors may have two or three numbers."""
         self.source = source
         self.problems = problems
         self.warnings: list[Problem] = []
@@ -78,9 +81,7 @@ class Draft:
 
     def parts(self, table: str) -> dict[str, tuple[type[Part], Any]]:
         """Check the fields of all parts of a table; parts without a usable type drop out."""
-        checked, types = {}, TYPES.get(table, {})
-        if self.data.get("dimension") == 2:
-            types = {word: part for word, part in types.items() if not part.only_in_space}
+        checked, types = {}, self._possible(TYPES.get(table, {}))
         for name, data in self.table(table).items():
             path = (table, name)
             if table == "parameters" and not isinstance(data, dict):
@@ -89,57 +90,59 @@ class Draft:
             elif not isinstance(data, dict):
                 help = "write it as a table: { ... }"
                 self.error(path, f"must be a table of fields, got {shown(data)}", help)
-            elif (part := self._class(path, data, types)) is not None:
+            elif (part := self._usable_class(path, data)) is not None:
                 if fitting := _fitting(part, data, types):
                     self._wrong_type(path, part, data, fitting)
                     part, data = types[fitting[0]], data | {"type": fitting[0]}
                 checked[name] = part, self.part(path, part, data)
         return checked
 
-    def _class(
-        self, path: Path, data: dict[str, Any], known: Mapping[str, type[Part]]
-    ) -> type[Part] | None:
-        table, wanted = str(path[0]), data.get("type")
-        if not known:
+    def part_class(self, table: str, name: str) -> type[Part] | None:
+        """Class of a part of the file; None where it is unknown."""
+        types, data = TYPES.get(table), self.data[table][name]
+        if types is None:
             return TABLES[table].types[0]
-        if isinstance(wanted, str) and wanted in known:
-            return known[wanted]
-        usual = next((part for part in known.values() if part.is_usual), None)
-        if usual is not None and wanted is None:
-            if not isinstance(data.get("points"), list):
-                return usual
+        kind = data.get("type") if isinstance(data, dict) else None
+        if kind is None:
+            return next((part for part in types.values() if part.is_usual), None)
+        return types.get(kind) if isinstance(kind, str) else None
+
+    def _usable_class(self, path: tuple[str, str], data: dict[str, Any]) -> type[Part] | None:
+        """Class of a part; None where its type is of no use, which is reported."""
+        part, types = self.part_class(*path), TYPES.get(path[0], {})
+        if types and (part is None or not part.is_in(self.dimension)):
+            return self.class_of(path, data, types, f"known types of {path[0]}", path[0])
+        if types and data.get("type") is None and isinstance(data.get("points"), list):
             self.error(path, "'type' is missing; a body with two points is a bar", _BAR)
             return None
+        return part
 
-        def elsewhere(word: str) -> tuple[str, str] | None:
-            if table == "joints" and word in TYPES[table] and word not in known:
-                message = f"'{word}' is possible only in dimension 3"
-                return message, TYPES[table][word].only_in_space
-            home = next((home for home, types in TYPES.items() if word in types), None)
-            if home is None or nearest(word, known, table):
-                return None
-            return f"unknown type {shown(word)}", f"'{word}' is a type of [{home}]: write it there"
-
-        return self.class_of(path, data, known, f"known types of {table}", elsewhere, table)
+    def _possible(self, types: Mapping[str, type[P]]) -> dict[str, type[P]]:
+        """Types that a scene of this dimension may have."""
+        return {word: part for word, part in types.items() if part.is_in(self.dimension)}
 
     def class_of(
-        self, path: Path, data: dict[str, Any], known: Mapping[str, type[P]], title: str,
-        elsewhere: Callable[[str], tuple[str, str] | None], place: str = "",
+        self, path: Path, data: dict[str, Any], types: Mapping[str, type[P]], title: str,
+        table: str = "",
     ) -> type[P] | None:  # fmt: skip
-        """Return the class of the type that a part has; report one that is not known.
-
-        `elsewhere` has message and help for a type that is known at another place of a scene.
-        """
-        wanted = data.get("type")
+        """Return the class of the type that a part has; report one that is not possible."""
+        wanted, known = data.get("type"), self._possible(types)
         if isinstance(wanted, str) and wanted in known:
             return known[wanted]
+        listed = f"{title}: {', '.join(known)}"
         if wanted is None:
-            help = f"write type = ...; {title}: {', '.join(known)}"
-            self.error(path, "'type' is missing", help)
+            self.error(path, "'type' is missing", f"write type = ...; {listed}")
+        elif isinstance(wanted, str) and wanted in types:
+            dimension, instead = types[wanted].only_in
+            message = f"'{wanted}' is possible only in dimension {dimension}"
+            self.error((*path, "type"), message, instead or listed)
         else:
-            help = did_you_mean(str(wanted), known, title, place)
-            words = elsewhere(str(wanted)) or (f"unknown type {shown(wanted)}", help)
-            self.error((*path, "type"), *words)
+            word = str(wanted)
+            help = did_you_mean(word, known, title, table)
+            home = next((home for home, others in TYPES.items() if word in others), None)
+            if table and home and not nearest(word, known, table):
+                help = f"'{word}' is a type of [{home}]: write it there"
+            self.error((*path, "type"), f"unknown type {shown(wanted)}", help)
         return None
 
     def _wrong_type(
@@ -192,7 +195,7 @@ class Draft:
             two = [*["ground"] * (name == "bodies"), *found, "...", "..."][:2]
             example = (found or two)[-1] if isinstance(example, str) else two
         text = shown(example).replace("'", '"')
-        if self.data.get("dimension") == 2:
+        if self.dimension == 2:
             text = text.replace("[0, ", "[", 1)
         return f"write {name} = {text}"
 

@@ -390,8 +390,8 @@ class Part:
     """Type in a table of parts of several types."""
     is_usual: ClassVar[bool] = False
     """Whether a part without a type has this one."""
-    only_in_space: ClassVar[str] = ""
-    """For a part that exists only in space: what to write in the plane."""
+    only_in: ClassVar[tuple[int, str]] = (0, "")
+    """The one dimension that has such parts, 0 for both, and what to write in the other."""
     offers: ClassVar[tuple[Offer, ...]] = ()
     """Quantities that expressions and the FMU have of it."""
     also: ClassVar[Mapping[str, Kind]] = {}
@@ -411,6 +411,11 @@ class Part:
     def offered(cls, *, joins_points: bool) -> tuple[Offer, ...]:  # noqa: ARG003
         """Quantities of a part that joins two points rather than two bodies, or not."""
         return cls.offers
+
+    @classmethod
+    def is_in(cls, dimension: int | None) -> bool:
+        """Whether a scene of this dimension may have such a part; None, a broken one, may."""
+        return dimension is None or cls.only_in[0] in (0, dimension)
 
     @classmethod
     def has(cls, word: str) -> bool:

@@ -99,6 +99,7 @@ class Cylinder(Round):
     """A cylinder, or a tube."""
 
     type = "cylinder"
+    only_in = (3, "")
 
     radius: Annotated[Number, _RADIUS]
     length: Annotated[Number, _LENGTH]
@@ -119,6 +120,7 @@ class Sphere(Round):
     """A ball, or a hollow one."""
 
     type = "sphere"
+    only_in = (3, "")
 
     radius: Annotated[Number, _RADIUS]
     inner_radius: Annotated[Number, _INNER] = 0.0
@@ -139,6 +141,7 @@ class Disc(Round):
     """A disc in the plane, or a ring."""
 
     type = "disc"
+    only_in = (2, "")
 
     radius: Annotated[Number, _RADIUS]
     inner_radius: Annotated[Number, _INNER] = 0.0
@@ -159,6 +162,7 @@ class Rod(Shape):
     """A slender rod in the plane, along x."""
 
     type = "rod"
+    only_in = (2, "")
 
     length: Annotated[Number, _LENGTH]
     density: Annotated[Number | None, _density("kg/m")] = None
@@ -168,11 +172,8 @@ class Rod(Shape):
         return self.length, (self.length * self.length / 12.0,)
 
 
-SHAPES: dict[int, dict[str, type[Shape]]] = {
-    2: {"box": Box, "disc": Disc, "rod": Rod},
-    3: {"box": Box, "cylinder": Cylinder, "sphere": Sphere},
-}
-"""Shapes that a rigid body may have, by dimension."""
+SHAPES: dict[str, type[Shape]] = {shape.type: shape for shape in (Box, Cylinder, Sphere, Disc, Rod)}
+"""Shapes that a rigid body may have."""
 
 # --------------------------------------------------------------------------------------- inertia
 
@@ -201,7 +202,8 @@ def _from_shape(
     if given.inertia is not None:
         help = "leave out 'inertia' or 'shape'"
         draft.error((*path, "inertia"), "the shape gives the inertia already", help)
-    kind = _class_of_shape(reader, where, given.shape)
+    title = f"shapes in dimension {reader.dimension or 3}"
+    kind = draft.class_of(where, given.shape, SHAPES, title)
     if kind is None:
         return (0.0 if mass is None else mass), otherwise
     fields = draft.part(where, kind, given.shape)
@@ -227,19 +229,6 @@ def _from_shape(
 
 def _diagonal(x: Number, y: Number, z: Number) -> tuple[Vector, Vector, Vector]:
     return (x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z)
-
-
-def _class_of_shape(reader: "Reader", path: Path, data: dict[str, Any]) -> type[Shape] | None:
-    """Class of a shape; None where its type is of no use."""
-    known = SHAPES.get(reader.dimension or 0, SHAPES[3] | SHAPES[2])
-    title = f"shapes in dimension {reader.dimension or 3}"
-
-    def elsewhere(kind: str) -> tuple[str, str] | None:
-        possible = [dimension for dimension, shapes in SHAPES.items() if kind in shapes]
-        message = f"'{kind}' is possible only in dimension {(*possible, 0)[0]}"
-        return (message, f"{title}: {', '.join(known)}") if possible else None
-
-    return reader.draft.class_of(path, data, known, title, elsewhere)
 
 
 def _inertia(reader: "Reader", path: Path, given: Any) -> Inertia:
@@ -270,13 +259,11 @@ def _inertia(reader: "Reader", path: Path, given: Any) -> Inertia:
 
 
 def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
-    if [len(row) for row in given] != [3, 3, 3]:
-        reader.draft.error(path, "must have 3 rows of 3 numbers")
+    found = reader.matrix(path, given)
+    if found is None:
         return NOTHING
-    rows = [reader.vector((*path, i), row) for i, row in enumerate(given)]
-    values = [reader.values(row) for row in rows]
-    if not any(row is None for row in values):
-        matrix = [list(row or ()) for row in values]
+    rows, matrix = found
+    if matrix:
         size = max(abs(x) for row in matrix for x in row)
         for i, j in ((0, 1), (0, 2), (1, 2)):
             if abs(matrix[i][j] - matrix[j][i]) > 1e-9 * size:
@@ -285,9 +272,8 @@ def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
                 reader.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
                 return NOTHING
         names = ["J1", "J2", "J3"]
-        from numpy.linalg import (
-            eigvalsh,
-        )  # only this report needs NumPy, which takes long to import
+        # Only this report needs NumPy, which takes long to import.
+        from numpy.linalg import eigvalsh
 
         _possible(reader, path, eigvalsh(matrix).tolist(), names)
     (a, d, e), (_, b, f), (_, _, c) = rows

@@ -197,7 +197,7 @@ class Spherical(BodyJoint):
 
     type = "spherical"
     offers = (FORCE,)
-    only_in_space = "in the plane 'revolute' lets two bodies share a point"
+    only_in = (3, "in the plane 'revolute' lets two bodies share a point")
     meets = takes_points = True
 
     bodies: Annotated[Pair | None, kind.TWO_BODIES] = None
@@ -236,7 +236,7 @@ class Universal(BodyJoint):
 
     type = "universal"
     offers = (FORCE, TORQUE)
-    only_in_space = "in the plane bodies turn about one axis only: 'revolute'"
+    only_in = (3, "in the plane bodies turn about one axis only: 'revolute'")
     meets = True
 
     axes: Annotated[
@@ -263,7 +263,7 @@ class Cylindrical(BodyJoint):
 
     type = "cylindrical"
     offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
-    only_in_space = "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot"
+    only_in = (3, "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot")
 
     axis: Annotated[Vector | None, _AXIS] = None
 
@@ -285,7 +285,7 @@ class Planar(BodyJoint):
 
     type = "planar"
     offers = (FORCE, TORQUE)
-    only_in_space = "in the plane it has no effect: leave it out"
+    only_in = (3, "in the plane it has no effect: leave it out")
 
     axis: Annotated[Vector | None, _NORMAL] = None
 
@@ -307,7 +307,7 @@ class Screw(BodyJoint):
 
     type = "screw"
     offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
-    only_in_space = "in the plane write 'rack'"
+    only_in = (3, "in the plane write 'rack'")
 
     axis: Annotated[Vector | None, _AXIS] = None
     pitch: Annotated[Number, kind.Quantity("m per turn", rule=NOT_ZERO, example=0.005)]
@@ -363,7 +363,7 @@ class PointOnPlane(PointOn):
     """A point stays on a plane of a body."""
 
     type = "point_on_plane"
-    only_in_space = "in the plane write 'point_on_line'"
+    only_in = (3, "in the plane write 'point_on_line'")
 
     point: Annotated[PointReference, kind.ONE_END]
     body: Annotated[str | None, kind.BODY_OR_GROUND] = None
@@ -399,7 +399,7 @@ class ConstantAngle(Part):
 
     type = "angle"
     offers = _on_the_second("torque", "N.m")
-    only_in_space = "in the plane write 'prismatic', which keeps the angle of two bodies"
+    only_in = (3, "in the plane write 'prismatic', which keeps the angle of two bodies")
 
     bodies: Annotated[Pair, kind.TWO_BODIES]
     axes: Annotated[tuple[Vector, Vector], kind.TWO_AXES]

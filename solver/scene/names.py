@@ -9,7 +9,6 @@ from typing import Any
 
 from solver.scene.draft import Draft
 from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
-from solver.scene.fields import Part
 from solver.scene.numbers import Known
 from solver.scene.quantities import MOTION, Offer
 from solver.scene.report import Path
@@ -73,14 +72,17 @@ def check_body_points(draft: Draft, known: Known) -> None:
             draft.error(path, f"the name '{body}.{point}' is that of a quantity of the body")
 
 
-def kinds_of_names(draft: Draft) -> dict[str, str]:
-    """What each name stands for, "point", "body", "bar", "parameter", ...; the first use counts."""
+def known_names(draft: Draft) -> Known:
+    """What each name stands for, and which quantities there are; the first use of a name counts."""
     kinds: dict[str, str] = {}
     for table, noun in NOUNS.items():
         for name in draft.names(table):
-            bar = table == "bodies" and class_of(draft, table, name) is TYPES["bodies"]["bar"]
+            bar = table == "bodies" and draft.part_class(table, name) is TYPES["bodies"]["bar"]
             kinds.setdefault(name, "bar" if bar else noun)
-    return kinds
+    known = Known(kinds, dimension=draft.dimension or 3, offered=offered(draft))
+    within = (f"{body}.{point}" for body, point in body_points(draft))
+    known.ends = dict.fromkeys((*draft.names("points"), *known.of("body"), *within))
+    return known
 
 
 def offered(draft: Draft) -> dict[str, tuple[Offer, ...]]:
@@ -88,7 +90,7 @@ def offered(draft: Draft) -> dict[str, tuple[Offer, ...]]:
     offers: dict[str, tuple[Offer, ...]] = {}
     for table in NOUNS:
         for name in draft.names(table):
-            part, data = class_of(draft, table, name), draft.data[table][name]
+            part, data = draft.part_class(table, name), draft.data[table][name]
             before = offers.get(name, ())  # of a name that is taken twice
             if part is None:
                 kinds = TABLES[table].types
@@ -99,17 +101,6 @@ def offered(draft: Draft) -> dict[str, tuple[Offer, ...]]:
                     joins_points="points" in given and "bodies" not in given
                 )
     return offers | {f"{body}.{point}": MOTION for body, point in body_points(draft)}
-
-
-def class_of(draft: Draft, table: str, name: str) -> type[Part] | None:
-    """Class of a part of the file; None where it is unknown."""
-    types, data = TYPES.get(table), draft.data[table][name]
-    if types is None:
-        return TABLES[table].types[0]
-    kind = data.get("type") if isinstance(data, dict) else None
-    if kind is None:
-        return next((part for part in types.values() if part.is_usual), None)
-    return types.get(kind) if isinstance(kind, str) else None
 
 
 def body_points(draft: Draft) -> Iterator[tuple[str, str]]:

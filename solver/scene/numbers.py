@@ -68,11 +68,14 @@ class Known:
 class Numbers:
     """Judge of every number and vector of a scene."""
 
-    def __init__(self, draft: Draft, known: Known, dimension: Any) -> None:
+    def __init__(self, draft: Draft, known: Known) -> None:
         self.draft = draft
         self.known = known
-        self.dimension: int | None = None if dimension is BROKEN else dimension
-        """None: broken, so that vectors may have two or three numbers."""
+
+    @property
+    def dimension(self) -> int | None:
+        """Of the scene; None: broken, so that vectors may have two or three numbers."""
+        return self.draft.dimension
 
     def number(
         self,
@@ -267,6 +270,17 @@ class Numbers:
             if all([-LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in numbers]):
                 return numbers
         return tuple(self.number((*path, i), reading, place) for i, reading in enumerate(readings))
+
+    def matrix(
+        self, path: Path, readings: Any
+    ) -> tuple[tuple[Vector, ...], list[list[float]]] | None:
+        """Read 3 rows of 3 numbers, and their values if all are known; None for another shape."""
+        if [len(row) for row in readings] != [3, 3, 3]:
+            self.draft.error(path, "must have 3 rows of 3 numbers")
+            return None
+        rows = tuple(self.vector((*path, i), row) for i, row in enumerate(readings))
+        values = [known for row in rows if (known := self.values(row)) is not None]
+        return rows, values if len(values) == 3 else []
 
     def axis(self, path: Path, readings: Any) -> Vector:
         """Read a direction of any length but zero."""

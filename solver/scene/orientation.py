@@ -166,15 +166,13 @@ def _quaternion(reader: "Reader", path: Path, part: Any) -> Matrix:
 
 def _given_matrix(reader: "Reader", path: Path, part: Any) -> Matrix:
     path = (*path, "matrix")
-    if [len(row) for row in part.matrix] != [3, 3, 3]:
-        reader.draft.error(path, "must have 3 rows of 3 numbers")
+    found = reader.matrix(path, part.matrix)
+    if found is None:
         return IDENTITY
-    rows = [reader.vector((*path, i), row) for i, row in enumerate(part.matrix)]
-    numbers = [reader.values(row) for row in rows]
-    if not any(row is None for row in numbers):
-        columns: list[Vector] = [tuple(row[j] for row in numbers if row) for j in range(3)]
-        _orthonormal(reader, path, columns)
-    return rows[0], rows[1], rows[2]
+    (x, y, z), values = found
+    if values:
+        _orthonormal(reader, path, list(zip(*values, strict=True)))
+    return x, y, z
 
 
 def _orthonormal(reader: "Reader", path: Path, columns: list[Vector]) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from solver.scene.expression import ExpressionError, Vector, cos, sin, symbols
 from solver.scene.numbers import Known, Numbers, applied
@@ -41,8 +41,8 @@ class Seat:
 class Places(Numbers):
     """Judge of places as well, once points and bodies are read."""
 
-    def __init__(self, draft: Draft, known: Known, dimension: Any) -> None:
-        super().__init__(draft, known, dimension)
+    def __init__(self, draft: Draft, known: Known) -> None:
+        super().__init__(draft, known)
         self.drawn: dict[str, Vector] = {}
         """Of points, origins of bodies, points of bodies and first ends of bars."""
         self.marks: dict[str, dict[str, list[float]]] = {}

@@ -19,16 +19,7 @@ from solver.scene.bodies import Bar
 from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, fields_of
-from solver.scene.names import (
-    body_points,
-    check_body_points,
-    check_name,
-    check_names,
-    class_of,
-    kinds_of_names,
-    offered,
-)
-from solver.scene.numbers import Known
+from solver.scene.names import check_body_points, check_name, check_names, known_names
 from solver.scene.overrides import apply_overrides
 from solver.scene.parameters import read_parameters
 from solver.scene.references import Reader
@@ -128,15 +119,11 @@ def _build(draft: Draft) -> Scene:
     """Check a draft and turn it into a scene; the draft collects the mistakes."""
     heading = _heading(draft)
     check_names(draft)
-    known = Known(kinds_of_names(draft))
-    joints = {name: class_of(draft, "joints", name) for name in draft.names("joints")}
-    reader = Reader(draft, known, heading.dimension or 3, joints)
     drawn = {table: draft.parts(table) for table in ("points", "bodies")}
-    _forgotten_dimension(reader, drawn, heading.gravity)
-    known.offered, known.dimension = offered(draft), reader.dimension or 3
+    _forgotten_dimension(draft, drawn, heading.gravity)
+    known = known_names(draft)
     check_body_points(draft, known)
-    within = (f"{body}.{point}" for body, point in body_points(draft))
-    known.ends = dict.fromkeys((*draft.names("points"), *known.of("body"), *within))
+    reader = Reader(draft, known)
     read_parameters(reader)
     reader.read("inputs")
     for table in ("points", "bodies"):
@@ -155,7 +142,7 @@ def _build(draft: Draft) -> Scene:
     return Scene(
         name=heading.name,
         description=heading.description or "",
-        dimension=2 if reader.dimension == 2 else 3,
+        dimension=2 if draft.dimension == 2 else 3,
         gravity=gravity,
         **reader.parts,
         solver=solver,
@@ -181,7 +168,7 @@ def _heading(draft: Draft) -> Any:
 
 
 def _forgotten_dimension(
-    reader: Reader, drawn: Mapping[str, Mapping[str, Any]], gravity: Any
+    draft: Draft, drawn: Mapping[str, Mapping[str, Any]], gravity: Any
 ) -> None:
     """Say once, not at every vector, that a planar scene does not call itself planar."""
     places = [
@@ -193,12 +180,12 @@ def _forgotten_dimension(
     if gravity not in (None, BROKEN):
         places.append(("gravity", gravity))
     lengths = {len(vector) for _, vector in places}
-    if lengths == {2} and "dimension" not in reader.draft.data:
-        reader.dimension = 2
+    if lengths == {2} and "dimension" not in draft.data:
+        draft.dimension = 2
         what = "gravity has" if places[0][0] == "gravity" else "positions have"
         message = f"{what} 2 numbers, but the scene has dimension 3 (the default)"
         help = "write dimension = 2 at the top of the file"
-        reader.draft.error((places[0][0],), message, help)
+        draft.error((places[0][0],), message, help)
 
 
 def _something_moves(draft: Draft, points: Mapping[str, Any]) -> None:

@@ -25,11 +25,9 @@ NOWHERE = PointReference(point=None)
 class Reader(Places):
     """Reader of the parts of one scene; knows where everything is drawn once bodies are read."""
 
-    def __init__(
-        self, draft: Draft, known: Known, dimension: Any, joints: Mapping[str, type[Part] | None]
-    ) -> None:
-        super().__init__(draft, known, dimension)
-        self.joints = joints
+    def __init__(self, draft: Draft, known: Known) -> None:
+        super().__init__(draft, known)
+        self.joints = {name: draft.part_class("joints", name) for name in draft.names("joints")}
         """Class of each joint of the file; None where its type is unknown."""
         self.driven: dict[tuple[str, str], str] = {}
         """Driver of each point, and of the angle or displacement of each joint."""
@@ -212,7 +210,7 @@ class Reader(Places):
         possible = [
             word
             for word, joint in TYPES["joints"].items()
-            if joint.has(has) and not (self.dimension == 2 and joint.only_in_space)
+            if joint.has(has) and joint.is_in(self.dimension)
         ]
         help = f"types of joints with {a(has)}: {', '.join(possible)}"
         return f"'{name}' is a {kind.type.replace('_', ' ')} joint, which has no {has}", help
