@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import re
 import time
@@ -16,7 +15,7 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import model_description
-from build_fmu.payload import SLAVE_NAME, payload, wrapper_libraries
+from build_fmu.payload import SLAVE_NAME, digest, payload, wrapper_libraries
 from build_fmu.picture import picture
 from build_fmu.self_check import Trial, trial
 from build_fmu.study.output_folder import require_own_set
@@ -144,10 +143,7 @@ def identifier(name: str) -> str:
 
 def guid(entries: Mapping[str, bytes]) -> str:
     """Name-based UUID of the archive's content: equal content, equal GUID."""
-    digest = hashlib.sha256()
-    for path, data in sorted(entries.items()):
-        digest.update(f"{path} {len(data)}\n".encode() + data)
-    return f"{{{uuid.uuid5(_NAMESPACE, digest.hexdigest())}}}"
+    return f"{{{uuid.uuid5(_NAMESPACE, digest(entries))}}}"
 
 
 def generation_date() -> str:

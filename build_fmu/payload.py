@@ -72,10 +72,15 @@ def payload(dimension: int) -> Payload:
 
 def package_name(sources: Mapping[str, bytes]) -> str:
     """Private name of the package with these files, which holds a hash of them."""
-    digest = hashlib.sha256()
-    for path, data in sorted(sources.items()):
-        digest.update(f"{path} {len(data)}\n".encode() + data)
-    return f"holonom_{digest.hexdigest()[:12]}"
+    return f"holonom_{digest(sources)[:12]}"
+
+
+def digest(files: Mapping[str, bytes]) -> str:
+    """SHA-256 of files with their paths, in hexadecimal digits."""
+    found = hashlib.sha256()
+    for path, data in sorted(files.items()):
+        found.update(f"{path} {len(data)}\n".encode() + data)
+    return found.hexdigest()
 
 
 @functools.cache

@@ -19,6 +19,7 @@ from solver.mechanics.variables import SENSORS, Symbols
 from solver.options import OPTIONS
 from solver.runtime.model import Variable
 from solver.scene import Expr, Number, Scene, symbols
+from solver.scene.quantities import place_in_whole
 
 Sources = frozenset[str | Ref]
 """Names of known variables, and measurements; what a sensor reads is one."""
@@ -37,7 +38,10 @@ STATES = {
     "body_rate", "residual", "momentum", "angular_momentum",
 }  # fmt: skip
 """Measurements that are states, or follow from them and from drivers."""
-KINETIC, STATUS = Ref("energy", 0), Ref("solver", 5)
+KINETIC, STATUS = (
+    Ref(name, place_in_whole(name, word))
+    for name, word in (("energy", "kinetic"), ("solver", "status"))
+)
 
 
 class Known(NamedTuple):

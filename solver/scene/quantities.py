@@ -114,3 +114,8 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
     }),
 }  # fmt: skip
 """Quantities of the mechanism as a whole, by the name before the dot."""
+
+
+def place_in_whole(name: str, word: str) -> int:
+    """Index of a word among the quantities of that name, none of which has components."""
+    return [offer.word for offer in WHOLE[name]].index(word)
