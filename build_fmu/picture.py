@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from build_fmu.canvas import DARK, Array, Canvas, Colour, Pixel
-from solver.mechanics.build_mechanism import collect
+from solver.mechanics.build_mechanism import build_mechanism
 from solver.scene import (
     Bar,
     BodyJoint,
@@ -59,7 +59,7 @@ class _Drawing:
     """Places of the parts of a scene, then strokes on a canvas."""
 
     def __init__(self, scene: Scene) -> None:
-        self.scene, self.parts = scene, collect(scene)
+        self.scene, self.parts = scene, build_mechanism(scene)
         self._default = self.parts.mechanism.default
         self._seen: list[Array] = []
         """Places that the picture must hold."""

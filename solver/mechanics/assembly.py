@@ -6,11 +6,11 @@ from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
-from solver.mechanics.build_mechanism import collect
+from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.outputs import named
-from solver.mechanics.sensors import Measures
+from solver.mechanics.sensors import Sensors
 from solver.mechanics.structure import TURNED, Structure, flat, pointers
 from solver.mechanics.tape import Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
@@ -64,11 +64,11 @@ def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
 @collector_paused()
 def model_of(scene: Scene) -> Model:
     """Return the model of a scene; its numbers are not yet checked."""
-    parts = collect(scene)
-    measures = Measures(parts)
-    table = list(named(measures))
+    parts = build_mechanism(scene)
+    sensors = Sensors(parts)
+    table = list(named(sensors))
     structure = Structure(parts.mechanism)
-    known = Symbols(scene, measures, table, structure)
+    known = Symbols(scene, sensors, table, structure)
     sections = sections_of(scene, structure)
     mechanism = parts.mechanism
     signals = [*mechanism.driven_signals, *mechanism.signals]

@@ -33,7 +33,7 @@ ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
 }  # fmt: skip
 
 
-def collect(scene: Scene) -> Parts:
+def build_mechanism(scene: Scene) -> Parts:
     """Return the parts of a scene, with the mechanism that they make up.
 
     Raises

@@ -27,7 +27,7 @@ WEAK = 1e-4
 Reals = NDArray[np.float64]
 
 
-class Anchors:
+class RowOrder:
     """Shares of the nodes in the rows of a mechanism, with the default numbers."""
 
     def __init__(self, structure: Structure) -> None:
@@ -99,7 +99,7 @@ Piece = tuple[Nodes, Nodes, int]
 """Blocks, those that they are coupled with, and how."""
 
 
-class Layout:
+class TangentPattern:
     """Blocks of a mechanism's tangent, and the contributions to it by their names in the tables.
 
     A lean one has no stiffness: only masses couple nodes.
@@ -257,8 +257,8 @@ def eliminations(structure: Structure) -> dict[str, array]:
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
     """
-    anchors = Anchors(structure).of_rows()
-    full, lean = Layout(structure, anchors), Layout(structure, anchors, lean=True)
+    anchors = RowOrder(structure).of_rows()
+    full, lean = TangentPattern(structure, anchors), TangentPattern(structure, anchors, lean=True)
     fits = lean.pattern.n_entries <= full.pattern.n_entries  # both live in the same memory
     worth = fits and 2 * lean.pattern.n_products <= full.pattern.n_products
     empty = {name: array("i") for name in TABLES if name.startswith("lean_")}

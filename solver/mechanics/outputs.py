@@ -17,7 +17,7 @@ from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import rewritten
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.parts import JointParts
-from solver.mechanics.sensors import Measures, Named, Ref, Values, references
+from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.scene import (
     BodyJoint,
@@ -41,23 +41,23 @@ Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
 """Value of each quantity of a part, by its word; components as a list."""
 
 
-def named(measures: Measures) -> Iterator[Named]:
+def named(sensors: Sensors) -> Iterator[Named]:
     """Everything of a mechanism that has a name."""
-    parts, scene = measures.parts, measures.parts.scene
+    parts, scene = sensors.parts, sensors.parts.scene
     for name in scene.points:
-        yield from _motion(measures, name, parts.named(name))
+        yield from _motion(sensors, name, parts.named(name))
     for name, body in scene.bodies.items():
         if isinstance(body, Rigid):
-            yield from _motion(measures, name, parts.named(name))
-        yield from _named(measures, name, body, body.offers, _turn(measures, name))
+            yield from _motion(sensors, name, parts.named(name))
+        yield from _named(sensors, name, body, body.offers, _turn(sensors, name))
         frame = parts.frames.get(name)
         for point in frame.points if isinstance(frame, RigidFrame) else ():
-            yield from _motion(measures, f"{name}.{point}", parts.named(f"{name}.{point}"))
+            yield from _motion(sensors, f"{name}.{point}", parts.named(f"{name}.{point}"))
     for table, values_of in _VALUES.items():
         for name, part in getattr(scene, table).items():
             offers = part.offered(joins_points=getattr(part, "bodies", ()) is None)
-            values = values_of(measures, name, part) if offers else {}
-            yield from _named(measures, name, part, offers, values)
+            values = values_of(sensors, name, part) if offers else {}
+            yield from _named(sensors, name, part, offers, values)
     for name, offers in WHOLE.items():
         section, k = {"constraint": "residual"}.get(name, name), count()
         for offer in offers:
@@ -66,7 +66,7 @@ def named(measures: Measures) -> Iterator[Named]:
 
 
 def _named(
-    measures: Measures, name: str, part: Any, offers: Iterable[Offer], values: Found,
+    sensors: Sensors, name: str, part: Any, offers: Iterable[Offer], values: Found,
     listed: bool = True,
 ) -> Iterator[Named]:  # fmt: skip
     """Name the values of a part."""
@@ -75,20 +75,20 @@ def _named(
         if value is None:
             continue
         components = (value,) if isinstance(value, (Ref, float, int, Expr)) else value
-        names = offer.named(name, measures.parts.scene.dimension, part)
+        names = offer.named(name, sensors.parts.scene.dimension, part)
         for (full, text), meaning in zip(names, components, strict=False):
             yield Named(full, offer.unit, text, meaning, listed)
 
 
-def _motion(measures: Measures, name: str, place: Combination) -> Iterator[Named]:
+def _motion(sensors: Sensors, name: str, place: Combination) -> Iterator[Named]:
     """Position and velocity of a place."""
-    x, v = measures.motion(place)
-    listed = measures.parts.mechanism.moves(place)
-    yield from _named(measures, name, None, MOTION, {"{}": x, "v{}": v}, listed)
+    x, v = sensors.motion(place)
+    listed = sensors.parts.mechanism.moves(place)
+    yield from _named(sensors, name, None, MOTION, {"{}": x, "v{}": v}, listed)
 
 
-def _turn(measures: Measures, name: str) -> Found:
-    parts, mechanism = measures.parts, measures.parts.mechanism
+def _turn(sensors: Sensors, name: str) -> Found:
+    parts, mechanism = sensors.parts, sensors.parts.mechanism
     frame = parts.frames.get(name)
     if mechanism.dim == 2:
         return _of_quantity("angle", "angular_velocity", parts.body_angle(name))
@@ -105,10 +105,10 @@ def _of_quantity(word: str, rate: str, quantity: int) -> dict[str, Any]:
 # -------------------------------------------------------------------------------------- joints
 
 
-def _of_a_joint(measures: Measures, name: str, joint: Part) -> Found:
+def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
     """Motion of a joint, and its reaction."""
-    found = measures.parts.joints[name]
-    values = _reaction(measures, joint, found)
+    found = sensors.parts.joints[name]
+    values = _reaction(sensors, joint, found)
     if found.angle is not None:
         values |= _of_quantity("angle", "angular_velocity", found.angle)
     if found.displacement is not None:
@@ -116,19 +116,19 @@ def _of_a_joint(measures: Measures, name: str, joint: Part) -> Found:
     return values
 
 
-def _reaction(measures: Measures, joint: Part, found: JointParts) -> dict[str, Any]:
+def _reaction(sensors: Sensors, joint: Part, found: JointParts) -> dict[str, Any]:
     """Force and torque on the second body, the point or the disc, or on what a row couples."""
-    mechanism = measures.parts.mechanism
+    mechanism = sensors.parts.mechanism
     if isinstance(joint, Distance):
         assert found.row is not None
         return {"force": Ref("rod_force", found.row[1])}
     if joint.has("force") or joint.has("torque"):
         assert found.row is not None
         return dict.fromkeys(
-            ("force", "torque"), -1.0 * found.factor * measures.multiplier(found.row)
+            ("force", "torque"), -1.0 * found.factor * sensors.multiplier(found.row)
         )
     if found.reaction is None or found.pushes:
-        return {"force.{}": measures.pushed(found)}
+        return {"force.{}": sensors.pushed(found)}
     force: Values = references("reaction_force", found.reaction, mechanism.dim)
     if not isinstance(joint, BodyJoint):
         return {"force.{}": force}
@@ -137,48 +137,48 @@ def _reaction(measures: Measures, joint: Part, found: JointParts) -> dict[str, A
         # The row s - p/(2 pi) theta pushes along the axis and turns about it.
         assert found.row is not None
         assert found.axis is not None
-        axis, mu = measures.vector(found.axis), measures.multiplier(found.row)
+        axis, mu = sensors.vector(found.axis), sensors.multiplier(found.row)
         lead = joint.pitch / (2.0 * pi)
-        force = add([measures.value(ref) for ref in force], scale(-1.0 * mu, axis))
-        torque = add([measures.value(ref) for ref in torque], scale(mu * lead, axis))
+        force = add([sensors.value(ref) for ref in force], scale(-1.0 * mu, axis))
+        torque = add([sensors.value(ref) for ref in torque], scale(mu * lead, axis))
     return {"force.{}": force, "torque.{}": torque}
 
 
-def _of_a_constraint(measures: Measures, name: str, _: Constraint) -> Found:
-    row = measures.parts.joints[name].row
+def _of_a_constraint(sensors: Sensors, name: str, _: Constraint) -> Found:
+    row = sensors.parts.joints[name].row
     assert row is not None
-    return {"multiplier": measures.ref(row)}
+    return {"multiplier": sensors.ref(row)}
 
 
 # -------------------------------------------------------------------------------------- forces
 
 
-def _of_a_force(measures: Measures, name: str, force: Part) -> Found:
+def _of_a_force(sensors: Sensors, name: str, force: Part) -> Found:
     """Length and force, torque or energy of a force."""
-    parts = measures.parts
+    parts = sensors.parts
     if name in parts.links:
         length = Ref("quantity", parts.mechanism.length(parts.links[name]))
-        return {"length": length, "force": _tension(measures, name, force, length)}
+        return {"length": length, "force": _tension(sensors, name, force, length)}
     if isinstance(force, Potential):
         return {"energy": force.value}
     torque = Ref("element_force", parts.elements[name])
-    return {"torque": -1.0 * measures.value(torque) if isinstance(force, JointTorque) else torque}
+    return {"torque": -1.0 * sensors.value(torque) if isinstance(force, JointTorque) else torque}
 
 
 def _tension(
-    measures: Measures, name: str, force: Part, length: Ref
+    sensors: Sensors, name: str, force: Part, length: Ref
 ) -> Ref | Number:  # fmt: skip
     """Return dV/dl of a spring with an energy and of gravitation, else what is measured."""
     if isinstance(force, Gravitation):
-        value = measures.value(length)
+        value = sensors.value(length)
         return force.constant * force.masses[0] * force.masses[1] / (value * value)
     if not isinstance(force, Spring) or force.energy is None:
-        return Ref("element_force", measures.parts.elements[name])
+        return Ref("element_force", sensors.parts.elements[name])
 
     def seen(part: Expr) -> Number | None:
         if part.op != "symbol":
             return None
-        return measures.value(length) if part == symbol("length") else part
+        return sensors.value(length) if part == symbol("length") else part
 
     return rewritten(derivative(force.energy, "length"), seen)
 
@@ -186,30 +186,30 @@ def _tension(
 # ------------------------------------------------------------------------------------- drivers
 
 
-def _of_a_driver(measures: Measures, name: str, driver: Part) -> Found:
+def _of_a_driver(sensors: Sensors, name: str, driver: Part) -> Found:
     """Force or torque of a driver, and its power."""
-    parts = measures.parts
+    parts = sensors.parts
     if not isinstance(driver, PositionDriver):
         found = parts.joints[name]
         assert found.row is not None
         assert found.driven is not None
-        value = -1.0 * measures.multiplier(found.row)
-        rate = measures.value(Ref("quantity_rate", found.driven))
+        value = -1.0 * sensors.multiplier(found.row)
+        rate = sensors.value(Ref("quantity_rate", found.driven))
         return {"force": value, "torque": value, "power": value * rate}
     place = parts.place(driver.point)
-    force: Values = measures.pushed(parts.joints[name])
+    force: Values = sensors.pushed(parts.joints[name])
     if (driver.point.point or "") in parts.paths:
         assert place.single is not None
         force = references("driven_force", place.single, parts.mechanism.dim)
-    velocity = measures.motion(place)[1]
+    velocity = sensors.motion(place)[1]
     f, v = (
-        [measures.value(x) if isinstance(x, Ref) else x for x in values]
+        [sensors.value(x) if isinstance(x, Ref) else x for x in values]
         for values in (force, velocity)
     )
     return {"force.{}": force, "power": dot(f, v)}
 
 
-_VALUES: dict[str, Callable[[Measures, str, Any], Found]] = {
+_VALUES: dict[str, Callable[[Sensors, str, Any], Found]] = {
     "joints": _of_a_joint,
     "constraints": _of_a_constraint,
     "forces": _of_a_force,

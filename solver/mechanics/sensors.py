@@ -52,7 +52,7 @@ Values = list[Ref] | Vector
 
 
 @dataclass(slots=True)
-class Measures:
+class Sensors:
     """Measurements of a mechanism, as they stand in expressions of outputs."""
 
     parts: Parts

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property
 
 from solver.mechanics.parts import AXES
-from solver.mechanics.sensors import Measures, Named, Ref
+from solver.mechanics.sensors import Named, Ref, Sensors
 from solver.mechanics.structure import Structure
 from solver.mechanics.tape import Numbers, Segment
 from solver.options import OPTIONS
@@ -26,9 +26,9 @@ class Symbols:
     """
 
     def __init__(
-        self, scene: Scene, measures: Measures, table: Iterable[Named], structure: Structure
+        self, scene: Scene, sensors: Sensors, table: Iterable[Named], structure: Structure
     ) -> None:  # fmt: skip
-        self._structure, self._measures, self._table = structure, measures, table
+        self._structure, self._sensors, self._table = structure, sensors, table
         self._given = dict(_given(scene))
 
     def meaning(self, name: str) -> Meaning:
@@ -47,7 +47,7 @@ class Symbols:
         """Return what is measured under a name, or by the symbol of an expression."""
         if name.startswith("distance("):
             return self._distance(name)
-        return self._measures.refs.get(name) or self._named[name]
+        return self._sensors.refs.get(name) or self._named[name]
 
     def _distance(self, call: str) -> Number:
         """Return the expression of ``distance(A, B)`` in the coordinates of its places."""

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 import solver
-from solver.mechanics.build_mechanism import collect
+from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.outputs import named
-from solver.mechanics.sensors import Measures
+from solver.mechanics.sensors import Sensors
 from solver.scene import Distance
 from tests.kernel_calls import kernel_of
 from tests.scene_quantities import quantities_of
@@ -18,7 +18,7 @@ SCENES = sorted((Path(__file__).parents[2] / "scenes").glob("*.toml"))
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_every_quantity_an_output_may_use_has_a_meaning(path):
     scene = solver.load(path)
-    known = [quantity.name for quantity in named(Measures(collect(scene)))]
+    known = [quantity.name for quantity in named(Sensors(build_mechanism(scene)))]
     assert set(known) == set(quantities_of(path.read_text(encoding="utf-8")))
     assert len(known) == len(set(known))
 
