@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.motion import OF_THE_SOLUTION
-from build_fmu.study.csv_file import csv_rows
+from build_fmu.study.csv_file import csv_table
 from build_fmu.study.values import Mistake, nearest, refuse
 from solver.signals import Problem, arrays_over_time
 
@@ -51,16 +51,10 @@ def columns_of(reference: Reference) -> dict[str, ndarray]:
 
 def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:
     """Columns of a CSV file of numbers."""
-    rows = csv_rows(path, mistakes)
-    where, head = next(rows, (str(path), []))
-    if not head and not mistakes:
-        help = "write names into the first line, 'time' among them, and a row for each time"
-        mistakes.append(Mistake(where, "is empty", help))
-    for number, name in enumerate(head, start=1):
-        if not name or name in head[: number - 1]:
-            wrong = f"{name!r} is given twice" if name else "has no name"
-            help = "give each column a name of its own, separated by commas"
-            mistakes.append(Mistake(where, f"column {number}: {wrong}", help))
+    help = (
+        "write a name for each column into the first line, 'time' among them, with commas between"
+    )
+    _, head, rows = csv_table(path, help, mistakes)
     columns: dict[str, list[float]] = {name: [] for name in head}
     if mistakes or "time" not in head:
         return columns

@@ -100,12 +100,8 @@ def _duration(found: Sweep, spent: float) -> str:
     new = found.plan.count - found.resumed
     if not new:
         return "all of them were there from before"
-    before = (
-        f"{counted(found.resumed, 'run')} from before, {counted(new, 'run')} computed"
-        if found.resumed
-        else ""
-    )
-    return f"{before or 'computed'} in {spent:.1f} s"
+    there = f"{counted(found.resumed, 'run')} from before, {counted(new, 'run')} "
+    return f"{there if found.resumed else ''}computed in {spent:.1f} s"
 
 
 def _values(found: Sweep, run: int) -> str:

@@ -1,17 +1,48 @@
-"""Rows of a CSV file that people or programs write, each with its place, "a.csv:3"."""
+"""CSV files: tables of people or programs, each row with its place, "a.csv:3"; and our own."""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterator
+import json
+from collections.abc import Container, Iterator
 from pathlib import Path
 
 from build_fmu.study.values import Mistake, counted
 
+Rows = Iterator[tuple[str, list[str]]]
+"""Place and cells of each."""
 
-def csv_rows(path: Path, mistakes: list[Mistake]) -> Iterator[tuple[str, list[str]]]:
-    """Place and cells of each row that is not empty; the first is the header.
+
+def csv_table(path: Path, help: str, mistakes: list[Mistake]) -> tuple[str, list[str], Rows]:
+    """Place and names of the header, and the rows below it that are not empty.
+
+    A header that is not there, and names that are missing or given twice, are mistakes with this
+    help.
+    """
+    before, rows = len(mistakes), _rows(path, mistakes)
+    where, head = next(rows, (f"{path}:1", []))
+    if not head and len(mistakes) == before:
+        mistakes.append(Mistake(where, "no header", help))
+    for number, name in enumerate(head, start=1):
+        if not name or name in head[: number - 1]:
+            wrong = f": {name!r} is given twice" if name else " has no name"
+            mistakes.append(Mistake(where, f"column {number}{wrong}", help))
+    return where, head, rows
+
+
+def column_name(parameter: str, own: Container[str]) -> str:
+    """Name of the column of a parameter in a table that has columns of its `own`."""
+    return f"{parameter} (parameter)" if parameter in own else parameter
+
+
+def cell(value: object) -> str:
+    """Value as the text of a cell, which reads back as the same value."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def _rows(path: Path, mistakes: list[Mistake]) -> Rows:
+    """Rows that are not empty; the first is the header.
 
     A row that is not as long as the header, and what keeps the file from being read to its end, is
     a mistake instead.

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from build_fmu.errors import EnvironmentLackError
-from build_fmu.study.jobs import DIED, Results, Task
+from build_fmu.study.processes import DIED, Results, Task
 
 CONNECTION = 10.0
 """Seconds in which a scheduler must answer."""

@@ -10,8 +10,7 @@ from typing import Any
 
 from build_fmu.errors import UsageError
 from build_fmu.study.dask_workers import require_scheduler, run_on_dask
-from build_fmu.study.jobs import Results, Task
-from build_fmu.study.processes import run_in_processes
+from build_fmu.study.processes import Results, Task, run_in_processes
 
 POOL_PAYS = 2.0
 """Seconds of work left above which processes are started, each of which takes a third of one."""

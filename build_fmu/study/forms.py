@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import EnvironmentLackError, UsageError
@@ -11,27 +12,18 @@ if TYPE_CHECKING:
 
     from build_fmu.study.sweep import Sweep
 
-PACKAGES = ("numpy", "pandas", "xarray")
-FORMS = (*PACKAGES, "sweep")
 
-
-def in_form(found: Sweep, form: str) -> Any:
-    """Results of a sweep in one of `FORMS`."""
-    if form == "sweep":
-        return found
-    return {"numpy": _numpy, "pandas": _pandas, "xarray": _xarray}[form](found)
-
-
-def require_form(form: str) -> None:
-    """Refuse a form that is not known, or whose package is not installed."""
+def form_of(name: str) -> Callable[[Sweep], Any]:
+    """Function that has the results of a sweep in a form, whose package is installed."""
     import importlib.util
 
-    if form not in FORMS:
-        text = f"there is no form {form!r}; write one of {', '.join(FORMS)}"
+    if name not in _FORMS:
+        text = f"there is no form {name!r}; write one of {', '.join(_FORMS)}"
         raise UsageError(text)
-    if form in PACKAGES and importlib.util.find_spec(form) is None:
-        text = f"the package {form} is missing; install it: pip install 'holonom[{form}]'"
+    if name in ("pandas", "xarray") and importlib.util.find_spec(name) is None:
+        text = f"the package {name} is missing; install it: pip install 'holonom[{name}]'"
         raise EnvironmentLackError(text)
+    return _FORMS[name]
 
 
 def _numpy(found: Sweep) -> ndarray:
@@ -78,3 +70,6 @@ def _xarray(found: Sweep) -> Any:
             units = {"units": plan.units.get(name, "")}
             values[name] = (("run", "time"), found.trajectories[:, :, i], units)
     return xarray.Dataset(values, coordinates)
+
+
+_FORMS = {"numpy": _numpy, "pandas": _pandas, "xarray": _xarray, "sweep": lambda found: found}

@@ -18,7 +18,7 @@ from fractions import Fraction
 from os import PathLike
 from pathlib import Path
 
-from build_fmu.study.csv_file import csv_rows
+from build_fmu.study.csv_file import csv_table
 from build_fmu.study.values import (
     Entry,
     Mistake,
@@ -217,17 +217,11 @@ def _table(table: Sequence[Mapping[str, object]], mistakes: list[Mistake]) -> li
 
 def _table_of_file(path: Path, mistakes: list[Mistake]) -> list[Row]:
     before = len(mistakes)
-    (header, head), *lines = [*csv_rows(path, mistakes)] or [(f"{path}:1", [])]
-    is_read = len(mistakes) == before
-    if not head and is_read:
-        mistakes.append(Mistake(header, "no header", NAMES))
-    elif not lines and is_read:
-        mistakes.append(Mistake(str(path), "has no rows below its header"))
-    wrong: set[str] = set()
-    for number, name in enumerate(head, start=1):
-        if message := _wrong_name(number, name, head):
-            mistakes.append(Mistake(header, message, NAMES))
-            wrong.add(name)
+    header, head, lines = csv_table(path, NAMES, mistakes)
+    wrong = [name for name in head if not _is_name(name)]
+    for name in filter(None, wrong):
+        message = f"column {head.index(name) + 1}: {name!r} is not a name"
+        mistakes.append(Mistake(header, message, NAMES))
     rows: list[Row] = []
     for where, cells in lines:
         row: Row = {}
@@ -240,20 +234,13 @@ def _table_of_file(path: Path, mistakes: list[Mistake]) -> list[Row]:
             except ValueError as error:
                 mistakes.append(Mistake(where, f"{name}: {cell}: {error}"))
         rows.append(row)
+    if not rows and len(mistakes) == before:
+        mistakes.append(Mistake(str(path), "has no rows below its header"))
     return rows
 
 
-def _wrong_name(number: int, name: str, head: Sequence[str]) -> str:
-    if not name:
-        return f"column {number} has no name"
-    if name in head[: number - 1]:
-        return f"column {number}: {name!r} is given twice"
+def _is_name(text: str) -> bool:
     try:
-        is_name = isinstance(read_value(name), bool | str)
+        return isinstance(read_value(text), bool | str) and not re.search("^$|[;\t]", text)
     except ValueError:  # a list, or a number with a mistake
-        is_name = False
-    return (
-        ""
-        if is_name and not re.search("[;\t]", name)
-        else f"column {number}: {name!r} is not a name"
-    )
+        return False

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from build_fmu.errors import UsageError
 from build_fmu.report import json_text
+from build_fmu.study.csv_file import cell, column_name
 
 OWN_COLUMNS = ("variant", "fmu", "error")
 LARGEST_WHOLE = 2**53
@@ -81,18 +82,12 @@ def manifest_text(variants: Sequence[Variant], kind: str, scene: str) -> str:
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     names = list(dict.fromkeys(name for v in variants for name in v.parameters))
-    # A parameter may have the name of a column.
-    varied = [f"{name} (parameter)" if name in OWN_COLUMNS else name for name in names]
+    varied = [column_name(name, OWN_COLUMNS) for name in names]
     writer.writerow([*OWN_COLUMNS[:2], *varied, OWN_COLUMNS[2]])
     for v in variants:
-        cells = [_cell(v.parameters.get(name, "")) for name in names]
+        cells = [cell(v.parameters.get(name, "")) for name in names]
         writer.writerow([v.number, v.fmu, *cells, v.error.partition("\n")[0]])
     return file.getvalue()
-
-
-def _cell(value: object) -> str:
-    """Value as a cell of a table, which reads back as the same value."""
-    return value if isinstance(value, str) else json.dumps(value)
 
 
 def in_one_form(variants: Sequence[Variant]) -> list[Variant]:

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from os import PathLike
 from pathlib import Path
 
-from build_fmu.study.csv_file import csv_rows
+from build_fmu.study.csv_file import csv_table
 from build_fmu.study.ssv import read_parameter_set
 from build_fmu.study.values import Entry, Mistake, keep, not_finite, read_value
 
@@ -86,10 +86,9 @@ def _leaves(
 
 
 def _csv(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
-    before, rows = len(mistakes), csv_rows(path, mistakes)
-    header, head = next(rows, (f"{path}:1", []))
+    before, help = len(mistakes), f"it must be {' or '.join(','.join(names) for names in HEADS)}"
+    header, head, rows = csv_table(path, help, mistakes)
     if len(mistakes) == before and head not in HEADS:
-        help = f"it must be {' or '.join(','.join(names) for names in HEADS)}"
         message = f"the header is {','.join(head)!r}"
         if len(head) == 1 and head[0].split(",") in HEADS:
             message, help = f"{message} in quotes, as one cell", "write it without quotes"

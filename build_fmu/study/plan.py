@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
+from build_fmu.study.csv_file import column_name
 
 if TYPE_CHECKING:
     from numpy import dtype, ndarray
@@ -64,6 +65,11 @@ class Plan:
         """Number of columns that the plan knows: those of the run and of what is varied."""
         return 1 + len(self.rows[0])
 
+    @property
+    def no_summary(self) -> list[float]:
+        """Summary of a run without outputs."""
+        return [math.nan] * (len(OF_OUTPUTS) * len(self.outputs))
+
     @cached_property
     def document(self) -> dict[str, Any]:
         """What two sweeps must have in common for one to go on where the other stopped."""
@@ -84,8 +90,7 @@ class Plan:
     @cached_property
     def columns(self) -> list[str]:
         """Head of the table."""
-        # A parameter may have the name of a column.
-        varied = [f"{name} (parameter)" if name in OWN_COLUMNS else name for name in self.rows[0]]
+        varied = [column_name(name, OWN_COLUMNS) for name in self.rows[0]]
         of_outputs = [f"{name}.{what}" for name in self.outputs for what in OF_OUTPUTS]
         return ["run", *varied, *OWN_COLUMNS[1:], *of_outputs]
 
@@ -107,8 +112,7 @@ class Plan:
         import numpy as np
 
         varied = [_KINDS.get(type(value), "f8") for value in self.rows[0].values()]
-        numbers = ["f8"] * (len(OF_OUTPUTS) * len(self.outputs))
-        kinds = ["i8", *varied, "?", "f8", "text", *numbers]
+        kinds = ["i8", *varied, "?", "f8", "text", *("f8" for _ in self.no_summary)]
         columns = zip(self.columns, kinds, strict=True)
         return np.dtype([(name, text if kind == "text" else kind) for name, kind in columns])
 
@@ -116,6 +120,6 @@ class Plan:
         """Table of all runs, with what the plan knows of them and no results."""
         import numpy as np
 
-        numbers = [math.nan] * (len(OF_OUTPUTS) * len(self.outputs))
-        rows = [(*self.lead(at), False, math.nan, "", *numbers) for at in range(self.count)]
+        none = (False, math.nan, "", *self.no_summary)
+        rows = [(*self.lead(at), *none) for at in range(self.count)]
         return np.array(rows, self.dtype())

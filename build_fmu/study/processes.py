@@ -13,14 +13,30 @@ import os
 import signal
 import threading
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from queue import SimpleQueue
-from typing import Any
+from typing import Any, NamedTuple
 
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.instance import interrupts_held
-from build_fmu.study.jobs import DIED, Results, Task
+
+DIED = "the process that worked on it died"
+
+Results = Generator[Any, None, None]
+
+
+class Task(NamedTuple):
+    """What is done with each job.
+
+    A job and what all share are small and can be pickled: a path and values, no instances.
+    """
+
+    function: Callable[[Any, Any], Any]
+    """Result of what all jobs share and one job."""
+    shared: Any
+    lost: Callable[[Any, str], Any]
+    """Result of a job that ended its process, from the job and the reason."""
 
 
 def run_in_processes(task: Task, jobs: Sequence[Any], workers: int) -> Results:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -42,7 +41,7 @@ def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
         columns = (values[-1], values.min(axis=0), values.max(axis=0))
         summary = [x for each in zip(*columns, strict=True) for x in map(float, each)]
     else:
-        summary = [math.nan] * 3 * len(plan.outputs)
+        summary = plan.no_summary
     kept = values if shared.trajectories else None
     return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
 

@@ -13,13 +13,14 @@ import errno
 import io
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO, TextIO
 
 import numpy as np
 
 from build_fmu.errors import EnvironmentLackError, UsageError, writing
+from build_fmu.study.csv_file import cell
 from build_fmu.study.plan import Plan, Result
 
 try:
@@ -56,7 +57,6 @@ def store_for(
     UsageError
         If the file is another sweep's, of none at all, damaged, or in use.
     """
-    require_kind(path)
     if path is None:
         return Store(plan, trajectories)
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -105,45 +105,50 @@ def _lock(path: Path, results: Path) -> BinaryIO:
     return file
 
 
-def _require_the_same(path: Path, theirs: Any, ours: Mapping[str, Any]) -> None:
-    """Refuse results of another sweep; `theirs` is its plan as JSON."""
-    try:
-        plan = json.loads(theirs)
-    except (ValueError, TypeError):
-        plan = None
-    if not isinstance(plan, dict):
-        raise _damaged(path, "its record of the sweep cannot be read")
-    different = [name for name in ours if ours[name] != plan.get(name)]
-    if different:
-        *others, last = different
-        listed = f"{', '.join(others)} and {last}" if others else last
-        text = f"{path} holds another sweep, which differs in {listed}; {REMEDY}"
-        raise UsageError(text)
+class FileStore(Store):
+    """Base: results in a file that is ours until it is closed."""
 
+    def __init__(self, plan: Plan, trajectories: bool, path: Path, locked: Path) -> None:
+        super().__init__(plan, trajectories)
+        self._path, self._lock = path, _lock(locked, path)
 
-def _damaged(path: Path, why: object) -> UsageError:
-    return UsageError(f"{path} is damaged, or not the file of a sweep ({why}); {REMEDY}")
+    def _require_the_same(self, theirs: Any) -> None:
+        """Refuse results of another sweep; `theirs` is its plan as JSON."""
+        try:
+            plan = json.loads(theirs)
+        except (ValueError, TypeError):
+            plan = None
+        if not isinstance(plan, dict):
+            raise UsageError(self._damaged("its record of the sweep cannot be read"))
+        ours = self.plan.document
+        different = [name for name in ours if ours[name] != plan.get(name)]
+        if different:
+            listed = " and ".join(filter(None, (", ".join(different[:-1]), different[-1])))
+            text = f"{self._path} holds another sweep, which differs in {listed}; {REMEDY}"
+            raise UsageError(text)
+
+    def _damaged(self, why: object) -> str:
+        return f"{self._path} is damaged, or not the file of a sweep ({why}); {REMEDY}"
 
 
 # ----------------------------------------------------------------------------------------- CSV
 
 
-class CsvStore(Store):
+class CsvStore(FileStore):
     """One line for each run; what the sweep was stands beside it, in NAME.csv.plan.json."""
 
     def __init__(self, plan: Plan, trajectories: bool, path: Path, fresh: bool) -> None:
-        super().__init__(plan, trajectories)
-        self._path, plan_path = path, path.with_name(f"{path.name}.plan.json")
+        plan_path = path.with_name(f"{path.name}.plan.json")
         if path.is_file() and not fresh and not plan_path.is_file():
-            text = f"{path} is there and is not one of a sweep; name another file, or --fresh"
+            text = f"{path} is there and is not one of a sweep; {REMEDY}"
             raise UsageError(text)
         # The plan stays the file that it is, which the results do not: it is what is locked.
-        self._lock = _lock(plan_path, path)
+        super().__init__(plan, trajectories, path, plan_path)
         try:
             if fresh:
                 path.unlink(missing_ok=True)
             if path.is_file():
-                _require_the_same(path, plan_path.read_bytes(), plan.document)
+                self._require_the_same(plan_path.read_bytes())
                 self._read()
             else:  # in this order: results are never there without a plan that is theirs and whole
                 plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
@@ -154,7 +159,8 @@ class CsvStore(Store):
 
     def _line(self, at: int) -> list[str]:
         """Cells of a run; numbers read back as the same."""
-        return _texts((*self.plan.lead(at), *self.table[at].tolist()[self.plan.leading :]))
+        values = (*self.plan.lead(at), *self.table[at].tolist()[self.plan.leading :])
+        return [*map(cell, values)]
 
     def _read(self) -> None:
         """Results of the lines that are whole and have the values of their run."""
@@ -162,11 +168,11 @@ class CsvStore(Store):
         try:
             rows = list(csv.reader(io.StringIO(whole.decode(), newline="")))
         except (UnicodeDecodeError, csv.Error) as error:
-            raise _damaged(self._path, error) from None
+            raise UsageError(self._damaged(error)) from None
         if rows[:1] != [self.plan.columns]:
-            raise _damaged(self._path, "its first line does not name the columns of this one")
+            raise UsageError(self._damaged("its first line does not name the columns of this one"))
         leading = self.plan.leading
-        runs = {tuple(_texts(self.plan.lead(at))): at + 1 for at in range(self.plan.count)}
+        runs = {tuple(map(cell, self.plan.lead(at))): at + 1 for at in range(self.plan.count)}
         for row in rows[1:]:
             run = runs.get(tuple(row[:leading]))
             if run and len(row) == len(self.plan.columns):
@@ -198,14 +204,10 @@ class CsvStore(Store):
             self._begin().close()
 
 
-def _texts(cells: Sequence[Any]) -> list[str]:
-    return [x if isinstance(x, str) else json.dumps(x) for x in cells]
-
-
 # ---------------------------------------------------------------------------------------- HDF5
 
 
-class Hdf5Store(Store):
+class Hdf5Store(FileStore):
     """Data sets `runs` (a line for each run), `time`, and `trajectories/NAME` (runs, points).
 
     All have their size from the beginning: what is written later changes no structure of the file,
@@ -218,13 +220,12 @@ class Hdf5Store(Store):
         except ImportError:
             text = "the package h5py is missing; install it: pip install 'holonom[hdf5]'"
             raise EnvironmentLackError(text) from None
-        super().__init__(plan, trajectories)
         if grouped := [name for name in plan.outputs if "/" in name]:
             text = (
                 f"{path}: HDF5 takes the '/' of {grouped[0]!r} for a group; write a .csv, or leave "
             )
             raise UsageError(text + "it out")
-        self._path, self._lock = path, _lock(path, path)
+        super().__init__(plan, trajectories, path, path)
         there = path.stat().st_size > 0 and not fresh
         try:
             # What h5py says that a name may stand for is more than a data set; here it is one.
@@ -233,11 +234,11 @@ class Hdf5Store(Store):
             self._file: Any = h5py.File(path, "r+" if there else "w", locking=locking)
         except OSError as error:
             self._lock.close()
-            text = f"{path}: cannot be opened ({error}); name another file, or --fresh"
+            text = f"{path}: cannot be opened ({error}); {REMEDY}"
             raise UsageError(text) from None
         try:
             if there:
-                _require_the_same(path, self._file.attrs.get("plan"), plan.document)
+                self._require_the_same(self._file.attrs.get("plan"))
                 self._read()
             else:
                 with _writing_hdf5(path):
@@ -268,7 +269,9 @@ class Hdf5Store(Store):
         try:
             runs = self._file["runs"][:]
             if runs.shape != shape[:1] or runs.dtype.names != tuple(plan.columns):
-                raise _damaged(self._path, "'runs' does not have the runs and columns of this one")
+                raise UsageError(
+                    self._damaged("'runs' does not have the runs and columns of this one")
+                )
             lead = list(plan.columns[: plan.leading])
             ours = [self._record(at)[: plan.leading] for at in range(plan.count)]
             self.is_done[:] = [x == y for x, y in zip(runs[lead].tolist(), ours, strict=True)]
@@ -280,11 +283,11 @@ class Hdf5Store(Store):
                 values = self._file["trajectories"][name]
                 if values.shape != shape:
                     text = f"the trajectory {name!r} does not have its runs and times"
-                    raise _damaged(self._path, text)
+                    raise UsageError(self._damaged(text))
                 if self.trajectories is not None:
                     self.trajectories[self.is_done, :, i] = values[:][self.is_done]
         except (KeyError, IndexError, ValueError, TypeError, AttributeError, OSError) as error:
-            raise _damaged(self._path, error) from None
+            raise UsageError(self._damaged(error)) from None
 
     def _record(self, at: int) -> tuple[Any, ...]:
         """Row of a run, with texts as bytes that are whole characters."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import math
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,10 +16,10 @@ from build_fmu.errors import UsageError
 from build_fmu.instance import check_platform, description_of
 from build_fmu.run import communication_times
 from build_fmu.study.engines import engine_of
-from build_fmu.study.forms import in_form, require_form
+from build_fmu.study.forms import form_of
 from build_fmu.study.grid import rows_of
-from build_fmu.study.jobs import Task
 from build_fmu.study.plan import Plan, Result
+from build_fmu.study.processes import Task
 from build_fmu.study.run_row import Shared, release, run_row
 from build_fmu.study.settings import Source, entries_of, fmu_settings, outputs_of
 from build_fmu.study.stores import holds_trajectories, require_kind, store_for
@@ -108,7 +107,7 @@ def sweep(
     KeyboardInterrupt
         With the number of runs that the file has, and how to go on.
     """
-    require_form(form)
+    in_form = form_of(form)
     mistakes: list[Mistake] = []
     rows = rows_of(grid, table, mistakes)
     run_jobs = engine_of(engine, workers)
@@ -143,8 +142,8 @@ def sweep(
                 raise _interruption(int(store.is_done.sum()), plan.count, file, fresh) from None
             finally:
                 release()
-    found = Sweep(plan, store.table, store.trajectories, plan.count - len(jobs), sorted(said))
-    return in_form(found, form)
+    resumed = plan.count - len(jobs)
+    return in_form(Sweep(plan, store.table, store.trajectories, resumed, sorted(said)))
 
 
 def _interruption(done: int, count: int, file: Path | None, fresh: bool) -> KeyboardInterrupt:
@@ -182,4 +181,4 @@ def _plan(
 
 def _lost(plan: Plan, job: tuple[int, Mapping[str, Any]], reason: str) -> Result:
     """Result of a run whose process died: nobody knows what its outputs were."""
-    return Result(job[0], plan.times[0], reason, [math.nan] * 3 * len(plan.outputs))
+    return Result(job[0], plan.times[0], reason, plan.no_summary)

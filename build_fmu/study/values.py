@@ -20,7 +20,9 @@ if TYPE_CHECKING:
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
 MOST_NAMES = 20
-_LONG_NAME = re.compile(r"parameters\.(\w+)(?:\.value)?|inputs\.(\w+)(?:\.start)?")
+_LONG_NAMES = ("parameters.{}", "inputs.{}", "parameters.{}.value", "inputs.{}.start")
+"""How a parameter or input may be named besides its name."""
+_LONG_NAME = re.compile("|".join(x.replace(".", r"\.").format(r"(\w+)") for x in _LONG_NAMES))
 
 
 class _Short(reprlib.Repr):
@@ -127,10 +129,8 @@ def not_finite(value: object) -> float | None:
 def keep(found: dict[str, Entry], name: str, entry: Entry, mistakes: list[Mistake]) -> None:
     """Take a value of a file, unless it was there; `parameters.mass` is `mass`."""
     short = _LONG_NAME.fullmatch(name)
-    known = (short[1] or short[2]) if short else name
-    spellings = (f"parameters.{known}", f"inputs.{known}")
-    spellings += (f"parameters.{known}.value", f"inputs.{known}.start")
-    for other in (known, *spellings):
+    known = short[short.lastindex or 0] if short else name
+    for other in (known, *(each.format(known) for each in _LONG_NAMES)):
         if other in found:
             first = "first" if other == name else f"first as {other}"
             message = f"{name}: given twice, {first} at {found[other].where}"

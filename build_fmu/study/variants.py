@@ -12,9 +12,9 @@ from pathlib import Path
 from build_fmu.errors import UnfinishedError, writing
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
-from build_fmu.study.jobs import Task
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
 from build_fmu.study.output_folder import require_room
+from build_fmu.study.processes import Task
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.values import Mistake, in_one_text, refuse
 from solver.scene import Given, SceneError, SceneWarning

@@ -12,7 +12,7 @@ import build_fmu
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.study import dask_workers
 from build_fmu.study.engines import engine_of
-from build_fmu.study.jobs import DIED, Task
+from build_fmu.study.processes import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
 from tests.fmu_instance import pendulum
 

@@ -13,7 +13,7 @@ import pytest
 
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.engines import engine_of
-from build_fmu.study.jobs import DIED, Task
+from build_fmu.study.processes import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
 
 PATIENCE = 60.0
@@ -84,7 +84,7 @@ def refuse(_shared: int, _job: int) -> None:
 
 UNGUARDED = """
 from build_fmu.study.engines import engine_of
-from build_fmu.study.jobs import Task
+from build_fmu.study.processes import Task
 from tests.ending_jobs import lost, square
 list(engine_of("processes:2")(Task(square, 0, lost), range(4)))
 """

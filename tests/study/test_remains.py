@@ -10,7 +10,7 @@ import pytest
 import build_fmu
 from build_fmu.errors import EnvironmentLackError, UnfinishedError
 from build_fmu.study import variants as variants_module
-from build_fmu.study.jobs import DIED
+from build_fmu.study.processes import DIED
 from tests.commands import run
 from tests.crashing_runs import crashing_export
 from tests.fmu_instance import SCENES

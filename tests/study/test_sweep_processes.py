@@ -16,7 +16,7 @@ import pytest
 import build_fmu
 from build_fmu.errors import UsageError
 from build_fmu.study import sweep as sweep_module
-from build_fmu.study.jobs import DIED
+from build_fmu.study.processes import DIED
 from tests.crashing_runs import FATAL, crashing
 from tests.fmu_instance import pendulum
 
