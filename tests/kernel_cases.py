@@ -8,7 +8,13 @@ from tests.zoo import PLANE, SPACE
 
 SOURCES = {path.stem: path for path in SCENES}
 SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}
-SOURCES["gears in the plane"] = train(2, "gear", 0.01)
+SOURCES["gears and a cam in the plane"] = (
+    train(2, "gear", 0.01)
+    + """
+[constraints]
+cam = { value = "frame.y + 0.3*exp(first.angle) - 0.5" }
+"""
+)
 ZOO = {"zoo in the plane": PLANE, "zoo in space": SPACE}
 
 LADDER = (
