@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from build_fmu.errors import EnvironmentLackError, UsageError
+from build_fmu.errors import UsageError
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
@@ -129,9 +129,3 @@ def test_an_engine_that_is_not_there_is_refused(engine):
 def test_a_number_of_processes_is_at_least_one():
     with pytest.raises(UsageError, match="must be at least 1, got 0"):
         engine_of("processes", 0)
-
-
-def test_without_dask_the_environment_lacks_something(monkeypatch):
-    monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(EnvironmentLackError, match=r"pip install 'holonom\[dask\]'"):
-        engine_of("dask://127.0.0.1:9")

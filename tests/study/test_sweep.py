@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import csv
 import importlib.util
-import json
 
 import numpy as np
 import pytest
@@ -13,18 +11,20 @@ import build_fmu
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.run import run_fmu
 from build_fmu.study.plan import Plan
-from tests.commands import run
-from tests.fmu_instance import SCENES, pendulum, scene_fmu
+from tests.fmu_instance import PENDULUM, SCENES, pendulum, scene_fmu, text_fmu
 
 GRID = {"length": [0.5, 1.0], "mass": [1.0, 2.0, 3.0]}
 OUTPUTS = ("A.x", "energy.error")
 BROKEN = {"mass": [1.0, -1.0, 2.0]}
 """The second cannot be assembled, and no limit of the parameter says so before."""
-
-
-def lines(path) -> list[dict[str, str]]:
-    with path.open(newline="") as file:
-        return list(csv.DictReader(file))
+FAILING = {"mass": [1.0, -1.0, 2.0], "push": [0.0, 1.0]}
+"""Runs 3 and 4 cannot be assembled, and take no step: their outputs are 0, which none other is."""
+LATE = (
+    PENDULUM.replace("{push}", "sqrt(late - t)")
+    .replace("[parameters]", "[parameters]\nlate = 2.0")
+    .format(length=1.0, mass=1.0)
+)
+"""Ends when its force is no number any more."""
 
 
 # ------------------------------------------------------------------------------------ the runs
@@ -54,6 +54,27 @@ def test_a_run_that_fails_is_recorded_and_the_others_are_as_without_it():
     assert list(found["A.x.final"][[0, 2]]) == list(good["A.x.final"])
 
 
+@pytest.mark.parametrize("kind", ["csv", "h5"])
+def test_a_run_that_took_no_step_has_no_numbers(tmp_path, kind):
+    if kind == "h5":
+        pytest.importorskip("h5py")
+    arguments = {"grid": FAILING, "outputs": ["reach"], "path": tmp_path / f"a.{kind}"}
+    for _ in range(2):  # made, then read
+        found = build_fmu.sweep(pendulum(), trajectories=kind == "h5", **arguments)
+        assert list(found["finished"]) == [True, True, False, False, True, True]
+        for name in ("reach.final", "reach.min", "reach.max"):
+            assert list(np.isnan(found[name])) == list(~found["finished"])
+        if kind == "h5":
+            assert list(np.isnan(found["reach"]).any(axis=1)) == list(~found["finished"])
+
+
+def test_a_run_that_failed_later_has_the_numbers_up_to_there(tmp_path):
+    fmu = text_fmu(LATE)
+    found = build_fmu.sweep(fmu, grid={"late": [0.55]}, outputs=["clock"], path=tmp_path / "a.csv")
+    assert not found["finished"][0]
+    assert found["end_time"][0] == found["clock.final"][0] == pytest.approx(0.5)
+
+
 def test_the_last_step_ends_at_the_stop_time():
     found = build_fmu.sweep(
         pendulum(), grid={"mass": [1]}, stop_time=0.25, step_size=0.1, trajectories=True
@@ -67,35 +88,6 @@ def test_a_scene_is_swept_as_its_fmu():
     by_scene = build_fmu.sweep(SCENES / "double_pendulum.toml", **arguments)
     by_fmu = build_fmu.sweep(scene_fmu("double_pendulum"), **arguments)
     assert by_scene.tolist() == by_fmu.tolist()
-
-
-# -------------------------------------------------------------------------------- the command
-
-
-def test_the_command_writes_a_summary_and_prints_the_extremes(capsys, tmp_path):
-    grids = ("--grid", "length=0.5:1:2", "--grid", "mass=1,2,3", "--output", ",".join(OUTPUTS))
-    file = tmp_path / "a.csv"
-    code, out, err = run(capsys, "sweep", pendulum(), *grids, "-o", file, "--json")
-    assert (code, err) == (0, "")
-    document = json.loads(out)
-    assert (document["runs"], document["failed"], document["resumed"]) == (6, [], 0)
-    found = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS)
-    rows = lines(file)
-    assert [float(row["A.x.final"]) for row in rows] == list(found["A.x.final"])
-    assert [float(row["length"]) for row in rows] == list(found["length"])
-    assert document["outputs"]["A.x"]["min"] == found["A.x.min"].min()
-    code, out, _ = run(capsys, "sweep", pendulum(), *grids, "-o", file)
-    assert code == 0
-    assert "6 runs, none failed; all of them were there from before" in out
-
-
-def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
-    arguments = ("--grid", "mass=1,-1,2", "--output", "A.x", "-o", tmp_path / "a.csv")
-    code, out, err = run(capsys, "sweep", pendulum(), *arguments)
-    assert code == 3
-    assert "3 runs, 1 failed" in out
-    assert err.startswith("holonom: run 2 ended at t = 0 s: ")
-    assert [row["finished"] for row in lines(tmp_path / "a.csv")] == ["true", "false", "true"]
 
 
 # ----------------------------------------------------------------------------------- the forms
@@ -119,46 +111,6 @@ def test_pandas_and_xarray_have_the_same_numbers():
 
 
 # -------------------------------------------------------------------------------- the mistakes
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        ((), ["nothing is varied"]),
-        (("--grid", "mas=1,2"), ["pendulum has no parameter or input 'mas'", "mean 'mass'?"]),
-        (("--grid", "mass=a,2"), ["--grid mass=a,2: error: mass: must be a number, got 'a'"]),
-        (
-            ("--grid", "solver.max_newton=0,2000", "--grid", "lenght=1"),
-            ["must be >= 1, got 0", "must be <= 1000, got 2000", "did you mean 'length'?"],
-        ),
-        (("--grid", "mass=1", "--output", "A.z"), ["output A.z: error", "did you mean 'A."]),
-        (("--grid", "mass=1", "--output", "speed"), ["no variable 'speed'", "known: clock, "]),
-        (
-            ("--grid", "mass=1", "--output", "solver.formulation"),
-            ["output solver.formulation: error: solver.formulation: is a text, not a number"],
-        ),
-        (
-            ("--grid", "mass=1:2", "--grid", "lenght=1,x", "--grid", "push=a", "--output", "A.z"),
-            [
-                "'1:2' is not a range",
-                "did you mean 'length'?",
-                "push: must be a number",
-                "no variable 'A.z'",
-            ],
-        ),
-        (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
-        (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be a finite number after"]),
-        (("--grid", "mass=1", "--engine", "threads"), ["there is no engine 'threads'"]),
-        (("--grid", "mass=1", "--jobs", "0"), ["number of processes must be at least 1, got 0"]),
-    ],
-    ids=range(12),
-)
-def test_mistakes_end_with_2_before_anything_runs(capsys, tmp_path, monkeypatch, arguments, words):
-    monkeypatch.chdir(tmp_path)
-    code, out, err = run(capsys, "sweep", pendulum(), *arguments)
-    assert (code, out) == (2, "")
-    assert not [each for each in words if each not in err]
-    assert not list(tmp_path.iterdir())
 
 
 def test_a_form_that_is_not_there_is_refused():

@@ -1,64 +1,66 @@
-"""What a sweep says: extremes of the runs that came to their end, warnings, mistakes."""
+"""The command `sweep`: its files, extremes of the runs that came to their end, mistakes."""
 
 from __future__ import annotations
 
+import csv
 import json
 import sys
 import warnings
 
-import numpy as np
 import pytest
 
 import build_fmu
 from build_fmu.study import dask_workers
 from tests.commands import run
-from tests.fmu_instance import PENDULUM, pendulum, text_fmu
+from tests.fmu_instance import pendulum, text_fmu
 from tests.physics.test_order_limits import text
+from tests.study.test_sweep import GRID, OUTPUTS
 
-FAILING = {"mass": [1.0, -1.0, 2.0], "push": [0.0, 1.0]}
-"""Runs 3 and 4 cannot be assembled, and take no step: their outputs are 0, which none other is."""
-LATE = (
-    PENDULUM.replace("{push}", "sqrt(late - t)")
-    .replace("[parameters]", "[parameters]\nlate = 2.0")
-    .format(length=1.0, mass=1.0)
+
+def lines(path) -> list[dict[str, str]]:
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_command_writes_a_summary_and_prints_the_extremes(capsys, tmp_path):
+    grids = ("--grid", "length=0.5:1:2", "--grid", "mass=1,2,3", "--output", ",".join(OUTPUTS))
+    file = tmp_path / "a.csv"
+    code, out, err = run(capsys, "sweep", pendulum(), *grids, "-o", file, "--json")
+    assert (code, err) == (0, "")
+    document = json.loads(out)
+    assert (document["runs"], document["failed"], document["resumed"]) == (6, [], 0)
+    found = build_fmu.sweep(pendulum(), grid=GRID, outputs=OUTPUTS)
+    rows = lines(file)
+    assert [float(row["A.x.final"]) for row in rows] == list(found["A.x.final"])
+    assert [float(row["length"]) for row in rows] == list(found["length"])
+    assert document["outputs"]["A.x"]["min"] == found["A.x.min"].min()
+    code, out, _ = run(capsys, "sweep", pendulum(), *grids, "-o", file)
+    assert code == 0
+    assert "6 runs, none failed; all of them were there from before" in out
+
+
+def test_a_failed_run_ends_the_command_with_3_and_its_reason(capsys, tmp_path):
+    arguments = ("--grid", "mass=1,-1,2", "--output", "A.x", "-o", tmp_path / "a.csv")
+    code, out, err = run(capsys, "sweep", pendulum(), *arguments)
+    assert code == 3
+    assert "3 runs, 1 failed" in out
+    assert err.startswith("holonom: run 2 ended at t = 0 s: ")
+    assert [row["finished"] for row in lines(tmp_path / "a.csv")] == ["true", "false", "true"]
+
+
+@pytest.mark.parametrize(
+    ("masses", "extremes"),
+    [
+        ("1,-1,2", {"reach": {"min": 1.0, "run_of_min": 1, "max": 1.0, "run_of_max": 3}}),
+        ("-1,-2", {}),
+    ],
+    ids=["some ended", "none ended"],
 )
-"""Ends when its force is no number any more."""
-
-
-def test_extremes_are_of_runs_that_came_to_their_end(capsys, tmp_path):
-    grids = ("--grid", "mass=1,-1,2", "--output", "reach", "-o", tmp_path / "a.csv")
-    code, out, _ = run(capsys, "sweep", pendulum(), *grids, "--json")
+def test_extremes_are_of_runs_that_came_to_their_end(capsys, tmp_path, masses, extremes):
+    arguments = ("--grid", f"mass={masses}", "--output", "reach", "-o", tmp_path / "a.csv")
+    code, out, _ = run(capsys, "sweep", pendulum(), *arguments, "--json")
     assert code == 3
-    extremes = {"min": 1.0, "run_of_min": 1, "max": 1.0, "run_of_max": 3}
-    assert json.loads(out)["outputs"]["reach"] == extremes
-
-
-def test_the_table_without_any_run_that_ended_has_no_extremes(capsys, tmp_path):
-    grids = ("--grid", "mass=-1,-2", "--output", "reach", "-o", tmp_path / "a.csv")
-    code, out, _ = run(capsys, "sweep", pendulum(), *grids, "--json")
-    assert code == 3
-    assert json.loads(out)["outputs"] == {}
-
-
-@pytest.mark.parametrize("kind", ["csv", "h5"])
-def test_a_run_that_took_no_step_has_no_numbers(tmp_path, kind):
-    if kind == "h5":
-        pytest.importorskip("h5py")
-    arguments = {"grid": FAILING, "outputs": ["reach"], "path": tmp_path / f"a.{kind}"}
-    for _ in range(2):  # made, then read
-        found = build_fmu.sweep(pendulum(), trajectories=kind == "h5", **arguments)
-        assert list(found["finished"]) == [True, True, False, False, True, True]
-        for name in ("reach.final", "reach.min", "reach.max"):
-            assert list(np.isnan(found[name])) == list(~found["finished"])
-        if kind == "h5":
-            assert list(np.isnan(found["reach"]).any(axis=1)) == list(~found["finished"])
-
-
-def test_a_run_that_failed_later_has_the_numbers_up_to_there(tmp_path):
-    fmu = text_fmu(LATE)
-    found = build_fmu.sweep(fmu, grid={"late": [0.55]}, outputs=["clock"], path=tmp_path / "a.csv")
-    assert not found["finished"][0]
-    assert found["end_time"][0] == found["clock.final"][0] == pytest.approx(0.5)
+    assert json.loads(out)["outputs"] == extremes
 
 
 # ------------------------------------------------------------------------------------ warnings
@@ -78,14 +80,48 @@ def test_a_warning_of_the_runs_is_said_once(capsys, tmp_path, engine):
 # ------------------------------------------------------------------------------------ mistakes
 
 
-@pytest.mark.parametrize("names", ["", " ", "A.x,", "A.x,,reach"])
-def test_an_output_without_a_name_is_refused(capsys, tmp_path, names):
-    file = tmp_path / "a.csv"
-    arguments = ("--grid", "mass=1", "--output", names, "-o", file)
+NAMELESS = ["", " ", "A.x,", "A.x,,reach"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ((), ["nothing is varied"]),
+        (("--grid", "mas=1,2"), ["pendulum has no parameter or input 'mas'", "mean 'mass'?"]),
+        (("--grid", "mass=a,2"), ["--grid mass=a,2: error: mass: must be a number, got 'a'"]),
+        (
+            ("--grid", "solver.max_newton=0,2000", "--grid", "lenght=1"),
+            ["must be >= 1, got 0", "must be <= 1000, got 2000", "did you mean 'length'?"],
+        ),
+        (("--grid", "mass=1", "--output", "A.z"), ["output A.z: error", "did you mean 'A."]),
+        (("--grid", "mass=1", "--output", "speed"), ["no variable 'speed'", "known: clock, "]),
+        (
+            ("--grid", "mass=1", "--output", "solver.formulation"),
+            ["output solver.formulation: error: solver.formulation: is a text, not a number"],
+        ),
+        (
+            ("--grid", "mass=1:2", "--grid", "lenght=1,x", "--grid", "push=a", "--output", "A.z"),
+            [
+                "'1:2' is not a range",
+                "did you mean 'length'?",
+                "push: must be a number",
+                "no variable 'A.z'",
+            ],
+        ),
+        *((("--grid", "mass=1", "--output", each), ["a name is empty"]) for each in NAMELESS),
+        (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
+        (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be a finite number after"]),
+        (("--grid", "mass=1", "--engine", "threads"), ["there is no engine 'threads'"]),
+        (("--grid", "mass=1", "--jobs", "0"), ["number of processes must be at least 1, got 0"]),
+    ],
+    ids=range(16),
+)
+def test_mistakes_end_with_2_before_anything_runs(capsys, tmp_path, monkeypatch, arguments, words):
+    monkeypatch.chdir(tmp_path)
     code, out, err = run(capsys, "sweep", pendulum(), *arguments)
     assert (code, out) == (2, "")
-    assert "a name is empty" in err
-    assert not file.exists()
+    assert not [each for each in words if each not in err]
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("missing", [True, False], ids=["no package", "no scheduler"])
@@ -100,7 +136,7 @@ def test_an_engine_that_is_not_there_leaves_no_files(capsys, tmp_path, monkeypat
     arguments = ("--grid", "mass=1", "--engine", "dask://127.0.0.1:9", "-o", tmp_path / "a.csv")
     code, out, err = run(capsys, "sweep", pendulum(), *arguments)
     assert (code, out) == (4, "")
-    assert "distributed" in err if missing else "no scheduler" in err
+    assert ("pip install 'holonom[dask]'" if missing else "no scheduler") in err
     assert list(tmp_path.iterdir()) == []
 
 
