@@ -29,7 +29,7 @@ from solver.runtime.kernel import library_path
 
 SLAVE_NAME = "slavemodule.txt"
 """File below `resources/` in which pythonfmu's library looks for the name of the slave module."""
-MODULES_OF_BUILDS = ("model_writing.py", "options.py")
+MODULES_OF_BUILDS = ("model_writing.py",)
 """Of solver.runtime, what only writes models; it does not travel."""
 SUFFIXES = (".so", ".dll", ".dylib")
 _IMPORT = re.compile(r"^([ \t]*from )solver(\.runtime[.\w]* import )", re.MULTILINE)

@@ -24,6 +24,7 @@ from build_fmu.study.values import (
     wanted_instead,
 )
 from build_fmu.version import VERSION
+from solver.options import OPTIONS
 from solver.scene.units import base_unit
 
 if TYPE_CHECKING:
@@ -239,19 +240,10 @@ def _checked(entry: Entry, variable: ScalarVariable, tool: str | None) -> object
             limit = f">= {low:g}" if value < low else f"<= {high:g}"
             raise WrongValueError(variable.name, f"must be {limit}{in_unit}, got {value!r}")
     if tool == f"{OURS}{VERSION}" and variable.name.startswith("solver."):
-        _require_setting(variable.name, value)
+        option = OPTIONS[variable.name.removeprefix("solver.")]
+        if not option.holds(value):  # an FMU of this version would refuse it in the run
+            raise WrongValueError(variable.name, f"must be {option.rule}, got {value!r}")
     return float(value) if variable.type == "Real" and is_finite(value) else value
-
-
-def _require_setting(name: str, value: object) -> None:
-    """Raise what an FMU of this version would say of a setting of its solver in the run."""
-    from solver.runtime import OptionError
-    from solver.runtime.options import encode
-
-    try:
-        encode(name.removeprefix("solver."), value)
-    except OptionError as error:
-        raise WrongValueError(*str(error).split(": ", 1)) from None
 
 
 def _not_settable(where: str, name: str, description: ModelDescription) -> Mistake:

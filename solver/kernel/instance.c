@@ -229,14 +229,13 @@ static void say_clipped(holonom_instance *i, int32_t index, double value, const 
 {
     const hm_variable *v = i->file.variable + index;
     const double limit = clipping_limit(v, value);
-    const char *unit = text_of(i, v->unit), *gap = *unit ? " " : "";
+    const char *unit = text_of(i, v->unit);
     if (limit != limit || i->clipped[index]) return;
     i->clipped[index] = 1;
     begin_remark(i);
     hm_say(&i->remarks, "%s: ", text_of(i, v->name));
-    if (shown) hm_say(&i->remarks, "%s", shown);
-    else hm_say(&i->remarks, "%r", value);
-    hm_say(&i->remarks, "%s%s is beyond %6g%s%s, and is clipped to this limit (reported once)", gap, unit, limit, gap, unit);
+    hm_say_value(&i->remarks, value, shown);
+    hm_say(&i->remarks, "%u is beyond %6g%u, and is clipped to this limit (reported once)", unit, limit, unit);
 }
 
 int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, const double *value, const char *const *shown)
@@ -290,12 +289,11 @@ int32_t holonom_assemble(holonom_instance *i)
     evaluate(i);
     hm_clear(message);
     int problems = hm_broken_rules(message, &i->file, i->numbers, 0);
-    hm_say(message, "%s", problems ? "\n" : "");
     const size_t end = message->used;
+    hm_say(message, "%s", problems ? "\n" : "");
     if (hm_unknown_to_method(message, &i->file, i->state)) return HOLONOM_UNASSEMBLED;
     if (problems) {
-        message->used = end - 1; /* without the line break */
-        message->begin[message->used] = 0;
+        hm_take_back(message, end); /* without the line break */
         return HOLONOM_UNASSEMBLED;
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);

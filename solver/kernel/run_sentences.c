@@ -136,7 +136,7 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
         else if (what == REMARK_LEDGER) say_open_ledger(text, s->head);
         else say_missed_load(text, f, s);
         if (text->used > first && (lasting || heard)) said |= what;
-        else text->used = begin, text->begin[begin] = 0;
+        else hm_take_back(text, begin);
     }
     return said;
 }

@@ -14,6 +14,9 @@ const char *hm_about_start(int32_t status, int seeks_equilibrium);
    or NULL. */
 int hm_objects(hm_text *text, const hm_model_file *file, const hm_variable *variable, double value, const char *shown, int moving);
 
+/* Says a value as it was given, or the number if `shown` is NULL. */
+void hm_say_value(hm_text *text, double value, const char *shown);
+
 /* Limit that a value is beyond; NaN if it is within both. */
 double hm_limit_before(const hm_variable *variable, double value);
 

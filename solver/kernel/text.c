@@ -54,11 +54,13 @@ static void say_double(hm_text *t, double x, char style, int digits)
     }
 }
 
-void hm_clear(hm_text *t)
+void hm_take_back(hm_text *t, size_t begin)
 {
-    t->used = 0;
-    t->begin[0] = 0;
+    t->used = begin;
+    t->begin[begin] = 0;
 }
+
+void hm_clear(hm_text *t) { hm_take_back(t, 0); }
 
 void hm_say(hm_text *t, const char *format, ...)
 {
@@ -77,8 +79,9 @@ void hm_say_all(hm_text *t, const char *format, va_list values)
         append(t, plain, (size_t)(c - plain));
         if (!*c) break;
         for (c++; *c >= '0' && *c <= '9'; c++) digits = 10 * digits + (*c - '0');
-        if (*c == 's') {
+        if (*c == 's' || *c == 'u') {
             const char *text = va_arg(values, const char *);
+            append(t, " ", *c == 'u' && *text);
             append(t, text, strlen(text));
         } else if (*c == 'd') say_double(t, va_arg(values, int), 'f', 0);
         else say_double(t, va_arg(values, double), *c, digits);

@@ -297,7 +297,7 @@ VARIABLE = {
     "start": "d", "minimum": "d", "maximum": "d",
     "least": "d",  # of an option: smallest value other than 0
     "flags": "I",
-    "words": "I",  # of a String option: one behind the other, then an empty one
+    "words": "I",  # of an option: what it must be, one of these or, if no String, this; then ""
 }
 RULE = {"number": "i", "relation": "i", "bound": "d", "name": "I", "message": "I"}
 ROW = {"name": "I", "detail": "I", "kind": "I", "unused": "I"}
@@ -310,7 +310,7 @@ WORDS = {
 }
 """What a record of a variable has numbers for."""
 
-FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "order": 32}
+FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "even": 32}
 RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least"}
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""

@@ -10,12 +10,12 @@ import zlib
 from array import array
 from collections.abc import Iterable, Iterator
 
-from solver.options import OPTIONS
+from solver.options import OPTIONS, Option
 
 from . import layout
+from .errors import OptionError
 from .model import Model, Rule, Variable
 from .model_file import BEFORE_CHECKED, HEADER, MAGIC, ROW, RULE, VARIABLE
-from .options import encode
 
 
 class _Texts:
@@ -54,16 +54,30 @@ def rules_of_laws(model: Model) -> set[Rule]:
     return {rule for rule in model.rules if rule.number in moved and rule.relation != "finite"}
 
 
+def stored(option: Option, value: object) -> float:
+    """Return what the state's head holds for a value of a setting.
+
+    Raises
+    ------
+    OptionError
+        When the value is not allowed.
+    """
+    if not option.holds(value):
+        message = f"solver.{option.name}: must be {option.rule}, got {value!r}"
+        raise OptionError(message)
+    return float(option.words.index(value) if option.words else value)  # type: ignore[arg-type]
+
+
 def _record(variable: Variable, texts: _Texts) -> bytes:
     place, start, words, least = variable.place, variable.start, 0, 0.0
     flags = {"has_minimum": variable.minimum is not None, "clips": variable.clips}
     flags |= {"has_maximum": variable.maximum is not None, "has_start": start is not None}
     if variable.kind == "option":
         option = OPTIONS[variable.name.removeprefix("solver.")]
-        name, start = encode(option.name, start)
-        place, least = layout.PLACE[name], option.least
-        words = texts.words(option.words) if option.words else 0
-        flags |= {"whole": option.whole, "order": bool(option.allowed)}
+        start, least = stored(option, start), option.least
+        place = layout.PLACE[option.stored_as]
+        words = texts.words(option.words or (option.rule,))
+        flags |= {"whole": option.whole, "even": bool(option.allowed)}
     codes = [known.index(getattr(variable, field)) for field, known in layout.WORDS.items()]
     numbers = (start, variable.minimum, variable.maximum, least)
     return VARIABLE.pack(
@@ -103,8 +117,8 @@ def _settings(model: Model) -> array:
     """Return the head of the state that a run begins with."""
     head = array("d", bytes(8 * len(layout.HEAD)))
     for name, value in model.settings.items():
-        stored, number = encode(name, value)
-        head[layout.PLACE[stored]] = number
+        option = OPTIONS[name]
+        head[layout.PLACE[option.stored_as]] = stored(option, value)
     start, stop, *_ = model.experiment
     head[layout.PLACE["time"]], head[layout.PLACE["horizon"]] = start, stop - start
     return head

@@ -10,7 +10,7 @@ import pytest
 
 import solver
 from solver import options
-from solver.runtime.options import encode
+from solver.runtime.model_writing import stored
 from solver.scene import SceneError, SolverSettings
 from solver.scene.fields import fields_of
 from tests.twins import PENDULUM
@@ -31,19 +31,19 @@ def test_scene_and_run_time_refuse_what_is_beyond_the_limits(option):
     holds = fields_of(SolverSettings)[option.name].kind.rule.holds
     for value in (option.high, smallest):
         assert holds(value)
-        assert encode(option.name, value) == (option.name, value)
+        assert stored(option, value) == value
     between = [math.nextafter(option.least, 0.0)] if option.least else []
     for value in (option.high + step, -1.0, math.nan, *between):
         assert not holds(value)
         with pytest.raises(solver.OptionError, match=f"^solver.{option.name}: must be"):
-            encode(option.name, value)
+            stored(option, value)
     assert holds(0.0) == (option.low == 0.0)
 
 
 @pytest.mark.parametrize("value", [3, 10, True, "2"])
 def test_an_order_is_one_of_four_or_chosen(value):
     with pytest.raises(solver.OptionError, match=r"^solver\.order: must be 2, 4, 6 or 8"):
-        encode("order", value)
+        stored(options.OPTIONS["order"], value)
 
 
 BRICARD = Path(__file__).parents[2] / "scenes" / "bricard.toml"
