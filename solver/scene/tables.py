@@ -52,20 +52,20 @@ def text_of(path: str) -> tuple[str, str]:
     notation = FilePath(path).suffix.lower().removeprefix(".")
     if notation not in ("toml", "json"):
         message = f"unknown kind of file '{FilePath(path).suffix}'"
-        _give_up(Source(path), Problem("", message, "known: .toml, .json"))
+        _give_up(Source(path), message, "known: .toml, .json")
     try:
         data = FilePath(path).read_bytes()
     except FileNotFoundError:
-        _give_up(Source(path), Problem("", "file not found"))
+        _give_up(Source(path), "file not found")
     except OSError as error:
-        _give_up(Source(path), Problem("", f"cannot be read: {error.strerror}"))
+        _give_up(Source(path), f"cannot be read: {error.strerror}")
     try:
         return data.decode("utf-8-sig"), notation
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         message = f"not a UTF-8 text: byte 0x{data[error.start]:02x}"
         source = Source(path, data.decode("utf-8", errors="replace"))
-        _give_up(source, Problem("", message, "save the file as UTF-8", line))
+        _give_up(source, message, "save the file as UTF-8", line)
 
 
 def tables_of(text: str, name: str, notation: str) -> tuple[dict[str, Any], list[Problem]]:
@@ -77,24 +77,30 @@ def tables_of(text: str, name: str, notation: str) -> tuple[dict[str, Any], list
         If the text cannot be read.
     """
     problems: list[Problem] = []
-    data = _json(text, name, problems) if notation == "json" else _toml(text, name)
-    _shallow(data, Source(name, text))
+    source = Source(name, text)
+    try:
+        data = _json(source, problems) if notation == "json" else _toml(source)
+    except RecursionError:
+        _give_up(source, f"{notation.upper()}: nested too deeply")
+    except ValueError:  # of Python, which limits integers, and not of the notation
+        _refuse_digits(source)
+    _shallow(data, source)
     return data, problems
 
 
-def _give_up(source: Source, problem: Problem) -> NoReturn:
+def _give_up(
+    source: Source, message: str, help: str | None = None,
+    line: int | None = None, column: int | None = None,
+) -> NoReturn:  # fmt: skip
     """Raise a mistake that lets nothing else be found."""
-    raise SceneError([problem], source)
+    raise SceneError([Problem("", message, help, line, column)], source)
 
 
-def _toml(text: str, name: str) -> dict[str, Any]:
+def _toml(source: Source) -> dict[str, Any]:
+    text = source.text
     try:
         return tomllib.loads(text)
-    except RecursionError:
-        _give_up(Source(name, text), Problem("", "TOML: nested too deeply"))
-    except ValueError as error:
-        if not isinstance(error, tomllib.TOMLDecodeError):
-            _refuse_digits(Source(name, text))
+    except tomllib.TOMLDecodeError as error:
         words = str(error)
         place = re.search(r" \(at (?:line (\d+), column (\d+)|end of document)\)", words)
         message = words[: place.start()] if place else words
@@ -109,10 +115,10 @@ def _toml(text: str, name: str) -> dict[str, Any]:
         else:  # such as angle = 90 deg
             pieces = re.split(r"[=,{}\[\]]", text.split("\n")[line - 1])
             help = next(filter(None, map(in_si, pieces)), help)
-        _give_up(Source(name, text), Problem("", f"TOML: {message}", help, line, column))
+        _give_up(source, f"TOML: {message}", help, line, column)
 
 
-def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
+def _json(source: Source, problems: list[Problem]) -> dict[str, Any]:
     twice: list[str] = []
 
     def table(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -122,18 +128,13 @@ def _json(text: str, name: str, problems: list[Problem]) -> dict[str, Any]:
         return entries
 
     try:
-        data = json.loads(text, object_pairs_hook=table)
-    except RecursionError:
-        _give_up(Source(name, text), Problem("", "JSON: nested too deeply"))
+        data = json.loads(source.text, object_pairs_hook=table)
     except json.JSONDecodeError as error:
-        problem = Problem("", f"JSON: {error.msg}", None, error.lineno, error.colno)
-        _give_up(Source(name, text), problem)
-    except ValueError:
-        _refuse_digits(Source(name, text))
+        _give_up(source, f"JSON: {error.msg}", None, error.lineno, error.colno)
     if not isinstance(data, dict):
-        _give_up(Source(name, text), Problem("", f"must be a table of fields, got {shown(data)}"))
+        _give_up(source, f"must be a table of fields, got {shown(data)}")
     if twice:
-        lines, repeated = lines_of_json(text)
+        lines, repeated = lines_of_json(source.text)
         for path, line in repeated:
             message = f"given twice, first in line {lines[path]}"
             problems.append(Problem(location_of(path), message, line=line))
@@ -144,7 +145,7 @@ def _refuse_digits(source: Source) -> NoReturn:
     """Give up on an integer that Python does not read or write, as that would take long."""
     long = re.compile(r"[0-9a-fA-F_]{640}")
     line = next((k for k, x in enumerate(source.text.split("\n"), 1) if long.search(x)), None)
-    _give_up(source, Problem("", "an integer with thousands of digits", None, line))
+    _give_up(source, "an integer with thousands of digits", None, line)
 
 
 def _shallow(data: Any, source: Source) -> None:
@@ -153,10 +154,10 @@ def _shallow(data: Any, source: Source) -> None:
     for _ in range(MOST_LEVELS):
         inside = [[*x, *x.values()] if isinstance(x, dict) else x for x in level]
         if not all(is_readable(x) for items in inside for x in items if isinstance(x, str)):
-            _give_up(source, Problem("", "a text with half a character, such as \\ud800"))
+            _give_up(source, "a text with half a character, such as \\ud800")
         if any(type(x) is int and x.bit_length() > _BITS for items in inside for x in items):
             _refuse_digits(source)
         level = [item for items in inside for item in items if isinstance(item, (dict, list))]
         if not level:
             return
-    _give_up(source, Problem("", "nested too deeply"))
+    _give_up(source, "nested too deeply")
