@@ -172,7 +172,6 @@ def _pair(
         rows.finite(joint.axis, "axis")
         axis = rows.unit(joint.axis)
         normals = rows.mechanism.normals(axis)
-    assert joint.position is not None or isinstance(joint, Prismatic | Fixed)
     place = joint.position or _origin(rows, bodies[1])
     first, second = (
         parts.named(point) if point else frame.place(place)
