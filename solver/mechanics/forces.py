@@ -11,6 +11,7 @@ from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector, dot
 from solver.scene import (
     Damper,
+    Expr,
     Force,
     Gravitation,
     JointTorque,
@@ -64,7 +65,9 @@ def add_gravitation(rows: Rows, force: Gravitation, _: JointParts) -> None:
     """Add the attraction of two masses."""
     length = rows.mechanism.leaf(rows.mechanism.length(_link(rows, force.points)))
     product = force.constant * force.masses[0] * force.masses[1]
-    rows.mechanism.potentials.append(Formula(-1.0 * product / leaf_symbol(0), (length,)))
+    energy = -1.0 * product / leaf_symbol(0)
+    if isinstance(energy, Expr):  # not so with a constant of 0
+        rows.mechanism.potentials.append(Formula(energy, (length,)))
 
 
 def add_potential(rows: Rows, force: Potential, _: JointParts) -> None:

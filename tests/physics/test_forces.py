@@ -12,6 +12,7 @@ import math
 import numpy as np
 import pytest
 
+import solver
 from tests.problems import (
     GRAVITY,
     mechanism,
@@ -107,3 +108,31 @@ def test_a_moment_along_a_slender_bar_does_nothing():
     motion = move(integrator, 0.1, 20)
     assert np.abs(motion.q - motion.q[0]).max() == 0.0
     assert integrator["energy.work"] == 0.0
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        'type = "spring", stiffness = 0',
+        'type = "damper", damping = 0',
+        'type = "gravitation", constant = 0',
+    ],
+)
+def test_a_force_without_strength_moves_nothing(law):
+    run = solver.simulate(
+        solver.loads(
+            f"""
+name = "weak"
+[points]
+A = {{ position = [0, 0, 0], mass = 1, velocity = [0, 1, 0] }}
+B = {{ position = [1, 0, 0], mass = 2 }}
+[forces]
+law = {{ points = ["A", "B"], {law} }}
+"""
+        ),
+        stop_time=1.0,
+    )
+    # Ten steps of round-off at most.
+    assert run["A.y"] == pytest.approx(run.t, abs=1e-13)
+    assert run["B.x"] == pytest.approx(1.0, abs=1e-14)
+    assert run["law.force"] == pytest.approx(0.0, abs=1e-14)
