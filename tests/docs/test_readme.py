@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 import shlex
 import textwrap
@@ -19,24 +18,11 @@ from solver import scene
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
-SETTINGS = (ROOT / "docs" / "solver_settings.md").read_text(encoding="utf-8")
 
 
 def fenced(language: str, place: int = 0) -> str:
     """Return a fenced block of a language."""
     return re.findall(rf"^```{language}\n(.*?)^```", README, re.DOTALL | re.MULTILINE)[place]
-
-
-def option_defaults() -> dict[str, str]:
-    """Default of each option, as the page of settings has it."""
-    table = SETTINGS.partition("| option | values | default |")[2].partition("\n\n")[0]
-    rows = re.findall(r"^\| (`.*?) \| .* \| (.*?) \|$", table, re.MULTILINE)
-    pairs = [
-        (name, value)
-        for names, values in rows
-        for name, value in zip(names.split(", "), values.split(", "), strict=True)
-    ]
-    return {name.strip("`"): value.strip("`") for name, value in pairs}
 
 
 def commands() -> list[str]:
@@ -88,18 +74,6 @@ def test_the_python_example_runs(monkeypatch):
     assert (trajectory.t[0], trajectory.t[-1]) == (0.0, 10.0)
     assert 0.0 < trajectory["energy.error"].max() < 1e-11  # round-off of 1000 steps
     assert np.ptp(trajectory["energy.kinetic"]) > 10.0  # J: the bars have swung
-
-
-@pytest.mark.parametrize(("option", "text"), option_defaults().items())
-def test_the_defaults_are_those_of_the_code(option, text):
-    value = getattr(scene.loads(fenced("toml")).solver, option)
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    assert value == (float(text) if number else {"true": True, "false": False}.get(text, text))
-
-
-def test_every_option_is_in_the_table():
-    options = {field.name for field in dataclasses.fields(scene.SolverSettings)}
-    assert options == {"formulation", *option_defaults()}
 
 
 def test_the_commands_run_one_after_the_other(monkeypatch, tmp_path, capsys):
