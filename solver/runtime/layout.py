@@ -339,13 +339,8 @@ CODES = (
 """Operations of the tape and of functions, by their codes."""
 # fmt: on
 
-ABI = crc32(
-    repr([
-        ENTRY_POINTS, SIZES, ISLAND_PARTS, TABLES, OFFSETS, HEAD, STATE, MEASURED, HEADER, VARIABLE,
-        RULE, ROW, WORDS, FLAGS, RELATIONS, ROW_KINDS, CODES,
-    ]).encode()
-) >> 1  # fmt: skip
-"""Number of this declaration, by which code, library and model know that they belong together."""
+ABI = crc32(repr([x for name, x in sorted(globals().items()) if name.isupper()]).encode()) >> 1
+"""Number of all these declarations, by which code, library and model know that they fit."""
 
 PLACE = {name: place for place, name in enumerate(HEAD)}
 """Index of each scalar of the head."""
