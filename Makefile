@@ -71,7 +71,7 @@ clean:
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
-# The environment. A newer C source or pyproject.toml installs again, which compiles the kernel.
+# The environment. A newer source of the kernel or pyproject.toml installs again, which compiles the kernel.
 
 $(VENV)/created:
 	@$(PYTHON) -c 'import sys; sys.version_info >= (3, 10) or sys.exit("holonom needs Python 3.10 or newer, and $(PYTHON) is %d.%d; remedy: make PYTHON=python3.12" % sys.version_info[:2])'

@@ -23,7 +23,10 @@ def library_path(dimension: int) -> str:
 
 
 def _other(path: str) -> str:
-    return f"{path} belongs to another version of this Python code; build it again"
+    return (
+        f"{path} belongs to another version of this Python code; compile the kernel: "
+        "python -m build_kernel"
+    )
 
 
 def _missing(path: str, error: OSError) -> str:
