@@ -75,12 +75,12 @@ class Box(Shape):
         return a * b * c, across
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Round(Shape):
     """A shape with an outer and an inner radius."""
 
-    __slots__ = ()
-    radius: Number
-    inner_radius: Number
+    radius: Annotated[Number, _RADIUS]
+    inner_radius: Annotated[Number, _INNER] = 0.0
 
     @classmethod
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
@@ -93,6 +93,11 @@ class Round(Shape):
             values["inner_radius"] = 0.0
         return cls(**values)
 
+    def squares(self) -> tuple[Number, Number]:
+        """Sum and difference of the squared radii, in m2."""
+        outer, inner = self.radius * self.radius, self.inner_radius * self.inner_radius
+        return outer + inner, outer - inner
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cylinder(Round):
@@ -101,18 +106,16 @@ class Cylinder(Round):
     type = "cylinder"
     only_in = (3, "")
 
-    radius: Annotated[Number, _RADIUS]
     length: Annotated[Number, _LENGTH]
-    inner_radius: Annotated[Number, _INNER] = 0.0
     axis: Annotated[Literal["x", "y", "z"], Choice(words=("x", "y", "z"))] = "z"
     density: Annotated[Number | None, _density("kg/m3")] = None
 
     def gyration(self) -> tuple[Number, Vector]:
         """Squares along the axis and across it."""
-        square = self.radius * self.radius + self.inner_radius * self.inner_radius
-        along, across = square / 2.0, (3.0 * square + self.length * self.length) / 12.0
+        squares, ring = self.squares()
+        along, across = squares / 2.0, (3.0 * squares + self.length * self.length) / 12.0
         radii = tuple(along if name == self.axis else across for name in "xyz")
-        return math.pi * _ring(self) * self.length, radii
+        return math.pi * ring * self.length, radii
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -122,8 +125,6 @@ class Sphere(Round):
     type = "sphere"
     only_in = (3, "")
 
-    radius: Annotated[Number, _RADIUS]
-    inner_radius: Annotated[Number, _INNER] = 0.0
     density: Annotated[Number | None, _density("kg/m3")] = None
 
     def gyration(self) -> tuple[Number, Vector]:
@@ -143,18 +144,12 @@ class Disc(Round):
     type = "disc"
     only_in = (2, "")
 
-    radius: Annotated[Number, _RADIUS]
-    inner_radius: Annotated[Number, _INNER] = 0.0
     density: Annotated[Number | None, _density("kg/m2")] = None
 
     def gyration(self) -> tuple[Number, Vector]:
         """Half the squares of the radii."""
-        square = self.radius * self.radius + self.inner_radius * self.inner_radius
-        return math.pi * _ring(self), (square / 2.0,)
-
-
-def _ring(shape: Round) -> Number:
-    return shape.radius * shape.radius - shape.inner_radius * shape.inner_radius
+        squares, ring = self.squares()
+        return math.pi * ring, (squares / 2.0,)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -317,14 +317,14 @@ class Screw(BodyJoint):
 # --------------------------------------------------------------------------- joints of one point
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PointOn(Part):
     """A point stays on a line, a plane or a surface that a body carries."""
 
-    __slots__ = ()
     offers = (_force_on("the point"),)
 
-    point: PointReference
-    body: str | None
+    point: Annotated[PointReference, kind.ONE_END]
+    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the point is none of the body, and that one of the two can move."""
@@ -351,8 +351,6 @@ class PointOnLine(PointOn):
 
     type = "point_on_line"
 
-    point: Annotated[PointReference, kind.ONE_END]
-    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     position: Annotated[Vector | None, kind.Components("m", "a place of the line as drawn")] = None
     """None: where the point is drawn."""
     axis: Annotated[Vector, _AXIS]
@@ -365,8 +363,6 @@ class PointOnPlane(PointOn):
     type = "point_on_plane"
     only_in = (3, "in the plane write 'point_on_line'")
 
-    point: Annotated[PointReference, kind.ONE_END]
-    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     position: Annotated[Vector | None, kind.Components("m", "a place of the plane as drawn")] = None
     axis: Annotated[Vector, _NORMAL]
 
@@ -380,8 +376,6 @@ class PointOnSurface(PointOn):
 
     type = "point_on_surface"
 
-    point: Annotated[PointReference, kind.ONE_END]
-    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     surface: Annotated[
         Number,
         kind.Quantity(

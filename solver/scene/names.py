@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import keyword
-import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,10 +11,8 @@ from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.numbers import Known
 from solver.scene.quantities import MOTION, Offer
 from solver.scene.report import Path
-from solver.scene.scene import NOUNS, TABLES, TYPES
+from solver.scene.scene import NAME, NOUNS, TABLES, TYPES
 from solver.scene.words import a
-
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 RESERVED: dict[str, str] = {
     "ground": "the fixed body",

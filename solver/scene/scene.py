@@ -5,6 +5,7 @@ the scene has dimensions. A ``Number`` that is not a float depends on parameters
 allows it, on inputs, the time ``t`` and the mechanism's own quantities.
 """
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, NoReturn
@@ -20,6 +21,9 @@ from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
 from solver.scene.settings import Experiment, SolverSettings
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+"""What a name looks like."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,7 +62,7 @@ def _table(noun: str, types: Mapping[str, type[Part]] | type[Part]) -> Parts:
 class Scene(Part):
     """A mechanism: format version 1."""
 
-    name: Annotated[str, kind.Plain(example="double_pendulum", pattern="^[A-Za-z][A-Za-z0-9_]*$")]
+    name: Annotated[str, kind.Plain(example="double_pendulum", pattern=f"^{NAME.pattern}$")]
     description: Annotated[str, kind.Plain()] = ""
     dimension: Annotated[Literal[2, 3], kind.Choice(words=(2, 3))] = 3
     gravity: Annotated[Vector, kind.Components("m/s2", example=[0, 0, -9.81])] = (0.0, 0.0, 0.0)
