@@ -36,10 +36,10 @@ def communication_points(
         If there is no such run, or it has more than `MOST_STEPS`.
     """
     number = "must be a finite number"
-    if isinstance(stop, bool) or not (is_double(stop) and start < stop < math.inf):
+    if not (_is_finite(stop) and start < stop):
         message = f"the stop time {number} after the start time {start!r} s, got {shown(stop)}"
         raise OptionError(message + "; give another stop time")
-    if isinstance(step, bool) or not (is_double(step) and 0.0 < step < math.inf):
+    if not (_is_finite(step) and step > 0.0):
         message = f"the communication step {number} > 0 s, got {shown(step)}"
         raise OptionError(message + "; give another step")
     length, steps = f"{stop - start:g} s", (stop - start) / step
@@ -53,6 +53,11 @@ def communication_points(
         )
     count = max(1, math.ceil(steps - 1e-6))  # a last step of a millionth is rounding
     return [*(start + i * step for i in range(count)), stop]
+
+
+def _is_finite(value: object) -> bool:
+    """Whether a value is a finite number; true and false are none."""
+    return not isinstance(value, bool) and is_double(value) and math.isfinite(value)  # type: ignore[arg-type]
 
 
 def changes(signal: object) -> bool:

@@ -8,6 +8,7 @@ direction    a . b = 0              -mu b x a is the torque on the second body
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 from sys import intern
 from typing import Literal
 
@@ -53,12 +54,11 @@ class Rows:
 
     def demand(self, part: Part) -> None:
         """Demand what the fields of a part declare of their numbers."""
-        for name, field in fields_of(type(part)).items():
-            kind, value = field.kind, getattr(part, name, None)
-            if kind.rule is not None and kind.rule.relation is not None and value is not None:
-                text = f"{name} must be {kind.rule.words} {kind.unit}"
-                for number in value if isinstance(value, tuple) else (value,):
-                    self.rule(number, kind.rule.relation, text)
+        for name, relation, text in _demands(type(part)):
+            value = getattr(part, name)
+            for number in value if isinstance(value, tuple) else (value,):
+                if number is not None:
+                    self.rule(number, relation, text)
 
     def unit(self, vector: Vector, text: str = "axis must not be of length zero") -> Vector:
         """Return a/|a|, and demand that it exists."""
@@ -138,3 +138,13 @@ class Rows:
             return None
         self.mechanism.reactions.append(self.entries)
         return len(self.mechanism.reactions) - 1
+
+
+@cache
+def _demands(part: type[Part]) -> tuple[tuple[str, Literal[">", ">="], str], ...]:
+    """Field, relation to zero and sentence of each number of a part that must hold one."""
+    return tuple(
+        (name, rule.relation, f"{name} must be {rule.words} {field.kind.unit}")
+        for name, field in fields_of(part).items()
+        if (rule := field.kind.rule) is not None and rule.relation is not None
+    )

@@ -167,17 +167,18 @@ class Draft:
         meant = {nearest(name, fields.keys() - data.keys(), "fields") for name in unknown}
         for name, field in fields.items():
             value, place = data.get(name), path if short else (*path, name)
-            how = self.example((*path, name), field.kind.example) if field.required else None
             if value is not None:
                 given[name] = field.kind.parse(self, place, value)
             elif name in data:  # JSON's null
                 given[name] = BROKEN
-                remedy = how if field.required else "leave it out"
-                self.error(place, "must have a value, got null", remedy)
+                how = self.example((*path, name), field.kind.example)
+                how = how if field.required else "leave it out"
+                self.error(place, "must have a value, got null", how)
             elif name in meant:
                 given[name] = BROKEN
             elif field.required:
                 given[name] = BROKEN
+                how = self.example((*path, name), field.kind.example)
                 self.error(path, f"'{name}' is missing", how)
         for name in unknown:
             help = did_you_mean(name, fields, "known fields", "fields")
