@@ -303,11 +303,14 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
         "static hm_counts counts_of(const holonom_model *m)\n{", *_counts(counts, counts, names),
         f"    return (hm_counts){{{', '.join(counts)}}};\n}}\n",
     ])  # fmt: skip
-    rules = _rules(layout["ELIMINATION"], "e->", _places(layout["ELIMINATION"]), in_c)
+
+    def of_factors(formula: str) -> str:
+        # Full and lean factors are checked alike: how many values they store is an argument.
+        return "n_values" if formula == "n_lu_values" else in_c(formula)
+
+    rules = _rules(layout["ELIMINATION"], "e->", _places(layout["ELIMINATION"]), of_factors)
     arguments = ", const holonom_elimination *e, const int32_t *length, int64_t n_values"
-    yield FUNCTION.format(
-        "has_factors", arguments, rules.replace("(int64_t)m->n_lu_values", "n_values")
-    )
+    yield FUNCTION.format("has_factors", arguments, rules)
     own = {x: y for x, y in tables.items() if x.removeprefix("lean_") not in layout["ELIMINATION"]}
     rules = _rules(own, "m->", _places(tables), in_c)
     yield FUNCTION.format("has_tables", ", const int32_t *length", rules)
