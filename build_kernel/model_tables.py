@@ -36,7 +36,7 @@ class Declaration:
         self._line: dict[tuple[str, str], int] = {}
         self._comments = _comments(text.splitlines())
         for node in ast.parse(text).body:
-            name = getattr(node, "name", "") or "".join(map(ast.unparse, _targets(node)))
+            name = getattr(node, "name", "") or _target(node)
             if not wanted or name in wanted or isinstance(node, ast.ImportFrom):
                 exec(compile(ast.Module([node], []), path, "exec"), self.values)
             for part in ast.walk(node):
@@ -51,8 +51,10 @@ class Declaration:
             yield list(group), self._comments.get(line, "")
 
 
-def _targets(node: ast.stmt) -> list[ast.expr]:
-    return node.targets if isinstance(node, ast.Assign) else []
+def _target(node: ast.stmt) -> str:
+    """Return the name that a statement gives a value; "" if there are several."""
+    targets = node.targets if isinstance(node, ast.Assign) else []
+    return "".join(target.id for target in targets if isinstance(target, ast.Name))
 
 
 def _comments(lines: list[str]) -> dict[int, str]:
@@ -213,8 +215,10 @@ def _constant(name: str) -> str:
 def _enumerations(layout: Declaration, options: Declaration, errors: Declaration) -> Iterator[str]:
     values = layout.values
     sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS")}
-    sizes["OF_A_LAW"] = values["OF_A_LAW"]
     yield "enum { " + ", ".join(f"{name} = {size}" for name, size in sizes.items()) + " };\n"
+    whole = [name for name, x in values.items() if name.isupper() and type(x) is int]
+    codes = [name for name in whole if name not in ("ENTRY_POINTS", "ABI")]
+    yield _enumeration(layout, "", "", codes, values=values)
     for table, prefix, last in (
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
         ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),

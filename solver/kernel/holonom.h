@@ -32,13 +32,6 @@
 #define HOLONOM_API __attribute__((visibility("default")))
 #endif
 
-enum { FORM_SQUARE = 1, FORM_LINEAR = 2, FORM_TURNED = 4 };         /* w = u; w constant; quarter turns         */
-enum { QUANTITY_FORM = 0, QUANTITY_LENGTH = 1, QUANTITY_ANGLE = 2 };
-enum { LEAF_VALUE = 0, LEAF_RATE = 1, LEAF_SIGNAL = 2 };
-/* Loads that read the mechanism, see sampling.h. */
-enum { SAMPLED_LOAD = 0, SAMPLED_MOMENT = 1, SAMPLED_BODY_MOMENT = 2, SAMPLED_DRIVE = 3 };
-enum { REACTION_COINCIDENCE = 0, REACTION_FORCE = 1, REACTION_TORQUE = 2 };
-
 HOLONOM_API int32_t holonom_abi(void);
 
 /* Coordinates of a node in every model of this library: 2 or 3. */

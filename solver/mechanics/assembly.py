@@ -11,12 +11,12 @@ from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.outputs import named
 from solver.mechanics.sensors import Sensors
-from solver.mechanics.structure import TURNED, Structure, flat, pointers
+from solver.mechanics.structure import Structure, flat, pointers
 from solver.mechanics.tape import Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
-from solver.runtime.layout import SIZES, TABLES
+from solver.runtime.layout import FORM_TURNED, SIZES, TABLES
 from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
@@ -129,7 +129,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
     """Return the contents of the sections, in their order; what is derived later is 0."""
     moving = structure.nodes[: structure.n_moving]
     entries = [entry for entries in structure.entries for entry in entries]
-    turned = entries if any(kind & TURNED for kind in structure.kinds) else []
+    turned = entries if any(kind & FORM_TURNED for kind in structure.kinds) else []
     parameters = [p.value for p in scene.parameters.values() if not isinstance(p.value, Expr)]
     sizes = structure.sizes
     zeros = [0.0] * sizes["n_rows"]

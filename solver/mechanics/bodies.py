@@ -13,16 +13,7 @@ from collections.abc import Sequence
 from solver.mechanics.combination import node
 from solver.mechanics.frames import BarFrame, RigidFrame
 from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, minors
-from solver.mechanics.mechanism import (
-    DIRECTION,
-    DRIVEN,
-    FIXED,
-    FREE,
-    GIVEN,
-    POINT,
-    Node,
-    Scale,
-)
+from solver.mechanics.mechanism import DRIVEN, FIXED, FREE, GIVEN, Node, Scale
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import (
     Matrix,
@@ -37,6 +28,7 @@ from solver.mechanics.vectors import (
     times,
     turned,
 )
+from solver.runtime.layout import NODE_DIRECTION, NODE_POINT
 from solver.scene import Bar, Number, Point, Rigid
 from solver.scene.expression import cos, sin, sqrt
 
@@ -50,7 +42,7 @@ def add_point(rows: Rows, point: Point, path: Vector | None) -> int:
     motion = FIXED if point.fixed else FREE if path is None else DRIVEN
     index = mechanism.add_node(
         Node(
-            motion, POINT, point.position, velocity, point.mass, point.mass,
+            motion, NODE_POINT, point.position, velocity, point.mass, point.mass,
             GIVEN if point.velocity is not None else 1.0,
         )
     )  # fmt: skip
@@ -101,18 +93,19 @@ def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
     arm = times(rotation, body.center_of_mass)
     rows.finite(body.position, "position")
     rows.finite(body.velocity or (), "velocity")
-    origin = body.velocity or (0.0,) * mechanism.dim
+    spin, still = body.angular_velocity, (0.0,) * mechanism.dim
     centre = mechanism.add_node(
         Node(
-            FREE, POINT, add(body.position, arm), add(origin, _spun(body.angular_velocity, arm)),
-            body.mass, body.mass, 1.0 if body.velocity is None else GIVEN,
+            FREE, NODE_POINT, add(body.position, arm),
+            add(body.velocity or still, _spun(spin, arm)), body.mass, body.mass,
+            1.0 if body.velocity is None else GIVEN,
         )
     )  # fmt: skip
     mechanism.add_mass(centre, centre, body.mass)
-    weight = 1.0 if body.angular_velocity is None else GIVEN
+    weight = 1.0 if spin is None else GIVEN
     directors = tuple(
         mechanism.add_node(
-            Node(FREE, DIRECTION, axis, _spun(body.angular_velocity, axis), velocity_weight=weight)
+            Node(FREE, NODE_DIRECTION, axis, _spun(spin, axis), velocity_weight=weight)
         )
         for axis in columns(rotation)[: 1 if mechanism.dim == 2 else 3]
     )

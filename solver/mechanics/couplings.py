@@ -14,7 +14,7 @@ from __future__ import annotations
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import formula, is_linear_in_rates, leaf_symbol
 from solver.mechanics.joints import angle_between
-from solver.mechanics.mechanism import RATE, SIGNAL, VALUE, Formula, Leaf, Scale
+from solver.mechanics.mechanism import Formula, Leaf, Scale
 from solver.mechanics.parts import AXES, JointParts, RowOf
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import (
@@ -27,6 +27,7 @@ from solver.mechanics.vectors import (
     turned,
     unit,
 )
+from solver.runtime.layout import LEAF_RATE, LEAF_SIGNAL, LEAF_VALUE
 from solver.scene import (
     AngleDriver,
     ConstantAngle,
@@ -74,7 +75,7 @@ def add_point_on_surface(rows: Rows, joint: PointOnSurface, found: JointParts) -
     forms = parts.frame(joint.body).coordinates(parts.place(joint.point))
     axes = AXES[: mechanism.dim]
     found.own = {
-        axis: Leaf(VALUE, mechanism.component(*form))
+        axis: Leaf(LEAF_VALUE, mechanism.component(*form))
         for axis, form in zip(axes, forms, strict=True)
     }
     row = found.row = rows.function(formula(parts, joint.surface, signals=True, own=found.own))
@@ -182,7 +183,7 @@ def _roll_on_a_plane(rows: Rows, joint: Rolling, normal: Vector, found: JointPar
     first = perpendicular(normal, mechanism.default)[0]
     for tangent in (first, cross(normal, first)):
         t = ground.direction(tangent)
-        slide = [mechanism.leaf(mechanism.component(x, t), RATE) for x in (*spokes, centre)]
+        slide = [mechanism.leaf(mechanism.component(x, t), LEAF_RATE) for x in (*spokes, centre)]
         turning = n_1 * leaf_symbol(2) + n_2 * leaf_symbol(3)
         value = leaf_symbol(4) - joint.radius * turning / lean
         found.pushes.append((rows.velocity(Formula(value, (*up, *slide)), METRES), 1.0, t))
@@ -226,7 +227,7 @@ def drive_distance(rows: Rows, driver: DistanceDriver, found: JointParts) -> Non
 
 def _row(rows: Rows, quantity: int, value: Number, scale: Scale) -> RowOf:
     mechanism = rows.mechanism
-    leaves = mechanism.leaf(quantity), Leaf(SIGNAL, mechanism.signal(value))
+    leaves = mechanism.leaf(quantity), Leaf(LEAF_SIGNAL, mechanism.signal(value))
     return rows.function(Formula(leaf_symbol(0) - leaf_symbol(1), leaves), scale, "driver")
 
 

@@ -12,11 +12,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
-from solver.mechanics.mechanism import FIXED, SIGNAL
+from solver.mechanics.mechanism import FIXED
 from solver.mechanics.sensors import Ref
 from solver.mechanics.structure import Structure
 from solver.mechanics.variables import SENSORS, Symbols
 from solver.options import OPTIONS
+from solver.runtime.layout import LEAF_SIGNAL
 from solver.runtime.model import Variable
 from solver.scene import Expr, Number, Scene, symbols
 from solver.scene.quantities import place_in_whole
@@ -179,7 +180,7 @@ class _Search:
             yield shaped, (row.constant, row.scale.base), joined, row
         for row in (*mechanism.function_rows, *mechanism.velocity_rows):
             yield forced, (row.formula.value,), joined, row
-            signals = [leaf.index for leaf in row.formula.leaves if leaf.kind == SIGNAL]
+            signals = [leaf.index for leaf in row.formula.leaves if leaf.kind == LEAF_SIGNAL]
             yield driven, [mechanism.signals[k] for k in signals], joined, row
         for potential in mechanism.potentials:
             yield forced, (potential.value,), joined, potential

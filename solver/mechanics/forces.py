@@ -5,10 +5,11 @@ from __future__ import annotations
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import formula, leaf_symbol, sensed
 from solver.mechanics.frames import RigidFrame
-from solver.mechanics.mechanism import VALUE, BodyMoment, Element, Formula, Leaf, Load, Moment
+from solver.mechanics.mechanism import BodyMoment, Element, Formula, Leaf, Load, Moment
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import Vector, dot
+from solver.runtime.layout import LEAF_VALUE
 from solver.scene import (
     Damper,
     Expr,
@@ -42,7 +43,7 @@ def add_spring(rows: Rows, force: Spring, _: JointParts) -> None:
     mechanism, parts = rows.mechanism, rows.parts
     link = _link(rows, force.points)
     if force.energy is not None:
-        own = {"length": Leaf(VALUE, mechanism.length(link))}
+        own = {"length": Leaf(LEAF_VALUE, mechanism.length(link))}
         mechanism.potentials.append(formula(parts, force.energy, signals=False, own=own))
         return
     free_length = force.free_length

@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
-from solver.mechanics.mechanism import RATE, SIGNAL, VALUE, Formula, Leaf, Mechanism, Scale
+from solver.mechanics.mechanism import Formula, Leaf, Mechanism, Scale
 from solver.mechanics.parts import Meaning, Parts
+from solver.runtime.layout import LEAF_RATE, LEAF_SIGNAL, LEAF_VALUE
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
 from solver.scene.expression import operate, symbol
 
@@ -89,7 +90,7 @@ def formula(
     def leaf(found: Meaning) -> Number:
         if not isinstance(found, Leaf):
             return found
-        if found.kind != SIGNAL:
+        if found.kind != LEAF_SIGNAL:
             mechanism.use(found.index)
         return leaf_symbol(leaves.setdefault(found, len(leaves)))
 
@@ -101,14 +102,14 @@ def formula(
         elif any(name in own or name not in known for name in symbols(part)):
             return None
         if signals and symbols(part) & mechanism.varying:
-            return leaf(Leaf(SIGNAL, mechanism.signal(part)))
+            return leaf(Leaf(LEAF_SIGNAL, mechanism.signal(part)))
         return part
 
     value = rewritten(number, replace)
-    if not any(leaf.kind != SIGNAL for leaf in leaves):
+    if not any(leaf.kind != LEAF_SIGNAL for leaf in leaves):
         message = "it does not depend on the motion"
         raise ExpressionError(message)
-    if not any(leaf.kind == RATE for leaf in leaves):  # velocity rows do no work
+    if not any(leaf.kind == LEAF_RATE for leaf in leaves):  # velocity rows do no work
         refuse_switches(value)
     return Formula(value, tuple(leaves))
 
@@ -124,7 +125,7 @@ def sensed(parts: Parts, number: Number) -> Number:
             return part if found is None else found
         parts.mechanism.use(found.index)
         parts.mechanism.sensing = True
-        return symbol(f"#{'value' if found.kind == VALUE else 'rate'} {found.index}")
+        return symbol(f"#{'value' if found.kind == LEAF_VALUE else 'rate'} {found.index}")
 
     return rewritten(number, replace)
 
@@ -147,7 +148,7 @@ def scale_of(mechanism: Mechanism, formula: Formula) -> Scale:
     best, largest = Scale(1.0, 0), 0.0
     for k, leaf in enumerate(formula.leaves):
         # The unit of a signal is unknown and taken for none.
-        power = 0 if leaf.kind == SIGNAL else mechanism.length_power(leaf.index)
+        power = 0 if leaf.kind == LEAF_SIGNAL else mechanism.length_power(leaf.index)
         size = mechanism.extent**power
         d = 1e-6 * size
         try:
@@ -170,9 +171,9 @@ def _value(mechanism: Mechanism, formula: Formula, leaves: Sequence[float]) -> f
 
 
 def _drawn(mechanism: Mechanism, leaf: Leaf) -> float:
-    if leaf.kind == SIGNAL:
+    if leaf.kind == LEAF_SIGNAL:
         return mechanism.default(mechanism.signals[leaf.index])
-    return 0.0 if leaf.kind == RATE else mechanism.default(mechanism.drawn_value(leaf.index))
+    return 0.0 if leaf.kind == LEAF_RATE else mechanism.default(mechanism.drawn_value(leaf.index))
 
 
 def is_linear_in_rates(mechanism: Mechanism, formula: Formula) -> bool:
@@ -181,7 +182,7 @@ def is_linear_in_rates(mechanism: Mechanism, formula: Formula) -> bool:
     Rounding of the sum against a difference that a product of rates would make.
     """
     random = Random(1)
-    rates = [leaf.kind == RATE for leaf in formula.leaves]
+    rates = [leaf.kind == LEAF_RATE for leaf in formula.leaves]
     if not any(rates):
         return False
     for _ in range(3):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination, node
-from solver.mechanics.mechanism import DIRECTION, POINT, Mechanism
+from solver.mechanics.mechanism import Mechanism
 from solver.mechanics.vectors import (
     Matrix,
     Vector,
@@ -22,6 +22,7 @@ from solver.mechanics.vectors import (
     times,
     turned,
 )
+from solver.runtime.layout import NODE_DIRECTION, NODE_POINT
 from solver.scene import Number
 
 
@@ -38,11 +39,11 @@ class Ground:
 
     def place(self, position: Vector) -> Combination:
         """Return a fixed place."""
-        return self.mechanism.fixed(POINT, position)
+        return self.mechanism.fixed(NODE_POINT, position)
 
     def direction(self, vector: Vector) -> Combination:
         """Return a fixed direction."""
-        return self.mechanism.fixed(DIRECTION, vector)
+        return self.mechanism.fixed(NODE_DIRECTION, vector)
 
     def coordinates(self, place: Combination) -> tuple[tuple[Combination, Combination], ...]:
         """Return the global coordinates."""

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from solver.mechanics.elimination import Graph, Integers, eliminate
 from solver.mechanics.mechanism import Load
-from solver.mechanics.structure import LINEAR, TURNED, Composite, Structure, flat, pointers
-from solver.runtime.layout import TABLES
+from solver.mechanics.structure import Composite, Structure, flat, pointers
+from solver.runtime.layout import FORM_LINEAR, FORM_TURNED, TABLES
 
 WEAK = 1e-4
 """A node whose share of a row's G M^-1 G' is smaller than this part of the largest carries none."""
@@ -155,13 +155,12 @@ class TangentPattern:
 
     def _form_row(self, form: int, row: int) -> list[Piece]:
         free, kind = self.structure.free(form), self.structure.kinds[form]
-        square = (
-            [] if self.lean or kind & LINEAR else [(free, free, BLOCKS if kind & TURNED else EQUAL)]
-        )
-        return square + _border(free, row)
+        if self.lean or kind & FORM_LINEAR:
+            return _border(free, row)
+        return [(free, free, BLOCKS if kind & FORM_TURNED else EQUAL), *_border(free, row)]
 
     def _link(self, form: int, row: int) -> list[Piece]:
-        how = BLOCKS if self.structure.kinds[form] & TURNED else EQUAL
+        how = BLOCKS if self.structure.kinds[form] & FORM_TURNED else EQUAL
         pairs = [((a,), (row,)) for a in self.structure.free(form)]
         return [(*x, how) for first, second in pairs for x in ((first, second), (second, first))]
 

@@ -18,18 +18,13 @@ from typing import NamedTuple
 
 from solver.mechanics.combination import Combination, node
 from solver.mechanics.vectors import Vector, add, dot, perpendicular, scale, turned
+from solver.runtime import layout
 from solver.runtime.model import Row, Rule
 from solver.scene import Expr, Number, evaluate
 from solver.scene.expression import atan2, sqrt
 
 FREE, DRIVEN, FIXED = 0, 1, 2
 """How a node moves."""
-POINT, DIRECTION = 0, 1
-"""What a node is."""
-FORM, LENGTH, ANGLE = 0, 1, 2
-"""Kinds of quantities."""
-VALUE, RATE, SIGNAL = 0, 1, 2
-"""Kinds of leaves."""
 GIVEN = 1e8
 """Weight of a velocity that the scene gives, against 1, when velocities are made consistent."""
 
@@ -243,7 +238,7 @@ class Mechanism:
     @cached_property
     def extent(self) -> float:
         """Diagonal of the box around all points as drawn [m]; 1 for a mechanism of one place."""
-        points = [node.position for node in self.nodes if node.kind == POINT]
+        points = [node.position for node in self.nodes if node.kind == layout.NODE_POINT]
         positions = [[self.default(x) for x in position] for position in points]
         sides = [max(column) - min(column) for column in zip(*positions, strict=True)]
         return sum(side * side for side in sides) ** 0.5 or 1.0
@@ -286,34 +281,35 @@ class Mechanism:
 
     def length(self, u: Combination) -> int:
         """Return the quantity |u|."""
-        return self.quantity(LENGTH, self.form(u, u)[0])
+        return self.quantity(layout.QUANTITY_LENGTH, self.form(u, u)[0])
 
     def component(self, u: Combination, w: Combination) -> int:
         """Return the quantity u . w."""
-        return self.quantity(FORM, self.form(u, w)[0])
+        return self.quantity(layout.QUANTITY_FORM, self.form(u, w)[0])
 
     def angle(
         self, cosine: tuple[Combination, Combination], sine: tuple[Combination, Combination]
     ) -> int:
         """Return the angle whose cosine and sine are proportional to two forms."""
-        return self.quantity(ANGLE, self.form(*cosine)[0], self.form(*sine)[0])
+        return self.quantity(layout.QUANTITY_ANGLE, self.form(*cosine)[0], self.form(*sine)[0])
 
     def drawn_value(self, quantity: int) -> Number:
         """Return a quantity as drawn."""
         kind, forms = self.quantities[quantity].kind, self.quantities[quantity].forms
         values = [self.value(form) for form in forms]
-        if kind == ANGLE:
+        if kind == layout.QUANTITY_ANGLE:
             return atan2(values[1], values[0])
-        return sqrt(values[0]) if kind == LENGTH else values[0]
+        return sqrt(values[0]) if kind == layout.QUANTITY_LENGTH else values[0]
 
     def length_power(self, quantity: int) -> int:
         """Return the power of length in a quantity's unit: 1 for m, 0 for rad."""
         kind, forms = self.quantities[quantity].kind, self.quantities[quantity].forms
-        if kind != FORM:
-            return int(kind == LENGTH)
+        if kind != layout.QUANTITY_FORM:
+            return int(kind == layout.QUANTITY_LENGTH)
         form = self.forms[forms[0]]
         return sum(
-            any(self.nodes[n].kind == POINT for n in side.nodes) for side in (form.u, form.w)
+            any(self.nodes[n].kind == layout.NODE_POINT for n in side.nodes)
+            for side in (form.u, form.w)
         )
 
     def use(self, quantity: int) -> int:
@@ -321,7 +317,7 @@ class Mechanism:
         self.active.setdefault(quantity)
         return quantity
 
-    def leaf(self, quantity: int, kind: int = VALUE) -> Leaf:
+    def leaf(self, quantity: int, kind: int = layout.LEAF_VALUE) -> Leaf:
         """Return a quantity, or its rate, as what a formula depends on."""
         return Leaf(kind, self.use(quantity))
 
@@ -356,7 +352,7 @@ class Mechanism:
 
     def forms_of(self, leaves: Iterable[Leaf]) -> list[int]:
         """Return the forms of some leaves."""
-        moving = [self.quantities[leaf.index] for leaf in leaves if leaf.kind != SIGNAL]
+        moving = [self.quantities[leaf.index] for leaf in leaves if leaf.kind != layout.LEAF_SIGNAL]
         return [form for quantity in moving for form in quantity.forms]
 
     def moving(self, *forms: int) -> list[int]:

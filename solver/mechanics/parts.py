@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 
 from solver.mechanics.combination import Combination, node
 from solver.mechanics.frames import Frame, Ground, RigidFrame
-from solver.mechanics.mechanism import DIRECTION, POINT, RATE, VALUE, Leaf, Mechanism
+from solver.mechanics.mechanism import Leaf, Mechanism
 from solver.mechanics.vectors import Vector, identity, norm
+from solver.runtime.layout import LEAF_RATE, LEAF_VALUE, NODE_DIRECTION, NODE_POINT
 from solver.scene import Expr, Number, PointReference, Scene
 
 AXES = "xyz"
@@ -67,13 +68,13 @@ class Parts:
 
     def axis(self, k: int) -> Combination:
         """Return a global axis."""
-        return self.mechanism.fixed(DIRECTION, identity(self.mechanism.dim)[k])
+        return self.mechanism.fixed(NODE_DIRECTION, identity(self.mechanism.dim)[k])
 
     def place(self, reference: PointReference) -> Combination:
         """Return the place that a reference names."""
         if reference.point is None:
             assert reference.at is not None
-            return self.mechanism.fixed(POINT, reference.at)
+            return self.mechanism.fixed(NODE_POINT, reference.at)
         if reference.at is not None:
             return self.frames[reference.point].place(reference.at)
         return self.named(reference.point)
@@ -104,11 +105,11 @@ class Parts:
     def meaning(self, name: str) -> Meaning:
         """Return what a symbol of a formula stands for: a quantity, a rate, or a known number."""
         owner, _, word = name.rpartition(".")
-        kind = RATE if word.startswith(("v", "angular_velocity")) else VALUE
+        kind = LEAF_RATE if word.startswith(("v", "angular_velocity")) else LEAF_VALUE
         if self.is_place(owner) and (axis := word.removeprefix("v")) in set(AXES):
             place, k = self.named(owner), AXES.index(axis)
             if not self.mechanism.moves(place):
-                return 0.0 if kind == RATE else self.mechanism.drawn(place)[k]
+                return 0.0 if kind == LEAF_RATE else self.mechanism.drawn(place)[k]
             quantity = self.mechanism.component(place, self.axis(k))
         elif owner in self.joints:
             joint = self.joints[owner]
@@ -132,4 +133,4 @@ class Parts:
         link = self.named(second) - self.named(first)
         if not self.mechanism.moves(link):
             return norm(self.mechanism.drawn(link))
-        return Leaf(VALUE, self.mechanism.length(link))
+        return Leaf(LEAF_VALUE, self.mechanism.length(link))

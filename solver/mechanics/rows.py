@@ -17,12 +17,11 @@ from solver.mechanics.formulas import scale_of
 from solver.mechanics.mechanism import Coincidence, FormRow, Formula, FunctionRow, Scale
 from solver.mechanics.parts import Parts, RowOf
 from solver.mechanics.vectors import Vector, dot, unit
+from solver.runtime.layout import REACTION_COINCIDENCE, REACTION_FORCE, REACTION_TORQUE
 from solver.runtime.model import Row, Rule
 from solver.scene import Expr, Number
 from solver.scene.fields import Part, fields_of
 
-COINCIDENCE, FORCE, TORQUE = 0, 1, 2
-"""Kinds of reaction entries."""
 METRES, RADIANS = Scale(1.0, 1), Scale(1.0, 0)
 
 
@@ -77,7 +76,7 @@ class Rows:
 
     def coincidence(self, first: Combination, second: Combination) -> None:
         """Let two places coincide."""
-        self.entries.append((COINCIDENCE, len(self.mechanism.coincidences), 1))
+        self.entries.append((REACTION_COINCIDENCE, len(self.mechanism.coincidences), 1))
         form = self.mechanism.link(first - second)
         self.mechanism.coincidences.append(Coincidence(form, self.row("apart")))
 
@@ -85,13 +84,13 @@ class Rows:
         self, link: Combination, direction: Combination, value: Number = 0.0, kind: str = "off"
     ) -> RowOf:
         """Hold link . direction, the link to the second body."""
-        return self._form_row(FORCE, link, direction, value, METRES, kind)
+        return self._form_row(REACTION_FORCE, link, direction, value, METRES, kind)
 
     def direction(
         self, first: Combination, second: Combination, value: Number = 0.0, kind: str = "turned"
     ) -> RowOf:
         """Hold the dot product of unit directions of the two bodies."""
-        return self._form_row(TORQUE, first, second, value, RADIANS, kind)
+        return self._form_row(REACTION_TORQUE, first, second, value, RADIANS, kind)
 
     def _form_row(
         self, entry: int, u: Combination, w: Combination, value: Number, scale: Scale, kind: str

@@ -18,8 +18,6 @@ from solver.mechanics.mechanism import (
     DRIVEN,
     FIXED,
     FREE,
-    SIGNAL,
-    VALUE,
     Coincidence,
     Form,
     FormRow,
@@ -27,11 +25,9 @@ from solver.mechanics.mechanism import (
     Leaf,
     Mechanism,
 )
-from solver.runtime.layout import ISLAND_PARTS, measured_sections
+from solver.runtime import layout
 from solver.scene import Number
 
-SQUARE, LINEAR, TURNED = 1, 2, 4
-"""Flags of forms."""
 COUNTED = (
     "forms", "quantities", "active", "form_rows", "coincidences", "function_rows", "velocity_rows",
     "elements", "potentials", "loads", "moments", "body_moments", "bodies", "places", "reactions",
@@ -119,7 +115,8 @@ class Structure:
             moving = [entry for entry in entries if entry.node < self.n_moving]
             turned = any([e.alpha[1] != 0.0 or e.beta[1] != 0.0 for e in entries])
             linear = all([x == 0.0 for entry in moving for x in entry.beta])
-            found.append(SQUARE * (form.u == form.w) | LINEAR * linear | TURNED * turned)
+            kind = layout.FORM_SQUARE * (form.u == form.w) | layout.FORM_LINEAR * linear
+            found.append(kind | layout.FORM_TURNED * turned)
         return found
 
     @cached_property
@@ -160,7 +157,7 @@ class Structure:
     @cached_property
     def composites(self) -> list[Composite]:
         """Elements, function rows, velocity rows, potentials."""
-        elements = [(Leaf(VALUE, element.quantity),) for element in self.elements.items]
+        elements = [(Leaf(layout.LEAF_VALUE, element.quantity),) for element in self.elements.items]
         formulas = [*(row.formula for row in self.functions), *self.potentials.items]
         return [self._composite(x) for x in (*elements, *(formula.leaves for formula in formulas))]
 
@@ -168,9 +165,9 @@ class Structure:
         forms: dict[int, int] = {}
         found = []
         for leaf in leaves:
-            if leaf.kind == SIGNAL:
+            if leaf.kind == layout.LEAF_SIGNAL:
                 shift = len(self.mechanism.driven_signals)
-                found.append((SIGNAL, shift + leaf.index, -1, -1))
+                found.append((layout.LEAF_SIGNAL, shift + leaf.index, -1, -1))
                 continue
             used = self.mechanism.quantities[leaf.index].forms
             local = [forms.setdefault(form, len(forms)) for form in used]
@@ -218,7 +215,7 @@ class Structure:
     @cached_property
     def measured(self) -> dict[str, tuple[int, int]]:
         """Offset and length of each group of measurements."""
-        return measured_sections(self.sizes)
+        return layout.measured_sections(self.sizes)
 
     def tables(self) -> dict[str, array]:
         """Return the tables that describe the mechanism, without those of the elimination."""
@@ -226,7 +223,10 @@ class Structure:
         quantities = [mechanism.quantities[q] for q in self.quantities]
         pairs = [((*q.forms, -1))[:2] for q in quantities]
         node_of, loads = self.node_of, self.loads.items
-        rows = self.coincidences, self.form_rows, self.form_rows
+        rows = {
+            layout.REACTION_COINCIDENCE: self.coincidences,
+            layout.REACTION_FORCE: self.form_rows, layout.REACTION_TORQUE: self.form_rows,
+        }  # fmt: skip
         return {
             "node_kind": array("i", (node.kind for node in self.nodes)),
             "form_ptr": pointers(self.entries),
@@ -266,10 +266,13 @@ class Structure:
     @cached_property
     def sampled(self) -> list[tuple[int, int, str]]:
         """Kind, place and name of the loads that read the mechanism."""
-        kinds = (self.loads, self.moments, self.body_moments, self.elements)
+        kinds = {
+            layout.SAMPLED_LOAD: self.loads, layout.SAMPLED_MOMENT: self.moments,
+            layout.SAMPLED_BODY_MOMENT: self.body_moments, layout.SAMPLED_DRIVE: self.elements,
+        }  # fmt: skip
         return [
             (kind, place, load.sampled)
-            for kind, loads in enumerate(kinds)
+            for kind, loads in kinds.items()
             for place, load in enumerate(loads.items)
             if load.sampled
         ]
@@ -286,7 +289,8 @@ class Structure:
         windows = [
             [shift + k for k in part.begin] for part, shift in zip(parts, shifts, strict=True)
         ]
-        windows[[*ISLAND_PARTS].index("mass")][-1] = len(self.masses)  # the last one's driven too
+        # The last island has the masses of driven nodes too.
+        windows[[*layout.ISLAND_PARTS].index("mass")][-1] = len(self.masses)
         return windows
 
 

@@ -136,7 +136,7 @@ ISLAND_PARTS = {
 
 TABLES = {
     "island_begin": Table(f"{len(ISLAND_PARTS)} * n_island_ends"),  # of each of `ISLAND_PARTS`
-    "node_kind": Table("n_nodes", 0, 2),  # 0 point, 1 direction
+    "node_kind": Table("n_nodes", 0, 2),  # NODE_..
     "form_ptr": Pointers("n_forms", "n_entries"),  # entries of form f: form_ptr[f] .. [f+1]-1
     "form_free": Table("n_forms", 0),  # how many entries are free nodes; these come first
     "form_moving": Table("n_forms", 0),  # how many are free or driven
@@ -178,6 +178,13 @@ TABLES = {
     "body_moment_slot": Table("81 * n_body_moments", 0, "n_lu_values"),  # 9 x 9 each
 }
 """Integer arrays of a model."""
+
+NODE_POINT, NODE_DIRECTION = 0, 1
+FORM_SQUARE, FORM_LINEAR, FORM_TURNED = 1, 2, 4  # w = u; w constant; quarter turns
+QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
+LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
+SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h
+REACTION_COINCIDENCE, REACTION_FORCE, REACTION_TORQUE = 0, 1, 2
 
 OFFSETS = {
     "mass": "n_mass",  # [kg]

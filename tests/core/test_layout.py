@@ -29,6 +29,7 @@ def test_a_field_has_its_line_and_its_comment_in_c():
         "\n    double *q, *q_low; /* n: coordinates [m], and what rounding left over */\n" in text
     )
     assert "\n    S_KNOWN, S_HALVES, /* see predict.h */\n" in text
+    assert "FORM_TURNED = 4, /* w = u; w constant; quarter turns */\n" in text
 
 
 def test_names_of_one_line_share_its_comment_and_a_comment_goes_on_below(tmp_path):

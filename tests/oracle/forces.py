@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tests.oracle.mechanism import LENGTH, QUARTER, Array, Mechanism
+from solver.runtime.layout import QUANTITY_LENGTH
+from tests.oracle.mechanism import QUARTER, Array, Mechanism
 from tests.oracle.path import Path, View
 from tests.oracle.slopes import angle_over
 
@@ -73,7 +74,7 @@ def laws(mechanism: Mechanism, view: View) -> tuple[Array, Array, Array]:
     numbers = zip(*(mechanism.section[name] for name in names), strict=True)
     for quantity, (k, rest, c, drive) in zip(mechanism.elements, numbers, strict=True):
         kind, forms = mechanism.quantities[quantity]
-        if kind == LENGTH and rest == c == drive == 0.0:  # V = k s/2 needs no direction
+        if kind == QUANTITY_LENGTH and rest == c == drive == 0.0:  # V = k s/2 needs no direction
             stored = stored - 0.5 * k * view.gradients[forms[0]]
             continue
         sigma, gradient = view.quantity(quantity)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from solver.runtime.layout import NODE_POINT
 from tests.oracle.forces import stored_energy
-from tests.oracle.mechanism import POINT, Array, Mechanism
+from tests.oracle.mechanism import Array, Mechanism
 from tests.oracle.start import row_rates
 from tests.oracle.step import penalties, rows_now
 
@@ -104,7 +105,7 @@ def measurements(mechanism: Mechanism) -> dict[str, Array]:
     scale = section["row_scale"][: mechanism.n_rows]
     residuals = (rows_now(mechanism), row_rates(mechanism, signal_rates))
     x, p = vectors["q"].reshape(-1, dim), (mechanism.M @ mechanism.v).reshape(-1, dim)
-    is_point = mechanism.node_kind[: len(x)] == POINT
+    is_point = mechanism.node_kind[: len(x)] == NODE_POINT
     spin = x[:, 0] * p[:, 1] - x[:, 1] * p[:, 0] if dim == 2 else np.cross(x, p)
     force, torque = reactions(mechanism)
     found = {

@@ -16,18 +16,19 @@ from numpy.typing import NDArray
 
 from solver.options import CHOICES
 from solver.runtime import Model
-from solver.runtime.layout import OFFSETS
+from solver.runtime.layout import (
+    FORM_SQUARE,
+    FORM_TURNED,
+    OFFSETS,
+    QUANTITY_ANGLE,
+    QUANTITY_FORM,
+    QUANTITY_LENGTH,
+)
 from solver.runtime.state import State
 from tests.oracle.tape import run_tape
 
 Array = NDArray[np.float64]
 
-POINT = 0
-"""Kind of a node that is a place [m]; others are unit vectors of bodies [1]."""
-FORM, LENGTH, ANGLE = 0, 1, 2
-"""Kinds of a quantity."""
-SQUARE, TURNED = 1, 4
-"""Flags of a form: w = u; some entries turn their node by a quarter, J x."""
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 TURN = 2.0 * np.pi
 
@@ -113,13 +114,13 @@ class Mechanism:
                     ("beta", self.W[form], self.w_s[form]),
                 ):
                     block = self.section[name][entry] * np.eye(dim)
-                    if kind & TURNED:
+                    if kind & FORM_TURNED:
                         block = block + self.section[f"{name}_turn"][entry] * QUARTER
                     if node < moving:
                         matrix[:, dim * node : dim * (node + 1)] += block
                     else:
                         fixed += block @ support[node - moving]
-            if kind & SQUARE:
+            if kind & FORM_SQUARE:
                 self.W[form], self.w_s[form] = self.U[form], self.u_s[form]
 
     def mass_matrix(self, masses: Array) -> Array:
@@ -158,20 +159,20 @@ class Mechanism:
         """Quantities from forms; angles are the principal ones."""
         values = np.zeros(len(self.quantities))
         for index, (kind, f) in enumerate(self.quantities):
-            angle = kind == ANGLE  # + 0.0: no negative zero, whose angle would be -pi
+            angle = kind == QUANTITY_ANGLE  # + 0.0: no negative zero, whose angle would be -pi
             value = np.arctan2(s[f[-1]] + 0.0, s[f[0]]) if angle else s[f[0]]
-            values[index] = np.sqrt(value) if kind == LENGTH else value
+            values[index] = np.sqrt(value) if kind == QUANTITY_LENGTH else value
         return values
 
     def rates_at(self, s: Array, s_dot: Array) -> Array:
         """Rates of the quantities; 0 where a direction is undefined."""
         rates = np.zeros(len(self.quantities))
         for index, (kind, f) in enumerate(self.quantities):
-            if kind == FORM:
+            if kind == QUANTITY_FORM:
                 rates[index] = s_dot[f[0]]
-            elif kind == LENGTH and s[f[0]] > 0.0:
+            elif kind == QUANTITY_LENGTH and s[f[0]] > 0.0:
                 rates[index] = 0.5 * s_dot[f[0]] / np.sqrt(s[f[0]])
-            elif kind == ANGLE and s[f] @ s[f] > 0.0:
+            elif kind == QUANTITY_ANGLE and s[f] @ s[f] > 0.0:
                 rates[index] = (s[f[0]] * s_dot[f[1]] - s[f[1]] * s_dot[f[0]]) / (s[f] @ s[f])
         return rates
 
@@ -215,7 +216,7 @@ class Mechanism:
             u, w = self.links(low)
             s, v = np.sum(u * w, axis=1), self.vectors["v"] + 0.5 * h * a
             value, now = self.quantities_at(s), self.sigma()
-            angles = np.array([kind == ANGLE for kind, _ in self.quantities])
+            angles = np.array([kind == QUANTITY_ANGLE for kind, _ in self.quantities])
             value += np.where(angles, TURN * np.round((now - value) / TURN), 0.0)
             rates = self.rates_at(s, np.sum(u * (self.W @ v) + w * (self.U @ v), axis=1))
             active = slice(sizes["n_active"])

@@ -14,11 +14,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.oracle.mechanism import ANGLE, FORM, LENGTH, Array, Mechanism
+from solver.runtime.layout import (
+    LEAF_RATE,
+    LEAF_SIGNAL,
+    QUANTITY_ANGLE,
+    QUANTITY_FORM,
+    QUANTITY_LENGTH,
+)
+from tests.oracle.mechanism import Array, Mechanism
 from tests.oracle.slopes import Change, angle_over, discrete_gradient, moving, still
-
-VALUE, RATE, SIGNAL = 0, 1, 2
-"""Kinds of a leaf of a function: a quantity, its rate, a prescribed value."""
 
 PARTS = 0.5 + np.arange(1, 17) / 32.0
 """Where a sign change is looked for beyond 1/2; by symmetry below it too."""
@@ -41,9 +45,9 @@ class View:
         """Change of a quantity, and its discrete gradient (n,)."""
         kind, forms = self.mechanism.quantities[index]
         first, *more = (moving(self.s_n[f], self.ds[f]) for f in forms)
-        if kind == FORM:
+        if kind == QUANTITY_FORM:
             return first, self.gradients[forms[0]]
-        if kind == LENGTH:
+        if kind == QUANTITY_LENGTH:
             l_n, l_n1 = np.sqrt(first.n), np.sqrt(first.n1)
             slope = 1.0 / (l_n + l_n1)
             return Change(l_n, l_n1, slope * first.d), slope * self.gradients[forms[0]]
@@ -58,7 +62,7 @@ class View:
         nothing = np.zeros(self.gradients.shape[1])
         found = [
             (moving(self.signal_n[index], self.dsignal[index]), nothing)
-            if kind == SIGNAL
+            if kind == LEAF_SIGNAL
             else self.quantity(index)
             for kind, index in leaves
         ]
@@ -71,7 +75,7 @@ class View:
         value, N = discrete_gradient(operations, self.mechanism.numbers, changes)
         signals = np.zeros(len(self.signal_n), dtype=N.dtype)
         for (kind, index), slope in zip(leaves, N, strict=True):
-            if kind == SIGNAL:
+            if kind == LEAF_SIGNAL:
                 signals[index] += slope
         return value, N @ np.array(gradients), signals
 
@@ -79,7 +83,7 @@ class View:
         """C = h Psi(sigma_mid, dsigma/h) of a velocity row, its gradient, the signals' part."""
         leaves, operations = function
         changes, gradients = self._leaves(leaves)
-        rates = np.array([kind == RATE for kind, _ in leaves])
+        rates = np.array([kind == LEAF_RATE for kind, _ in leaves])
         means = [
             still(change.d / self.h if rate else change.mid)
             for change, rate in zip(changes, rates, strict=True)
@@ -119,7 +123,7 @@ class Path:
         s = np.sum(u * w, axis=1)
         sigma = self.sigma_n.astype(s.dtype)
         for index, (kind, f) in enumerate(self.mechanism.quantities):
-            if kind == ANGLE:  # on the turn of the angle at q_n
+            if kind == QUANTITY_ANGLE:  # on the turn of the angle at q_n
                 (c_n, s_n), (c, t) = self.s_n[f], s[f]
                 cross = c_n * t - s_n * c
                 sigma[index] += cross * angle_over(cross, c_n * c + s_n * t) if cross else 0.0

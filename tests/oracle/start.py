@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from solver.runtime.layout import LEAF_RATE, LEAF_SIGNAL, NODE_POINT
 from tests.oracle.forces import applied, laws
-from tests.oracle.mechanism import POINT, Array, Mechanism
-from tests.oracle.path import RATE, SIGNAL, Path
+from tests.oracle.mechanism import Array, Mechanism
+from tests.oracle.path import Path
 from tests.oracle.slopes import discrete_gradient, still
 
 RANK = 1e-10
@@ -32,17 +33,17 @@ def rows_of(mechanism: Mechanism) -> tuple[Array, Array, Array]:
         _, G[row], by_signals[row] = view.function(function)
     for row, (leaves, operations) in enumerate(mechanism.velocity_rows, velocities.start):
         gradients = [
-            np.zeros(mechanism.n) if kind == SIGNAL else view.quantity(index)[1]
+            np.zeros(mechanism.n) if kind == LEAF_SIGNAL else view.quantity(index)[1]
             for kind, index in leaves
         ]
         values = [
-            still(mechanism.vectors["signal"][index]) if kind == SIGNAL
-            else still(gradient @ mechanism.v) if kind == RATE
+            still(mechanism.vectors["signal"][index]) if kind == LEAF_SIGNAL
+            else still(gradient @ mechanism.v) if kind == LEAF_RATE
             else view.quantity(index)[0]
             for (kind, index), gradient in zip(leaves, gradients, strict=True)
         ]  # fmt: skip
         value, c = discrete_gradient(operations, mechanism.numbers, values)
-        rates = np.array([kind == RATE for kind, _ in leaves])
+        rates = np.array([kind == LEAF_RATE for kind, _ in leaves])
         psi[row], G[row] = value.n, np.where(rates, c, 0.0) @ np.array(gradients)
     return G, by_signals, psi
 
@@ -58,10 +59,10 @@ def row_rates(mechanism: Mechanism, signal_rates: Array) -> Array:
 def scales(mechanism: Mechanism) -> Array:
     """Extent (2), scales of the rows and sigma_i = (G m^-1 G')_ii, as a state keeps them."""
     section, dim, free = mechanism.section, mechanism.dim, mechanism.n_free
-    moving = mechanism.node_kind[: mechanism.n // dim] == POINT
+    moving = mechanism.node_kind[: mechanism.n // dim] == NODE_POINT
     mass, turning = (section["node_mass"][kind].sum() for kind in (moving, ~moving))
     nodes = np.concatenate([mechanism.x, section["support"]]).reshape(-1, dim)
-    points = nodes[mechanism.node_kind[: len(nodes)] == POINT]
+    points = nodes[mechanism.node_kind[: len(nodes)] == NODE_POINT]
     box = np.ptp(points, axis=0) if len(points) else np.zeros(dim)
     extent = np.sqrt(box @ box + (turning / mass if mass > 0.0 else 0.0)) or 1.0
     size = np.sqrt(mass if mass > 0.0 else turning) * extent
