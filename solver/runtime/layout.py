@@ -12,6 +12,8 @@ from __future__ import annotations
 
 from collections import namedtuple
 from collections.abc import Mapping
+from functools import cache
+from types import CodeType
 from zlib import crc32
 
 ENTRY_POINTS = 17
@@ -353,20 +355,25 @@ PLACE = {name: place for place, name in enumerate(HEAD)}
 """Index of each scalar of the head."""
 
 
-class _Known(dict[str, int]):
+@cache
+def _compiled(formula: str) -> CodeType:
+    return compile(formula, "<length>", "eval")
+
+
+class _Counts(dict[str, int]):
     """Sizes, and what is counted of them when it is asked for."""
 
     def __missing__(self, name: str) -> int:
-        return eval(COUNTS[name], {}, self)
+        return eval(_compiled(COUNTS[name]), {}, self)
 
 
 def _sections(
     lengths: Mapping[str, str], sizes: Mapping[str, int], start: int = 0
 ) -> dict[str, tuple[int, int]]:
     """Return the offset and length of consecutive sections."""
-    known, sections = _Known(sizes), {}
+    known, sections = _Counts(sizes), {}
     for name, formula in lengths.items():
-        sections[name] = (start, eval(formula, {}, known))
+        sections[name] = (start, eval(_compiled(formula), {}, known))
         start += sections[name][1]
     return sections
 
