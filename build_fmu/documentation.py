@@ -13,7 +13,7 @@ from build_fmu.study.values import counted
 from solver.options import TINY
 
 if TYPE_CHECKING:
-    from build_fmu.self_check import Trial
+    from build_fmu.self_check import SelfCheck
     from solver.runtime import Model, Variable
 
 _PAGE = """<!DOCTYPE html>
@@ -64,7 +64,7 @@ _SECTIONS = {
 }
 
 
-def documentation(model: Model, seen: Trial) -> dict[str, bytes]:
+def documentation(model: Model, seen: SelfCheck) -> dict[str, bytes]:
     """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
     ours, pythonfmu = _licence("build_fmu", "holonom"), _licence("pythonfmu", "pythonfmu")
     return {
@@ -75,7 +75,7 @@ def documentation(model: Model, seen: Trial) -> dict[str, bytes]:
     }
 
 
-def page(model: Model, seen: Trial) -> str:
+def page(model: Model, seen: SelfCheck) -> str:
     """HTML page with a table of variables per causality."""
     tables = [
         _table(title, [_row(v) for v in model.variables if _section(v) == section])
@@ -111,7 +111,7 @@ def solved(model: Model) -> str:
     return f"{text} internal steps of at most {settings['step_size']:g} s, of order {order:g}."
 
 
-def accuracy(model: Model, seen: Trial) -> str:
+def accuracy(model: Model, seen: SelfCheck) -> str:
     """Sentences on a run from the start, with the numbers of the scene."""
     start, stop, *_ = model.experiment
     text = f"When this FMU was built, it ran for {seen.duration:g} s"
@@ -120,7 +120,7 @@ def accuracy(model: Model, seen: Trial) -> str:
     return " ".join([f"{text}.", *_seen(model, seen)])
 
 
-def _seen(model: Model, seen: Trial) -> Iterator[str]:
+def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
     if not seen.moved:
         yield "Nothing moved, so that the run does not show how exact the results are."
     else:

@@ -17,7 +17,7 @@ from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import model_description
 from build_fmu.payload import SLAVE_NAME, digest, payload, wrapper_libraries
 from build_fmu.picture import picture
-from build_fmu.self_check import Trial, trial
+from build_fmu.self_check import SelfCheck, self_check
 from build_fmu.study.output_folder import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
@@ -58,7 +58,7 @@ def write_fmu(
     target = fmu_path(path, identifier(model.name))
     beside = target.with_suffix(".ssv")
     require_own_set(target)
-    seen = trial(model)
+    seen = self_check(model)
     write_archive(target, archive_entries(model, seen, scene))
     with writing(beside):
         beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
@@ -114,7 +114,7 @@ def compile_scene(
     return assemble(load_scene(scene, overrides))
 
 
-def archive_entries(model: Model, seen: Trial, scene: Scene) -> dict[str, bytes]:
+def archive_entries(model: Model, seen: SelfCheck, scene: Scene) -> dict[str, bytes]:
     """Content of the archive by path."""
     code = payload(model.sizes["dim"])
     name = identifier(model.name)

@@ -49,7 +49,7 @@ class Record:
     """Those of them with status Warning."""
 
 
-class KeptFmu:
+class FmuRunner:
     """An FMU in fmpy, ready to run."""
 
     def __init__(self, path: str | PathLike[str], folder: str | None = None) -> None:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from build_fmu.errors import UsageError
-from build_fmu.fmu_runner import KeptFmu
+from build_fmu.fmu_runner import FmuRunner
 from build_fmu.instance import start_time_of
 from build_fmu.motion import Poses, largest_by_unit
 from build_fmu.reference import Reference
@@ -109,7 +109,7 @@ def run_fmu(
         If the FMU has no library for this platform, or the folder for temporary files has a name
         that the library cannot read.
     """
-    with contextlib.closing(KeptFmu(path)) as fmu:
+    with contextlib.closing(FmuRunner(path)) as fmu:
         description = fmu.description
         given = inputs_of(inputs)
         entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}

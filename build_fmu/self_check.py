@@ -33,7 +33,7 @@ AT_REST = 1e-6
 
 
 @dataclass(frozen=True)
-class Trial:
+class SelfCheck:
     """What was seen of a run.
 
     Attributes
@@ -73,7 +73,7 @@ class Trial:
         return {unit: float(f"1e{round(math.log10(x))}") for unit, x in moving.items()}
 
 
-def trial(model: Model) -> Trial:
+def self_check(model: Model) -> SelfCheck:
     """Run the default experiment, or as much of it as is cheap."""
     duration, steps = _extent(model)
     outputs = [v for v in model.variables if v.causality == "output"]
@@ -86,7 +86,7 @@ def trial(model: Model) -> Trial:
     apart = None if reason else _apart(model, duration, steps, poses, motion)
     largest = largest_by_unit({v.name: v.unit for v in outputs}, sizes)
     said += filter(None, [lag_of_velocities(sizes.get(RESIDUAL, 0.0), largest)])
-    return Trial(
+    return SelfCheck(
         duration=integrator.time - model.experiment.start_time,
         reason=reason,
         energy=sizes.get("energy.error", 0.0),

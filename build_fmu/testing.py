@@ -150,13 +150,13 @@ def _run_along(
     where: str,
 ) -> tuple[list[str], dict[str, str], Record]:
     """Names to compare, the units of variables, and the run through the times of a reference."""
-    from build_fmu.fmu_runner import KeptFmu
+    from build_fmu.fmu_runner import FmuRunner
     from build_fmu.study.settings import fmu_settings
     from build_fmu.target import runnable
 
     with (
         runnable(fspath(target), entries_of(parameters)) as (path, left),
-        contextlib.closing(KeptFmu(path)) as fmu,
+        contextlib.closing(FmuRunner(path)) as fmu,
     ):
         settings = fmu_settings(fmu.description, [left])[0]
         numbers = [v for v in fmu.description.modelVariables if v.type != "String"]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from build_fmu.fmu_runner import KeptFmu
+from build_fmu.fmu_runner import FmuRunner
 from build_fmu.study.plan import Plan, Result
 
 
@@ -27,7 +27,7 @@ class Shared:
 
 
 _HERE = threading.local()
-"""The FMU that this thread keeps ready: its digest and the `KeptFmu`."""
+"""The FMU that this thread keeps ready: its digest and the `FmuRunner`."""
 
 
 def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
@@ -46,19 +46,19 @@ def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
     return Result(run, record.end_time, record.reason, summary, kept, record.warnings)
 
 
-def _kept(shared: Shared) -> KeptFmu:
+def _kept(shared: Shared) -> FmuRunner:
     digest = shared.plan.digest
     if getattr(_HERE, "digest", None) != digest:
         release()
         if shared.data is None:
-            _HERE.fmu = KeptFmu(shared.path, shared.folder)
+            _HERE.fmu = FmuRunner(shared.path, shared.folder)
         else:
             from build_fmu.study.dask_workers import folder_of_worker
 
             folder = folder_of_worker()
             copy = Path(folder, f"{digest}-{threading.get_ident()}.fmu")
             copy.write_bytes(shared.data)
-            _HERE.fmu = KeptFmu(copy, folder)
+            _HERE.fmu = FmuRunner(copy, folder)
         _HERE.digest = digest
     return _HERE.fmu
 

@@ -45,7 +45,7 @@ KINETIC, STATUS = (
 )
 
 
-class Known(NamedTuple):
+class KnownVariables(NamedTuple):
     """Variables that an unknown depends on, by their indices in the model."""
 
     directly: tuple[int, ...]
@@ -56,7 +56,7 @@ class Known(NamedTuple):
 
 def dependencies(
     scene: Scene, structure: Structure, known: Symbols, variables: Sequence[Variable]
-) -> dict[int, Known]:
+) -> dict[int, KnownVariables]:
     """Return what all outputs and calculated parameters depend on, by the index of each."""
     search = _Search(scene, structure, known)
     place = {variable.name: index for index, variable in enumerate(variables)}
@@ -69,7 +69,7 @@ def dependencies(
         for names in both:
             if names not in listed:
                 listed[names] = tuple(sorted([place[name] for name in names]))
-        found[index] = Known(*[listed[names] for names in both])
+        found[index] = KnownVariables(*[listed[names] for names in both])
     return found
 
 

@@ -172,16 +172,9 @@ def _pair(
         rows.finite(joint.axis, "axis")
         axis = rows.unit(joint.axis)
         normals = rows.mechanism.normals(axis)
-    place = joint.position or _origin(rows, bodies[1])
+    assert joint.position is not None
     first, second = (
-        parts.named(point) if point else frame.place(place)
+        parts.named(point) if point else frame.place(joint.position)
         for point, frame in zip(joint.on, (A, B), strict=True)
     )
     return Pair(rows, joint, found, A, B, (first, second), axis, normals)
-
-
-def _origin(rows: Rows, body: str | None) -> Vector:
-    """Place of a joint whose position is not given: the origin of its second body."""
-    if body is None or not rows.parts.is_place(body):
-        return (0.0,) * rows.mechanism.dim
-    return rows.mechanism.drawn(rows.parts.named(body))

@@ -33,7 +33,7 @@ BEFORE_CHECKED = struct.calcsize("<8sI")
 DAMAGED = "the model is damaged, or of an earlier version; build it again"
 
 
-class _Reader:
+class _ModelBytes:
     """Takes parts off the bytes of a model, from the header on."""
 
     def __init__(self, data: bytes) -> None:
@@ -148,7 +148,7 @@ def _fields(
 ) -> dict[str, Any]:  # fmt: skip
     from .model import Experiment
 
-    reader = _Reader(data)
+    reader = _ModelBytes(data)
     ints = reader.numbers("i", n_ints)
     reader.numbers("d", len(layout.HEAD))  # the core's: a state at the start of a run
     numbers = reader.numbers("d", n_numbers)

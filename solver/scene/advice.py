@@ -9,7 +9,7 @@ from typing import Any
 from solver.scene.draft import Draft
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
-from solver.scene.numbers import Numbers
+from solver.scene.numbers import NumberChecks
 from solver.scene.parameters import Input
 from solver.scene.report import Path, location_of
 
@@ -19,7 +19,7 @@ SMALL = 5.0
 """Length in mm below which few numbers of a drawing in mm are."""
 
 
-def advise(numbers: Numbers, inputs: dict[str, Input], joints: dict[str, Part]) -> None:
+def advise(numbers: NumberChecks, inputs: dict[str, Input], joints: dict[str, Part]) -> None:
     """Warn of a scene as a whole, in which no mistake was found."""
     _unused(numbers)
     _held(numbers, inputs)
@@ -27,7 +27,7 @@ def advise(numbers: Numbers, inputs: dict[str, Input], joints: dict[str, Part]) 
     _millimetres(numbers.draft)
 
 
-def _unused(numbers: Numbers) -> None:
+def _unused(numbers: NumberChecks) -> None:
     """Warn of parameters and inputs that change nothing; a calculated one is a result."""
     known, data = numbers.known, numbers.draft.data
     for name in known.of("parameter", "input"):
@@ -39,7 +39,7 @@ def _unused(numbers: Numbers) -> None:
             numbers.draft.warn((table, name), "nothing depends on it", help)
 
 
-def _held(numbers: Numbers, inputs: dict[str, Input]) -> None:
+def _held(numbers: NumberChecks, inputs: dict[str, Input]) -> None:
     """Warn of inputs and tunable parameters that move something by jumps."""
     for name, given in inputs.items():
         moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]

@@ -120,7 +120,7 @@ class Kind:
 
 
 class Quantity(Kind):
-    """A number, or an expression as text; parsed, it is a ``Reading`` of the grammar."""
+    """A number, or an expression as text; parsed, it is a ``ParsedNumber`` of the grammar."""
 
     def form(self) -> dict[str, Any]:
         """JSON Schema of a number."""
@@ -130,7 +130,7 @@ class Quantity(Kind):
     def parse(self, draft: Draft, path: Path, value: Any) -> Any:
         """Read a number or the text of an expression."""
         if type(value) is float and math.isfinite(value):  # most are
-            return grammar.Reading(value, value)
+            return grammar.ParsedNumber(value, value)
         if isinstance(value, str):
             try:
                 return grammar.read(value)
@@ -147,7 +147,7 @@ class Quantity(Kind):
         except OverflowError:
             number = math.inf
         if math.isfinite(number):
-            return grammar.Reading(value, number)
+            return grammar.ParsedNumber(value, number)
         draft.error(path, f"must be a finite number, got {shown(value)}")
         return BROKEN
 

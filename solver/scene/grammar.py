@@ -66,7 +66,7 @@ class Mention:
     role: Literal["symbol", "function", "part"] = "symbol"
 
 
-class Reading(NamedTuple):
+class ParsedNumber(NamedTuple):
     """A number together with every name mentioned in its text, folded away or not."""
 
     given: str | float
@@ -96,26 +96,26 @@ def parse(text: str) -> Number:
     return read(text).number
 
 
-def read(text: str) -> Reading:
+def read(text: str) -> ParsedNumber:
     """Read an expression and note every name in it; raises like ``parse``."""
     stripped = re.sub(r"\s", " ", text).strip()
     if not stripped or "\0" in stripped or not is_readable(stripped):
         message = "not a readable text" if stripped else "empty expression"
         raise ExpressionError(message, 1)
-    reader = _Reader(stripped, len(text) - len(text.lstrip()))
+    translator = _Translator(stripped, len(text) - len(text.lstrip()))
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # Python's remarks on style, such as '1if x else 2'
             tree = ast.parse(stripped, mode="eval")
         if len(stripped) > MOST_NESTED and not _is_of_size(tree.body):
             raise RecursionError
-        number = reader.number(tree.body)
+        number = translator.number(tree.body)
     except SyntaxError as error:
-        column = reader.indent + min(error.offset or len(stripped) + 1, len(stripped) + 1)
+        column = translator.indent + min(error.offset or len(stripped) + 1, len(stripped) + 1)
         raise ExpressionError(_plain(error.msg), column) from None
     except (RecursionError, MemoryError):
         raise ExpressionError(_TOO_LARGE, 1, "split it into several parameters") from None
-    return Reading(text, number, tuple(reader.mentions))
+    return ParsedNumber(text, number, tuple(translator.mentions))
 
 
 def is_readable(text: str) -> bool:
@@ -167,7 +167,7 @@ def _plain(message: str) -> str:
     return re.split(r"[.;] |\. Did", message)[0]
 
 
-class _Reader:
+class _Translator:
     """Translation of one syntax tree; notes names as it passes them."""
 
     def __init__(self, text: str, indent: int) -> None:

@@ -21,7 +21,7 @@ from solver.scene.expression import (
     evaluate,
 )
 from solver.scene.fields import BROKEN
-from solver.scene.grammar import Mention, Reading
+from solver.scene.grammar import Mention, ParsedNumber
 from solver.scene.quantities import Level, Offer, quantities
 from solver.scene.report import Path
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
@@ -65,7 +65,7 @@ class Known:
         return [name for name, kind in self.parts.items() if kind in kinds]
 
 
-class Numbers:
+class NumberChecks:
     """Judge of every number and vector of a scene."""
 
     def __init__(self, draft: Draft, known: Known) -> None:
@@ -80,50 +80,50 @@ class Numbers:
     def number(
         self,
         path: Path,
-        reading: Any,
+        parsed: Any,
         place: Place = GEOMETRY,
         rule: Rule | None = None,
         unit: str = "",
     ) -> Number:
         """Check one number and return it; 0.0 stands for a broken one."""
-        if reading is BROKEN:
+        if parsed is BROKEN:
             return 0.0
-        if reading.is_constant:
-            value = reading.number
-        elif self.mentions_are_allowed(path, reading, place):
-            value = self.default(path, reading)
+        if parsed.is_constant:
+            value = parsed.number
+        elif self.mentions_are_allowed(path, parsed, place):
+            value = self.default(path, parsed)
         else:
             return 0.0
         if value is not None and abs(value) > LARGEST_NUMBER and place is not SETTING:
             self.draft.error(path, f"must be at most {LARGEST_NUMBER:g} in size, got {value:.6g}")
         elif value is not None and rule is not None and not rule.holds(value):
             unit = f" {unit}" if unit else ""
-            how = "" if isinstance(reading.number, float) else f" (= {reading.text})"
+            how = "" if isinstance(parsed.number, float) else f" (= {parsed.text})"
             self.draft.error(path, f"must be {rule.words}{unit}, got {value:.15g}{how}", rule.help)
-        return reading.number
+        return parsed.number
 
-    def angle(self, path: Path, reading: Any, place: Place = GEOMETRY) -> Number:
+    def angle(self, path: Path, parsed: Any, place: Place = GEOMETRY) -> Number:
         """Check an angle in rad; one of more than a turn is perhaps in degrees."""
-        number = self.number(path, reading, place)
+        number = self.number(path, parsed, place)
         value = self.value(number) or 0.0
-        if abs(turns := value / (2.0 * math.pi)) > 1.0 and "pi" not in reading.text:
+        if abs(turns := value / (2.0 * math.pi)) > 1.0 and "pi" not in parsed.text:
             help = f'if these are degrees, write "{value:.12g}*pi/180"'
             self.draft.warn(path, f"is {value:.6g} rad, {turns:.3g} turns", help)
         return number
 
     def constant(
-        self, path: Path, reading: Any, default: float, rule: Rule | None = None, unit: str = ""
+        self, path: Path, parsed: Any, default: float, rule: Rule | None = None, unit: str = ""
     ) -> float:
         """Check a number without symbols; `default` stands for a missing or broken one."""
-        if reading is None or reading is BROKEN:
+        if parsed is None or parsed is BROKEN:
             return default
-        if reading.mentions and all(self._is_word(mention) for mention in reading.mentions):
+        if parsed.mentions and all(self._is_word(mention) for mention in parsed.mentions):
             limits = f", {rule.words} {unit}" if rule else f" in {unit}" if unit else ""
-            message = f"must be a number{limits.rstrip()}, got '{reading.text}'"
+            message = f"must be a number{limits.rstrip()}, got '{parsed.text}'"
             help = f"write {path[-1]} = {default:g}" if default else None
-            self.draft.error(path, message, (rule and rule.help) or help, (reading.text, 1))
+            self.draft.error(path, message, (rule and rule.help) or help, (parsed.text, 1))
             return default
-        number = self.number(path, reading, SETTING, rule, unit)
+        number = self.number(path, parsed, SETTING, rule, unit)
         return number if isinstance(number, float) else default
 
     def _is_word(self, mention: Mention) -> bool:
@@ -131,30 +131,30 @@ class Numbers:
         known = mention.name in self.known.parts or mention.name in self.known.quantities
         return mention.role == "symbol" and not known and mention.name not in ("t", *FUNCTIONS)
 
-    def default(self, path: Path, reading: Reading) -> float | None:
+    def default(self, path: Path, parsed: ParsedNumber) -> float | None:
         """Value with the default parameters; None when it depends on more than those."""
-        number, values = reading.number, self.known.values
+        number, values = parsed.number, self.known.values
         if isinstance(number, float):
             return number
-        if any(mention.name not in values for mention in reading.mentions):
+        if any(mention.name not in values for mention in parsed.mentions):
             return None
         try:
             return evaluate(number, values)
         except ExpressionError as error:
             message = f"no value with the default parameters: {error.message}"
-            self.draft.error(path, message, None, (reading.text, 1))
+            self.draft.error(path, message, None, (parsed.text, 1))
             return None
 
-    def mentions_are_allowed(self, path: Path, reading: Reading, place: Place) -> bool:
+    def mentions_are_allowed(self, path: Path, parsed: ParsedNumber, place: Place) -> bool:
         """Report every name in an expression that is unknown or out of place."""
         fine = True
-        for mention in reading.mentions:
+        for mention in parsed.mentions:
             self.known.uses.setdefault(mention.name, []).append(path)
             judge = self._symbol if mention.role == "symbol" else self._call
             verdict = judge(mention, place)
             if verdict is not None:
                 fine = False
-                self.draft.error(path, *verdict, (reading.text, mention.column))
+                self.draft.error(path, *verdict, (parsed.text, mention.column))
         return fine
 
     def value(self, number: Number) -> float | None:
@@ -265,11 +265,11 @@ class Numbers:
 
     def entries(self, path: Path, readings: Any, place: Place = GEOMETRY) -> Vector:
         """Read the numbers of a list."""
-        if all([reading.is_constant for reading in readings]):
-            numbers = tuple([reading.number for reading in readings])
+        if all([parsed.is_constant for parsed in readings]):
+            numbers = tuple([parsed.number for parsed in readings])
             if all([-LARGEST_NUMBER <= number <= LARGEST_NUMBER for number in numbers]):
                 return numbers
-        return tuple(self.number((*path, i), reading, place) for i, reading in enumerate(readings))
+        return tuple(self.number((*path, i), parsed, place) for i, parsed in enumerate(readings))
 
     def matrix(
         self, path: Path, readings: Any

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.scene.expression import ExpressionError, Vector, cos, sin, symbols
-from solver.scene.numbers import Known, Numbers, applied
+from solver.scene.numbers import Known, NumberChecks, applied
 from solver.scene.report import Path
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class Seat:
     """Coordinates in the axes of a rigid body [m]."""
 
 
-class Places(Numbers):
+class Places(NumberChecks):
     """Judge of places as well, once points and bodies are read."""
 
     def __init__(self, draft: Draft, known: Known) -> None:

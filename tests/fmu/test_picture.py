@@ -16,7 +16,7 @@ from build_fmu.canvas import Canvas
 from build_fmu.documentation import documentation, page
 from build_fmu.export import compile_scene
 from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
-from build_fmu.self_check import trial
+from build_fmu.self_check import self_check
 from tests.fmu_instance import SCENES, scene_fmu
 
 BLACK = (0.0, 0.0, 0.0)
@@ -109,7 +109,7 @@ def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
     with zipfile.ZipFile(scene_fmu("four_bar")) as archive:
         assert pixels(archive.read("model.png")).shape == (HEIGHT, WIDTH, 3)
         page = archive.read("documentation/index.html").decode()
-    seen = trial(compile_scene(SCENES / "four_bar.toml"))
+    seen = self_check(compile_scene(SCENES / "four_bar.toml"))
     assert seen.energy < 1e-12
     assert f"{seen.energy:.1e}" in page
     assert f"{seen.position_error:.1e} m" in page
@@ -174,7 +174,7 @@ push = { type = "force", point = "A", value = ["low + high", "both"] }
 
 def test_the_page_has_the_mechanism_first_ranges_in_words_and_whole_numbers_without_a_point():
     model = solver.assemble(solver.loads(RANGED))
-    text = page(model, trial(model))
+    text = page(model, self_check(model))
     places = [
         text.index(f"<h2>{title}") for title in ("Inputs", "Parameters", "Outputs", "Settings")
     ]
@@ -189,7 +189,7 @@ def test_the_page_has_the_mechanism_first_ranges_in_words_and_whole_numbers_with
 
 def test_page_and_dependencies_name_libpython_and_the_platform_of_the_kernel():
     model = solver.assemble(solver.loads(RANGED))
-    files = documentation(model, trial(model))
+    files = documentation(model, self_check(model))
     needs = files["documentation/externalDependencies.txt"].decode().strip()
     assert "libpython" in needs
     assert sysconfig.get_platform() in needs

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import solver
-from solver.mechanics.dependencies import AT_THE_START, Known
+from solver.mechanics.dependencies import AT_THE_START, KnownVariables
 from solver.runtime import AssemblyError, Integrator, Model, OptionError
 from tests.fmu_instance import SCENES
 
@@ -66,7 +66,7 @@ def model_of(name: str) -> Model:
 
 
 @cache
-def known_of(name: str) -> dict[int, Known]:
+def known_of(name: str) -> dict[int, KnownVariables]:
     found = model_of(name).dependencies
     assert found is not None
     return found

@@ -7,7 +7,7 @@ import pytest
 import solver
 from build_fmu import build
 from build_fmu.motion import RESIDUAL
-from build_fmu.self_check import trial
+from build_fmu.self_check import self_check
 from tests.commands import run
 from tests.fmu_instance import SCENES
 
@@ -31,7 +31,7 @@ JUMPS = {"value": "0.5 if t > 1 else 0", "rate": "2*max(t - 1.03, 0)"}
 
 def lag(model: solver.Model) -> list[str]:
     """What the trial run of a build says of velocities that lag."""
-    return [text for text in trial(model).remarks if RESIDUAL in text]
+    return [text for text in self_check(model).remarks if RESIDUAL in text]
 
 
 @pytest.mark.parametrize("angle", JUMPS.values(), ids=JUMPS)

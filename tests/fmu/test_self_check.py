@@ -11,7 +11,7 @@ import solver
 from build_fmu.documentation import accuracy, solved
 from build_fmu.export import compile_scene
 from build_fmu.motion import Poses
-from build_fmu.self_check import trial
+from build_fmu.self_check import self_check
 from tests.fmu_instance import SCENES
 from tests.reduced_models import heavy_top, matrix_of, rotation
 
@@ -28,7 +28,7 @@ def test_a_trial_that_fails_is_no_obstacle_and_is_told():
     [forces]
     push = { type = "force", point = "A", value = ["sqrt(0.25 - t)", 0] }
     """
-    seen = trial(solver.assemble(solver.loads(text)))
+    seen = self_check(solver.assemble(solver.loads(text)))
     assert 0.1 <= seen.duration <= 0.25
     assert "grew beyond all bounds" in seen.reason
     assert (seen.position_error, seen.rotation_error) == (None, None)
@@ -37,7 +37,7 @@ def test_a_trial_that_fails_is_no_obstacle_and_is_told():
 def test_twice_as_fine_a_run_halves_the_step_and_shows_the_error_of_second_order():
     """Error of a pendulum with step h is near 4/3 of the difference to half the step."""
     model = compile_scene(SCENES / "pendulum.toml")
-    seen = trial(model)
+    seen = self_check(model)
     exact = solver.simulate(model, stop_time=seen.duration, step_size=0.05, order=8)
     coarse = solver.simulate(model, stop_time=seen.duration, step_size=0.05)
     names = [v.name for v in model.variables if v.unit == "m" and v.name[-2:] in (".x", ".y", ".z")]
@@ -56,7 +56,7 @@ def rotation_error(text: str) -> float:
 def test_the_rotation_error_of_the_page_is_that_of_a_top_by_another_program():
     """Within 2 s the tip of the nose is off by 2e-5 m, and the top by a tenth of a radian."""
     model = compile_scene(SCENES / "heavy_top.toml")
-    page = accuracy(model, trial(model))
+    page = accuracy(model, self_check(model))
     assert "it ran for 2 s." in page
     assert "In these 2 s " in page
     found = solver.simulate(model)
@@ -85,7 +85,7 @@ stop_time = 2.0
 
 def test_the_rotation_error_in_the_plane_is_that_of_the_angle():
     model = solver.assemble(solver.loads(PENDULUM))
-    seen = trial(model)
+    seen = self_check(model)
     times = {"stop_time": seen.duration, "step_size": 0.1, "outputs": ["rod.angle"]}
     fine = solver.simulate(model, **times, order=8, internal_step=0.005)
     error = abs(solver.simulate(model, **times)["rod.angle"] - fine["rod.angle"]).max()
@@ -99,7 +99,7 @@ def test_points_alone_have_no_rotation_error():
     [points]
     A = { position = [1, 0, 0], mass = 1.0 }
     """))  # fmt: skip
-    seen = trial(model)
+    seen = self_check(model)
     assert seen.position_error is not None
     assert seen.rotation_error is None
     assert "rad" not in accuracy(model, seen)
@@ -110,7 +110,7 @@ def test_points_alone_have_no_rotation_error():
 
 def test_the_page_of_what_does_not_move_has_no_errors():
     model = solver.assemble(solver.loads(PENDULUM.replace("-9.81", "0")))
-    seen = trial(model)
+    seen = self_check(model)
     assert not seen.moved
     page = accuracy(model, seen)
     assert "Nothing moved" in page
@@ -123,7 +123,7 @@ def test_what_turns_on_the_spot_moves():
     [bodies]
     disc = { position = [0, 0, 0], mass = 1.0, inertia = [1, 1, 2], angular_velocity = [0, 0, 1] }
     """))  # fmt: skip
-    assert trial(model).moved
+    assert self_check(model).moved
 
 
 def test_of_an_fmu_without_positions_nothing_is_said():
