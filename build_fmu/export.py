@@ -24,6 +24,7 @@ from build_fmu.study.ssv import parameter_set
 from build_fmu.version import VERSION
 
 if TYPE_CHECKING:
+    from solver.mechanics.parts import Parts
     from solver.runtime import Model
     from solver.scene import Scene
 
@@ -38,28 +39,30 @@ def build_archive(
     parameters: Source | None,
 ) -> Path:
     """Write the FMU of a scene and its parameter set; see `build_fmu.build`."""
+    from solver.mechanics import assemble_parts
+
     loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
     of_file = isinstance(scene, str | PathLike)
     target = fmu_path(path, Path(scene).stem if of_file else identifier(loaded.name))
-    return write_fmu(compile_scene(loaded), target, loaded)
+    return write_fmu(*assemble_parts(loaded), target)
 
 
 def write_fmu(
+    parts: Parts,
     model: Model,
     path: str | PathLike[str],
-    scene: Scene,
     tell: Callable[[str], object] | None = None,
 ) -> Path:
     """Write the FMU of a model, and beside it its parameter set; `path` as in `fmu_path`.
 
-    The scene that it was compiled from travels along, as text and as a picture. `tell` is called
+    The scene of its parts travels along, as text and as a picture. `tell` is called
     with what the trial run has to say, which stands on the page of the FMU as well.
     """
     target = fmu_path(path, identifier(model.name))
     beside = target.with_suffix(".ssv")
     require_own_set(target)
     seen = self_check(model)
-    write_archive(target, archive_entries(model, seen, scene))
+    write_archive(target, archive_entries(parts, model, seen))
     with writing(beside):
         beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
@@ -114,7 +117,7 @@ def compile_scene(
     return assemble(load_scene(scene, overrides))
 
 
-def archive_entries(model: Model, seen: SelfCheck, scene: Scene) -> dict[str, bytes]:
+def archive_entries(parts: Parts, model: Model, seen: SelfCheck) -> dict[str, bytes]:
     """Content of the archive by path."""
     code = payload(model.sizes["dim"])
     name = identifier(model.name)
@@ -125,12 +128,12 @@ def archive_entries(model: Model, seen: SelfCheck, scene: Scene) -> dict[str, by
         platform, suffix = library.split("/")
         entries[f"binaries/{platform}/{name}{suffix}"] = data
     entries |= documentation(model, seen)
-    entries["model.png"] = picture(scene)
+    entries["model.png"] = picture(parts)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
     entries["modelDescription.xml"] = model_description(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
-        nominal=seen.nominal, source=scene.source,
+        nominal=seen.nominal, source=parts.scene.source,
     )  # fmt: skip
     return entries
 

@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from build_fmu.canvas import DARK, Array, Canvas, Colour, Pixel
-from solver.mechanics.build_mechanism import build_mechanism
 from solver.scene import (
     Bar,
     BodyJoint,
@@ -36,7 +35,6 @@ from solver.scene import (
 if TYPE_CHECKING:
     from solver.mechanics.combination import Combination
     from solver.mechanics.parts import Parts
-    from solver.scene import Scene
 
 WIDTH, HEIGHT, MARGIN = 480, 360, 40
 MOST = 2000
@@ -50,22 +48,22 @@ BODIES: tuple[Colour, ...] = (
 )  # fmt: skip
 
 
-def picture(scene: Scene) -> bytes:
-    """PNG file of a scene, with its numbers as the file gives them."""
-    return _Drawing(scene).png()
+def picture(parts: Parts) -> bytes:
+    """PNG file of the parts of a scene, with its numbers as the file gives them."""
+    return _Drawing(parts).png()
 
 
 class _Drawing:
     """Places of the parts of a scene, then strokes on a canvas."""
 
-    def __init__(self, scene: Scene) -> None:
-        self.scene, self.parts = scene, build_mechanism(scene)
+    def __init__(self, parts: Parts) -> None:
+        self.scene, self.parts = parts.scene, parts
         self._default = self.parts.mechanism.default
         self._seen: list[Array] = []
         """Places that the picture must hold."""
         self._strokes: list[tuple[int, float, Callable[[Canvas], None]]] = []
         """Layer, distance towards the eye, and what draws it."""
-        self._towards, *view = _view(scene, self.parts)
+        self._towards, *view = _view(parts)
         self._view = np.array(view)
         """Directions to the right and up."""
         self._held: dict[str, list[Array]] = defaultdict(list)
@@ -248,11 +246,11 @@ def _some(parts: Iterable) -> list:
     return listed[:: 1 + len(listed) // MOST]
 
 
-def _view(scene: Scene, parts: Parts) -> tuple[Array, Array, Array]:
+def _view(parts: Parts) -> tuple[Array, Array, Array]:
     """Directions towards the eye, to the right and up."""
-    if scene.dimension == 2:
+    if parts.scene.dimension == 2:
         return np.eye(3)[2], np.eye(3)[0], np.eye(3)[1]
-    gravity = np.array([parts.mechanism.default(x) for x in scene.gravity])
+    gravity = np.array([parts.mechanism.default(x) for x in parts.scene.gravity])
     axis = int(np.argmax(np.abs(gravity))) if gravity.any() else 2
     up = np.eye(3)[axis] * (-1.0 if gravity[axis] > 0.0 else 1.0)
     first = np.eye(3)[(axis + 1) % 3]

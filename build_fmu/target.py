@@ -13,8 +13,8 @@ from build_fmu.errors import UsageError
 
 if TYPE_CHECKING:
     from build_fmu.study.values import Entry
+    from solver.mechanics.parts import Parts
     from solver.runtime import Model
-    from solver.scene import Scene
 
 
 def is_fmu(target: str) -> bool:
@@ -32,15 +32,15 @@ def is_fmu(target: str) -> bool:
     return path.suffix == ".fmu" or zipfile.is_zipfile(path)
 
 
-def scene_and_model(target: str, entries: Mapping[str, Entry]) -> tuple[Scene, Model]:
-    """Scene of a file with these values, and its model; its mistakes become a UsageError."""
-    from build_fmu.export import compile_scene, load_scene
+def parts_and_model(target: str, entries: Mapping[str, Entry]) -> tuple[Parts, Model]:
+    """Parts of a scene file with these values, and their model; mistakes become a UsageError."""
+    from build_fmu.export import load_scene
     from build_fmu.study.settings import scene_overrides
+    from solver.mechanics import assemble_parts
     from solver.scene import SceneError
 
     try:
-        scene = load_scene(target, scene_overrides(target, entries))
-        return scene, compile_scene(scene)
+        return assemble_parts(load_scene(target, scene_overrides(target, entries)))
     except SceneError as error:
         raise UsageError(str(error)) from None
 
@@ -72,6 +72,6 @@ def runnable(
         return
     from build_fmu.export import write_fmu
 
-    scene, model = scene_and_model(target, entries)
+    parts, model = parts_and_model(target, entries)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        yield str(write_fmu(model, folder, scene)), {}
+        yield str(write_fmu(parts, model, folder)), {}

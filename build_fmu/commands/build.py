@@ -9,7 +9,7 @@ from pathlib import Path
 from build_fmu.errors import UsageError
 from build_fmu.report import print_json
 from build_fmu.study.settings import given_on_the_command_line
-from build_fmu.target import is_fmu, scene_and_model
+from build_fmu.target import is_fmu, parts_and_model
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -20,13 +20,13 @@ def run(arguments: argparse.Namespace) -> int:
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
-    scene, model = scene_and_model(arguments.scene, entries)
+    parts, model = parts_and_model(arguments.scene, entries)
 
     def tell(sentence: str) -> None:
         sys.stderr.write(f"{model.name}: {sentence}\n")
 
     path = fmu_path(arguments.output, Path(arguments.scene).stem)
-    write_fmu(model, path, scene, tell)
+    write_fmu(parts, model, path, tell)
     size, beside = path.stat().st_size, str(path.with_suffix(".ssv"))
     if arguments.json:
         document = {"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside}

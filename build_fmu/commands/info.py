@@ -11,7 +11,7 @@ from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names
 from build_fmu.errors import UsageError
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
-from build_fmu.target import fmu_model, is_fmu, scene_and_model
+from build_fmu.target import fmu_model, is_fmu, parts_and_model
 
 if TYPE_CHECKING:
     from solver.mechanics.mobility import Survey
@@ -40,7 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     if not is_fmu(arguments.target):
         entries = given_on_the_command_line(arguments.parameters, arguments.settings)
-        _, model = scene_and_model(arguments.target, entries)
+        _, model = parts_and_model(arguments.target, entries)
     elif arguments.settings or arguments.parameters:
         text = (
             "--set and --parameters change the numbers of a scene; those of an FMU are set when it "

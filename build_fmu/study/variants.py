@@ -121,7 +121,8 @@ def variants(
 
 def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
     """Build one of the FMUs, from its number and row."""
-    from build_fmu.export import compile_scene, write_fmu
+    from build_fmu.export import write_fmu
+    from solver.mechanics import assemble_parts
     from solver.scene.reader import read_file
 
     number, row = job
@@ -129,11 +130,11 @@ def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
     values = {name: entry.value for name, entry in row.items()}
     try:
         scene = read_file(shared.scene, {**shared.overrides, **own})
-        model = compile_scene(scene)
+        parts, model = assemble_parts(scene)
     except SceneError as error:
         return Variant(number, "", values, tuple(error.sentences()))
     path = Path(shared.folder, shared.name(number))
-    write_fmu(model, path, scene)
+    write_fmu(parts, model, path)
     return Variant(number, path.name, values, warnings=scene.sentences())
 
 

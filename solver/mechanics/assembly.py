@@ -10,6 +10,7 @@ from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.dependencies import dependencies
 from solver.mechanics.kkt_pattern import eliminations
 from solver.mechanics.outputs import named
+from solver.mechanics.parts import Parts
 from solver.mechanics.sensors import Sensors
 from solver.mechanics.structure import Structure, flat, pointers
 from solver.mechanics.tape import Numbers, Segment
@@ -37,8 +38,13 @@ def assemble(scene: Scene) -> Model:
         When the mechanism of the scene cannot be assembled with its own numbers: every broken rule,
         with its line. A scene made by hand can also have a setting that is out of range.
     """
+    return assemble_parts(scene)[1]
+
+
+def assemble_parts(scene: Scene) -> tuple[Parts, Model]:
+    """Return the parts of a scene and its model; raises as `assemble`."""
     try:
-        model = model_of(scene)
+        parts, model = unchecked_model(scene)
     except ExpressionError as error:
         text = f"a number of the mechanism has no finite value: {error.message}"
         scene.fail([scene.error("", f"{text}; look for a very large or small one")])
@@ -48,7 +54,7 @@ def assemble(scene: Scene) -> Model:
         Integrator(model).initialise()
     except (AssemblyError, OptionError) as error:
         _report(scene, model, str(error).splitlines())
-    return model
+    return parts, model
 
 
 def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
@@ -67,8 +73,8 @@ def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:
 
 
 @collector_paused()
-def model_of(scene: Scene) -> Model:
-    """Return the model of a scene; its numbers are not yet checked."""
+def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
+    """Return the parts of a scene and its model, whose numbers are not yet checked."""
     parts = build_mechanism(scene)
     sensors = Sensors(parts)
     table = list(named(sensors))
@@ -105,7 +111,7 @@ def model_of(scene: Scene) -> Model:
         ),
     )
     model.dependencies = dependencies(scene, structure, known, variables)
-    return model
+    return parts, model
 
 
 def _settings(scene: Scene) -> dict[str, float | str | bool]:

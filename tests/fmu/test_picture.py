@@ -17,6 +17,7 @@ from build_fmu.documentation import documentation, page
 from build_fmu.export import compile_scene
 from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
 from build_fmu.self_check import self_check
+from solver.mechanics.build_mechanism import build_mechanism
 from tests.fmu_instance import SCENES, scene_fmu
 
 BLACK = (0.0, 0.0, 0.0)
@@ -78,7 +79,7 @@ def test_what_lies_beside_the_canvas_is_left_out():
 
 @pytest.mark.parametrize("name", ALL_SCENES)
 def test_every_scene_has_a_picture_that_fills_its_frame(name):
-    seen = pixels(picture(solver.load(SCENES / f"{name}.toml")))
+    seen = pixels(picture(build_mechanism(solver.load(SCENES / f"{name}.toml"))))
     assert seen.shape == (HEIGHT, WIDTH, 3)
     rows, columns = np.nonzero((seen < 250).any(axis=2))
     room = (np.ptp(columns) / (WIDTH - 2 * MARGIN), np.ptp(rows) / (HEIGHT - 2 * MARGIN))
@@ -89,7 +90,7 @@ def test_every_scene_has_a_picture_that_fills_its_frame(name):
 
 def test_points_are_drawn_where_they_are():
     # O, A, B at 0, 1 and 2 m on a level line: they share the width less its margins.
-    seen = pixels(picture(solver.load(SCENES / "double_pendulum.toml")))
+    seen = pixels(picture(build_mechanism(solver.load(SCENES / "double_pendulum.toml"))))
     for place in (MARGIN, WIDTH // 2, WIDTH - MARGIN):
         disc = seen[HEIGHT // 2 - 4 : HEIGHT // 2 + 4, place - 4 : place + 4].astype(int)
         assert disc.min() < 60
@@ -102,7 +103,7 @@ def test_a_body_that_nothing_holds_is_seen_too():
     [bodies]
     stone = { position = [1, 2, 3], mass = 2.0, inertia = [1, 2, 2] }
     """
-    assert (pixels(picture(solver.loads(text))) < 200).any()
+    assert (pixels(picture(build_mechanism(solver.loads(text)))) < 200).any()
 
 
 def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
@@ -129,7 +130,7 @@ guide = {{ type = "{type}", bodies = ["ground", "box"], position = [1, 1]{axis} 
 
 def drawn_beside_the_middle(text: str) -> tuple[bool, bool]:
     """Whether there is ink 20 pixels left or right of the middle, and as far above it."""
-    dark = pixels(picture(solver.loads(text))).max(axis=2) < 100
+    dark = pixels(picture(build_mechanism(solver.loads(text)))).max(axis=2) < 100
     y, x = HEIGHT // 2, WIDTH // 2
     beside = dark[y - 10 : y + 10, [x - 20, x + 20]].any()
     return bool(beside), bool(dark[y - 20, x - 10 : x + 10].any())

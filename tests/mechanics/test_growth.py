@@ -11,7 +11,7 @@ import pytest
 
 import solver
 from scenes.generate import hanging_chain, n_four_bar, rigid_chain
-from solver.mechanics.assembly import model_of
+from solver.mechanics.assembly import unchecked_model
 
 HEAD = 'name = "large"\ndimension = 2\ngravity = [0, -9.81]\n'
 
@@ -102,18 +102,18 @@ def peak(run: Callable[[], object]) -> int:
 def growth(count: Callable[[Callable[[], object]], int], text: Callable[[int], str]) -> float:
     """Cost of 40 more parts over that of 20 more: 2 where it is linear, 4 where quadratic."""
     sizes = (20, 40, 80)
-    costs = [count(lambda n=n: model_of(solver.loads(text(n)))) for n in sizes]
+    costs = [count(lambda n=n: unchecked_model(solver.loads(text(n)))) for n in sizes]
     return (costs[2] - costs[1]) / (costs[1] - costs[0])
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_reading_and_assembly_take_calls_in_proportion_to_the_parts(name):
-    model_of(solver.loads(SCENES[name](3)))  # what the first scene imports is no part of it
+    unchecked_model(solver.loads(SCENES[name](3)))  # what the first scene imports is no part of it
     assert growth(calls, SCENES[name]) <= 2.02
 
 
 @pytest.mark.parametrize("name", SCENES)
 def test_reading_and_assembly_take_memory_in_proportion_to_the_parts(name):
     # Python's tables grow in leaps when they are full, so that a size may lie off the line.
-    model_of(solver.loads(SCENES[name](3)))
+    unchecked_model(solver.loads(SCENES[name](3)))
     assert growth(peak, SCENES[name]) <= 2.5
