@@ -108,15 +108,6 @@ def load_scene(
     return scene
 
 
-def compile_scene(
-    scene: str | PathLike[str] | Scene, overrides: Mapping[str, object] | None = None
-) -> Model:
-    """Compiled model of a scene file or a loaded scene."""
-    from solver.mechanics import assemble
-
-    return assemble(load_scene(scene, overrides))
-
-
 def archive_entries(parts: Parts, model: Model, seen: SelfCheck) -> dict[str, bytes]:
     """Content of the archive by path."""
     code = payload(model.sizes["dim"])

@@ -105,9 +105,10 @@ def scene_overrides(
     is_told = bool(mistakes)
     entries = {name: entry for name, entry in entries.items() if not entry.wrong}
     if any(entry.unit or entry.repeats for entry in entries.values()):
-        from build_fmu.export import compile_scene
+        from build_fmu.export import load_scene
+        from solver.mechanics import assemble
 
-        entries = _fitted(compile_scene(scene), entries, mistakes)
+        entries = _fitted(assemble(load_scene(scene)), entries, mistakes)
     found: dict[str, object] = {
         name: Given(entry.value, entry.where, entry.named) for name, entry in entries.items()
     }

@@ -17,7 +17,7 @@ from solver.mechanics.tape import Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
-from solver.runtime.layout import FORM_TURNED, SIZES, TABLES
+from solver.runtime.layout import FORM_TURNED, SIZES, TABLES, measured_size
 from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
@@ -170,7 +170,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
         "node_mass": [node.mass for node in moving],
         "node_weight": [node.weight for node in moving],
         "velocity_weight": [node.velocity_weight for node in moving],
-        "measured": [0.0] * sum([*structure.measured.values()][-1]),
+        "measured": [0.0] * measured_size(structure.sizes),
     }
 
 

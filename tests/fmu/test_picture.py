@@ -14,7 +14,6 @@ import pytest
 import solver
 from build_fmu.canvas import Canvas
 from build_fmu.documentation import documentation, page
-from build_fmu.export import compile_scene
 from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
 from build_fmu.self_check import self_check
 from solver.mechanics.build_mechanism import build_mechanism
@@ -110,7 +109,7 @@ def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
     with zipfile.ZipFile(scene_fmu("four_bar")) as archive:
         assert pixels(archive.read("model.png")).shape == (HEIGHT, WIDTH, 3)
         page = archive.read("documentation/index.html").decode()
-    seen = self_check(compile_scene(SCENES / "four_bar.toml"))
+    seen = self_check(solver.assemble(solver.load(SCENES / "four_bar.toml")))
     assert seen.energy < 1e-12
     assert f"{seen.energy:.1e}" in page
     assert f"{seen.position_error:.1e} m" in page

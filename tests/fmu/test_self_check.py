@@ -9,7 +9,6 @@ import pytest
 
 import solver
 from build_fmu.documentation import accuracy, solved
-from build_fmu.export import compile_scene
 from build_fmu.motion import Poses
 from build_fmu.self_check import self_check
 from tests.fmu_instance import SCENES
@@ -36,7 +35,7 @@ def test_a_trial_that_fails_is_no_obstacle_and_is_told():
 
 def test_twice_as_fine_a_run_halves_the_step_and_shows_the_error_of_second_order():
     """Error of a pendulum with step h is near 4/3 of the difference to half the step."""
-    model = compile_scene(SCENES / "pendulum.toml")
+    model = solver.assemble(solver.load(SCENES / "pendulum.toml"))
     seen = self_check(model)
     exact = solver.simulate(model, stop_time=seen.duration, step_size=0.05, order=8)
     coarse = solver.simulate(model, stop_time=seen.duration, step_size=0.05)
@@ -55,7 +54,7 @@ def rotation_error(text: str) -> float:
 
 def test_the_rotation_error_of_the_page_is_that_of_a_top_by_another_program():
     """Within 2 s the tip of the nose is off by 2e-5 m, and the top by a tenth of a radian."""
-    model = compile_scene(SCENES / "heavy_top.toml")
+    model = solver.assemble(solver.load(SCENES / "heavy_top.toml"))
     page = accuracy(model, self_check(model))
     assert "it ran for 2 s." in page
     assert "In these 2 s " in page
