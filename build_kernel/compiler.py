@@ -94,7 +94,8 @@ def _compile(root: Path, compiler: list[str], system: str) -> list[Path]:
 
         def compiled(dimension: int) -> Path:
             target = Path(scratch, library_name(system, dimension))
-            compile_library(compiler, root / SOURCES, dimension, target, system=system)
+            options = _without_runtime(compiler)
+            compile_library(compiler, root / SOURCES, dimension, target, *options, system=system)
             return target
 
         with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
@@ -171,6 +172,12 @@ def flags(system: str) -> list[str]:
     # has none, and debuggers read them.
     lean = ["-fno-asynchronous-unwind-tables"] if system == "Linux" else []
     return [*FLAGS, *strip, *lean, *shlex.split(os.environ.get("CFLAGS", ""))]
+
+
+def _without_runtime(compiler: list[str]) -> list[str]:
+    """Options that keep zig from compiling its run-time library: the kernel needs none of it."""
+    glibc = "ziglang" in compiler and any("-linux-gnu" in word for word in compiler)
+    return ["-nostdlib", "-lc"] if glibc else []
 
 
 def _works(compiler: str) -> bool:
