@@ -138,8 +138,11 @@ static int32_t composite_tangent(const context *c, double *value)
         if (status) return status;
         local_gradients(c, j);
         const double factor = !row ? c->constraints_only ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
-        if (!is_lean(c)) composite_stiffness(c, j);
-        for (int32_t k = 0; k < size * size && !is_lean(c); k++) value[*slot++] += factor * c->k.block[k];
+        if (!is_lean(c)) {
+            const double *block = c->k.block;
+            composite_stiffness(c, j);
+            for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * block[k];
+        }
         for (int32_t k = 0; k < size && row; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
         for (int32_t k = 0; k < size && row; k++, slot++)
