@@ -18,9 +18,11 @@ import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import groupby
 from pathlib import Path
-from threading import get_ident
+from threading import Lock
 from typing import Any
 
+ONE_AT_A_TIME = Lock()
+"""Python up to 3.11 at times refuses a text that it parses while another thread parses as well."""
 INTEGERS = {"i": "int32_t", "I": "uint32_t", "Q": "uint64_t", "B": "uint8_t", "d": "double"}
 
 
@@ -88,12 +90,13 @@ def headers(solver: Path) -> dict[str, str]:
 
 def write_headers(solver: Path) -> None:
     """Write the headers that are not there or have another text, each at once."""
-    for name, text in headers(solver).items():
-        path = solver / "kernel" / name
-        if not path.exists() or path.read_text("utf-8") != text:
-            mine = path.with_suffix(f".{os.getpid()}-{get_ident()}")  # others may write it as well
-            mine.write_text(text, "utf-8")
-            mine.replace(path)
+    with ONE_AT_A_TIME:
+        for name, text in headers(solver).items():
+            path = solver / "kernel" / name
+            if not path.exists() or path.read_text("utf-8") != text:
+                mine = path.with_suffix(f".{os.getpid()}")  # other processes may write it as well
+                mine.write_text(text, "utf-8")
+                mine.replace(path)
 
 
 def _header(name: str, include: str, parts: Iterable[str]) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import gc
+import sys
 import sysconfig
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-from build_kernel.model_tables import Declaration, headers
+from build_kernel.model_tables import Declaration, headers, write_headers
 from solver.options import OPTIONS
 from solver.runtime import Integrator, kernel
 from solver.runtime.layout import ABI, HEAD, SIZES
@@ -85,3 +88,23 @@ def test_a_missing_kernel_is_reported_with_platform_and_remedy(monkeypatch, tmp_
         f"no kernel for this platform, {sysconfig.get_platform()}: the folder {tmp_path} has no "
         "kernel; build the FMU on this platform, or compile the kernel: python -m build_kernel"
     )
+
+
+def test_headers_are_written_by_several_threads_at_a_time():
+    def work(*_: object) -> None:
+        """Let another thread run during a collection, as a callback of Hypothesis does."""
+        for _ in range(20):
+            pass
+
+    usual, interval = gc.get_threshold(), sys.getswitchinterval()
+    try:
+        gc.callbacks.append(work)
+        gc.set_threshold(20)
+        sys.setswitchinterval(1e-6)
+        for _ in range(8):
+            with ThreadPoolExecutor(2) as pool:
+                list(pool.map(write_headers, 2 * [SOLVER]))
+    finally:
+        gc.set_threshold(*usual)
+        gc.callbacks.remove(work)
+        sys.setswitchinterval(interval)
