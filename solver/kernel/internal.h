@@ -107,8 +107,13 @@ static inline double hm_angle_over_bend(double x, double y, double angle_over)
 int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
                              const hm_registers *r);
 
-/* One operation of the tape. */
+/* One operation of the tape, other than splines. */
 double hm_operate(int32_t code, double a, double b, double c);
+
+/* A spline, or its derivative of that order, 1 or 2, at x; and its slope (f(x1) - f(x0))/(x1 - x0), without a difference of
+   values. Its table lies from `first` to `last`, one row at least behind its first number; see spline.c.       */
+double hm_spline(int order, double x, const double *first, const double *last);
+double hm_spline_slope(int order, double x0, double x1, const double *first, const double *last);
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);

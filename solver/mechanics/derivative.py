@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from solver.scene import Expr, Number, symbols
-from solver.scene.expression import cos, log, operate, select, sign, sin, sqrt
+from solver.scene.expression import Operand, cos, log, operate, select, sign, sin, sqrt
 
 SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
     "add": (lambda *_: 1.0, lambda *_: 1.0),
@@ -28,6 +29,8 @@ SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
     "cosh": (lambda x: operate("sinh", x),),
     "tanh": (lambda x: 1.0 - operate("tanh", x) ** 2.0,),
     "abs": (sign,),
+    "spline": (lambda x, table: operate("spline_slope", x, table),),
+    "spline_slope": (lambda x, table: operate("spline_curvature", x, table),),
     "min": (lambda x, y: operate("le", x, y), lambda x, y: operate("gt", x, y)),
     "max": (lambda x, y: operate("ge", x, y), lambda x, y: operate("lt", x, y)),
 }  # fmt: skip
@@ -42,7 +45,7 @@ def derivative(number: Number, name: str) -> Number:
     """
     known: dict[Expr, Number] = {}
 
-    def walk(part: Number | str) -> Number:
+    def walk(part: Operand | str) -> Number:
         if not isinstance(part, Expr) or name not in symbols(part):
             return 0.0
         if part not in known:
@@ -50,7 +53,7 @@ def derivative(number: Number, name: str) -> Number:
         return known[part]
 
     def chain(part: Expr) -> Number:
-        args = [arg for arg in part.args if not isinstance(arg, str)]
+        args: list[Any] = [arg for arg in part.args if not isinstance(arg, str)]
         if part.op == "select":
             return select(args[0], walk(args[1]), walk(args[2]))
         total: Number = 0.0

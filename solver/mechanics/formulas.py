@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from random import Random
+from typing import Any
 
 from solver.mechanics.mechanism import Formula, Leaf, Mechanism, Scale
 from solver.mechanics.parts import Meaning, Parts
 from solver.runtime.layout import LEAF_RATE, LEAF_SIGNAL, LEAF_VALUE
 from solver.scene import Expr, ExpressionError, Number, evaluate, symbols
-from solver.scene.expression import operate, symbol
+from solver.scene.expression import Operand, operate, symbol
 
 SWITCHES = frozenset(
     {"sign", "floor", "ceil", "mod", "lt", "le", "gt", "ge", "eq", "ne", "and", "or", "not"}
@@ -32,9 +33,8 @@ def rewritten(number: Number, replace: Callable[[Expr], Number | None]) -> Numbe
     """Return a number in which `replace` stands for what it does not return None for."""
     known: dict[Expr, Number] = {}
 
-    def walk(part: Number | str) -> Number:
+    def walk(part: Operand | str) -> Any:
         if not isinstance(part, Expr):
-            assert not isinstance(part, str)
             return part
         if part not in known:
             new = replace(part)

@@ -14,6 +14,7 @@ from enum import IntEnum
 
 from solver.runtime.layout import CODES, OFFSETS
 from solver.scene import Expr, Number
+from solver.scene.expression import Curve, Operand
 
 CODE = {name: code for code, name in enumerate(CODES)}
 
@@ -46,7 +47,7 @@ class Tape:
     ) -> None:
         self._symbols = symbols
         self._first = first
-        self._known: dict[tuple[Number, Segment], tuple[int, Segment]] = {}
+        self._known: dict[tuple[Operand, Segment], tuple[int, Segment]] = {}
         self.operations: dict[Segment, list[int]] = {segment: [] for segment in Segment}
         self.constants: dict[int, float] = {}
         """Constants by their place."""
@@ -62,8 +63,8 @@ class Tape:
         self._first += 1
         return self._first - 1
 
-    def compile(self, number: Number, wanted: Segment = Segment.LAWS) -> tuple[int, Segment]:
-        """Return where a number's value will lie, and the segment that computes it.
+    def compile(self, number: Operand, wanted: Segment = Segment.LAWS) -> tuple[int, Segment]:
+        """Return where a number's value or a table will lie, and the segment that computes it.
 
         That is PARAMETERS for what depends on fixed parameters alone, else the segment `wanted`.
         """
@@ -84,11 +85,11 @@ class Tape:
         assert found is not None
         return found
 
-    def _found(self, number: Number, wanted: Segment) -> tuple[int, Segment] | None:
+    def _found(self, number: Operand, wanted: Segment) -> tuple[int, Segment] | None:
         known = self._known.get((number, Segment.PARAMETERS))
         return known or self._known.get((number, wanted))
 
-    def _operands(self, number: Number, wanted: Segment) -> list[Number]:
+    def _operands(self, number: Operand, wanted: Segment) -> list[Operand]:
         """Numbers that are compiled before this one."""
         if not isinstance(number, Expr):
             return []
@@ -99,13 +100,14 @@ class Tape:
         return [arg for arg in number.args if not isinstance(arg, str)]
 
     def _compile(
-        self, number: Number, arguments: list[tuple[int, Segment]], wanted: Segment
+        self, number: Operand, arguments: list[tuple[int, Segment]], wanted: Segment
     ) -> tuple[int, Segment]:
         """Compile a number whose operands lie at `arguments`."""
         if not isinstance(number, Expr):
-            place = self._new()
-            self.constants[place] = float(number)
-            return place, Segment.PARAMETERS
+            content = number.numbers if isinstance(number, Curve) else (float(number),)
+            places = [self._new() for _ in content]
+            self.constants.update(zip(places, content, strict=True))
+            return places[0], Segment.PARAMETERS
         if number.op in ("symbol", "call"):
             found = self._symbols(str(number))
             if not isinstance(found, tuple):
@@ -114,27 +116,33 @@ class Tape:
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
         target = self._new()
-        self._emit(segment, number.op, target, places)
+        self._emit(segment, number.op, target, padded(places, number))
         return target, segment
 
     def _emit(self, segment: Segment, op: str, target: int, places: list[int]) -> None:
-        self.operations[segment].extend((CODE[op], target, *padded(places)))
+        self.operations[segment].extend((CODE[op], target, *places))
 
-    def write(self, target: int, number: Number, wanted: Segment = Segment.LAWS) -> Segment:
+    def write(self, target: int, number: Operand, wanted: Segment = Segment.LAWS) -> Segment:
         """Compile a number and have it copied to `target`; return the segment."""
         place, segment = self.compile(number, wanted)
-        self._emit(segment, "copy", target, [place])
+        self._emit(segment, "copy", target, [place] * 3)
         return segment
 
-    def copy(self, number: Number) -> int:
+    def copy(self, number: Operand) -> int:
         """Have a number of the laws copied to a place that nothing else writes; return it."""
         target = self._new()
         self.write(target, number)
         return target
 
 
-def padded(arguments: list[int]) -> list[int]:
-    """Return three arguments of an operation; those it has no use for repeat the last one."""
+def padded(arguments: list[int], operation: Expr) -> list[int]:
+    """Return three arguments of an operation; those it has no use for repeat the last one.
+
+    Of a table these are its first and its last place; below zero, those of ``Numbers.operations``.
+    """
+    if isinstance(table := operation.args[-1], Curve):
+        last = len(table.numbers) - 1
+        return [*arguments, arguments[-1] + (last if arguments[-1] >= 0 else -last)]
     return (arguments + 2 * arguments[-1:])[:3]
 
 
@@ -207,7 +215,7 @@ class Numbers:
         known: dict[Expr, int] = {}
         operations: list[int] = []
 
-        def compiled(part: Number | str) -> int | None:
+        def compiled(part: Operand | str) -> int | None:
             """Register of a part; None for one without leaves."""
             if not isinstance(part, Expr):
                 return None
@@ -222,7 +230,7 @@ class Numbers:
                 -1 - self._constant(arg) if at is None else at
                 for arg, at in zip(part.args, found, strict=True)
             ]
-            operations.extend((CODE[part.op], *padded(arguments)))
+            operations.extend((CODE[part.op], *padded(arguments, part)))
             known[part] = n_leaves + len(operations) // 4 - 1
             return known[part]
 
@@ -232,7 +240,7 @@ class Numbers:
             operations.extend((CODE["copy"], last, last, last))
         return operations
 
-    def _constant(self, number: Number | str) -> int:
+    def _constant(self, number: Operand | str) -> int:
         assert not isinstance(number, str)
         place, segment = self.tape.compile(number)
         if segment is not Segment.LAWS:

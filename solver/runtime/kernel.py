@@ -6,6 +6,7 @@ import ctypes
 import functools
 import os
 import sys
+from array import array
 from collections.abc import Callable
 
 from .layout import ABI, CODES
@@ -92,7 +93,7 @@ FUNCTIONS = {
     "numbers_of": (_POINTER, [_POINTER]),
     "state_of": (_POINTER, [_POINTER]),
     "work_of": (_POINTER, [_POINTER]),
-    "operate": (_REAL, [_INTEGER, _REAL, _REAL, _REAL]),
+    "operate": (_REAL, [_INTEGER, _POINTER, _INTEGER]),
 }
 """Result and arguments of each function of the core, ``holonom_...``, that is called here."""
 
@@ -130,7 +131,8 @@ def shared_library(dimension: int) -> ctypes.CDLL:
 def in_core(name: str) -> Callable[..., float]:
     """Return an operation of the core on floats, with the bits of one in a run.
 
-    Its value is NaN where there is no real one, and an infinity where the result is too large.
+    Its value is NaN where there is no real one, and an infinity where the result is too large. A
+    spline takes x, then the numbers of its table.
 
     Raises
     ------
@@ -138,4 +140,9 @@ def in_core(name: str) -> Callable[..., float]:
         When there is no compiled kernel.
     """
     operate, code = shared_library(2).holonom_operate, CODES.index(name)
-    return lambda a, b=0.0: operate(code, a, b, 0.0)
+
+    def value(*arguments: float) -> float:
+        numbers = array("d", arguments if len(arguments) > 2 else (*arguments, 0.0, 0.0))
+        return operate(code, *numbers.buffer_info())
+
+    return value

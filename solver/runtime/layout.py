@@ -16,7 +16,7 @@ from functools import cache
 from types import CodeType
 from zlib import crc32
 
-ENTRY_POINTS = 17
+ENTRY_POINTS = 18
 """To be raised when functions that the core exports change, or the order of a model's bytes."""
 
 
@@ -343,7 +343,8 @@ ROW_KINDS = (
 CODES = (
     "copy", "add", "sub", "mul", "div", "pow", "neg", "sin", "cos", "tan", "asin", "acos", "atan",
     "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
-    "and", "or", "not", "select", "sinh", "cosh", "tanh", "floor", "ceil", "mod",
+    "and", "or", "not", "sinh", "cosh", "tanh", "floor", "ceil", "mod", "select",
+    "spline", "spline_slope", "spline_curvature",  # of x, first and last place of a table
 )
 """Operations of the tape and of functions, by their codes."""
 # fmt: on

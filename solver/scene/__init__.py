@@ -49,6 +49,7 @@ from solver.scene.joints import (
     Universal,
 )
 from solver.scene.parameters import Input, Parameter
+from solver.scene.profiles import Profile
 from solver.scene.reader import load, loads
 from solver.scene.report import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.scene import Output, Scene, json_schema

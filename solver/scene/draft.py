@@ -11,6 +11,7 @@ from dataclasses import replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from solver.scene.expression import Curve
 from solver.scene.fields import BROKEN, Part, fields_of, shown
 from solver.scene.report import Path, Problem, SceneError, Source
 from solver.scene.scene import TABLES, TYPES
@@ -44,6 +45,8 @@ class Draft:
         self.source = source
         self.problems = problems
         self.warnings: list[Problem] = []
+        self.curves: dict[str, Curve] = {}
+        """Profiles that expressions can call."""
         self.seats: dict[tuple[Path, str], Seat] | None = None
         """Where each place lies on each of its bodies, if that is asked for."""
         self.seats_of_file: Mapping[tuple[Path, str], Seat] | None = None

@@ -14,7 +14,7 @@ import math
 import operator
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import NoReturn, TypeAlias
+from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 from solver.runtime.kernel import in_core
 
@@ -55,6 +55,26 @@ def _in_core(name: str) -> Callable[..., float]:
     return lambda *values: in_core(name)(*values)
 
 
+class Curve(NamedTuple):
+    """Numbers of a profile, in the form of ``solver/kernel/spline.c``: operand of a spline."""
+
+    name: str
+    numbers: tuple[float, ...]
+
+    def __format__(self, _: str) -> str:
+        return self.name
+
+    def __str__(self) -> str:
+        return self.name
+
+
+_SPLINES = ("spline", "spline_slope", "spline_curvature")
+
+
+def _spline(name: str) -> Callable[..., float]:
+    return lambda x, table: in_core(name)(x, *table.numbers)
+
+
 _ELEMENTARY = (
     *("pow", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
     *("sinh", "cosh", "tanh"),
@@ -80,9 +100,11 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "or": _truth(lambda x, y: x != 0.0 or y != 0.0),
     "not": _truth(lambda x: x == 0.0),
     "select": lambda condition, x, y: x if condition != 0.0 else y,
+    **{name: _spline(name) for name in _SPLINES},
 }
 """Operation by name. ``select(condition, x, y)`` is x where the condition is true, else y;
-``mod(x, y)`` is what x exceeds a multiple of y by, with the sign of y."""
+``mod(x, y)`` is what x exceeds a multiple of y by, with the sign of y; ``spline(x, table)`` and its
+two derivatives are those of a profile."""
 
 FUNCTIONS: dict[str, int] = {
     "sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2,
@@ -112,10 +134,12 @@ def written(op: str, args: tuple[str, ...]) -> str:
         return f"(not {args[0]})"
     if op == "select":
         return f"({args[1]} if {args[0]} else {args[2]})"
+    if op in _SPLINES:
+        return args[1] + "'" * _SPLINES.index(op) + f"({args[0]})"
     return f"{op}({', '.join(args)})"
 
 
-def apply(op: str, *values: float) -> float:
+def apply(op: str, *values: Any) -> float:
     """Value of one operation.
 
     Raises
@@ -136,7 +160,7 @@ def apply(op: str, *values: float) -> float:
         return value
     if math.isinf(value) and op != "log" and not (op == "pow" and values[0] == 0.0):
         reason = _TOO_LARGE
-    shown = (f"({v:g})" if v < 0.0 and op in INFIX else f"{v:g}" for v in values)
+    shown = (f"({v:g})" if op in INFIX and v < 0.0 else f"{v:g}" for v in values)
     text = written(op, tuple(shown))
     message = f"{text[1:-1] if text.startswith('(') else text}: {reason}"
     raise ExpressionError(message)
@@ -163,8 +187,8 @@ class Expr:
     op : str
         "symbol", "call", or a name of ``OPERATIONS``.
     args : tuple
-        Operands, each a float or an ``Expr``. Of a symbol: its name. Of a call: the mechanism
-        function and the names of its parts, ``("distance", "A", "B")``.
+        Operands, each a float, an ``Expr`` or a ``Curve``. Of a symbol: its name. Of a call: the
+        mechanism function and the names of its parts, ``("distance", "A", "B")``.
     mentions : frozenset of str
         Its symbols, and its calls as text.
     """
@@ -172,10 +196,10 @@ class Expr:
     __slots__ = ("_hash", "args", "mentions", "op")
 
     op: str
-    args: tuple[Number | str, ...]
+    args: tuple[Operand | str, ...]
     mentions: frozenset[str]
 
-    def __init__(self, op: str, args: tuple[Number | str, ...]) -> None:
+    def __init__(self, op: str, args: tuple[Operand | str, ...]) -> None:
         object.__setattr__(self, "op", op)
         object.__setattr__(self, "args", args)
         object.__setattr__(self, "_hash", hash((op, args)))
@@ -239,11 +263,14 @@ class Expr:
 Number: TypeAlias = float | Expr
 """A number of the scene: known now (float) or once the parameters are (Expr)."""
 
+Operand: TypeAlias = Number | Curve
+"""What operations take."""
+
 Vector: TypeAlias = tuple[Number, ...]
 """As many numbers as the scene has dimensions."""
 
 
-def _text(arg: Number | str) -> str:
+def _text(arg: Operand | str) -> str:
     return f"({arg!r})" if isinstance(arg, float) and str(arg).startswith("-") else str(arg)
 
 
@@ -252,14 +279,14 @@ def symbol(name: str) -> Expr:
     return Expr("symbol", (name,))
 
 
-def operate(op: str, *args: Number) -> Number:
+def operate(op: str, *args: Operand) -> Number:
     """Apply an operation; constants fold at once, and so do its neutral elements.
 
     Parameters
     ----------
     op : str
         Name of an operation in ``OPERATIONS``.
-    *args : float or Expr
+    *args : float, Expr or Curve
         Its operands.
 
     Returns
@@ -272,9 +299,11 @@ def operate(op: str, *args: Number) -> Number:
     ExpressionError
         When the value is known and not a finite real number.
     """
-    numbers = tuple(arg if isinstance(arg, Expr) else float(arg) for arg in args)
+    numbers: tuple[Any, ...] = tuple(
+        arg if isinstance(arg, (Expr, Curve)) else float(arg) for arg in args
+    )
     if not any(isinstance(number, Expr) for number in numbers):
-        return apply(op, *numbers)  # pyright: ignore[reportArgumentType]
+        return apply(op, *numbers)
     if op == "select" and isinstance(numbers[0], float):
         return numbers[1] if numbers[0] != 0.0 else numbers[2]
     folded = _neutral(op, *numbers) if op in ("add", "sub", "mul", "div", "pow", "neg") else None
@@ -356,11 +385,11 @@ def evaluate(number: Number, values: Mapping[str, float]) -> float:
     return known[id(number)]
 
 
-def _value(arg: Number | str, known: Mapping[int, float]) -> float:
-    return known[id(arg)] if isinstance(arg, Expr) else float(arg)
+def _value(arg: Operand | str, known: Mapping[int, float]) -> Any:
+    return known[id(arg)] if isinstance(arg, Expr) else arg
 
 
-def _chosen(node: Expr, known: Mapping[int, float]) -> Number | str:
+def _chosen(node: Expr, known: Mapping[int, float]) -> Operand | str:
     return node.args[1] if _value(node.args[0], known) != 0.0 else node.args[2]
 
 

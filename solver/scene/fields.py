@@ -133,7 +133,7 @@ class Quantity(Kind):
             return grammar.ParsedNumber(value, value)
         if isinstance(value, str):
             try:
-                return grammar.read(value)
+                return grammar.read(value, draft.curves)
             except ExpressionError as error:
                 message = f"{error.message}, column {error.column} of '{value}'"
                 mark = (value, error.column or 1)

@@ -9,13 +9,15 @@ from __future__ import annotations
 import ast
 import re
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Literal, NamedTuple, NoReturn
+from typing import Any, Literal, NamedTuple, NoReturn
 
 from solver.scene.expression import (
     FUNCTIONS,
     MECHANISM_FUNCTIONS,
+    Curve,
     Expr,
     ExpressionError,
     Number,
@@ -96,13 +98,13 @@ def parse(text: str) -> Number:
     return read(text).number
 
 
-def read(text: str) -> ParsedNumber:
-    """Read an expression and note every name in it; raises like ``parse``."""
+def read(text: str, profiles: Mapping[str, Curve] | None = None) -> ParsedNumber:
+    """Read an expression, which may call `profiles`, and note every name; raises like ``parse``."""
     stripped = re.sub(r"\s", " ", text).strip()
     if not stripped or "\0" in stripped or not is_readable(stripped):
         message = "not a readable text" if stripped else "empty expression"
         raise ExpressionError(message, 1)
-    translator = _Translator(stripped, len(text) - len(text.lstrip()))
+    translator = _Translator(stripped, len(text) - len(text.lstrip()), profiles or {})
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # Python's remarks on style, such as '1if x else 2'
@@ -170,9 +172,10 @@ def _plain(message: str) -> str:
 class _Translator:
     """Translation of one syntax tree; notes names as it passes them."""
 
-    def __init__(self, text: str, indent: int) -> None:
+    def __init__(self, text: str, indent: int, profiles: Mapping[str, Curve]) -> None:
         self.text = text
         self.indent = indent
+        self.profiles = profiles
         self.mentions: list[Mention] = []
 
     def number(self, node: ast.expr) -> Number:
@@ -261,7 +264,7 @@ class _Translator:
         rest = [x for _, op, x in terms if op == less]
         return self.combine(node, less, [total, self.combine(node, whole, rest)]) if rest else total
 
-    def combine(self, node: ast.AST, op: str, numbers: list[Number]) -> Number:
+    def combine(self, node: ast.AST, op: str, numbers: list[Any]) -> Number:
         """Apply an operation; one of two operands to any number of them, in halves."""
         try:
             if op in _MANY and len(numbers) > 2:
@@ -286,7 +289,7 @@ class _Translator:
 
     def call(self, node: ast.Call) -> Number:
         name = self.name(node.func)
-        known = FUNCTIONS | MECHANISM_FUNCTIONS
+        known = FUNCTIONS | MECHANISM_FUNCTIONS | dict.fromkeys(self.profiles, 1)
         if name not in known:
             close = get_close_matches(name, known, 1)
             help = f"did you mean '{close[0]}'? " if close else ""
@@ -299,6 +302,8 @@ class _Translator:
             raise self.error(node, f"{name}() takes {words}, got {count + len(node.keywords)}")
         if name in FUNCTIONS:
             return self.operate(node, name, *node.args)
+        if name in self.profiles:
+            return self.combine(node, "spline", [self.number(node.args[0]), self.profiles[name]])
         parts = [self.name(part) for part in node.args]
         columns = [self.column(part) for part in node.args]
         self.mentions.append(Mention(name, self.column(node), "function"))

@@ -222,7 +222,8 @@ class NumberChecks:
         if name in FUNCTIONS or name in MECHANISM_FUNCTIONS:
             return f"'{name}' is a function", f"write {name}(...)"
         if kind is not None:
-            return f"'{name}' is {a(kind)}, not a number", None
+            help = f"write {name}(...)" if kind == "profile" else None
+            return f"'{name}' is {a(kind)}, not a number", help
         parameters = self.known.of("parameter") if place.parameters else []
         words = [*place.own, *(other for other in parameters if other != place.of)]
         if place.time:

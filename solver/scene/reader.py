@@ -12,6 +12,7 @@ import os
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any, Literal
 
 from solver.scene.advice import advise
@@ -22,6 +23,7 @@ from solver.scene.fields import BROKEN, fields_of
 from solver.scene.names import check_body_points, check_name, check_names, known_names
 from solver.scene.overrides import apply_overrides
 from solver.scene.parameters import read_parameters
+from solver.scene.profiles import Profile, read_profiles
 from solver.scene.references import Reader
 from solver.scene.report import SceneError, SceneWarning, Source, in_order
 from solver.scene.scene import HEADING, Scene
@@ -119,6 +121,7 @@ def _build(draft: Draft) -> Scene:
     """Check a draft and turn it into a scene; the draft collects the mistakes."""
     heading = _heading(draft)
     check_names(draft)
+    profiles = read_profiles(draft)
     drawn = {table: draft.parts(table) for table in ("points", "bodies")}
     _forgotten_dimension(draft, drawn, heading.gravity)
     known = known_names(draft)
@@ -144,12 +147,23 @@ def _build(draft: Draft) -> Scene:
         description=heading.description or "",
         dimension=2 if draft.dimension == 2 else 3,
         gravity=gravity,
+        profiles=profiles,
         **reader.parts,
         solver=solver,
         experiment=experiment,
-        source=draft.source,
+        source=_without_files(draft.source, profiles),
         warnings=in_order(draft.warnings),
     )
+
+
+def _without_files(source: Source, profiles: Mapping[str, Profile]) -> Source:
+    """Return the source with the points of files as overrides: it is to be read elsewhere too."""
+    read = {
+        ("profiles", name): f"profiles.{name}={profile.text}"
+        for name, profile in profiles.items()
+        if profile.file
+    }
+    return replace(source, overrides={**source.overrides, **read}) if read else source
 
 
 def _heading(draft: Draft) -> Any:

@@ -18,6 +18,7 @@ from solver.scene.fields import Part, fields_of, schema_of
 from solver.scene.forces import FORCES
 from solver.scene.joints import JOINTS
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
+from solver.scene.profiles import Profile
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
 from solver.scene.settings import Experiment, SolverSettings
@@ -70,6 +71,9 @@ class Scene(Part):
         default_factory=dict
     )
     inputs: Annotated[dict[str, Input], _table("input", Input)] = field(default_factory=dict)
+    profiles: Annotated[dict[str, Profile], _table("profile", Profile)] = field(
+        default_factory=dict
+    )
     points: Annotated[dict[str, Point], _table("point", Point)] = field(default_factory=dict)
     bodies: Annotated[dict[str, Body], _table("body", BODIES)] = field(default_factory=dict)
     joints: Annotated[dict[str, Part], _table("joint", JOINTS)] = field(default_factory=dict)

@@ -23,6 +23,7 @@ _WORDS = {
         drivers: actuators motions drives
         parameters: variables constants params
         inputs: signals
+        profiles: tables curves splines characteristics lookups
         outputs: sensors results measurements measures
         experiment: simulation run
         solver: settings integrator

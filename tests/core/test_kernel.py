@@ -16,7 +16,7 @@ from solver.runtime import StepError
 from solver.runtime.layout import measured_sections
 from tests.joint_scenes import PAIRS, pair
 from tests.kernel_calls import kernel_of
-from tests.kernel_cases import LADDER, METHODS, SOURCES, ZOO, is_plain, settings
+from tests.kernel_cases import LADDER, METHODS, PROFILES, SOURCES, ZOO, is_plain, settings
 from tests.oracle import Mechanism
 from tests.oracle import internal_step as step_of_the_oracle
 from tests.oracle.measurements import measurements
@@ -34,7 +34,7 @@ from tests.twins import (
     vector,
 )
 
-ALL = SOURCES | ZOO
+ALL = SOURCES | ZOO | PROFILES
 UNDRIVEN = [name for name, source in SOURCES.items() if not model_of(source).sizes["n_signals"]]
 LARGE = {name for name, source in ALL.items() if model_of(source).sizes["n_rows"] > 40}
 """Here the search for the roots beta of eq 8 takes the oracle half a minute."""

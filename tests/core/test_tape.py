@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from solver.mechanics.tape import CODES, Segment, Tape
 from solver.scene.expression import (
     OPERATIONS,
+    Curve,
     Expr,
     ExpressionError,
     apply,
@@ -19,6 +20,7 @@ from solver.scene.expression import (
     operate,
     symbol,
 )
+from solver.scene.profiles import table_of
 from tests.kernel_calls import Kernel
 from tests.twins import PENDULUM, model_of, start
 
@@ -31,8 +33,16 @@ ARITY = {
     **dict.fromkeys(("exp", "log", "abs", "sign", "not"), 1),
     **dict.fromkeys(("sinh", "cosh", "tanh", "floor", "ceil"), 1),
     "select": 3,
+    **dict.fromkeys(("spline", "spline_slope", "spline_curvature"), 1),
 }
-"""Operations by name and number of operands: all that an expression can hold."""
+"""Operations by name and number of operands: all that an expression can hold. Of splines, besides
+their tables."""
+
+TABLES = [
+    Curve("lobe", table_of([-5.0, -1.0, 0.0, 2.0, 3.0], [0.0, 1.0, 3.0, -1.0, 0.0], periodic=True)),
+    Curve("road", table_of([-9.0, 0.5, 2.0], [1.0, -2.0, 4.0], integrate=True)),
+]
+TABLE = {name: TABLES[:1] if name.startswith("spline") else [] for name in ARITY}
 
 
 def on_tape(engine, number, values):
@@ -65,7 +75,8 @@ def same_bits(x, y):
 def _operations(draw, operands):
     name = draw(st.sampled_from(sorted(ARITY)))
     arguments = [draw(operands) for _ in range(ARITY[name])]
-    return Expr(name, tuple(arguments))
+    tables = [draw(st.sampled_from(TABLES))] if TABLE[name] else []
+    return Expr(name, (*arguments, *tables))
 
 
 finite = st.floats(-1e3, 1e3).map(lambda x: round(x, 2) + 0.0)
@@ -96,11 +107,11 @@ def test_every_operation_of_expressions_has_a_code():
 def test_each_code_means_its_operation(engine, name):
     for arguments in ((0.3, 0.7, 2.0), (0.7, 0.3, -1.0), (0.5, 0.5, 4.0), (0.0, 0.4, 3.0)):
         taken = arguments[: ARITY[name]]
-        number = Expr(name, tuple(symbol(place) for place in NAMES[: ARITY[name]]))
+        number = Expr(name, (*(symbol(place) for place in NAMES[: ARITY[name]]), *TABLE[name]))
         if name == "log" and taken[0] == 0.0:
             continue
         known = dict(zip(NAMES, arguments, strict=True))
-        assert same_bits(on_tape(engine, number, known), apply(name, *taken))
+        assert same_bits(on_tape(engine, number, known), apply(name, *taken, *TABLE[name]))
 
 
 NAN = {"a": math.nan, "b": 2.0, "c": -3.0}

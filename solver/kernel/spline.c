@@ -1,0 +1,85 @@
+/* Splines: polynomials of degree 4 at most in pieces, so smooth that their third derivative may jump.
+
+   A table of numbers is the period, 0 for none, then rows (x_k, c_0, ..., c_4) that mean sum_j c_j (x - x_k)^j from x_k
+   on: first the continuation to the left, which has the x_0 of the row behind it, last that to the right.           */
+#include "internal.h"
+
+enum { ROW = 6, DEGREE = 4 };
+
+typedef struct spot {
+    double x, turns; /* within the table, and the periods left out */
+    int32_t row;
+} spot;
+
+/* Whatever the table holds, the row is one of its rows. */
+static spot spot_of(double x, const double *row, int32_t count, double period)
+{
+    spot at = {x, period > 0.0 ? floor((x - row[0]) / period) : 0.0, 0};
+    if (at.turns != 0.0) at.x -= at.turns * period;
+    for (int32_t end = count; end - at.row > 1;) {
+        const int32_t middle = (at.row + end) / 2;
+        if (at.x >= row[ROW * middle]) at.row = middle;
+        else end = middle;
+    }
+    return at;
+}
+
+/* Coefficients of a derivative of a row. */
+static void derive(const double *row, int order, double *c)
+{
+    for (int j = 0; j <= DEGREE; j++) c[j] = row[1 + j];
+    for (; order > 0; order--) {
+        for (int j = 0; j < DEGREE; j++) c[j] = (j + 1) * c[j + 1];
+        c[DEGREE] = 0.0;
+    }
+}
+
+double hm_spline(int order, double x, const double *first, const double *last)
+{
+    const spot at = spot_of(x, first + 1, (int32_t)((last - first) / ROW), *first);
+    const double *row = first + 1 + ROW * at.row, s = at.x - row[0];
+    double c[DEGREE + 1], value = 0.0;
+    derive(row, order, c);
+    for (int j = DEGREE; j >= 0; j--) value = value * s + c[j];
+    return value;
+}
+
+/* (p(x1) - p(x0))/(x1 - x0) of one row: p = p(x0) + (x - x0) q, and q at x1, both by Horner's rule. */
+static double row_slope(const double *row, int order, double x0, double x1)
+{
+    double c[DEGREE + 1], b = 0.0, q = 0.0;
+    derive(row, order, c);
+    for (int j = DEGREE; j > 0; j--) {
+        b = b * (x0 - row[0]) + c[j];
+        q = q * (x1 - row[0]) + b;
+    }
+    return q;
+}
+
+/* Adds length and change from one spot to another that lies behind it in the table, row by row. */
+static void add_span(const double *row, int order, spot from, spot to, double *length, double *change)
+{
+    for (int32_t k = from.row; k <= to.row; k++) {
+        const double x0 = k == from.row ? from.x : row[ROW * k], x1 = k == to.row ? to.x : row[ROW * (k + 1)];
+        *length += x1 - x0;
+        *change += (x1 - x0) * row_slope(row + ROW * k, order, x0, x1);
+    }
+}
+
+double hm_spline_slope(int order, double x0, double x1, const double *first, const double *last)
+{
+    const double *row = first + 1, period = *first;
+    const int32_t count = (int32_t)((last - first) / ROW);
+    const spot from = spot_of(x0 < x1 ? x0 : x1, row, count, period), to = spot_of(x0 < x1 ? x1 : x0, row, count, period);
+    const double turns = to.turns - from.turns;
+    double length = 0.0, change = 0.0;
+    if (turns == 0.0 && from.row == to.row) return row_slope(row + ROW * to.row, order, from.x, to.x);
+    if (turns > 0.0 && count > 2) { /* to the end of the period, then from its beginning; whole periods change nothing */
+        add_span(row, order, from, (spot){row[ROW * (count - 1)], 0.0, count - 2}, &length, &change);
+        add_span(row, order, (spot){row[ROW], 0.0, 1}, to, &length, &change);
+        length += (turns - 1.0) * period;
+    } else {
+        add_span(row, order, from, to, &length, &change);
+    }
+    return length != 0.0 ? change / length : row_slope(row + ROW * to.row, order, to.x, to.x);
+}
