@@ -1,4 +1,4 @@
-# make demo        build the FMU of a four-bar, run it in fmpy, show what it conserves
+# make demo        build FMUs of a four-bar and of a worn slider-crank, run them in fmpy, show what they conserve
 # make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
 # make long        what takes longer: long tests, sanitize, hostile
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
@@ -28,6 +28,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
+	@$(BIN)/python -m examples.clearance
 
 test: lint
 	$(BIN)/python -m pytest -n $(JOBS) -m "not long"

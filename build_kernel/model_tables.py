@@ -224,6 +224,8 @@ def _enumerations(layout: Declaration, options: Declaration, errors: Declaration
     yield _enumeration(layout, "", "", codes, values=values)
     for table, prefix, last in (
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
+        ("CONTACT", "C_", "SIZE"), ("FRICTION", "F_", "SIZE"), ("NORMAL_SUMS", "NORMAL_", "SUMS"),
+        ("FRICTION_MODES", "FRICTION_", "MODES"),
         ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)

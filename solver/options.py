@@ -44,6 +44,7 @@ class Option:
     allowed: tuple[float, ...] = ()  # all that a number may be, where these are few
     whole: bool = False  # whether a number counts something
     place: str = ""  # scalar of the state's head that holds it; empty: of the same name
+    of_contacts: bool = False  # whether only scenes with contacts or friction have it
 
     @property
     def is_switch(self) -> bool:
@@ -169,6 +170,47 @@ _TABLE = (
         "begin as drawn, or at rest in the static equilibrium next to it",
         words=("drawn", "equilibrium"),
         place="equilibrium",
+    ),
+    Option(
+        "rest_speed",
+        1e-4,
+        "normal speed below which contacts hit without rebound",
+        low=0.0,
+        high=1e3,
+        unit="m/s",
+        of_contacts=True,
+    ),
+    Option(
+        "rest_time",
+        1e-6,
+        "flight after an impact below which contacts stay closed instead",
+        low=0.0,
+        high=1.0,
+        unit="s",
+        of_contacts=True,
+    ),
+    Option(
+        "max_events",
+        50.0,
+        "impacts and other changes of contacts that a communication step may have",
+        low=1.0,
+        high=1e6,
+        whole=True,
+        of_contacts=True,
+    ),
+    Option(
+        "contact_mode",
+        "located",
+        "impacts at their times (located), or one for each half step (stepped)",
+        words=("located", "stepped"),
+        of_contacts=True,
+    ),
+    Option(
+        "impact_law",
+        "simultaneous",
+        "contacts that hit together: all at once, or the fastest first (sequential)",
+        words=("simultaneous", "sequential"),
+        of_contacts=True,
     ),
 )
 

@@ -73,20 +73,26 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _document(model: Model, counts: Survey) -> dict[str, Any]:
+    from solver.mechanics.mobility import is_lasting
+
     places = [row.location.partition(".") for row in model.rows]
-    of_velocities = model.rows[len(model.rows) - model.sizes["n_velocity_rows"] :]
+    first = len(model.rows) - model.sizes["n_velocity_rows"]
+    lasting = is_lasting(model)
+    of_velocities = [
+        row for row, lasts in zip(model.rows[first:], lasting[first:], strict=True) if lasts
+    ]
     return {
         "name": model.name,
         "description": model.description,
         "dimension": model.sizes["dim"],
         **{
             table: list(dict.fromkeys(name for kind, _, name in places if kind == table))
-            for table in ("bodies", "joints", "constraints")
+            for table in ("bodies", "joints", "constraints", "contacts")
         },
         **asdict(counts),
         "drivers": driver_names(model),
         "prescribed_motions": counts.drivers,
-        "velocity_rows": model.sizes["n_velocity_rows"],
+        "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
         "experiment": model.experiment._asdict(),
         "variables": [
@@ -112,6 +118,7 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("bodies", _names(document["bodies"])),
         ("joints", _names(document["joints"])),
         ("constraint formulas", _names(document["constraints"])),
+        *([("contacts", _names(document["contacts"]))] if document["contacts"] else []),
         ("drivers", _names(document["drivers"])),
         ("points", f"{moving}, {counts.supports} fixed{note}"),
         *((kind, _names(names)) for kind, names in forces.items()),

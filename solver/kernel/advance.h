@@ -34,6 +34,9 @@ void holonom_set_inputs(const holonom_model *m, double *number, double *state, d
     set_laws(&c, c.t, 0);
     if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0) start_anew(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
+    if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0 ||
+        memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0)
+        c.s.head[S_UNSETTLED] = 1.0;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
@@ -87,17 +90,21 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_changes(&c);
     int32_t status = start_ramps(&c, step);
     set_laws(&c, start, 0);
+    head[S_EVENTS] = 0.0;
+    if (!status && m->unilateral) status = head[S_UNSETTLED] != 0.0 ? settle(&c) : event_functions(&c, values_at(&c, AT_LOW));
     if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {
         memcpy(head, c.k.step_backup, sizeof(double) * (size_t)c.state_size);
         head[S_STATUS] = status;
+        head[S_AT_FAULT] = c.at_fault;
         return status;
     }
     memcpy(c.s.inputs_before, c.s.inputs, sizeof(double) * (size_t)m->n_inputs);
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
+    head[S_AT_FAULT] = 0.0;
     follow_energies(&c);
     return HOLONOM_OK;
 }

@@ -33,6 +33,11 @@ typedef struct context {
     int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
     int constraints_only;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
+    int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
+    int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
+    int32_t event;      /* function of event.h that has become 0, or -1                                        */
+    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved, and 1; else 0            */
+    const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
     double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
@@ -133,6 +138,9 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
     c->constraints_only = c->unweighted = c->damped = 0;
+    c->cone_mu = c->k.mu;
+    c->at_fault = c->divided = c->sliding = 0;
+    for (int32_t f = 0; f < m->n_frictions; f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;
     c->fresh_increments = 0;

@@ -7,6 +7,7 @@
 #include "context.h"
 #include "energy.h"
 #include "estimate.h"
+#include "event.h"
 #include "extrapolation.h"
 #include "norms.h"
 #include "predict.h"
@@ -15,6 +16,7 @@
 enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
+#define SLIVER 1e-3   /* of a step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 
@@ -120,14 +122,19 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double rest = step - done;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
-        const double n = fmax(least, steps_over(c, rest, head[S_WANTED])), h = rest / n;
+        const double n = fmax(least, steps_over(c, rest, head[S_WANTED]));
         const double law_time = c->number[c->m->time_at];
+        double h = rest / n;
         if (!(half_steps + n * c->halves < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
         c->damped = is_dissipative(c);
-        const int32_t status = internal_step(c, h);
-        const int rejected = status ? 1 : judge_step(c, start + done, h, law_time, step);
+        int32_t status = c->m->unilateral ? stop_before(c, &h) : HOLONOM_OK;
+        if (status) return status;
+        if (c->m->unilateral) keep_start(c);
+        const int is_short = c->m->unilateral && h < SHORTEST_PIECE * usual_length(c);
+        status = is_short ? short_piece(c, h) : internal_step(c, h);
+        const int rejected = status ? 1 : is_short ? 0 : judge_step(c, start + done, h, law_time, step);
         half_steps += c->halves;
         failed = status;
         if (status || (rejected && repeats < MAX_REPEATS)) {
@@ -143,10 +150,34 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             continue;
         }
         repeats = 0;
-        done = n == 1.0 ? step : done + h;
+        double covered = h;
+        if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) return status;
+        done = covered == rest ? step : done + covered;
         follow_energies(c);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
+    return HOLONOM_OK;
+}
+
+/* Covers a communication step of n steps of length h, each cut at events; what is left of a grid step that is shorter
+   than a thousandth of it belongs to the next one, since round-off of rows enters velocities over the length.   */
+static int32_t cover_between_events(context *c, double start, double step, double h)
+{
+    double done = 0.0;
+    while (done < step) {
+        const double law_time = c->number[c->m->time_at], grid = (floor(done / h + SLIVER) + 1.0) * h;
+        const double next = grid > step - SLIVER * h ? step : grid;
+        double length = next - done, covered;
+        c->t = start + done;
+        c->unweighted = 0;
+        int32_t status = stop_before(c, &length);
+        covered = length;
+        if (!status) status = step_piece(c, length);
+        if (!status) status = end_piece(c, start + done, law_time, length, &covered);
+        if (status) return status;
+        done = covered == next - done ? next : done + covered;
+        follow_energies(c);
+    }
     return HOLONOM_OK;
 }
 
@@ -158,6 +189,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
     if (is_dissipative(c) && !is_extrapolating(c)) head[S_ORDER_IN_USE] = 2.0;
+    if (!status && c->m->unilateral) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
         c->unweighted = 0;

@@ -6,6 +6,7 @@
 #include "context.h"
 #include "forms.h"
 #include "function.h"
+#include "row_state.h"
 #include "step.h"
 
 /* Energy of springs and potentials. */
@@ -84,7 +85,8 @@ static double kinetic_energy(const context *c, double *p)
 static double ledger_balance(const context *c, double kinetic, double potential)
 {
     const double *head = c->s.head;
-    return ((kinetic - head[S_KINETIC_START]) + potential) - (head[S_WORK] - head[S_DISSIPATED]);
+    return ((kinetic - head[S_KINETIC_START]) + potential) -
+           (head[S_WORK] - (head[S_DISSIPATED] + (head[S_FRICTION] + head[S_IMPACT])));
 }
 
 /* The balance over the reference energy. */
@@ -118,7 +120,32 @@ static void follow_energies(context *c)
     head[S_LEDGER_ERROR] = relative_balance(c, ledger_balance(c, kinetic, potential));
 }
 
-/* Rates of all rows (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values
+/* Rate of function row j, or value of velocity row j, as below. */
+static double function_rate(const context *c, int32_t j, const double *x, const double *x_low, const double *v,
+                            const double *signal, const double *signal_rate)
+{
+    const holonom_model *m = c->m;
+    const hm_registers *r = &c->k.r;
+    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
+    double *change = c->k.leaves;
+    for (int32_t l = 0; l < n; l++, entry += 4) {
+        if (entry[0] == LEAF_SIGNAL) {
+            r->r0[l] = signal[entry[1]];
+            change[l] = signal_rate[entry[1]];
+        } else {
+            r->r0[l] = quantity_at(c, entry[1], x, x_low, v, change + l);
+            if (entry[0] == LEAF_RATE) r->r0[l] = change[l];
+        }
+        r->r1[l] = r->r0[l];
+        r->dr[l] = 0.0;
+    }
+    const int32_t last = run_function(c, j);
+    double rate = j >= first_velocity_row(c) ? r->r0[last] : 0.0;
+    for (int32_t l = 0; l < n && j < first_velocity_row(c); l++) rate += r->adjoint[l] * change[l];
+    return rate;
+}
+
+/* Rates of all rows that hold (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values
    `signal` and the rates `signal_rate`. Linear in both rates, but for a velocity row's own terms.              */
 static void row_rates(const context *c, const double *x, const double *x_low, const double *v, const double *signal,
                       const double *signal_rate, double *rate)
@@ -132,25 +159,9 @@ static void row_rates(const context *c, const double *x, const double *x_low, co
     }
     for (int32_t j = 0; j < m->n_coincidences; j++)
         link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
-    for (int32_t j = first_function(c); j < first_potential(c); j++) {
-        const hm_registers *r = &c->k.r;
-        double *change = c->k.leaves, *y = rate + row_of(c, j);
-        const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
-        for (int32_t l = 0; l < n; l++, entry += 4) {
-            if (entry[0] == LEAF_SIGNAL) {
-                r->r0[l] = signal[entry[1]];
-                change[l] = signal_rate[entry[1]];
-            } else {
-                r->r0[l] = quantity_at(c, entry[1], x, x_low, v, change + l);
-                if (entry[0] == LEAF_RATE) r->r0[l] = change[l];
-            }
-            r->r1[l] = r->r0[l];
-            r->dr[l] = 0.0;
-        }
-        const int32_t last = run_function(c, j);
-        *y = j >= first_velocity_row(c) ? r->r0[last] : 0.0;
-        for (int32_t l = 0; l < n && j < first_velocity_row(c); l++) *y += r->adjoint[l] * change[l];
-    }
+    for (int32_t j = first_function(c); j < first_potential(c); j++)
+        rate[row_of(c, j)] =
+            state_of_row(c, j) == ROW_IS_ON ? function_rate(c, j, x, x_low, v, signal, signal_rate) : 0.0;
 }
 
 /* Rows at the state (n_rows, overwritten). */
@@ -165,7 +176,8 @@ static void row_values(const context *c, double *phi)
     for (int32_t j = 0; j < m->n_coincidences; j++)
         link_at_state(c, m->coincidence_form[j], phi + m->n_form_rows + DIM * j, w);
     if (first_velocity_row(c) > first_function(c)) quantities_at_state(c);
-    for (int32_t j = first_function(c); j < first_velocity_row(c); j++) phi[row_of(c, j)] = function_value(c, j);
+    for (int32_t j = first_function(c); j < first_velocity_row(c); j++)
+        phi[row_of(c, j)] = state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
     for (int32_t j = first_velocity_row(c); j < first_potential(c); j++) phi[row_of(c, j)] = 0.0;
 }
 

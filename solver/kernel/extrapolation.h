@@ -33,7 +33,7 @@ typedef struct extrapolation {
 /* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
 static int may_extrapolate(const context *c)
 {
-    if (c->m->n_islands > 1) return 0;
+    if (c->m->n_islands > 1 || c->m->unilateral) return 0;
     return hm_conserves_all(c->formulation);
 }
 

@@ -137,10 +137,10 @@ int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t
         r->r0[at] = hm_operate(op[0], a.x0, b.x0, c.x0);
         r->r1[at] = hm_operate(op[0], a.x1, b.x1, c.x1);
         if (op[0] >= T_SPLINE) { /* a spline: its table lies among the numbers */
-            const double *first = numbers - 1 - op[2], *last = numbers - 1 - op[3];
-            r->r0[at] = hm_spline(op[0] - T_SPLINE, a.x0, first, last);
-            r->r1[at] = hm_spline(op[0] - T_SPLINE, a.x1, first, last);
-            slope[0] = hm_spline_slope(op[0] - T_SPLINE, a.x0, a.x1, first, last);
+            const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3];
+            r->r0[at] = hm_spline(op[0] - T_SPLINE, a.x0, first, end);
+            r->r1[at] = hm_spline(op[0] - T_SPLINE, a.x1, first, end);
+            slope[0] = hm_spline_slope(op[0] - T_SPLINE, a.x0, a.x1, first, end);
             r->dr[at] = slope[0] * a.dx;
             continue;
         }

@@ -287,6 +287,25 @@ static double function_value(const context *c, int32_t j)
     return r->r0[run_function(c, j)];
 }
 
+/* Value of function j at the state, of its own quantities and without slopes. */
+static double value_at_state(const context *c, int32_t j)
+{
+    const holonom_model *m = c->m;
+    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], f = j - first_function(c), *entry = m->leaf + 4 * m->leaf_ptr[j];
+    double *x = c->k.r.r0;
+    int32_t l = 0;
+    for (; l < n; l++, entry += 4)
+        x[l] = entry[0] == LEAF_SIGNAL ? c->s.signal[entry[1]] : quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
+    for (int32_t at = m->function_ptr[f]; at < m->function_ptr[f + 1]; at++, l++) {
+        const int32_t *op = m->operation + 4 * at;
+        double argument[3];
+        for (int i = 0; i < 3; i++) argument[i] = op[1 + i] < 0 ? c->number[-1 - op[1 + i]] : x[op[1 + i]];
+        x[l] = op[0] < T_SPLINE ? hm_operate(op[0], argument[0], argument[1], argument[2])
+                                : hm_spline(op[0] - T_SPLINE, argument[0], c->number - 1 - op[2], c->number - 1 - op[3]);
+    }
+    return x[l - 1];
+}
+
 /* sigma0 becomes the quantities at the state. */
 static void quantities_at_state(const context *c)
 {

@@ -63,7 +63,7 @@ static inline double impact_gap_rate(const hm_impact *x, int32_t i)
 }
 
 /* gamma+ of row k, and the sum of the sizes of its terms. */
-static double impact_rate(const hm_impact *x, int32_t k, double *size)
+HM_SELDOM static double impact_rate(const hm_impact *x, int32_t k, double *size)
 {
     double sum = x->before[k];
     *size = fabs(sum);
@@ -76,7 +76,7 @@ static double impact_rate(const hm_impact *x, int32_t k, double *size)
 }
 
 /* The contact slides along sign u/|u|, with what friction then is. */
-static void impact_slide(const hm_impact *x, int32_t i, double sign, const double *u, double *direction)
+HM_SELDOM static void impact_slide(const hm_impact *x, int32_t i, double sign, const double *u, double *direction)
 {
     const int32_t n = impact_slips(x, i), t = x->first[i] + 1;
     const double length = n ? impact_length(n, u) : 0.0;
@@ -88,7 +88,7 @@ static void impact_slide(const hm_impact *x, int32_t i, double sign, const doubl
 }
 
 /* One projected change of the impulses of contact i; whether they moved. */
-static int impact_relax(hm_impact *x, int32_t i)
+HM_SELDOM static int impact_relax(hm_impact *x, int32_t i)
 {
     const int32_t k = x->first[i], n = impact_slips(x, i), m = x->rows;
     const double *w = x->W + k * m + k, *v = w + m + 1;
@@ -112,7 +112,7 @@ static int impact_relax(hm_impact *x, int32_t i)
 }
 
 /* Projected Gauss-Seidel from impulses of 0, and the statuses at which it ends. */
-static void impact_guess(hm_impact *x, const impact_parts *s, int32_t sweeps)
+HM_SELDOM static void impact_guess(hm_impact *x, const impact_parts *s, int32_t sweeps)
 {
     int moved = 1;
     for (int32_t k = 0; k < x->rows; k++) x->impulse[k] = 0.0;
@@ -138,7 +138,7 @@ static inline void impact_swap(double *a, double *b)
 
 /* Solves A x = b (n) with complete pivoting, both modified; x and order (n) overwritten. Unknowns of dependent columns
    are 0.                                                                                                       */
-static void impact_eliminate(int32_t n, double *A, double *b, double *order, double *solution)
+HM_SELDOM static void impact_eliminate(int32_t n, double *A, double *b, double *order, double *solution)
 {
     int32_t rank = 0;
     for (int32_t c = 0; c < n; c++) order[c] = c;
@@ -165,7 +165,7 @@ static void impact_eliminate(int32_t n, double *A, double *b, double *order, dou
 /* Equations and unknowns of contact i, so that the matrix has a diagonal of 1: gamma_N+ + e gamma_N- = 0 for p_N, with
    the friction that it brings where the contact slides; gamma_T+ = 0 for p_T where it sticks; in space the slip across
    its direction, for the friction across it. What such friction adds to the diagonal is put there.              */
-static void impact_weigh(const hm_impact *x, const impact_parts *s, int32_t i)
+HM_SELDOM static void impact_weigh(const hm_impact *x, const impact_parts *s, int32_t i)
 {
     const int32_t k = x->first[i], n = impact_slips(x, i), t = k + 1, m = x->rows;
     for (int32_t r = 3 * k; r < 3 * (t + x->tangents[i]); r++) s->equation[r] = s->unknown[r] = 0.0;
@@ -188,7 +188,7 @@ static void impact_weigh(const hm_impact *x, const impact_parts *s, int32_t i)
 }
 
 /* Right-hand side of the equations of contact i; returns the largest over the sizes of its terms. */
-static double impact_defect(const hm_impact *x, const impact_parts *s, int32_t i)
+HM_SELDOM static double impact_defect(const hm_impact *x, const impact_parts *s, int32_t i)
 {
     double largest = 0.0;
     for (int32_t k = x->first[i], r = k; r <= k + x->tangents[i]; r++) {
@@ -205,7 +205,7 @@ static double impact_defect(const hm_impact *x, const impact_parts *s, int32_t i
 }
 
 /* The equations of contact i with the unknowns of contact j: adds to the matrix. */
-static void impact_couple(const hm_impact *x, const impact_parts *s, int32_t i, int32_t j)
+HM_SELDOM static void impact_couple(const hm_impact *x, const impact_parts *s, int32_t i, int32_t j)
 {
     const int32_t k = x->first[i], l = x->first[j], m = x->rows;
     for (int32_t r = 0; r <= x->tangents[i]; r++)
@@ -217,7 +217,7 @@ static void impact_couple(const hm_impact *x, const impact_parts *s, int32_t i, 
 }
 
 /* The impulses of contact i after a change of its unknowns. */
-static void impact_move(const hm_impact *x, const impact_parts *s, int32_t i)
+HM_SELDOM static void impact_move(const hm_impact *x, const impact_parts *s, int32_t i)
 {
     const int32_t k = x->first[i], n = impact_slips(x, i);
     const double cone = impact_cone(x, i);
@@ -234,7 +234,7 @@ static void impact_move(const hm_impact *x, const impact_parts *s, int32_t i)
 }
 
 /* Newton's iteration for the statuses at hand; returns the largest defect over the sizes of its terms. */
-static double impact_settle(const hm_impact *x, const impact_parts *s)
+HM_SELDOM static double impact_settle(const hm_impact *x, const impact_parts *s)
 {
     const int64_t square = (int64_t)x->rows * (int64_t)x->rows;
     double defect = 0.0, last = 0.0;
@@ -257,14 +257,14 @@ static double impact_settle(const hm_impact *x, const impact_parts *s)
 }
 
 /* Whether contact i has friction and, to round-off, no slip. */
-static int impact_rests(const hm_impact *x, const impact_parts *s, int32_t i)
+HM_SELDOM static int impact_rests(const hm_impact *x, const impact_parts *s, int32_t i)
 {
     const int32_t t = x->first[i] + 1, n = impact_slips(x, i);
     return n > 0 && impact_length(n, x->after + t) <= IMPACT_TOLERANCE * (s->size[t] + s->size[t + n - 1]);
 }
 
 /* Changes the status of contact i if an inequality fails; returns whether it does. */
-static int impact_revise(const hm_impact *x, const impact_parts *s, int32_t i)
+HM_SELDOM static int impact_revise(const hm_impact *x, const impact_parts *s, int32_t i)
 {
     const int32_t k = x->first[i], n = impact_slips(x, i);
     double *p = x->impulse + k;
@@ -292,7 +292,7 @@ static int impact_revise(const hm_impact *x, const impact_parts *s, int32_t i)
 
 /* Impulses for the restitution at hand; 0, or 1 if no statuses were found that agree with them. All contacts change at
    once, or, where that goes round in circles, the first alone (Murty 1974).                                      */
-static int impact_search(hm_impact *x, const impact_parts *s)
+HM_SELDOM static int impact_search(hm_impact *x, const impact_parts *s)
 {
     int alone = 0;
     for (int32_t sweeps = 32; sweeps <= 32768; sweeps *= 4, alone = !alone) {

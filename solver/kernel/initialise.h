@@ -7,6 +7,7 @@
 
 #include "context.h"
 #include "energy.h"
+#include "event.h"
 #include "extrapolation.h"
 #include "inputs_signals.h"
 #include "ledger.h"
@@ -179,6 +180,25 @@ static void open_ledger(context *c)
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor > 0.0 ? floor : still);
 }
 
+#define DRAWN_INTO 1e-8 /* gap over the size of the mechanism: round-off of drawings and of closing them */
+
+static int allows_settings(const context *c)
+{
+    const double *head = c->s.head;
+    return !c->m->unilateral ||
+           (c->formulation == HOLONOM_CONSERVING_AL && head[S_PAIRED] != 0.0 && head[S_EQUILIBRIUM] == 0.0);
+}
+
+static int32_t refuse_penetration(context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (!(gap_of(c, i) >= -DRAWN_INTO * c->number[c->m->extent_at])) {
+            blame(c, c->m->contact_row[i]);
+            return HOLONOM_PENETRATION;
+        }
+    return HOLONOM_OK;
+}
+
 HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work)
 {
     context c;
@@ -187,6 +207,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
     memset(c.s.islands, 0, sizeof(double) * (size_t)(I_SIZE * m->n_islands));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
+    if (!allows_settings(&c)) return HOLONOM_CONTACT_SETTINGS;
     take_initial(&c);
     derive_extent(&c);
     if (m->sensing) sense(&c, 0.0, 0);
@@ -203,6 +224,9 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     follow_angles(&c); /* from no direction, which is no turn */
     for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
     open_ledger(&c);
+    if (m->unilateral && ((status = refuse_penetration(&c)) || (status = settle(&c)))) head[S_AT_FAULT] = c.at_fault;
+    if (status) return status;
+    head[S_EVENTS] = 0.0;
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 

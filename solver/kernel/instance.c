@@ -12,6 +12,7 @@ struct holonom_instance {
     double *before;              /* state and numbers, while a change of inputs is tried                  */
     double *inputs, *parameters; /* those to come                                                         */
     double *phi, *rate;          /* n_rows each                                                           */
+    char at_fault[128];
     char *clipped;               /* of each variable: whether it was said that it is clipped               */
     hm_text message, remarks;
     int64_t state_size;
@@ -282,6 +283,16 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
+/* The contact that a step or the start fails at and a colon; empty if it is none. */
+static const char *name_at_fault(holonom_instance *i, int32_t status)
+{
+    const int32_t row = status < HOLONOM_CONTACT_UNDECIDED ? -1 : (int32_t)i->s.head[S_AT_FAULT] - 1;
+    hm_text text = {i->at_fault, sizeof i->at_fault, 0};
+    hm_clear(&text);
+    if (row >= 0 && row < (int32_t)i->file.header->n_rows) hm_say(&text, "%s: ", text_of(i, i->file.row[row].name));
+    return i->at_fault;
+}
+
 int32_t holonom_assemble(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
@@ -298,7 +309,9 @@ int32_t holonom_assemble(holonom_instance *i)
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
     if (status) {
-        hm_say(message, "the mechanism cannot be assembled: %s", hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
+        const char *at_fault = name_at_fault(i, status);
+        hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
+               hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
     }
     i->is_measured = 0;
@@ -319,8 +332,8 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
     head[S_STATUS] = status;
     i->is_measured = 0;
-    return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s", t, step > longest ? longest : step,
-                  hm_about_step(status));
+    return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
+                  name_at_fault(i, status), hm_about_step(status));
 }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)

@@ -8,6 +8,7 @@
 #include "function.h"
 #include "laws.h"
 #include "predict.h"
+#include "row_state.h"
 #include "sampling.h"
 #include "step.h"
 
@@ -32,8 +33,10 @@ static void book_composites(context *c)
     EACH_COMPOSITE(c, j) {
         if (!is_row(c, j)) continue;
         const double mu = c->k.mu[row_of(c, j)];
+        const enum row_state state = state_of_row(c, j);
+        if (state == ROW_IS_OFF) continue;
         composite_slopes(c, j, 0, &result);
-        book(c, S_DEFECT, mu * result.change);
+        book(c, state == ROW_IS_SLIDING ? S_FRICTION : S_DEFECT, mu * result.change);
         book(c, S_WORK, mu * (result.change - result.mechanical));
     }
 }

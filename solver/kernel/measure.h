@@ -3,6 +3,7 @@
 #define HOLONOM_MEASURE_H
 
 #include "composite.h"
+#include "contact.h"
 #include "context.h"
 #include "energy.h"
 #include "forms.h"
@@ -103,13 +104,50 @@ static void measure_reactions(const context *c, const hm_measured *y)
     extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
+/* Contacts and frictions, and what they take. */
+static void measure_contacts(const context *c, const hm_measured *y)
+{
+    const holonom_model *m = c->m;
+    const double *head = c->s.head;
+    if (!m->unilateral) return;
+    quantities_at_state(c);
+    signal_rates_at((context *)(uintptr_t)c, head[S_TIME], c->k.signal_rate);
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        const double *x = contact_of(c, i), *mu = y->multiplier;
+        const int32_t f = m->contact_friction[i], j = m->contact_row[i];
+        const int slides = f >= 0 && friction_mode(c, f) == FRICTION_SLIDES;
+        const double values[] = {gap_of(c, i), is_closed(c, i) ? -mu[row_of(c, j)] : 0.0,
+                                 is_closed(c, i) ? slides ? 2.0 : 1.0 : 0.0, x[C_IMPACTS], x[C_IMPULSE]};
+        memcpy(y->contact + 5 * i, values, sizeof values);
+    }
+    for (int32_t f = 0; f < m->n_frictions; f++) {
+        const int mode = friction_mode(c, f);
+        double force = 0.0, slip = 0.0;
+        for (int k = 0; k < n_slips(c, f); k++) {
+            force += hm_square(y->multiplier[row_of(c, slip_row(c, f, k))]);
+            slip += hm_square(rate_of_row(c, slip_row(c, f, k)));
+        }
+        force = sqrt(force), slip = sqrt(slip);
+        if (n_slips(c, f) == 1) {
+            force = -y->multiplier[row_of(c, slip_row(c, f, 0))];
+            slip = rate_of_row(c, slip_row(c, f, 0));
+        }
+        y->friction[3 * f] = mode == FRICTION_OFF ? 0.0 : force;
+        y->friction[3 * f + 1] = slip;
+        y->friction[3 * f + 2] = mode;
+    }
+    y->loss[0] = head[S_DISSIPATED], y->loss[1] = head[S_FRICTION], y->loss[2] = head[S_IMPACT];
+    y->contact_solver[0] = head[S_EVENTS], y->contact_solver[1] = 0.0;
+}
+
 /* Energies, and the largest scaled residuals of the rows. */
 static void measure_energies(context *c, const hm_measured *y)
 {
     const double *head = c->s.head;
     const double kinetic = kinetic_energy(c, c->k.momentum), change = potential_change(c);
     const double potential = head[S_POTENTIAL_START] + change, balance = ledger_balance(c, kinetic, change);
-    const double energy[] = {kinetic, potential, kinetic + potential, head[S_WORK], head[S_DISSIPATED], balance,
+    const double dissipated = head[S_DISSIPATED] + (head[S_FRICTION] + head[S_IMPACT]);
+    const double energy[] = {kinetic, potential, kinetic + potential, head[S_WORK], dissipated, balance,
                              relative_balance(c, balance)};
     memcpy(y->energy, energy, sizeof energy);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
@@ -148,6 +186,7 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     measure_rows(&c, y);
     measure_bodies(&c, y);
     measure_reactions(&c, y);
+    measure_contacts(&c, y);
     measure_energies(&c, y);
     measure_momenta(&c, y);
     const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE],

@@ -220,6 +220,37 @@ static int64_t moment_slots(const checker *c, int32_t j, int lean)
     return k * k * DIM * DIM;
 }
 
+static int64_t cone_slots(const checker *c, int32_t f, int lean)
+{
+    const holonom_model *m = c->m;
+    (void)lean;
+    return (m->friction_row_ptr[f + 1] - m->friction_row_ptr[f]) * (int64_t)(m->normal_ptr[f + 1] - m->normal_ptr[f]);
+}
+
+/* Whether contacts are gaps among the function rows, and frictions slips among the velocity rows, with something that
+   presses on each. */
+static int has_contacts(const checker *c)
+{
+    const holonom_model *m = c->m;
+    const int64_t slips = c->length[TABLE(friction_row)], normals = c->length[TABLE(normal_row)] / 2;
+    if (m->unilateral > 1 || (!m->unilateral && (m->n_contacts || m->n_frictions)) || m->n_hit_rows > m->n_rows) return 0;
+    if (!within(m->contact_row, m->n_contacts, m->n_elements, c->count.first_velocity) ||
+        !within(m->friction_row, slips, c->count.first_velocity, c->count.first_potential))
+        return 0;
+    for (int32_t f = 0; f < m->n_frictions; f++)
+        if (m->friction_row_ptr[f] == m->friction_row_ptr[f + 1] || m->normal_ptr[f] == m->normal_ptr[f + 1]) return 0;
+    for (int64_t i = 0; i < normals; i++)
+        if (!within(m->normal_row + 2 * i, 1, 0, m->n_rows) || !within(m->normal_row + 2 * i + 1, 1, 0, NORMAL_SUMS)) return 0;
+    for (int32_t j = 0; j < c->count.n_owned; j++) { /* the owner of a row has it */
+        const int32_t owner = m->row_owner[j], row = m->n_elements + j, f = owner - m->n_contacts;
+        if (owner < 0) continue;
+        if (f < 0 ? m->contact_row[owner] != row
+                  : row < m->friction_row[m->friction_row_ptr[f]] || row > m->friction_row[m->friction_row_ptr[f + 1] - 1])
+            return 0;
+    }
+    return 1;
+}
+
 /* Whether an elimination is one of this model. */
 static int has_elimination(const checker *c, int lean)
 {
@@ -243,7 +274,7 @@ static int has_elimination(const checker *c, int lean)
     return island == m->n_islands + 1 && e->lu_island[2 * m->n_islands] == n && c->length[OWN(lu_column)] == columns &&
            c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots, lean) &&
            has_slots(c, OWN(coincidence_slot_ptr), coincidence_slots, lean) &&
-           has_slots(c, OWN(composite_slot_ptr), composite_slots, lean);
+           has_slots(c, OWN(composite_slot_ptr), composite_slots, lean) && has_slots(c, OWN(cone_slot_ptr), cone_slots, lean);
 #undef OWN
 }
 
@@ -257,7 +288,7 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     return has_tables(m, count, table_length) &&
            has_factors(m, count, &m->full, table_length + TABLE(full), m->n_lu_values) &&
            (!m->n_lean_values || has_factors(m, count, &m->lean, table_length + TABLE(lean), m->n_lean_values)) && has_forms(c) &&
-           has_sections(m, count) && has_turns_and_derived(c) && has_quantities(c) && has_composites(c) && has_loads(c) &&
+           has_sections(m, count) && has_turns_and_derived(c) && has_quantities(c) && has_composites(c) && has_loads(c) && has_contacts(c) &&
            has_tape(c) && has_islands(m, count) && has_elimination(c, 0) && (!m->n_lean_values || has_elimination(c, 1)) &&
            has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
 }

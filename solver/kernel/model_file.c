@@ -98,7 +98,7 @@ static int has_sound_records(const hm_model_file *f)
         if (!has_text(f, f->row[i].name) || !has_text(f, f->row[i].detail) || f->row[i].kind >= ROW_KINDS) return 0;
     for (uint32_t i = 0; i < h->n_sampled; i++)
         if (!has_text(f, f->sampled[i])) return 0;
-    return options == S_HORIZON - S_FORMULATION;
+    return options == (f->model.unilateral ? S_HORIZON : S_REST_SPEED) - S_FORMULATION; /* those of contacts come last */
 }
 
 const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)

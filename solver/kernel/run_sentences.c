@@ -42,6 +42,18 @@ const char *hm_about_step(int32_t status)
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
+    case HOLONOM_CONTACT_UNDECIDED:
+        return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
+               "is strong: look at its coefficient and at contacts that hold the same thing twice";
+    case HOLONOM_IMPACT_UNSOLVED:
+        return "no impulses were found that obey the law of impact; look for a driver that pushes against the contact, for contacts "
+               "that hold the same thing twice, or for masses that are many powers of ten apart";
+    case HOLONOM_CONTACT_SETTINGS:
+        return "contacts and friction need solver.formulation conserving-al, solver.paired true and solver.start drawn";
+    case HOLONOM_PENETRATION: return "its gap is negative at the start; draw its parts apart";
+    case HOLONOM_TOO_MANY_EVENTS:
+        return "contacts change more often than solver.max_events in a communication step; take shorter ones, or larger "
+               "solver.max_events, solver.rest_speed or solver.rest_time";
     default: return "it ended with an unknown status, a fault of this program; please report it";
     }
 }

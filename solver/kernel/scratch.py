@@ -27,6 +27,7 @@ WORK = {
     "sensed": "n",  # increment of which sampled loads were told
     "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen
     "free": "n",  # part of the velocities that rows leave free
+    "slip": "n_rows * unilateral",  # rates of sliding frictions' rows over the step
     "row_rate": "n_rows", "row_bias": "n_rows",  # and second derivatives at constant velocities
     "product": "n_pivots",  # of the tangent and a vector
     "rhs": "n_pivots",  # elimination order
@@ -42,6 +43,13 @@ WORK = {
     "estimate": "4 * n",  # in q and v, difference from lower order; of weighted covers: change
     # from the finest one, and behind it that difference
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
+    "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
+    "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
+    "event_backup": "n_state * unilateral",  # before a step that events may cut
+    "hit_defect": "n * unilateral",  # velocities across the rows, see impact.h
+    "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h
+    "hit_matrix": "n_hit_rows * n_hit_rows",
+    "hit": "12 * n_hit_rows", "hit_scratch": "n_hit_rows * (n_hit_rows + 11)",
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }
 # fmt: on

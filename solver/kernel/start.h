@@ -8,6 +8,7 @@
 #include "forms.h"
 #include "function.h"
 #include "inputs_signals.h"
+#include "row_state.h"
 #include "step.h"
 #include "tangent.h"
 
@@ -135,19 +136,20 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     return hm_lu_factor(0, size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
-/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix, times node weights if given; G at the present links.
+/* Solves  A x + G' mu = -f,  G x = -g  (of sliding rows, mu - (that of the cone) = g) with A the mass matrix, times node weights if given; G at the present links.
    f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
    iterated so that dependent rows do no harm.                                                                   */
-static int32_t solve_at_state(const context *c, const double *weight)
+static void solve_with_factors(const context *c)
 {
     const holonom_model *m = c->m;
-    const int32_t size = DIM * m->n_free + m->n_rows, status = factorise_at_state(c, weight);
-    if (status) return status;
+    const int32_t size = DIM * m->n_free + m->n_rows;
     double largest = 0.0, change = INFINITY;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         gather_momentum(c);
         for (int32_t i = 0; i < m->n_rows; i++)
-            c->k.rhs[m->full.row_position[i]] = -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
+            c->k.rhs[m->full.row_position[i]] = state_of_multiplier(c, i) == ROW_IS_SLIDING
+                                                    ? -c->k.epsilon[i] * c->k.phi[i]
+                                                    : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
         hm_lu_solve(0, size, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
         largest = change = 0.0;
         for (int32_t i = 0; i < m->n_rows; i++) {
@@ -157,7 +159,13 @@ static int32_t solve_at_state(const context *c, const double *weight)
             c->k.mu[i] = mu;
         }
     }
-    return HOLONOM_OK;
+}
+
+static int32_t solve_at_state(const context *c, const double *weight)
+{
+    const int32_t status = factorise_at_state(c, weight);
+    if (!status) solve_with_factors(c);
+    return status;
 }
 
 /* momentum = -sqrt 2 Q (and M a of driven nodes, in w) at the state, with the dampers' forces from the velocities. */
@@ -185,21 +193,107 @@ static int32_t forces_at_state(const context *c)
     return status;
 }
 
+/* Second derivative of quantity j at constant velocities. */
+HM_SELDOM static double second_rate(const context *c, int32_t j)
+{
+    const holonom_model *m = c->m;
+    const int32_t kind = m->quantity_kind[j], *form = m->quantity_form + 2 * j;
+    double s[2] = {0.0, 0.0}, rate[2] = {0.0, 0.0}, bend[2] = {0.0, 0.0}, vu[DIM], vw[DIM];
+    for (int i = 0; i < (kind == QUANTITY_ANGLE ? 2 : 1); i++) {
+        const double *u = c->k.u0 + DIM * form[i], *w = c->k.w0 + DIM * form[i];
+        link_of(c, form[i], c->s.v, vu, vw);
+        s[i] = dot(u, w);
+        rate[i] = dot(u, vw) + dot(w, vu);
+        bend[i] = 2.0 * dot(vu, vw);
+    }
+    if (kind == QUANTITY_FORM) return bend[0];
+    const double size2 = s[0] * s[0] + s[1] * s[1];
+    if (!(size2 > 0.0)) return 0.0;
+    if (kind == QUANTITY_LENGTH) return (0.5 * bend[0] - 0.25 * rate[0] * rate[0] / s[0]) / sqrt(s[0]);
+    const double turning = (s[0] * rate[1] - s[1] * rate[0]) / size2;
+    return (s[0] * bend[1] - s[1] * bend[0] - 2.0 * turning * (s[0] * rate[0] + s[1] * rate[1])) / size2;
+}
+
+/* Sum of slopes times rates of function j, with its leaves moved by `tau` times their rates. */
+HM_SELDOM static double rate_along(const context *c, int32_t j, double tau, const double *x, const double *rate)
+{
+    const hm_registers *r = &c->k.r;
+    const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
+    double sum = 0.0;
+    for (int32_t l = 0; l < n; l++) r->r0[l] = r->r1[l] = x[l] + tau * rate[l], r->dr[l] = 0.0;
+    run_function(c, j);
+    for (int32_t l = 0; l < n; l++) sum += r->adjoint[l] * rate[l];
+    return sum;
+}
+
+/* Bias of row j, a function or velocity row: its second derivative at constant velocities, of a velocity row the first.
+   Rates of signals are `signal_rate`, their second derivatives `signal_before`. Differences of slopes along the motion
+   are of fourth order, over a thousandth of the leaves: 1e-12 of the bias.                                       */
+HM_SELDOM static double bias_of(const context *c, int32_t j)
+{
+    const holonom_model *m = c->m;
+    const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
+    const int is_velocity = is_velocity_row(c, j);
+    double *x = c->k.leaves, *rate = x + n, *bend = rate + n, shortest = INFINITY, sum = 0.0;
+    for (int32_t l = 0; l < n; l++, entry += 4) {
+        const int32_t q = entry[1];
+        if (entry[0] == LEAF_SIGNAL) x[l] = c->s.signal[q], rate[l] = c->k.signal_rate[q], bend[l] = c->k.signal_before[q];
+        else {
+            x[l] = quantity_at(c, q, c->s.q, c->s.q_low, c->s.v, rate + l);
+            bend[l] = second_rate(c, q);
+        }
+        if (entry[0] == LEAF_RATE) x[l] = rate[l], rate[l] = bend[l];
+        const double size = fabs(x[l]) + 1e-2 * c->number[m->extent_at];
+        if (rate[l] != 0.0) shortest = fmin(shortest, 1e-3 * size / fabs(rate[l]));
+    }
+    const double first = rate_along(c, j, 0.0, x, rate);
+    if (is_velocity) return first;
+    for (int32_t l = 0; l < n; l++) sum += c->k.r.adjoint[l] * bend[l];
+    if (!(shortest < INFINITY)) return sum;
+    const double near = rate_along(c, j, shortest, x, rate) - rate_along(c, j, -shortest, x, rate);
+    const double far = rate_along(c, j, 2.0 * shortest, x, rate) - rate_along(c, j, -2.0 * shortest, x, rate);
+    return sum + (8.0 * near - far) / (12.0 * shortest);
+}
+
+/* Likewise, less the value of a velocity row at rest, which belongs to G a where that is the row of a. */
+HM_SELDOM static double bias_of_row(const context *c, int32_t j)
+{
+    double *rest = c->k.ahead;
+    if (!is_velocity_row(c, j)) return bias_of(c, j);
+    memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    const double own = function_rate(c, j, c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate);
+    return bias_of(c, j) - own;
+}
+
 /* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w.
    Differences look forward only: drivers may have a kink at the start.                                         */
-static void row_biases(context *c)
+HM_SELDOM static void exact_biases(context *c)
+{
+    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
+    double *bend = c->k.signal_before;
+    for (int32_t b = 0; b < c->m->n_signals; b++) bend[b] = 0.0;
+    for (int i = 2; i >= 0 && c->m->n_signals; i--) {
+        signal_rates_at(c, c->t + i * delta, c->k.signal_rate);
+        for (int32_t b = 0; b < c->m->n_signals; b++) bend[b] += forward[i] * c->k.signal_rate[b] / delta;
+    }
+    for (int32_t j = first_function(c); j < first_potential(c); j++)
+        if (state_of_row(c, j) == ROW_IS_ON) c->k.row_bias[row_of(c, j)] = bias_of_row(c, j);
+}
+
+HM_SELDOM static void row_biases(context *c)
 {
     const holonom_model *m = c->m;
     const double tau = 1e-3 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
     double *x = c->k.ahead, *rate = c->k.row_rate, *bias = c->k.row_bias, vu[DIM], vw[DIM];
     for (int32_t i = 0; i < m->n_rows; i++) bias[i] = 0.0;
-    for (int i = 0; i < 3 && first_potential(c) > first_function(c); i++) {
+    for (int i = 0; i < 3 && first_potential(c) > first_function(c) && !m->unilateral; i++) {
         for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + i * tau * c->s.v[k];
         signals_at(c, c->t + i * tau, c->k.signal1);
         signal_rates_at(c, c->t + i * tau, c->k.signal_rate);
         row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, rate);
         for (int32_t k = 0; k < m->n_rows; k++) bias[k] += forward[i] * rate[k] / tau;
     }
+    if (m->unilateral) exact_biases(c);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_of(c, m->row_form[i], c->s.v, vu, vw);
         bias[i] = 2.0 * dot(vu, vw); /* v'Hv */
@@ -224,32 +318,46 @@ static void find_dependent_rows(context *c)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(c, island, island + 1);
         EACH_ROW(c, i)
-            if (!(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
+            if (state_of_multiplier(c, i) == ROW_IS_ON && !(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
                 c->island[I_DEPENDENT] = 1.0; /* pivots are stored inverted */
     }
     look_at(c, 0, m->n_islands);
 }
 
-/* First multipliers and accelerations from  M a + G' lambda = Q,  G a = -bias, refined: light directions cost digits. */
-static int32_t first_multipliers(context *c)
+/* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined: light
+   directions cost digits. */
+HM_SELDOM static int32_t accelerations(context *c, double *mu)
 {
     const holonom_model *m = c->m;
-    const size_t rows = sizeof(double) * (size_t)m->n_rows, driven = sizeof(double) * (size_t)(DIM * m->n_driven);
-    double *mu = c->s.mu[0], *rate = c->k.row_rate;
+    const size_t rows = sizeof(double) * (size_t)m->n_rows;
+    double *rate = c->k.row_rate;
     int32_t status = HOLONOM_OK;
     stand_still(c);
     row_biases(c);
     memset(mu, 0, rows);
+    c->cone_mu = mu;
     memset(c->k.signal_rate, 0, sizeof(double) * (size_t)m->n_signals);
     for (int refinement = 0; refinement < 4; refinement++) {
         memcpy(c->k.mu, mu, rows);
         if ((status = forces_at_state(c))) return status;
         row_rates(c, c->s.q, c->s.q_low, c->k.w, c->s.signal, c->k.signal_rate, rate);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] = c->k.row_bias[i] + rate[i];
+        for (int32_t i = 0; i < m->n_rows; i++)
+            c->k.phi[i] = state_of_multiplier(c, i) == ROW_IS_SLIDING ? c->k.lambda[i] - mu[i] : c->k.row_bias[i] + rate[i];
         if ((status = solve_at_state(c, NULL))) return status;
         add_solution(c, c->k.w);
         for (int32_t i = 0; i < m->n_rows; i++) mu[i] += c->k.mu[i];
     }
+    c->cone_mu = c->k.mu;
+    return status;
+}
+
+static int32_t first_multipliers(context *c)
+{
+    const holonom_model *m = c->m;
+    const size_t rows = sizeof(double) * (size_t)m->n_rows, driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    double *mu = c->s.mu[0];
+    int32_t status = accelerations(c, mu);
+    if (status) return status;
     find_dependent_rows(c);
     memcpy(c->k.mu, mu, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;

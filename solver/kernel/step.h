@@ -11,6 +11,7 @@
 #include "policy_penalty.h"
 #include "policy_stopping.h"
 #include "predict.h"
+#include "row_state.h"
 
 /* Length of usual steps: what a tolerance wants may be far from the option step_size. */
 static inline double usual_length(const context *c)
@@ -24,7 +25,10 @@ static inline double round_off_of_places(const context *c) { return 32.0 * 2.3e-
 
 /* Whether a step is long enough to tell an acceleration and a multiplier: rounding errors enter both over h^2. A
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
-static inline int is_telling(const context *c) { return fabs(c->h) >= 1e-5 * usual_length(c); }
+static inline int is_telling(const context *c)
+{
+    return fabs(c->h) >= (c->m->unilateral ? 1e-3 : 1e-5) * usual_length(c); /* pieces between events are short */
+}
 
 /* Rows at the beginning of the step, to the last digit where they are quadratic; 0 if not `exact`. */
 static void rows_at_start(context *c, int exact)
@@ -36,7 +40,8 @@ static void rows_at_start(context *c, int exact)
         if (exact) exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, high, low);
         EACH(k) c->k.phi0[m->n_form_rows + DIM * j + k] = high[k] + low[k];
     }
-    for IN_ISLAND(c, j, ISLAND_FUNCTION) c->k.phi0[row_of(c, j)] = exact ? function_value(c, j) : 0.0;
+    for IN_ISLAND(c, j, ISLAND_FUNCTION)
+        c->k.phi0[row_of(c, j)] = exact && state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
     for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = 0.0;
 }
 

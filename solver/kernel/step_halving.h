@@ -117,9 +117,17 @@ static void lower_penalties(context *c)
     }
 }
 
+/* Keeps the state before a step that is divided: events may cut it. */
+static void keep_start(context *c)
+{
+    memcpy(c->k.event_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    c->divided = 1;
+}
+
 static int32_t step_halving(context *c, double h, int halvings)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
+    if (halvings == 0) c->divided = 0;
     int32_t status = internal_step(c, h);
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
@@ -129,6 +137,7 @@ static int32_t step_halving(context *c, double h, int halvings)
         return step_halving(c, h, halvings);
     }
     if (halvings == MAX_HALVINGS) return status;
+    if (c->m->unilateral && !c->divided) keep_start(c);
     status = step_halving(c, 0.5 * h, halvings + 1);
     return status ? status : step_halving(c, 0.5 * h, halvings + 1);
 }

@@ -9,10 +9,12 @@
 #define HOLONOM_TANGENT_H
 
 #include "composite.h"
+#include "cone_tangent.h"
 #include "context.h"
 #include "forms.h"
 #include "function.h"
 #include "laws.h"
+#include "row_state.h"
 #include "square_rows.h"
 
 /* Second derivative of form f with respect to entries p and q: same I + quarter J. */
@@ -133,7 +135,8 @@ static int32_t composite_tangent(const context *c, double *value)
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
-        if (is_lean(c) && !row) continue;
+        const enum row_state state = state_of_row(c, j);
+        if ((is_lean(c) && !row) || state == ROW_IS_OFF) continue;
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
         local_gradients(c, j);
@@ -145,10 +148,10 @@ static int32_t composite_tangent(const context *c, double *value)
         }
         for (int32_t k = 0; k < size && row; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->h * c->k.slope[f] * c->k.gradient[size * f + k];
-        for (int32_t k = 0; k < size && row; k++, slot++)
+        for (int32_t k = 0; k < size && row && state == ROW_IS_ON; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
     }
-    return HOLONOM_OK;
+    return c->m->n_frictions ? cone_tangent(c, value) : HOLONOM_OK;
 }
 
 static int32_t law_tangent(const context *c, double *value)
@@ -236,7 +239,12 @@ static int32_t add_composites(const context *c)
     EACH_COMPOSITE(c, j) {
         const int32_t row = is_row(c, j) ? row_of(c, j) : -1;
         composite_result result = {0.0, 0.0, 0.0};
+        const enum row_state state = state_of_row(c, j);
         if (row < 0 && c->constraints_only) continue;
+        if (state == ROW_IS_OFF) {
+            c->k.phi[row] = 0.0;
+            continue;
+        }
         const int32_t status = composite_slopes(c, j, 0, &result);
         if (status) return status;
         double factor = c->h;
@@ -244,10 +252,15 @@ static int32_t add_composites(const context *c)
             c->k.phi[row] = result.row + (is_seeking(c) || j >= first_velocity_row(c) ? 0.0 : c->k.phi0[row]);
             factor *= c->k.mu[row];
         }
+        if (state == ROW_IS_SLIDING) {
+            c->k.slip[row] = c->k.phi[row] / c->h;
+            c->k.phi[row] = 0.0;
+        }
         const local_form *local = (const local_form *)c->k.local;
         for (int32_t at = m->composite_form_ptr[j], f = 0; at < m->composite_form_ptr[j + 1]; at++, f++)
             add_gradient(c, m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
     }
+    if (m->n_frictions) follow_cones(c);
     return HOLONOM_OK;
 }
 

@@ -102,7 +102,7 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
         rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
         forces={name: force.type for name, force in scene.forces.items()},
-        settings=_settings(scene),
+        settings=_settings(scene, unilateral=bool(structure.sizes["unilateral"])),
         experiment=Experiment(
             start_time=scene.experiment.start_time,
             stop_time=scene.experiment.stop_time,
@@ -114,9 +114,10 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     return parts, model
 
 
-def _settings(scene: Scene) -> dict[str, float | str | bool]:
+def _settings(scene: Scene, *, unilateral: bool) -> dict[str, float | str | bool]:
     """Return the settings; whole numbers become floats, as all numbers of a state are."""
-    given = {name: getattr(scene.solver, name) for name in OPTIONS}
+    used = (name for name, option in OPTIONS.items() if unilateral or not option.of_contacts)
+    given = {name: getattr(scene.solver, name) for name in used}
     return {
         name: float(value) if isinstance(value, int) and not isinstance(value, bool) else value
         for name, value in given.items()
@@ -137,6 +138,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
     entries = [entry for entries in structure.entries for entry in entries]
     turned = entries if any(kind & FORM_TURNED for kind in structure.kinds) else []
     parameters = [p.value for p in scene.parameters.values() if not isinstance(p.value, Expr)]
+    contacts, frictions = structure.mechanism.contacts, structure.mechanism.frictions
     sizes = structure.sizes
     zeros = [0.0] * sizes["n_rows"]
     return {
@@ -154,6 +156,10 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
         "rest": [element.rest for element in structure.elements.items],
         "damping": [element.damping for element in structure.elements.items],
         "drive": [element.drive for element in structure.elements.items],
+        "restitution": [contact.restitution for contact in contacts],
+        "sliding": [friction.sliding for friction in frictions],
+        "static": [friction.static for friction in frictions],
+        "preload": [friction.preload for friction in frictions],
         "gravity": list(scene.gravity),
         "support": _flat(node.position for node in structure.nodes[structure.n_moving :]),
         "initial_position": _flat(node.position for node in moving),

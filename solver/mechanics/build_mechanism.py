@@ -9,6 +9,7 @@ from typing import Any
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid
 from solver.mechanics.combination import node
+from solver.mechanics.contacts import CONTACTS
 from solver.mechanics.couplings import COUPLINGS, driven_points
 from solver.mechanics.forces import FORCES
 from solver.mechanics.joints import JOINTS, add_joint
@@ -29,7 +30,7 @@ from solver.scene import (
 )
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
-    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **FORCES,
+    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **FORCES,
 }  # fmt: skip
 
 
@@ -43,11 +44,11 @@ def build_mechanism(scene: Scene) -> Parts:
     """
     parts = Parts(scene, Mechanism(scene.dimension, _defaults(scene), _varying(scene)))
     _add_points_and_bodies(parts)
-    for table in ("joints", "constraints", "forces", "drivers"):
+    for table in ("joints", "constraints", "contacts", "forces", "drivers"):
         items = getattr(scene, table).items()
         for name, part in sorted(items, key=lambda item: isinstance(item[1], Gear | Rack)):
             rows, found = Rows(parts, table, name), JointParts()
-            if table != "forces":
+            if table not in ("contacts", "forces"):
                 parts.joints[name] = found
             if table != "drivers":
                 rows.demand(part)
@@ -116,7 +117,8 @@ def _places_of_bodies(scene: Scene) -> defaultdict[str | None, list[Vector]]:
 
 
 def _references(scene: Scene) -> Iterator[PointReference]:
-    for part in (*scene.joints.values(), *scene.forces.values(), *scene.drivers.values()):
+    tables = scene.joints, scene.contacts, scene.forces, scene.drivers
+    for part in (part for table in tables for part in table.values()):
         yield from getattr(part, "points", None) or ()
         point = getattr(part, "point", None)
         if point is not None:

@@ -39,6 +39,10 @@ STATES = {
     "body_rate", "residual", "momentum", "angular_momentum",
 }  # fmt: skip
 """Measurements that are states, or follow from them and from drivers."""
+OF_A_STEP = ("solver", "contact_solver")
+"""Measurements that tell of the last step alone."""
+COUNTED = {*(("contact", k) for k in (0, 2, 3, 4)), ("friction", 2)}
+"""Gap, mode, impacts and impulse of contacts, mode of frictions: states as well; forces are not."""
 KINETIC, STATUS = (
     Ref(name, place_in_whole(name, word))
     for name, word in (("energy", "kinetic"), ("solver", "status"))
@@ -90,7 +94,11 @@ class _Search:
         self._scene, self._structure, self._symbols = scene, structure, known
         self._mechanism, count = structure.mechanism, structure.islands.count
         self._inputs = frozenset(scene.inputs)
-        settings = (f"solver.{name}" for name in OPTIONS)
+        settings = (
+            f"solver.{option.name}"
+            for option in OPTIONS.values()
+            if structure.sizes["unilateral"] or not option.of_contacts
+        )
         free = (name for name, p in scene.parameters.items() if not isinstance(p.value, Expr))
         self._settable = self._inputs.union(free, settings)
         self._made_of: dict[str, Sources] = {"t": NOTHING}
@@ -147,9 +155,9 @@ class _Search:
         return _union(sources & self._inputs, *map(self._direct, _measured(sources)))
 
     def _direct(self, ref: Ref) -> Sources:
-        if ref.section == "solver":  # tells of the last step alone
+        if ref.section in OF_A_STEP:
             return NOTHING
-        if ref.section in STATES or ref == KINETIC:
+        if ref.section in STATES or ref == KINETIC or (ref.section, ref.k) in COUNTED:
             return self._of_islands(self._driven, ref)
         if ref.section != "element_force":
             return self._of_islands(self._forced, ref)
@@ -160,7 +168,7 @@ class _Search:
         """Known variables that act on a measurement before the first step."""
         if ref == STATUS:  # not 0 where what was set cannot be
             return self._settable
-        return NOTHING if ref.section == "solver" else self._of_islands(self._shaped, ref)
+        return NOTHING if ref.section in OF_A_STEP else self._of_islands(self._shaped, ref)
 
     # --------------------------------------------------------------------------------- islands
 
@@ -182,6 +190,12 @@ class _Search:
             yield forced, (row.formula.value,), joined, row
             signals = [leaf.index for leaf in row.formula.leaves if leaf.kind == LEAF_SIGNAL]
             yield driven, [mechanism.signals[k] for k in signals], joined, row
+        for contact in mechanism.contacts:
+            row = mechanism.function_rows[contact.row]
+            yield forced, (contact.restitution,), joined, row
+        for friction in mechanism.frictions:
+            numbers = friction.sliding, friction.static, friction.preload
+            yield forced, numbers, joined, mechanism.velocity_rows[friction.rows[0]]
         for potential in mechanism.potentials:
             yield forced, (potential.value,), joined, potential
         for element in mechanism.elements:
@@ -219,6 +233,11 @@ class _Search:
             case "multiplier":
                 structure = self._structure
                 return mechanism.joined(structure.multipliers[structure.multiplier_of[item]])
+            case "contact":
+                return mechanism.joined(mechanism.function_rows[mechanism.contacts[item].row])
+            case "friction":
+                row = mechanism.frictions[item].rows[0]
+                return mechanism.joined(mechanism.velocity_rows[row])
             case "quaternion" | "body_rate":
                 return mechanism.rigid[item]
             case "reaction_force" | "reaction_torque":

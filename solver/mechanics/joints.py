@@ -14,14 +14,17 @@ from math import pi
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Frame, Ground
-from solver.mechanics.mechanism import Formula, Mechanism
+from solver.mechanics.mechanism import Formula, Friction, Leaf, Mechanism
 from solver.mechanics.parts import JointParts
-from solver.mechanics.rows import METRES, Rows
+from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import Vector, perpendicular, turned, unit
+from solver.runtime.layout import LEAF_RATE, REACTION_COINCIDENCE, REACTION_FORCE
 from solver.scene import (
     BodyJoint,
     Cylindrical,
     Fixed,
+    JointFriction,
+    Number,
     Planar,
     Prismatic,
     Revolute,
@@ -154,7 +157,58 @@ def add_joint(rows: Rows, joint: BodyJoint, found: JointParts) -> None:
             add(pair)
         if joint.axis is not None:
             found.axis = pair.A.direction(pair.axis)
+        if joint.friction is not None:
+            _add_friction(pair, joint.friction)
     found.reaction = rows.close()
+
+
+def _add_friction(pair: Pair, friction: JointFriction) -> None:
+    """Let a joint rub: about its axis, along it, about its centre, or about and along it.
+
+    |T| <= coefficient radius N + preload with N the force on the places that meet, or, of a joint
+    that slides, that across its axis. A cylindrical joint slips by R theta' and s' at once.
+    """
+    rows, found, mechanism = pair.rows, pair.found, pair.rows.mechanism
+    rows.demand(friction)
+    across = [("coincidence", k) for entry, k, _ in rows.entries if entry == REACTION_COINCIDENCE]
+    across += [("form", k) for entry, k, _ in rows.entries if entry == REACTION_FORCE]
+    arm = 1.0 if friction.radius is None else friction.radius
+    slips: list[tuple[Number, Leaf]] = []
+    if found.angle is not None:
+        factor = 1.0 if found.displacement is None else arm
+        slips.append((factor, mechanism.leaf(found.angle, LEAF_RATE)))
+    if found.displacement is not None:
+        arm = 1.0
+        slips.append((1.0, mechanism.leaf(found.displacement, LEAF_RATE)))
+    formulas = [Formula(factor * leaf_symbol(0), (leaf,)) for factor, leaf in slips]
+    size = RADIANS if found.displacement is None else METRES
+    slip_rows = tuple(rows.velocity(x, size)[1] for x in formulas or _turning_rates(pair))
+    static = friction.coefficient
+    if friction.static is not None:
+        static = friction.static
+        rows.rule(static - friction.coefficient, ">=", "static - coefficient must be >= 0")
+    found.friction = len(mechanism.frictions)
+    sliding = arm * friction.coefficient
+    mechanism.frictions.append(
+        Friction(slip_rows, (tuple(across),), sliding, arm * static, friction.preload)
+    )
+
+
+def _turning_rates(pair: Pair) -> list[Formula]:
+    """Angular velocity of B against A in axes of A: w_1 = sum_j (a_2 . b_j) (a_3 . b_j)' etc."""
+    mechanism = pair.rows.mechanism
+    axes = (pair.B if isinstance(pair.A, Ground) else pair.A).axes
+    a, b = ([frame.direction(x) for x in axes] for frame in (pair.A, pair.B))
+    formulas = []
+    for k in range(3):
+        second, third = a[(k + 1) % 3], a[(k + 2) % 3]
+        values = [mechanism.leaf(mechanism.component(second, x)) for x in b]
+        rates = [mechanism.leaf(mechanism.component(third, x), LEAF_RATE) for x in b]
+        total: Number = 0.0
+        for j in range(3):
+            total = total + leaf_symbol(j) * leaf_symbol(3 + j)
+        formulas.append(Formula(total, (*values, *rates)))
+    return formulas
 
 
 def _called(name: str | None) -> str:

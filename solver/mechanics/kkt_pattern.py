@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from solver.mechanics.elimination import Graph, Integers, eliminate
 from solver.mechanics.mechanism import Load
-from solver.mechanics.structure import Composite, Structure, flat, pointers
+from solver.mechanics.structure import ROW_KINDS, Composite, Structure, flat, pointers
 from solver.runtime.layout import FORM_LINEAR, FORM_TURNED, TABLES
 
 WEAK = 1e-4
@@ -127,6 +127,7 @@ class TangentPattern:
             "row": [self._form_row(row.form, k) for k, row in enumerate(forms, ends[0])],
             "coincidence": [self._link(row.form, k) for k, row in enumerate(links, ends[1])],
             "composite": [self._composite(composite, row) for composite, row in composites],
+            "cone": self._cones(ends),
         }
         if not lean:
             turned = [self.directors(moment.node) for moment in structure.body_moments.items]
@@ -169,6 +170,27 @@ class TangentPattern:
         square: list[Piece] = [] if self.lean else [(nodes, nodes, ROWS)]
         return square if row is None else square + _border(nodes, row)
 
+    def _cones(self, ends: Sequence[int]) -> list[list[Piece]]:
+        """Each velocity row of a friction with the rows that make its normal force."""
+        structure = self.structure
+        first = {
+            kind: (end, part.place)
+            for kind, end, (_, part) in zip(ROW_KINDS, ends, self.kinds[1:], strict=False)
+        }
+
+        def block(kind: str, row: int) -> tuple[int]:
+            return (first[kind][0] + first[kind][1][row],)
+
+        return [
+            [
+                (block("velocity", slip), block(*row), BLOCKS)
+                for slip in friction.rows
+                for group in friction.normal
+                for row in group
+            ]
+            for friction in structure.mechanism.frictions
+        ]
+
     def _follower(self, load: Load) -> tuple[Nodes, Nodes] | None:
         """Free nodes of a load in body axes, and the directors of these."""
         if load.axes is None:
@@ -183,7 +205,9 @@ class TangentPattern:
         followers = map(self._follower, () if self.lean else self.structure.loads.items)
         whole = [[*x[0], *x[1]] for x in followers if x]
         couplings: dict[tuple[int, int], bool] = {}
-        for firsts, seconds, how in chain(pieces, ((x, x, BLOCKS) for x in whole)):
+        cones = chain.from_iterable(self.contributions["cone"])
+        others = chain(((x, x, BLOCKS) for x in whole), ((b, a, how) for a, b, how in cones))
+        for firsts, seconds, how in chain(pieces, others):
             for a in firsts:
                 for b in seconds:
                     if a <= b:

@@ -148,6 +148,28 @@ class BodyMoment(NamedTuple):
     sampled: str = ""
 
 
+class Friction(NamedTuple):
+    """Coulomb friction: velocity rows that hold up to the cone, |T| <= coefficient N + preload."""
+
+    rows: tuple[int, ...]
+    """Indices of its 1 to 3 velocity rows, the slip rates."""
+    normal: tuple[tuple[tuple[str, int], ...], ...]
+    """Rows whose multipliers make the normal force: the sum of the norms of these groups."""
+    sliding: Number
+    static: Number
+    preload: Number = 0.0
+
+
+class Contact(NamedTuple):
+    """A gap that never becomes negative: a row while it is closed."""
+
+    row: int
+    """Index of its function row; the gap is a distance or an angle."""
+    restitution: Number
+    friction: int = -1
+    """Index among the frictions."""
+
+
 Part = FormRow | Coincidence | FunctionRow | Element | Formula | Load | Moment | BodyMoment
 """What makes nodes depend on each other."""
 
@@ -180,6 +202,8 @@ class Mechanism:
     loads: list[Load] = field(default_factory=list)
     moments: list[Moment] = field(default_factory=list)
     body_moments: list[BodyMoment] = field(default_factory=list)
+    contacts: list[Contact] = field(default_factory=list)
+    frictions: list[Friction] = field(default_factory=list)
     rigid: list[tuple[int, ...]] = field(default_factory=list)
     """Nodes of each rigid body: its centre of mass and directors."""
     bodies: dict[int, int] = field(default_factory=dict)

@@ -99,6 +99,13 @@ def _dependent(rows: NDArray[np.float64], names: Sequence[str]) -> tuple[str, ..
     return tuple(dict.fromkeys(name for name in found if not name.startswith("body ")))
 
 
+def is_lasting(model: Model) -> list[bool]:
+    """Whether each row always holds; those of contacts and friction come and go."""
+    owners = model.tables["row_owner"]
+    first = model.sizes["n_rows"] - len(owners)
+    return [True] * first + [owner < 0 for owner in owners]
+
+
 def survey(model: Model) -> Survey:
     """Count what a mechanism consists of, with its default parameters."""
     integrator = Integrator(model)
@@ -106,16 +113,19 @@ def survey(model: Model) -> Survey:
     sizes = model.sizes
     dim, n_free, n_driven = sizes["dim"], sizes["n_free"], sizes["n_driven"]
     driver = np.array([row.kind == "driver" for row in model.rows], dtype=bool)
+    lasting = np.array(is_lasting(model), dtype=bool)
     velocity = np.arange(sizes["n_rows"]) >= sizes["n_rows"] - sizes["n_velocity_rows"]
+    driver, velocity = driver[lasting], velocity[lasting]
+    names = [name for name, lasts in zip(model.row_names, lasting, strict=True) if lasts]
     drivers = int(driver.sum()) + dim * n_driven
     n_joint_rows = int((~driver & ~velocity).sum())
     redundant = parts = mobility = freedom = velocity_freedom = None
     if sizes["n_rows"] <= LARGEST_RANKED:
-        G = constraint_jacobian(integrator)
+        G = constraint_jacobian(integrator)[lasting]
         free = G[:, : dim * n_free]
         rank = _rank(free)
-        redundant = sizes["n_rows"] - rank
-        parts = _dependent(free, model.row_names) if redundant else ()
+        redundant = len(names) - rank
+        parts = _dependent(free, names) if redundant else ()
         plain = drivers == 0 and not velocity.any()  # then all of them are the same rank
         mobility = dim * (n_free + n_driven) - (rank if plain else _rank(G[~driver & ~velocity]))
         freedom = dim * n_free - (rank if plain else _rank(free[~velocity]))
@@ -125,7 +135,7 @@ def survey(model: Model) -> Survey:
         moving_points=sum(points[: n_free + n_driven]),
         supports=sum(points[n_free + n_driven :]),
         coordinates=dim * n_free,
-        rows=sizes["n_rows"],
+        rows=len(names),
         redundant_rows=redundant,
         redundant_parts=parts,
         mobility_by_count=dim * (n_free + n_driven) - n_joint_rows,

@@ -13,6 +13,7 @@ from math import pi
 from typing import Any, TypeAlias
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.contacts import play
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import rewritten
 from solver.mechanics.frames import RigidFrame
@@ -21,6 +22,7 @@ from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
 from solver.mechanics.vectors import add, dot, scale
 from solver.scene import (
     BodyJoint,
+    ClearanceContact,
     Constraint,
     Distance,
     Expr,
@@ -33,12 +35,26 @@ from solver.scene import (
     Rigid,
     Screw,
     Spring,
+    Stop,
 )
-from solver.scene.expression import symbol
-from solver.scene.quantities import MOTION, WHOLE, Offer
+from solver.scene.expression import operate, symbol
+from solver.scene.quantities import (
+    CONTACT,
+    FRICTION,
+    MOTION,
+    WHOLE,
+    WHOLE_OF_CONTACTS,
+    Offer,
+    turning,
+)
 
 Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
 """Value of each quantity of a part, by its word; components as a list."""
+
+
+SECTIONS = {"constraint": "residual"}
+"""Measurements of quantities of the whole, where these are not called the same."""
+SECTIONS_OF_CONTACTS = {"energy": "loss", "solver": "contact_solver"}
 
 
 def named(sensors: Sensors) -> Iterator[Named]:
@@ -55,14 +71,22 @@ def named(sensors: Sensors) -> Iterator[Named]:
             yield from _motion(sensors, f"{name}.{point}", parts.named(f"{name}.{point}"))
     for table, values_of in _VALUES.items():
         for name, part in getattr(scene, table).items():
-            offers = part.offered(joins_points=getattr(part, "bodies", ()) is None)
+            offers = part.offered(part.given())
             values = values_of(sensors, name, part) if offers else {}
             yield from _named(sensors, name, part, offers, values)
-    for name, offers in WHOLE.items():
-        section, k = {"constraint": "residual"}.get(name, name), count()
-        for offer in offers:
-            for full, text in offer.named(name, scene.dimension):
-                yield Named(full, offer.unit, text, Ref(section, next(k)))
+    for name, contact in scene.contacts.items():
+        offers = contact.offered(contact.given())
+        if isinstance(contact, Stop) and contact.turns:
+            offers = turning(offers)
+        yield from _named(sensors, name, contact, offers, _of_a_contact(sensors, name, contact))
+    mechanism = parts.mechanism
+    of_contacts = WHOLE_OF_CONTACTS if mechanism.contacts or mechanism.frictions else {}
+    for whole, sections in ((WHOLE, SECTIONS), (of_contacts, SECTIONS_OF_CONTACTS)):
+        for name, offers in whole.items():
+            section, k = sections.get(name, name), count()
+            for offer in offers:
+                for full, text in offer.named(name, scene.dimension):
+                    yield Named(full, offer.unit, text, Ref(section, next(k)))
 
 
 def _named(
@@ -113,6 +137,9 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
         values |= _of_quantity("angle", "angular_velocity", found.angle)
     if found.displacement is not None:
         values |= _of_quantity("displacement", "velocity", found.displacement)
+    if found.friction is not None:
+        words = "friction", "slip", "friction_mode"
+        values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
     return values
 
 
@@ -181,6 +208,40 @@ def _tension(
         return sensors.value(length) if part == symbol("length") else part
 
     return rewritten(derivative(force.energy, "length"), seen)
+
+
+# ------------------------------------------------------------------------------------ contacts
+
+
+def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
+    """State of a contact, and the friction in it.
+
+    Of a stop with two ends the gap is that to the nearer one; impacts and impulses are those of
+    both, and so is the force, as only one end can be closed.
+    """
+    contacts = sensors.parts.contacts[name]
+    words = [offer.word for offer in CONTACT]
+    values: dict[str, Any] = {
+        word: _joined(sensors, word, [Ref("contact", index, k) for index in contacts])
+        for k, word in enumerate(words)
+    }
+    if isinstance(contact, ClearanceContact):
+        values["gap"] = play(sensors.value(values["gap"]), contact.radius)
+    friction = sensors.parts.mechanism.contacts[contacts[0]].friction
+    if friction >= 0:
+        words = [offer.word for offer in FRICTION]
+        values |= {word: Ref("friction", friction, k) for k, word in enumerate(words)}
+    return values
+
+
+def _joined(sensors: Sensors, word: str, refs: list[Ref]) -> Ref | Number:
+    """Return a quantity of one contact, or of the two ends of a stop."""
+    if len(refs) == 1:
+        return refs[0]
+    first, second = map(sensors.value, refs)
+    if word in ("gap", "mode"):
+        return operate("min" if word == "gap" else "max", first, second)
+    return first + second
 
 
 # ------------------------------------------------------------------------------------- drivers

@@ -38,6 +38,8 @@ class JointParts:
     """What -mu of that row is multiplied with to be the reaction."""
     pushes: list[tuple[RowOf, Number, Combination]] = field(default_factory=list)
     """Row, slope, direction: -mu slope direction is a part of the force on the second body."""
+    friction: int | None = None
+    """Index among the mechanism's frictions."""
     own: dict[str, Leaf] = field(default_factory=dict)
     """Symbols of the slopes with a meaning of their own."""
 
@@ -59,6 +61,8 @@ class Parts:
     """Driver of each driven point, and the path that it prescribes."""
     elements: dict[str, int] = field(default_factory=dict)
     """Element of a force."""
+    contacts: dict[str, list[int]] = field(default_factory=dict)
+    """Index among the mechanism's contacts; a stop with both ends has two."""
     problems: list[tuple[str, str]] = field(default_factory=list)
     """Location and sentence of what is wrong with the scene."""
 

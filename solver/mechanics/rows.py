@@ -39,11 +39,13 @@ class Rows:
 
     # --------------------------------------------------------------------------------- demands
 
-    def rule(self, number: Number, relation: Literal[">", ">=", "finite"], text: str) -> None:
-        """Demand that a number is `relation` 0 (or finite); `text` says what, with its value."""
+    def rule(
+        self, number: Number, relation: Literal[">", ">=", "finite"], text: str, bound: float = 0.0
+    ) -> None:
+        """Demand that a number is `relation` to a bound (or finite); `text` has its value."""
         message = intern(text if "{value" in text else f"{text}, got {{value!r}}")
         self.mechanism.rule_numbers.append(number)
-        self.mechanism.rules.append(Rule(-1, relation, 0.0, self.location, self.title, message))
+        self.mechanism.rules.append(Rule(-1, relation, bound, self.location, self.title, message))
 
     def finite(self, vector: Iterable[Number], what: str) -> None:
         """Demand that what the expressions of a vector yield is a finite number."""
@@ -143,7 +145,7 @@ class Rows:
 def _demands(part: type[Part]) -> tuple[tuple[str, Literal[">", ">="], str], ...]:
     """Field, relation to zero and sentence of each number of a part that must hold one."""
     return tuple(
-        (name, rule.relation, f"{name} must be {rule.words} {field.kind.unit}")
+        (name, rule.relation, f"{name} must be {rule.words} {field.kind.unit}".rstrip())
         for name, field in fields_of(part).items()
         if (rule := field.kind.rule) is not None and rule.relation is not None
     )

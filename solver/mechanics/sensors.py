@@ -16,9 +16,10 @@ from solver.scene.expression import symbol
 
 _VECTORS = ("position", "velocity", "place", "place_velocity", "reaction_force", "driven_force")
 
+_ALWAYS = {"quaternion": 4, "body_rate": 3, "contact": 5, "friction": 3}
 WIDTHS = {
-    2: {"quaternion": 4, "body_rate": 3} | dict.fromkeys(_VECTORS, 2),
-    3: {"quaternion": 4, "body_rate": 3, "reaction_torque": 3} | dict.fromkeys(_VECTORS, 3),
+    2: _ALWAYS | dict.fromkeys(_VECTORS, 2),
+    3: _ALWAYS | {"reaction_torque": 3} | dict.fromkeys(_VECTORS, 3),
 }
 """Components of an item of each section, by the dimension; 1 where nothing is said."""
 

@@ -21,6 +21,7 @@ from solver.mechanics.mechanism import (
     Coincidence,
     Form,
     FormRow,
+    Friction,
     FunctionRow,
     Leaf,
     Mechanism,
@@ -28,9 +29,14 @@ from solver.mechanics.mechanism import (
 from solver.runtime import layout
 from solver.scene import Number
 
+ROW_KINDS = "form", "coincidence", "function", "velocity"
+"""Kinds of rows, in their order."""
+MOST_HIT_ROWS = 240
+"""Rows that one impact can have: its matrix is dense."""
 COUNTED = (
     "forms", "quantities", "active", "form_rows", "coincidences", "function_rows", "velocity_rows",
     "elements", "potentials", "loads", "moments", "body_moments", "bodies", "places", "reactions",
+    "contacts", "frictions",
 )  # fmt: skip
 """Lists of a mechanism whose lengths a model has."""
 
@@ -208,6 +214,8 @@ class Structure:
             "n_local_forms": max([1, *(len(c.forms) for c in composites)]),
             "n_local_nodes": max([1, *(len(c.nodes) for c in composites)]),
             "n_islands": self.islands.count,
+            "n_hit_rows": min(MOST_HIT_ROWS, self._rows_of_contacts),
+            "unilateral": int(bool(mechanism.contacts or mechanism.frictions)),
             "n_sampled": len(self.sampled),
             "sensing": int(mechanism.sensing),
         }
@@ -260,8 +268,58 @@ class Structure:
                 for kind, row, sign in entries
             ),
             "mass_node": flat(pair[:2] for pair in self.masses),
+            **self._unilateral(),
             "island_begin": flat(zip(*self._windows(), strict=True)),
         }
+
+    def _unilateral(self) -> dict[str, array]:
+        """Return the tables of contacts and frictions."""
+        contacts, frictions = self.mechanism.contacts, self.mechanism.frictions
+        gaps, slips = self.function_rows, self.velocity_rows
+        first_slip = len(gaps)
+        owner = [-1] * (len(gaps) + len(slips) if contacts or frictions else 0)
+        for k, contact in enumerate(contacts):
+            owner[gaps.place[contact.row]] = k
+        rows = [[first_slip + slips.place[row] for row in friction.rows] for friction in frictions]
+        for k, found in enumerate(rows, start=len(contacts)):
+            for row in found:
+                owner[row] = k
+        first = len(self.elements)
+        return {
+            "contact_row": array("i", (first + gaps.place[x.row] for x in contacts)),
+            "contact_friction": array("i", (x.friction for x in contacts)),
+            **listed("friction_row", [[first + row for row in found] for found in rows]),
+            "normal_ptr": pointers(self.normal_rows),
+            "normal_row": flat(entry for entries in self.normal_rows for entry in entries),
+            "row_owner": array("i", owner),
+        }
+
+    @property
+    def _rows_of_contacts(self) -> int:
+        """Rows of all contacts, those of their frictions included."""
+        mechanism = self.mechanism
+        slips = [
+            mechanism.frictions[x.friction].rows for x in mechanism.contacts if x.friction >= 0
+        ]
+        return len(mechanism.contacts) + sum(map(len, slips))
+
+    @cached_property
+    def normal_rows(self) -> list[list[tuple[int, int]]]:
+        """Multipliers that make the normal force of each friction, and 1 where a group begins."""
+        first, begin = {}, 0
+        for kind, (rows, width) in zip(ROW_KINDS, self._rows, strict=True):
+            first[kind] = begin, width, rows.place
+            begin += len(rows) * width
+        return [
+            [
+                (begin + width * place[row] + k, _sum_of(friction, kind, number + k))
+                for group in friction.normal
+                for number, (kind, row) in enumerate(group)
+                for begin, width, place in (first[kind],)
+                for k in range(width)
+            ]
+            for friction in self.mechanism.frictions
+        ]
 
     @cached_property
     def sampled(self) -> list[tuple[int, int, str]]:
@@ -292,6 +350,12 @@ class Structure:
         # The last island has the masses of driven nodes too.
         windows[[*layout.ISLAND_PARTS].index("mass")][-1] = len(self.masses)
         return windows
+
+
+def _sum_of(friction: Friction, kind: str, k: int) -> int:
+    """Return how a multiplier enters a normal force: `layout.NORMAL_SUMS`."""
+    alone = len(friction.normal) == 1 and len(friction.normal[0]) == 1 and kind == "function"
+    return layout.NORMAL_SUMS.index("pushes" if alone else "continues" if k else "begins")
 
 
 def flat(lists: Iterable[Iterable[int]]) -> array:

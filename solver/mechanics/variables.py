@@ -102,7 +102,8 @@ def variables_of(
             minimum=given.min, maximum=given.max, kind="input", place=place,
             clips=given.limit == "clip",
         )  # fmt: skip
-    yield from _settings(scene)
+    mechanism = structure.mechanism
+    yield from _settings(scene, unilateral=bool(mechanism.contacts or mechanism.frictions))
     for name, given in scene.outputs.items():
         yield output(name, given.unit, given.description, given.value)
     for named in table:
@@ -128,8 +129,10 @@ def _parameters(scene: Scene, numbers: Numbers) -> Iterator[Variable]:
             free += 1
 
 
-def _settings(scene: Scene) -> Iterator[Variable]:
+def _settings(scene: Scene, *, unilateral: bool) -> Iterator[Variable]:
     for option in OPTIONS.values():
+        if option.of_contacts and not unilateral:
+            continue
         start = getattr(scene.solver, option.name)
         kind = "String" if option.words else "Boolean" if option.is_switch else "Real"
         words = f": one of {', '.join(option.words)}" if len(option.words) > 2 else ""

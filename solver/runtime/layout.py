@@ -81,6 +81,10 @@ SIZES = (
     "n_slots",  # half steps of an internal one whose changes a state keeps, see predict.h
     "n_islands",  # parts that no mass, row or force joins: each is solved by itself
     "n_sampled",  # loads that read quantities
+    "n_contacts",  # gaps, each a function row that is on while it is closed
+    "n_frictions",  # each of 1 to 3 velocity rows that are on while it sticks
+    "n_hit_rows",  # most rows of an impact
+    "unilateral",  # 1: there are contacts or frictions
 )
 """Integers of a model."""
 
@@ -99,6 +103,8 @@ COUNTS = {
     "n_first_pivots": "n_pivots - dim + 1",  # of nodes
     "n_first_directors": "n_moving - 2",  # of spatial bodies
     "turning": "2 * dim - 3",  # components of a moment
+    "n_owned": "unilateral * (n_function_rows + n_velocity_rows)",
+    "n_owners": "n_contacts + n_frictions",
 }
 """What lengths are made of besides sizes."""
 
@@ -116,6 +122,8 @@ ELIMINATION = {
     "coincidence_slot": Table("", 0, "n_lu_values"),  # dim upper, dim lower; if turned dim dim
     "composite_slot_ptr": Pointers("n_composites", "composite_slot"),
     "composite_slot": Table("", 0, "n_lu_values"),  # K nodes: (K dim)^2, of rows 2 K dim more
+    "cone_slot_ptr": Pointers("n_frictions", "cone_slot"),
+    "cone_slot": Table("", 0, "n_lu_values"),  # of each velocity row: rows of the normal force
 }
 """Tables of a factorisation: of the whole tangent, or lean.
 
@@ -170,6 +178,14 @@ TABLES = {
     "mass_node": Table("2 * n_mass", 0, "n_moving"),  # row node, column node
     "input_ramp": Table("n_inputs", 0, 2),  # 1 if it changes evenly over a communication step
     "sampled_load": Table("2 * n_sampled"),  # SAMPLED_.. and place among these
+    "contact_row": Table("n_contacts", 0),  # composite of the gap
+    "contact_friction": Table("n_contacts", -1, "n_frictions"),  # -1: there is none
+    "friction_row_ptr": Pointers("n_frictions", "friction_row", "3"),
+    "friction_row": Table("", 0),  # composites of the slip rates
+    "normal_ptr": Pointers("n_frictions", "normal_row"),
+    "normal_row": Table("", width=2),  # multiplier, and how it enters: `NORMAL_SUMS`
+    "row_owner": Table("n_owned", -1, "n_owners"),  # of each composite that is a row: its contact,
+    # or n_contacts + its friction; -1: it always holds
     "tape": Table("5 * n_tape"),  # of an operation: code, target, three arguments
     **ELIMINATION,
     **{f"lean_{name}": table for name, table in ELIMINATION.items()},
@@ -198,6 +214,9 @@ OFFSETS = {
     "row_scale": "n_rows",  # makes Phi dimensionless
     "row_sigma": "n_rows",  # (G M^-1 G')_ii
     **dict.fromkeys(("stiffness", "rest", "damping", "drive"), "n_elements"),
+    "restitution": "n_contacts",
+    "sliding": "n_frictions", "static": "n_frictions",  # coefficients
+    "preload": "n_frictions",  # [N, N m] that friction has without a normal force
     "gravity": "dim",  # [m/s^2]
     "support": "dim * n_support",
     "initial_position": "n", "initial_velocity": "n",
@@ -219,6 +238,7 @@ HEAD = (
     "energy_reference",  # largest kinetic energy, or change of potential energy, so far
     "work", "work_low", "dissipated", "dissipated_low", "defect", "defect_low", "residual",
     "residual_low",  # accounts of the ledger, with what rounding left over
+    "impact", "impact_low", "friction", "friction_low",  # likewise, what contacts take
     "mean_time", "mean_time_before",
     "parity",  # of half steps that come one by one
     "known", "halves",  # see predict.h
@@ -227,11 +247,15 @@ HEAD = (
     "across", "order_in_use",
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "ledger_error",
+    "events",  # of contacts, in the last step
+    "at_fault",  # multiplier of the contact that the last step failed at, and 1; else 0
     "status",  # of the last step
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
-    "tolerance", "absolute_tolerance", "longest_step",  # the settings of solver/options.py
+    "tolerance", "absolute_tolerance", "longest_step", "rest_speed", "rest_time",
+    "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
+    "unsettled",  # whether contacts and frictions are to be looked at before the next step
 )
 """Scalars at the head of a state."""
 
@@ -241,6 +265,26 @@ ISLAND = (
     "full_steps", "full_wait", "fresh_steps", "fresh_wait",  # see policy_factors.h
 )
 """Scalars of each island in the section `islands` of a state."""
+
+CONTACT = (
+    "closed",  # 1: its row holds
+    "reference",  # gap at which it closed
+    "parted",  # 1: the event at hand has opened it
+    "impacts", "impulse",  # so far; their number, and the sum of their impulses [N s]
+)
+"""Scalars of each contact in the section `contacts` of a state."""
+
+FRICTION = (
+    "mode",  # `FRICTION_MODES`
+    "along_1", "along_2", "along_3",  # unit direction of the slip
+)
+"""Scalars of each friction in the section `frictions` of a state."""
+
+NORMAL_SUMS = ("continues", "begins", "pushes")
+"""How a multiplier enters a normal force: the norm of some begins or continues with it; or it is
+that of a gap, which pushes with the negative multiplier."""
+
+FRICTION_MODES = ("off", "sticks", "slides")
 
 STATE = {
     "q": "n", "q_low": "n",  # coordinates [m], and what rounding left over
@@ -259,6 +303,8 @@ STATE = {
     "signal": "n_signals",  # prescribed values at the present time
     "quaternion": "4 * n_bodies",  # w, x, y, z; of continuous sign
     "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
+    "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
+    "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
     "inputs": "n_inputs",  # last given
     "inputs_before": "n_inputs", "inputs_slope": "n_inputs",  # of ramps: at present, and how fast
@@ -284,6 +330,10 @@ MEASURED = {
     "momentum": "dim",
     "angular_momentum": "turning",  # about the origin
     "solver": "6",  # Newton iterations, Uzawa updates, substeps, order, sampling, status
+    "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
+    "friction": "3 * n_frictions",  # force, slip rate, mode
+    "loss": "3 * unilateral",  # to dampers, friction and impacts
+    "contact_solver": "2 * unilateral",  # events of the last step, whether it was stepped
 }
 """Groups of measurements, in the section `measured` of the numbers."""
 

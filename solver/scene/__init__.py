@@ -6,6 +6,13 @@ scene = load("double_pendulum.toml", {"length": 2.0, "points.A.mass": 3.0})
 from __future__ import annotations
 
 from solver.scene.bodies import Bar, Body, Point, Rigid
+from solver.scene.contacts import (
+    ClearanceContact,
+    PlaneContact,
+    RubbingContact,
+    SphereContact,
+    Stop,
+)
 from solver.scene.drivers import (
     AngleDriver,
     Constraint,
@@ -27,6 +34,7 @@ from solver.scene.forces import (
     TorsionDamper,
     TorsionSpring,
 )
+from solver.scene.friction import JointFriction
 from solver.scene.grammar import parse
 from solver.scene.joints import (
     BodyJoint,

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
+from solver.options import OPTIONS
 from solver.scene.draft import Draft
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
@@ -22,6 +23,7 @@ SMALL = 5.0
 def advise(numbers: NumberChecks, inputs: dict[str, Input], joints: dict[str, Part]) -> None:
     """Warn of a scene as a whole, in which no mistake was found."""
     _unused(numbers)
+    _settings_of_contacts(numbers)
     _held(numbers, inputs)
     _welded_twice(numbers.draft, joints)
     _millimetres(numbers.draft)
@@ -37,6 +39,14 @@ def _unused(numbers: NumberChecks) -> None:
         if name not in known.uses and not isinstance(value, str):
             help = "use it in an expression, or leave it out"
             numbers.draft.warn((table, name), "nothing depends on it", help)
+
+
+def _settings_of_contacts(numbers: NumberChecks) -> None:
+    """Warn of settings that only contacts and friction of joints have."""
+    for name in numbers.draft.table("solver"):
+        if not numbers.known.touches and OPTIONS[name].of_contacts:
+            message = "has no effect: nothing touches or rubs"
+            numbers.draft.warn(("solver", name), message, "leave it out, or write [contacts]")
 
 
 def _held(numbers: NumberChecks, inputs: dict[str, Input]) -> None:

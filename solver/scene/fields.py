@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, TypeAlias
@@ -408,9 +408,13 @@ class Part:
         """Report fields that do not fit each other or the scene; `given` is what was parsed."""
 
     @classmethod
-    def offered(cls, *, joins_points: bool) -> tuple[Offer, ...]:  # noqa: ARG003
-        """Quantities of a part that joins two points rather than two bodies, or not."""
+    def offered(cls, given: Collection[str]) -> tuple[Offer, ...]:  # noqa: ARG003
+        """Quantities of a part for which a file gives the fields of these names."""
         return cls.offers
+
+    def given(self) -> list[str]:
+        """Names of its fields that have a value."""
+        return [name for name in fields_of(type(self)) if getattr(self, name, None) is not None]
 
     @classmethod
     def is_in(cls, dimension: int | None) -> bool:

@@ -5,12 +5,14 @@ joints are zero as drawn; forces and torques are those on the second body, the p
 """
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.friction import ABOUT, ALONG, FRICTION, FRICTION_ALONG, JointFriction
 from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, VECTOR, Offer
 from solver.scene.report import Path
 from solver.scene.rules import NOT_ZERO, POSITIVE, Place
@@ -95,6 +97,8 @@ class BodyJoint(Part):
     """Whether a place of one body and one of the other are the same, at the position."""
     takes_points: ClassVar[bool] = False
     """Whether it may join two points instead of two bodies."""
+    rubs: ClassVar[tuple[Offer, ...]] = ()
+    """What it offers if it has friction."""
 
     bodies: Annotated[Pair | None, kind.TWO_BODIES]
     position: Annotated[Vector | None, _PLACE]
@@ -104,11 +108,15 @@ class BodyJoint(Part):
     """Instead of `bodies` and `position`."""
     on: Pair = (None, None)
     """Named points of the two bodies that `position` means, since it lies there: "rod.tip"."""
+    friction: JointFriction | None = None
 
     @classmethod
-    def offered(cls, *, joins_points: bool) -> tuple[Offer, ...]:
+    def offered(cls, given: Collection[str]) -> tuple[Offer, ...]:
         """Points that are one have a force between them and nothing else."""
-        return (FORCE,) if joins_points and cls.takes_points else cls.offers
+        joins_points = "points" in given and "bodies" not in given
+        if joins_points and cls.takes_points:
+            return (FORCE,)
+        return (*cls.offers, *(cls.rubs if "friction" in given else ()))
 
     @classmethod
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
@@ -149,6 +157,10 @@ def _shared_point(
     if type == "revolute" and reader.dimension == 3:
         message = "a revolute joint in space joins bodies, not points"
         reader.draft.error((*path, "points"), message, f'{how}, or type = "spherical"')
+    if getattr(given, "friction", None) is not None:
+        message = "a joint of points measures no slip"
+        help = "give it 'bodies' and 'position' instead of 'points'"
+        reader.draft.error((*path, "friction"), message, help)
     return {"points": reader.ends(path, given.points, given.at)}
 
 
@@ -197,12 +209,14 @@ class Spherical(BodyJoint):
 
     type = "spherical"
     offers = (FORCE,)
+    rubs = ABOUT
     only_in = (3, "in the plane 'revolute' lets two bodies share a point")
     meets = takes_points = True
 
     bodies: Annotated[Pair | None, kind.TWO_BODIES] = None
     position: Annotated[Vector | None, _PLACE] = None
     points: Annotated[Ends | None, kind.TWO_ENDS] = None
+    friction: Annotated[JointFriction | None, FRICTION] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -211,6 +225,7 @@ class Revolute(BodyJoint):
 
     type = "revolute"
     offers = (*ANGLE, FORCE, TORQUE_IN_SPACE)
+    rubs = ABOUT
     meets = takes_points = True
 
     bodies: Annotated[Pair | None, kind.TWO_BODIES] = None
@@ -223,6 +238,7 @@ class Revolute(BodyJoint):
         ),
     ] = None  # fmt: skip
     points: Annotated[Ends | None, kind.TWO_ENDS] = None
+    friction: Annotated[JointFriction | None, FRICTION] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that there is an axis in space."""
@@ -263,9 +279,11 @@ class Cylindrical(BodyJoint):
 
     type = "cylindrical"
     offers = (*ANGLE, *DISPLACEMENT, FORCE, TORQUE)
+    rubs = ALONG
     only_in = (3, "in the plane write 'prismatic', or 'point_on_line' for a pin in a slot")
 
     axis: Annotated[Vector | None, _AXIS] = None
+    friction: Annotated[JointFriction | None, FRICTION] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -274,9 +292,11 @@ class Prismatic(BodyJoint):
 
     type = "prismatic"
     offers = (*DISPLACEMENT, FORCE, TORQUE)
+    rubs = ALONG
 
     position: Annotated[Vector | None, _PLACE_OR_ORIGIN] = None
     axis: Annotated[Vector | None, _AXIS] = None
+    friction: Annotated[JointFriction | None, FRICTION_ALONG] = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -317,6 +337,17 @@ class Screw(BodyJoint):
 # --------------------------------------------------------------------------- joints of one point
 
 
+def check_point_and_body(
+    reader: "Reader", path: Path, reference: PointReference, body: str | None, given: Any
+) -> None:
+    """Check that a point is none of a body, `given` in the file, and that one of them can move."""
+    point, where = reference.point, (*path, "point")
+    if point in reader.fixed and given in (None, "ground"):
+        reader.draft.error(where, f"the point '{point}' is fixed, and so is the ground")
+    if body is not None and point and reader.owner(point) == body:
+        reader.draft.error(where, f"'{point}' is a point of the body '{body}' itself")
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PointOn(Part):
     """A point stays on a line, a plane or a surface that a body carries."""
@@ -328,11 +359,7 @@ class PointOn(Part):
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the point is none of the body, and that one of the two can move."""
-        point, body, where = self.point.point, self.body, (*path, "point")
-        if point in reader.fixed and given.body in (None, "ground"):
-            reader.draft.error(where, f"the point '{point}' is fixed, and so is the ground")
-        if body is not None and point and reader.owner(point) == body:
-            reader.draft.error(where, f"'{point}' is a point of the body '{body}' itself")
+        check_point_and_body(reader, path, self.point, self.body, given.body)
 
 
 def _surface(reader: "Reader", path: Path, value: Any, _: Any) -> Number:

@@ -76,7 +76,10 @@ def known_names(draft: Draft) -> Known:
         for name in draft.names(table):
             bar = table == "bodies" and draft.part_class(table, name) is TYPES["bodies"]["bar"]
             kinds.setdefault(name, "bar" if bar else noun)
-    known = Known(kinds, dimension=draft.dimension or 3, offered=offered(draft))
+    joints = (draft.data["joints"][name] for name in draft.names("joints"))
+    rubs = any(isinstance(joint, dict) and "friction" in joint for joint in joints)
+    touches = rubs or bool(draft.names("contacts"))
+    known = Known(kinds, dimension=draft.dimension or 3, offered=offered(draft), touches=touches)
     within = (f"{body}.{point}" for body, point in body_points(draft))
     known.ends = dict.fromkeys((*draft.names("points"), *known.of("body"), *within))
     return known
@@ -94,9 +97,7 @@ def offered(draft: Draft) -> dict[str, tuple[Offer, ...]]:
                 offers[name] = (*before, *(offer for kind in kinds for offer in kind.offers))
             else:
                 given = data if isinstance(data, dict) else {}
-                offers[name] = before + part.offered(
-                    joins_points="points" in given and "bodies" not in given
-                )
+                offers[name] = before + part.offered(given.keys())
     return offers | {f"{body}.{point}": MOTION for body, point in body_points(draft)}
 
 

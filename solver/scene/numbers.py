@@ -50,6 +50,8 @@ class Known:
     dimension: int = 3
     offered: Mapping[str, tuple[Offer, ...]] = field(default_factory=dict)
     """What each part offers, once the parts are counted."""
+    touches: bool = False
+    """Whether there are contacts, or friction of joints."""
     values: dict[str, float] = field(default_factory=dict)
     """Default values of the parameters that have one."""
     uses: dict[str, list[Path]] = field(default_factory=dict)
@@ -58,7 +60,7 @@ class Known:
     @cached_property
     def quantities(self) -> Mapping[str, Level]:
         """The mechanism's own quantities; many, of which few scenes mention any."""
-        return quantities(self.offered, self.dimension)
+        return quantities(self.offered, self.dimension, self.touches)
 
     def of(self, *kinds: str) -> list[str]:
         """Names of all parts of these kinds."""

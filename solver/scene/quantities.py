@@ -9,7 +9,7 @@ stand in outputs alone.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeAlias
 
 Level: TypeAlias = Literal["position", "rate", "result"]
@@ -57,11 +57,17 @@ class Offer:
             yield f"{name}.{word}", self.text.format(name=name, part=part, axis=axis)
 
 
-def quantities(offered: Mapping[str, Iterable[Offer]], dimension: int) -> dict[str, Level]:
-    """Names of all quantities, each with its level, from what is offered under each name."""
+def quantities(
+    offered: Mapping[str, Iterable[Offer]], dimension: int, touches: bool = False
+) -> dict[str, Level]:
+    """Names of all quantities, each with its level, from what is offered under each name.
+
+    `touches` says that the scene has contacts, or friction of joints.
+    """
+    of_contacts = WHOLE_OF_CONTACTS.items() if touches else ()
     return {
         f"{name}.{word}": offer.level
-        for name, offers in (*offered.items(), *WHOLE.items())
+        for name, offers in (*offered.items(), *WHOLE.items(), *of_contacts)
         for offer in offers
         for _, word in offer.words(dimension)
     }
@@ -85,7 +91,7 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
             "potential": "energy of gravity, springs and potentials",
             "total": "kinetic and potential energy",
             "work": "work done by forces, torques, drivers and inputs since the start",
-            "dissipated": "energy taken out by dampers since the start",
+            "dissipated": "energy taken out by dampers, friction and impacts since the start",
             "balance": "total - initial - work + dissipated: zero up to round-off",
         }),
         Offer("error", "1", "size of the balance over the reference energy"),
@@ -114,6 +120,41 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
     }),
 }  # fmt: skip
 """Quantities of the mechanism as a whole, by the name before the dot."""
+
+WHOLE_OF_CONTACTS: dict[str, tuple[Offer, ...]] = {
+    "energy": _results("J", {
+        "damping": "energy taken out by dampers since the start",
+        "friction": "energy taken out by friction since the start, without that of impacts",
+        "impact": "energy taken out by impacts since the start, with their friction",
+    }),
+    "solver": _results("1", {
+        "events": "impacts and other changes of contacts in the last communication step",
+        "stepped": "1 if the last communication step was not cut at its impacts, else 0",
+    }),
+}  # fmt: skip
+"""Likewise where there are contacts, or friction of joints."""
+
+CONTACT = (
+    Offer("gap", "m", "gap of {name}, zero while it touches"),
+    Offer("force", "N", "normal force of {name}, never negative"),
+    Offer("mode", "1", "0 while {name} is open, 1 while it is closed, 2 while it slides"),
+    Offer("impacts", "1", "number of impacts of {name} since the start"),
+    Offer("impulse", "N.s", "sum of the normal impulses of {name} since the start"),
+)
+"""Of a contact."""
+
+FRICTION = (
+    Offer("friction", "N", "friction force of {name}; in space its size"),
+    Offer("slip", "m/s", "slip rate of {name}; in space its size"),
+)
+"""Of one that rubs."""
+
+_TURNING = {"m": "rad", "m/s": "rad/s", "N": "N.m", "N.s": "N.m.s"}
+
+
+def turning(offers: Iterable[Offer]) -> tuple[Offer, ...]:
+    """Return quantities of a length and force as those of an angle and torque."""
+    return tuple(replace(offer, unit=_TURNING.get(offer.unit, offer.unit)) for offer in offers)
 
 
 def place_in_whole(name: str, word: str) -> int:

@@ -17,6 +17,7 @@ from typing import Any, Literal
 
 from solver.scene.advice import advise
 from solver.scene.bodies import Bar
+from solver.scene.contacts import check_settings
 from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, fields_of
@@ -131,7 +132,7 @@ def _build(draft: Draft) -> Scene:
     reader.read("inputs")
     for table in ("points", "bodies"):
         reader.read(table, drawn[table])
-    for table in ("joints", "constraints", "forces", "drivers"):
+    for table in ("joints", "constraints", "contacts", "forces", "drivers"):
         reader.read(table)
     _something_moves(draft, reader.parts["points"])
     _free_points_have_mass(draft, drawn["points"], reader.parts)
@@ -140,6 +141,7 @@ def _build(draft: Draft) -> Scene:
         gravity = reader.vector(("gravity",), heading.gravity)
     reader.read("outputs")
     solver, experiment = read_settings(reader)
+    check_settings(reader, solver)
     if not draft.problems:
         advise(reader, reader.parts["inputs"], reader.parts["joints"])
     return Scene(

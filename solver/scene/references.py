@@ -180,19 +180,19 @@ class Reader(Places):
         self.draft.error(path, message, help)
         return False
 
-    def joint(self, path: Path, name: Any, has: str) -> bool:
-        """Report a name that is no joint with an angle, or with a displacement."""
+    def joint(self, path: Path, name: Any, *words: str) -> bool:
+        """Report a name that is no joint with an angle, with a displacement, or with either."""
         if name is BROKEN:
             return False
         kind, part = self.joints.get(name), self.known.parts.get(name)
-        if self.has(name, has):
+        if any(self.has(name, word) for word in words):
             return True
         if part == "joint":
             if kind is not None:  # one of unknown type is reported already
-                self.draft.error(path, *self._without(name, kind, has))
+                self.draft.error(path, *self._without(name, kind, words))
             return False
-        known = [joint for joint in self.joints if self.has(joint, has)]
-        help = did_you_mean(name, known, f"joints with {a(has)}")
+        known = [joint for joint in self.joints if any(self.has(joint, word) for word in words)]
+        help = did_you_mean(name, known, f"joints with {' or '.join(map(a, words))}")
         message = f"'{name}' is {a(part)}, not a joint" if part else f"unknown joint '{name}'"
         self.draft.error(path, message, help)
         return False
@@ -202,15 +202,18 @@ class Reader(Places):
         offers = self.known.offered[joint] if self.joints.get(joint) else ()
         return any(offer.word == word for offer in offers)
 
-    def _without(self, name: str, kind: type[Part], has: str) -> tuple[str, str | None]:
-        """Words for a joint that has no angle, or no displacement."""
-        if kind.has(has):
+    def _without(
+        self, name: str, kind: type[Part], words: tuple[str, ...]
+    ) -> tuple[str, str | None]:
+        """Words for a joint that has no angle, no displacement, or neither."""
+        if any(map(kind.has, words)):
             help = "give it 'bodies' and 'position' instead of 'points'"
             return f"'{name}' joins points, and has no angle", help
         possible = [
             word
             for word, joint in TYPES["joints"].items()
-            if joint.has(has) and joint.is_in(self.dimension)
+            if any(map(joint.has, words)) and joint.is_in(self.dimension)
         ]
-        help = f"types of joints with {a(has)}: {', '.join(possible)}"
-        return f"'{name}' is a {kind.type.replace('_', ' ')} joint, which has no {has}", help
+        help = f"types of joints with {' or '.join(map(a, words))}: {', '.join(possible)}"
+        what = f"'{name}' is a {kind.type.replace('_', ' ')} joint"
+        return f"{what}, which has no {' and no '.join(words)}", help

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, NoReturn
 
 from solver.scene import fields as kind
 from solver.scene.bodies import BODIES, Body, Point
+from solver.scene.contacts import CONTACTS
 from solver.scene.drivers import DRIVERS, Constraint
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part, fields_of, schema_of
@@ -80,6 +81,7 @@ class Scene(Part):
     constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
         default_factory=dict
     )
+    contacts: Annotated[dict[str, Part], _table("contact", CONTACTS)] = field(default_factory=dict)
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)

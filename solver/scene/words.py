@@ -21,6 +21,7 @@ _WORDS = {
         joints: hinges connections couplings pins
         forces: springs dampers loads torques moments elements potentials
         drivers: actuators motions drives
+        contacts: collisions impacts obstacles
         parameters: variables constants params
         inputs: signals
         profiles: tables curves splines characteristics lookups
@@ -52,6 +53,12 @@ _WORDS = {
         displacement: translation translational linear prismatic slide
         position: motion path trajectory
         """,
+    "contacts": """
+        plane: floor ground wall line halfspace half_space
+        sphere: ball balls disc discs circle
+        clearance: play backlash journal bearing
+        stop: limit end_stop endstop rope bound
+        """,
     "fields": """
         stiffness: k spring_constant spring_rate rate
         damping: c d damping_coefficient viscosity
@@ -66,17 +73,21 @@ _WORDS = {
         angular_velocity: omega w spin angular_speed
         bodies: body1 body2 parent child
         points: from to point1 point2 ends nodes
-        axis value: direction
+        axis value: direction normal
         pitch: lead
         ratio: gear_ratio teeth
-        radius: diameter r
+        radius: diameter r clearance play
         density: rho
         value energy: torque moment force magnitude formula function law expression
         value start: default initial initial_value
         fixed: ground is_fixed
         description: text comment
-        min: minimum lower
-        max: maximum upper
+        min: minimum lower low
+        max: maximum upper high
+        restitution: e cor bounce elasticity coefficient_of_restitution
+        friction coefficient: mu friction_coefficient kinetic_friction sliding_friction mu_k
+        static_friction static: mu_s mu_static stiction
+        surface_velocity: belt_speed belt_velocity surface_speed
         """,
 }
 _NOT_A_WORD = {
@@ -85,13 +96,13 @@ _NOT_A_WORD = {
         '[forces], type = "joint_torque"'
     ),
     ("friction",): (
-        'write it in [forces]: type = "torsion_damper" or "damper" where it grows with the speed; '
-        'where it does not, type = "joint_torque" with value = "-2*max(-1, min(1, w/0.01))", w '
-        "being the angular_velocity of the joint"
+        "friction is a field of contacts, friction = 0.3, and of revolute, prismatic, spherical "
+        "and cylindrical joints, friction = { coefficient = 0.1, radius = 0.01 }; what grows with "
+        'the speed stands in [forces]: type = "torsion_damper" or "damper"'
     ),
     ("limit", "limits", "end_stop", "file.stops", "joints.stop", "forces.stop"): (
-        'write an end stop in [forces]: type = "potential" with value = "5e3*max(a - 1.5, 0)**2", '
-        "a being the angle or displacement of the joint"
+        'write an end stop in [contacts]: type = "stop" with joint = "..." and min, max, or with '
+        "points = [...] and max for a rope"
     ),
     ("velocity", "velocities", "speed", "initial", "initial_velocity"): (
         "a velocity at the start is a field of points and rigid bodies: velocity, angular_velocity"
@@ -99,7 +110,9 @@ _NOT_A_WORD = {
     ("drivers.velocity", "drivers.speed", "drivers.angular_velocity"): (
         'write the motion that it makes: type = "angle" or "displacement" with value = "2*t"'
     ),
-    ("contact", "contacts"): "contacts are not available in this version",
+    ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
+        'write a contact in [contacts]: type = "plane", "sphere", "clearance" or "stop"'
+    ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""
 

@@ -9,6 +9,7 @@ import pytest
 
 from solver.runtime import AssemblyError, Integrator, OptionError, Status, StepError
 from solver.runtime.layout import PLACE
+from solver.scene import SceneError
 from tests.kernel_calls import kernel_of
 from tests.twins import PENDULUM, advance, block, internal_step, model_of, start, vector
 
@@ -85,6 +86,32 @@ b = { type = "distance", points = ["A", "B"] }
 c = { type = "distance", points = ["B", "C"] }
 """
 
+STOPPED = """
+name = "stopped"
+dimension = 2
+[bodies.arm]
+position = [0, 0]
+mass = 1.0
+inertia = 1.0
+[joints]
+hinge = { type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }
+[drivers]
+motor = { type = "angle", joint = "hinge", value = "t" }
+[contacts]
+end = { type = "stop", joint = "hinge", max = 0.05 }
+"""
+"""Its motor pushes it through its stop."""
+
+BALL = """
+name = "ball"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+ball = { mass = 1.0, position = [0, 0], velocity = [1, 3] }
+[contacts]
+floor = { type = "plane", point = "ball", axis = [0, 1], restitution = 0.9, friction = 0.1 }
+"""
+
 FAILURES = {
     Status.NEWTON_DIVERGED: (PENDULUM, {"max_newton": 1}, {}, 0.1),
     Status.UZAWA_DIVERGED: (PENDULUM, {"penalty": 1e-3, "max_uzawa": 3}, {}, 0.1),
@@ -96,6 +123,8 @@ FAILURES = {
     Status.DAMPING_REVERSED: (DAMPED, {"order": 8.0, "step_size": 0.1}, {}, 0.1),
     Status.STEP_COLLAPSED: (PENDULUM, {"tolerance": 1e-14, "order": 2.0}, {}, 1e3),
     Status.TURN_TOO_LARGE: (SPINNING, {"step_size": 0.1}, {}, 0.1),
+    Status.IMPACT_UNSOLVED: (STOPPED, {}, {}, 0.1),
+    Status.TOO_MANY_EVENTS: (BALL, {"max_events": 2}, {}, 2.0),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
 
@@ -112,6 +141,8 @@ SENTENCES = {
     Status.DAMPING_REVERSED: "dampers fed energy, " + HALVED,
     Status.STEP_COLLAPSED: "the internal step collapsed: solver.tolerance asks for more than 1e6",
     Status.TURN_TOO_LARGE: "a body turns by more than 2.5 rad within a half step",
+    Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
+    Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
 }
 """What is said of each."""
 
@@ -128,7 +159,8 @@ def provoked(status):
 
 
 def test_every_status_has_a_sentence_and_is_provoked_below():
-    assert {Status.OK, *FAILURES} == {Status.OK, *SENTENCES} == set(Status)
+    at_the_start = {Status.CONTACT_SETTINGS, Status.PENETRATION, Status.CONTACT_UNDECIDED}
+    assert {Status.OK, *FAILURES} == {Status.OK, *SENTENCES} == set(Status) - at_the_start
 
 
 @pytest.mark.parametrize("status", FAILURES, ids=lambda status: status.name)
@@ -142,7 +174,48 @@ def test_a_step_that_fails_says_why_and_leaves_the_state_as_before(status):
     assert run.status is status
     assert run.state.head["status"] == status
     run.state.head["status"] = Status.OK
+    run.state.head["at_fault"] = 0.0
     assert run.save() == before
+
+
+def test_contacts_refuse_other_formulations_single_steps_and_equilibria():
+    for setting, value in {
+        "formulation": "conserving-al-beta",
+        "paired": False,
+        "start": "equilibrium",
+    }.items():
+        run = Integrator(model_of(BALL), log=lambda _: None)
+        run[f"solver.{setting}"] = value
+        with pytest.raises(AssemblyError, match="contacts and friction need"):
+            run.initialise()
+
+
+LONG_ROD = """
+name = "rod"
+dimension = 2
+[points]
+top = { position = [0, 1], fixed = true }
+ball = { mass = 1.0, position = [0, 0.5] }
+[joints]
+rod = { type = "distance", points = ["top", "ball"], length = 1.2 }
+[contacts]
+floor = { type = "plane", point = "ball", axis = [0, 1] }
+[solver]
+assemble = true
+"""
+
+
+def test_a_mechanism_that_closes_into_a_contact_is_refused():
+    with pytest.raises(SceneError, match=r"contacts.floor: its gap is negative at the start"):
+        model_of(LONG_ROD)
+
+
+def test_friction_that_gives_energy_fails_the_step():
+    run = start(BALL.replace("[1, 3]", "[1, 0]"))
+    run.numbers[run.model.offsets["sliding"]] = -0.5  # no scene can say so
+    with pytest.raises(StepError, match="no choice of closed contacts"):
+        run.advance(run.time, 0.1)
+    assert run.status is Status.CONTACT_UNDECIDED
 
 
 @pytest.mark.parametrize(("speed", "status"), [(250.0, Status.OK), (1e5, Status.TURN_TOO_LARGE)])

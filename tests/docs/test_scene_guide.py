@@ -30,11 +30,12 @@ def test_the_first_scene_is_complete():
 
 def test_the_scene_in_space_is_complete_with_all_that_follows_it():
     start = EXAMPLES.index(SPATIAL)
-    scene = loads("".join(EXAMPLES[start : start + 5]))
+    scene = loads("".join(EXAMPLES[start : start + 6]))
     assert scene.dimension == 3
     assert scene.warnings == ()
     assert scene.joints["shoulder"].on == ("column.top", "arm.root")
     assert scene.constraints
+    assert scene.contacts
     assert scene.forces
     assert scene.drivers
 
@@ -42,14 +43,14 @@ def test_the_scene_in_space_is_complete_with_all_that_follows_it():
 @pytest.mark.parametrize("piece", PIECES, ids=lambda piece: piece.splitlines()[0])
 def test_every_other_example_fits_the_first_scene(piece):
     start = EXAMPLES.index(SPATIAL)
-    if piece not in EXAMPLES[start : start + 5]:
+    if piece not in EXAMPLES[start : start + 6]:
         loads(FIRST + piece)
 
 
 @pytest.mark.parametrize(("table", "types"), TYPES.items())
 def test_every_type_is_in_the_tables_and_has_an_example(table, types):
     start = EXAMPLES.index(SPATIAL)
-    scene = tomllib.loads("".join(EXAMPLES[start : start + 5]))
+    scene = tomllib.loads("".join(EXAMPLES[start : start + 6]))
     shown = {part.get("type", "rigid") for part in scene.get(table, {}).values()}
     assert set(types) - shown <= {"bar"}
     for name in set(types) - {"rigid"}:

@@ -24,6 +24,16 @@ one = { type = "distance", points = ["O", "A"] }
 two = { type = "distance", points = ["O", "A"] }
 """
 
+PUCK = """
+name = "puck"
+gravity = [0, 0, -9.81]
+[points]
+O = { position = [0, 0, 0], fixed = true }
+A = { position = [1, 0, 0], mass = 1.0 }
+[contacts]
+floor = { type = "plane", point = "A", axis = [0, 0, 1], friction = 0.3 }
+rope = { type = "stop", points = ["O", "A"], max = 1.0 }
+"""
 UNEVEN_BEAM = """
 name = "uneven_beam"
 dimension = 2
@@ -82,6 +92,16 @@ def test_rolling_takes_freedom_from_velocities_alone(capsys):
     table = lines(capsys, SCENES / "rolling_disc.toml")
     assert table["non-holonomic rows"] == "2  joint 'contact'"
     assert table["degrees of freedom"] == "5 of positions, 3 of velocities"
+
+
+def test_contacts_are_named_and_take_no_freedom(capsys, tmp_path):
+    scene = tmp_path / "puck.toml"
+    scene.write_text(PUCK)
+    found = info(capsys, scene)
+    assert (found["contacts"], found["rows"], found["velocity_rows"]) == (["floor", "rope"], 0, 0)
+    assert found["degrees_of_freedom"] == 3
+    assert lines(capsys, scene)["contacts"] == "2  floor, rope"
+    assert "contacts" not in lines(capsys, SCENES / "four_bar.toml")
 
 
 @pytest.mark.parametrize(

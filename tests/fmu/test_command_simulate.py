@@ -283,3 +283,30 @@ def test_an_integer_of_very_many_digits_is_refused_in_one_short_sentence(
 def test_a_time_that_no_double_can_hold_is_refused(name, value):
     with pytest.raises(UsageError, match="got an integer of"):
         run_fmu(scene_fmu("double_pendulum"), **{name: value})
+
+
+BALL = """
+name = "ball"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+ball = { mass = 1.0, position = [0, 0.5], velocity = [1, 0] }
+[contacts]
+floor = { type = "plane", point = "ball", axis = [0, 1], restitution = 0.5, friction = 0.1 }
+[experiment]
+stop_time = 2.0
+"""
+
+
+def test_check_tells_what_took_the_energy_of_a_mechanism_that_touches(capsys, tmp_path):
+    scene = tmp_path / "ball.toml"
+    scene.write_text(BALL)
+    code, out, _ = run(capsys, "check", scene, "--json")
+    taken = json.loads(out)["taken"]
+    assert code == 0
+    assert taken["damping"] == 0.0
+    # It comes to rest on the floor: all of its energy is gone.
+    assert taken["friction"] + taken["impact"] == pytest.approx(9.81 * 0.5 + 0.5, rel=1e-12)
+    _, table, _ = run(capsys, "check", scene)
+    assert "energy taken out by" in table
+    assert "taken" not in run(capsys, "check", SCENES / "four_bar.toml", "--stop", 1, "--json")[1]

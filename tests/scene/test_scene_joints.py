@@ -1,5 +1,6 @@
 """Joints, constraints, forces and drivers arrive as written, and name what they measure."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 
 from solver.scene import (
     AngleDriver,
+    ClearanceContact,
     ConstantAngle,
     Constraint,
     DisplacementDriver,
@@ -14,7 +16,9 @@ from solver.scene import (
     Force,
     Gear,
     Gravitation,
+    JointFriction,
     JointTorque,
+    PlaneContact,
     PointOnLine,
     PointOnPlane,
     PointOnSurface,
@@ -27,8 +31,10 @@ from solver.scene import (
     Rolling,
     SceneError,
     Screw,
+    SphereContact,
     Spherical,
     Spring,
+    Stop,
     Torque,
     TorsionDamper,
     TorsionSpring,
@@ -85,6 +91,11 @@ def test_joints_arrive_as_written(name, joint):
     assert SCENE.joints[name] == joint
 
 
+def test_friction_of_joints_arrives_as_written():
+    (joint,) = (x for x in loads(PLANE).joints.values() if getattr(x, "friction", None))
+    assert joint.friction == JointFriction(coefficient=0.1, preload=0.2)
+
+
 def test_constraints_and_drivers_arrive_as_written():
     assert SCENE.constraints == {
         "c1": Constraint(value=parse("A.x**2 - b1.tip.x - sin(t)*u")),
@@ -117,6 +128,25 @@ def test_constraints_and_drivers_arrive_as_written():
 )  # fmt: skip
 def test_forces_arrive_as_written(name, force):
     assert SCENE.forces[name] == force
+
+
+@pytest.mark.parametrize(
+    ("name", "contact"),
+    [
+        ("n1", PlaneContact(point=TIP, body="link", axis=(0.0, 1.0), position=(0.0, -3.0),
+                            radius=0.1, restitution=0.5, friction=0.3, static_friction=0.4,
+                            surface_velocity=(parse("sin(t)"), 0.0))),
+        ("n2", SphereContact(points=(POINT_A, PointReference(point="b2")), radii=(0.0, 0.1),
+                             friction=0.2)),
+        ("n3", ClearanceContact(points=(POINT_A, PointReference(point="b1")), radius=0.1,
+                                pin_radius=0.2)),
+        ("n4", Stop(joint="j1", of="angle", min=-1.0, max=2.0)),
+        ("n5", Stop(joint="j3", of="displacement", max=1.0, restitution=1.0)),
+        ("n6", Stop(points=(PointReference(point="O"), PointReference(point="b1")), max=2.0)),
+    ],
+)  # fmt: skip
+def test_contacts_arrive_as_written(name, contact):
+    assert loads(PLANE).contacts[name] == contact
 
 
 def test_a_place_on_a_body_and_on_the_ground_are_kept_and_that_of_a_point_is_not():
@@ -184,14 +214,30 @@ def test_quantities_in_space(name, words):
     [
         ("j1", "angle angular_velocity force.x force.y"),
         ("j2", "force.x force.y"),
-        ("j3", "displacement velocity force.x force.y torque.z"),
+        ("j3", "displacement velocity force.x force.y torque.z friction slip friction_mode"),
         ("j4", "force.x force.y torque.z"),
         ("b2", "x y vx vy angle angular_velocity"),
+        ("n1", "gap force mode impacts impulse friction slip"),
+        ("n3", "gap force mode impacts impulse"),
+        ("n4", "gap force mode impacts impulse"),
+        ("f1", ""),
     ],
 )
 def test_quantities_in_the_plane(name, words):
     expected = {f"{name}.{word}" for word in words.split()}
     assert own(quantities_of(PLANE), name) == expected
+
+
+def test_a_scene_has_losses_of_contacts_only_where_something_touches():
+    """They are quantities that an output may use; without contacts and friction unknown."""
+    text = '[outputs]\nlost = { value = "energy.impact + energy.friction + solver.events" }\n'
+    plane = PLANE.replace("[outputs]", text)
+    assert "lost" in loads(plane).outputs
+    rubbing = "".join(x for x in plane.splitlines(keepends=True) if x[0] != "n" or x[1] == "a")
+    assert "lost" in loads(rubbing.replace("[contacts]", "")).outputs
+    free = re.sub(", friction = {.*?}", "", rubbing.replace("[contacts]", ""))
+    with pytest.raises(SceneError, match=r"unknown quantity 'energy\.impact'"):
+        loads(free)
 
 
 def test_a_joint_of_unknown_type_is_reported_alone():

@@ -134,6 +134,13 @@ def test_a_parameter_or_input_is_used_wherever_an_expression_names_it():
     assert told(again) == [("inputs.push", UNUSED)]
 
 
+def test_a_setting_of_contacts_has_no_effect_without_any():
+    text = SWING.replace("spare = 2.0\n", "") + "[solver]\nrest_speed = 1e-3\n"
+    assert told(text) == [("solver.rest_speed", "has no effect: nothing touches or rubs")]
+    stop = '[contacts]\nrope = { type = "stop", points = ["O", "A"], max = 2 }\n'
+    assert told(text + stop) == []
+
+
 def test_an_override_can_take_away_the_last_use_of_a_parameter():
     assert told(SWING, **{"points.A.mass": 3.0}) == [
         ("parameters.mass", UNUSED), ("parameters.spare", UNUSED)

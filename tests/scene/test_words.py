@@ -8,6 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver import SceneError, loads
+from solver.scene import JointFriction
 from solver.scene.fields import fields_of
 from solver.scene.scene import NOUNS, TYPES, Scene
 from solver.scene.units import base_unit
@@ -80,7 +81,7 @@ def test_the_singular_of_a_table_suggests_it(table):
 def test_every_word_of_the_list_means_what_exists(place):
     fields = {field for types in TYPES.values() for x in types.values() for field in fields_of(x)}
     known = {"file": {*fields_of(Scene)}, "fields": {*fields, "density", "start", "min", "max"}}
-    known["fields"] |= {"description", "fixed", "radius"}
+    known["fields"] |= {"description", "fixed", "radius", *fields_of(JointFriction)}
     for word, names in NAMES[place].items():
         assert names
         assert {*names} <= known.get(place, {*TYPES.get(place, ())})
@@ -134,10 +135,10 @@ def test_the_usual_letters_mean_the_fields_of_springs_and_dampers():
 @pytest.mark.parametrize("word", ["motor", "friction", "limit", "velocity"])
 def test_what_is_no_word_of_a_scene_says_what_to_write(word):
     """As a table, as a type and as a field of a joint."""
-    hinge = SCENE["joints"]["bearing"] | {word: 1.0}
+    cross = {"bodies": ["ground", "crank"], "position": [0, 0, 0], "axes": [[1, 0, 0], [0, 1, 0]]}
     places = [
         problems(SCENE | {word: {}}),
-        problems(SCENE | {"joints": {"bearing": hinge}}),
+        problems(SCENE | {"joints": {"bearing": {"type": "universal", **cross, word: 1.0}}}),
         *([problem_of(table, {"type": word})] for table in ("forces", "drivers")),
     ]
     for (found,) in places:

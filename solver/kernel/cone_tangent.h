@@ -1,0 +1,71 @@
+/* Derivatives of the multipliers that sliding frictions are held to. */
+#ifndef HOLONOM_CONE_TANGENT_H
+#define HOLONOM_CONE_TANGENT_H
+
+#include "composite.h"
+#include "context.h"
+#include "function.h"
+#include "row_state.h"
+
+/* Where the nodes' part of row j begins among the slots of its composite. */
+static const int32_t *lower_slots(const context *c, int32_t j)
+{
+    const int32_t size = DIM * (c->m->composite_node_ptr[j + 1] - c->m->composite_node_ptr[j]);
+    return c->lu->composite_slot + c->lu->composite_slot_ptr[j] + size + (is_lean(c) ? 0 : size * size);
+}
+
+/* Adds to the tangent how friction f, of several rows, turns with its slip: epsilon d lambda_k/d psi_l d psi_l/d w. */
+HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const double *along, double *value)
+{
+    const holonom_model *m = c->m;
+    double slip2 = 0.0;
+    for (int k = 0; k < n_slips(c, f); k++) slip2 += hm_square(c->k.slip[row_of(c, slip_row(c, f, k))]);
+    const double per_slip = slip2 > 0.0 ? cone(c, f, 1, normal_force(c, f, c->cone_mu)) / sqrt(slip2) : 0.0;
+    for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
+        const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
+        const int32_t nodes = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
+        composite_result result = {0.0, 0.0, 0.0};
+        const int32_t status = composite_slopes(c, j, 1, &result);
+        if (status) return status;
+        local_gradients(c, j);
+        for (int32_t a = 0; a < DIM * nodes; a++) {
+            double slope = 0.0; /* d psi_l/d w */
+            for (int32_t i = 0; i < forms; i++) slope += c->k.end[i] * c->k.gradient_end[DIM * nodes * i + a] / c->h;
+            for (int k = 0; k < n_slips(c, f); k++) {
+                const int32_t own = slip_row(c, f, k), *list = m->composite_node + m->composite_node_ptr[own];
+                const int32_t count = m->composite_node_ptr[own + 1] - m->composite_node_ptr[own];
+                const double turn = per_slip * ((k == l) - along[k] * along[l]) * slope;
+                for (int32_t b = 0; b < count; b++)
+                    if (list[b] == m->composite_node[m->composite_node_ptr[j] + a / DIM])
+                        value[lower_slots(c, own)[DIM * b + a % DIM]] += c->k.epsilon[row_of(c, own)] * turn;
+            }
+        }
+    }
+    return HOLONOM_OK;
+}
+
+/* Derivatives of these with respect to mu, epsilon times, added to `value`. */
+HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
+{
+    const holonom_model *m = c->m;
+    int32_t status = HOLONOM_OK;
+    for (int32_t f = 0; f < m->n_frictions && c->sliding; f++) {
+        double along[3], root = 0.0;
+        if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
+        const int32_t *slot = c->lu->cone_slot + c->lu->cone_slot_ptr[f];
+        slip_direction(c, f, along);
+        for (int k = 0; k < n_slips(c, f); k++)
+            for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1]; at++) {
+                const int32_t row = m->normal_row[2 * at], how = m->normal_row[2 * at + 1];
+                if (how == NORMAL_BEGINS) sum_of_squares(c, f, at, c->cone_mu, &root);
+                const double slope = how == NORMAL_PUSHES ? -1.0 : root > 0.0 ? c->cone_mu[row] / root : 0.0;
+                const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
+                value[*slot++] += epsilon * c->number[m->sliding_at + f] * slope * along[k];
+            }
+        if (n_slips(c, f) > 1 && !c->constraints_only) status = turning_tangent(c, f, along, value);
+        if (status) return status;
+    }
+    return status;
+}
+
+#endif

@@ -1,0 +1,260 @@
+/* Contacts and frictions at a state: gaps, slips, and what holds at the level of accelerations.
+
+   Touching contacts that do not part, and frictions that do not slide, are rows. Which do is a complementarity problem
+
+       0 <= N _|_ gap'' >= 0,     |T| <= mu_s N + preload where there is no slip,
+
+   solved by changing one at a time, the worst first. */
+#ifndef HOLONOM_CONTACT_H
+#define HOLONOM_CONTACT_H
+
+#include "context.h"
+#include "energy.h"
+#include "inputs_signals.h"
+#include "norms.h"
+#include "row_state.h"
+#include "start.h"
+
+#define TOUCHING 1e-10 /* gap over the size of the mechanism up to which a contact takes part in an impact */
+#define RESTING 1e-10  /* speed, over that of the mechanism, that is none                                */
+#define NO_FORCE 1e-11 /* force, over the largest normal force, that is none                             */
+#define NO_GROWTH 1e-9 /* acceleration, over the largest one, that is none                               */
+#define PARTING 1e-5   /* likewise towards a contact that the event at hand has opened                   */
+
+static double speed_that_is_none(const context *c)
+{
+    const double *extent = c->number + c->m->extent_at;
+    return fmax(RESTING * speed_scale(c) * extent[0] / extent[1], 1e-300);
+}
+
+/* With the accelerations in w. */
+HM_SELDOM static double growth_that_is_none(const context *c)
+{
+    double most2 = dot(c->number + c->m->gravity_at, c->number + c->m->gravity_at);
+    for (int32_t a = 0; a < c->n_moving; a++)
+        if (!c->m->node_kind[a]) most2 = fmax(most2, dot(c->k.w + DIM * a, c->k.w + DIM * a));
+    return NO_GROWTH * sqrt(most2);
+}
+
+HM_SELDOM static double gap_that_is_none(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
+
+static double gap_of(const context *c, int32_t i) { return value_at_state(c, c->m->contact_row[i]); }
+
+/* Rate of a function row, value of a velocity row at the state. */
+static double rate_of_row(const context *c, int32_t j)
+{
+    return function_rate(c, j, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate);
+}
+
+static double gap_rate(const context *c, int32_t i) { return rate_of_row(c, c->m->contact_row[i]); }
+
+/* Second derivative of a function row, rate of a velocity row, with the accelerations in w. */
+HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
+{
+    double *none = c->k.signal_sample; /* second derivatives of signals are in the bias */
+    memset(none, 0, sizeof(double) * (size_t)c->m->n_signals);
+    const double bias = bias_of_row(c, j);
+    return function_rate(c, j, c->s.q, c->s.q_low, c->k.w, c->s.signal, none) + bias;
+}
+
+static double normal_of(const context *c, int32_t i) { return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
+
+/* Size of the multipliers of friction f, and those over it as a direction if wanted. */
+static double friction_force(const context *c, int32_t f, double *along)
+{
+    double size2 = 0.0;
+    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(c->k.event_mu[row_of(c, slip_row(c, f, k))]);
+    for (int k = 0; k < n_slips(c, f) && along; k++)
+        along[k] = size2 > 0.0 ? c->k.event_mu[row_of(c, slip_row(c, f, k))] / sqrt(size2) : 0.0;
+    return sqrt(size2);
+}
+
+/* Slip of friction f at the state, and its direction if wanted. */
+static double slip_of(const context *c, int32_t f, double *along)
+{
+    double slip[3], size2 = 0.0;
+    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(slip[k] = rate_of_row(c, slip_row(c, f, k)));
+    for (int k = 0; k < n_slips(c, f) && along; k++) along[k] = size2 > 0.0 ? slip[k] / sqrt(size2) : 0.0;
+    return sqrt(size2);
+}
+
+/* Laws, quantities and rates of signals at the present state. */
+HM_SELDOM static void look_at_state(context *c)
+{
+    if (c->m->sensing) sense(c, 0.0, 0);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
+    quantities_at_state(c);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    c->factors_h = 0.0; /* factors of a step do not outlast what follows */
+}
+
+/* Multipliers (in event_mu) and accelerations (in w) with the modes at hand. */
+HM_SELDOM static int32_t look_at_forces(context *c)
+{
+    const int32_t status = accelerations(c, c->k.event_mu);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    quantities_at_state(c);
+    return status;
+}
+
+/* ------------------------------------------------------------------------------------------ modes */
+
+HM_SELDOM static void let_stick(const context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }
+
+HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
+{
+    friction_of(c, f)[F_MODE] = FRICTION_SLIDES;
+    c->sliding = 1;
+    for (int k = 0; k < n_slips(c, f); k++) friction_of(c, f)[F_ALONG_1 + k] = along[k];
+}
+
+/* First guess of a friction's mode: by its slip; without one it sticks, or begins to slide as it was told. One without
+   coefficients is off, since it would be at its cone always.                                                    */
+HM_SELDOM static void guess_friction(context *c, int32_t f)
+{
+    double along[3];
+    if (!(cone(c, f, 0, 1.0) > 0.0)) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+    else if (slip_of(c, f, along) > speed_that_is_none(c)) let_slide(c, f, along);
+    else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
+}
+
+HM_SELDOM static void open_contact(const context *c, int32_t i)
+{
+    const int32_t f = c->m->contact_friction[i];
+    contact_of(c, i)[C_CLOSED] = 0.0;
+    if (f >= 0) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+}
+
+HM_SELDOM static void close_contact(context *c, int32_t i)
+{
+    const int32_t f = c->m->contact_friction[i];
+    double *x = contact_of(c, i);
+    if (x[C_CLOSED] == 0.0) x[C_REFERENCE] = gap_of(c, i);
+    x[C_CLOSED] = 1.0;
+    if (f >= 0) guess_friction(c, f);
+}
+
+/* Opens the closed contact that pulls most; 0 if none does. */
+HM_SELDOM static int open_worst(context *c, double none)
+{
+    int32_t worst = -1;
+    double least = -none;
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i) && normal_of(c, i) < least) least = normal_of(c, i), worst = i;
+    if (worst < 0) return 0;
+    open_contact(c, worst);
+    blame(c, c->m->contact_row[worst]);
+    return 1;
+}
+
+/* Lets the friction that is farthest beyond its cone slide; 0 if all hold. */
+HM_SELDOM static int slide_worst(context *c, double none)
+{
+    int32_t worst = -1;
+    double most = none, along[3];
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (friction_mode(c, f) != FRICTION_STICKS) continue;
+        const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
+        const double excess = friction_force(c, f, NULL) - limit - 1e-10 * fabs(limit);
+        if (excess > most) most = excess, worst = f;
+    }
+    if (worst < 0) return 0;
+    friction_force(c, worst, along);
+    let_slide(c, worst, along);
+    blame(c, slip_row(c, worst, 0));
+    return 1;
+}
+
+/* Rate at which the slip of friction f grows along its direction. */
+HM_SELDOM static double slip_growth(const context *c, int32_t f)
+{
+    double sum = 0.0;
+    for (int k = 0; k < n_slips(c, f); k++)
+        sum += friction_of(c, f)[F_ALONG_1 + k] * second_rate_of_row(c, slip_row(c, f, k));
+    return sum;
+}
+
+/* Turns a friction back that would begin to slide against the way it was told; 0 if all go theirs. */
+HM_SELDOM static int turn_back(context *c)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double *x = friction_of(c, f);
+        if (x[F_MODE] != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_that_is_none(c) ||
+            !(slip_growth(c, f) < -growth_that_is_none(c)))
+            continue;
+        x[F_MODE] = FRICTION_STICKS;
+        blame(c, slip_row(c, f, 0));
+        return 1;
+    }
+    return 0;
+}
+
+/* Closes an open contact that touches, does not move and would get closer; 0 if none does. */
+HM_SELDOM static int close_worst(context *c)
+{
+    int32_t worst = -1;
+    double least = -growth_that_is_none(c);
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        if (is_closed(c, i) || !(gap_of(c, i) <= gap_that_is_none(c)) || !(fabs(gap_rate(c, i)) <= speed_that_is_none(c))) continue;
+        const double growth = second_rate_of_row(c, c->m->contact_row[i]);
+        if (contact_of(c, i)[C_PARTED] != 0.0 && growth > -growth_that_is_none(c) * PARTING / NO_GROWTH) continue;
+        if (growth < least) least = growth, worst = i;
+    }
+    if (worst < 0) return 0;
+    close_contact(c, worst);
+    blame(c, c->m->contact_row[worst]);
+    return 1;
+}
+
+HM_SELDOM static double largest_normal(const context *c)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i)) largest = fmax(largest, fabs(normal_of(c, i)));
+    return largest;
+}
+
+HM_SELDOM static int is_at_rest(const context *c, int32_t i)
+{
+    return gap_of(c, i) <= gap_that_is_none(c) && fabs(gap_rate(c, i)) <= speed_that_is_none(c);
+}
+
+/* First guess of the modes at the present state: contacts that touch without approaching are closed, unless `parted` says
+   that the last event opened them.                                                                               */
+HM_SELDOM static void guess_modes(context *c)
+{
+    const holonom_model *m = c->m;
+    look_at_state(c);
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        double *x = contact_of(c, i);
+        if (is_at_rest(c, i) && x[C_PARTED] == 0.0) close_contact(c, i);
+        else open_contact(c, i);
+    }
+    for (int32_t f = 0; f < m->n_frictions; f++)
+        if (!is_of_contact(c, f)) guess_friction(c, f);
+}
+
+/* Changes modes one at a time until they agree with the forces. */
+static int32_t agree_with_forces(context *c)
+{
+    const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
+    for (int change = 0; change < most; change++) {
+        const int32_t status = look_at_forces(c);
+        const double none = NO_FORCE * largest_normal(c);
+        if (status) return status;
+        if (!(open_worst(c, none) || slide_worst(c, none) || turn_back(c) || close_worst(c))) return HOLONOM_OK;
+    }
+    return HOLONOM_CONTACT_UNDECIDED;
+}
+
+/* Takes multipliers and accelerations over as at a start. */
+static int32_t start_with_modes(context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++) contact_of(c, i)[C_PARTED] = 0.0;
+    for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
+    const int32_t status = first_multipliers(c);
+    forget_changes(c);
+    return status;
+}
+
+#endif

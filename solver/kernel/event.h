@@ -1,0 +1,393 @@
+/* Events: steps with contacts as they are, cut where a gap closes, a normal force vanishes, slip stops or friction gives way.
+
+   Each contact and each friction has a function of the state that is positive as long as its mode holds. After a step the
+   earliest zero of these is sought by the cubics through their values and rates at both ends; every trial is the whole
+   step anew, of the length tried, so that an accepted one is a step like any other.                              */
+#ifndef HOLONOM_EVENT_H
+#define HOLONOM_EVENT_H
+
+#include "contact.h"
+#include "context.h"
+#include "impact.h"
+#include "ledger.h"
+#include "step_halving.h"
+
+/* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
+typedef struct event_values {
+    double *value, *rate;
+} event_values;
+
+static inline event_values values_at(const context *c, int which)
+{
+    const int64_t n = c->m->n_contacts + c->m->n_frictions;
+    return (event_values){c->k.event + 2 * n * which, c->k.event + 2 * n * which + n};
+}
+
+static inline void copy_values(const context *c, event_values from, event_values to)
+{
+    memcpy(to.value, from.value, sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
+}
+
+static int has_forces(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i)) return 1;
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (friction_mode(c, f) != FRICTION_OFF) return 1;
+    return 0;
+}
+
+static double slip_along(const context *c, int32_t f)
+{
+    double sum = 0.0;
+    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * rate_of_row(c, slip_row(c, f, k));
+    return sum;
+}
+
+/* The functions at the present state. */
+HM_SELDOM static int32_t event_functions(context *c, event_values x)
+{
+    const holonom_model *m = c->m;
+    look_at_state(c);
+    const int32_t status = has_forces(c) ? look_at_forces(c) : HOLONOM_OK;
+    for (int32_t i = 0; i < m->n_contacts && !status; i++) {
+        x.value[i] = is_closed(c, i) ? normal_of(c, i) : gap_of(c, i);
+        x.rate[i] = is_closed(c, i) ? NAN : gap_rate(c, i);
+    }
+    for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions && !status; f++, k++) {
+        const int mode = friction_mode(c, f);
+        x.value[k] = INFINITY, x.rate[k] = NAN;
+        if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, NULL);
+        if (mode == FRICTION_SLIDES) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
+    }
+    return status;
+}
+
+/* A speed that no gap grows faster than. */
+static double fastest_node(const context *c)
+{
+    const double extent = c->number[c->m->extent_at];
+    double most2 = 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double *v = c->s.v + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
+        most2 = fmax(most2, size * size * dot(v, v));
+    }
+    return sqrt(most2);
+}
+
+/* Parts of forces by which they must be on the safe side, so that their values need not be known better. */
+#define SAFE_NORMAL 0.3
+#define SAFE_FRICTION 0.2
+
+/* Likewise at the end of a piece of length h whose start is `low`, from what its steps have left: multipliers are those of
+   their last two means. 0 if that leaves doubt whether an event has passed.                                     */
+static int is_quiet(context *c, double h, event_values low, event_values x)
+{
+    const holonom_model *m = c->m;
+    const double gap = c->s.head[S_MEAN_TIME] - c->s.head[S_MEAN_TIME_BEFORE];
+    const double ahead = gap > 0.0 && gap < INFINITY ? (c->t - c->s.head[S_MEAN_TIME]) / gap : 0.0;
+    const double reach = 4.0 * h * fastest_node(c);
+    if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h)) return 0;
+    for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
+        c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        x.rate[i] = NAN;
+        if (is_closed(c, i)) {
+            const double mean = -c->s.mean[row_of(c, m->contact_row[i])];
+            x.value[i] = normal_of(c, i);
+            if (!(mean > 0.0 && x.value[i] > SAFE_NORMAL * mean)) return 0;
+        } else if (!((x.value[i] = gap_of(c, i)) > reach && low.value[i] > reach)) return 0;
+    }
+    for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
+        const int mode = friction_mode(c, f);
+        x.value[k] = INFINITY, x.rate[k] = NAN;
+        if (mode == FRICTION_STICKS) {
+            const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
+            x.value[k] = limit - friction_force(c, f, NULL);
+            if (!(x.value[k] > SAFE_FRICTION * limit)) return 0;
+        } else if (mode == FRICTION_SLIDES) {
+            x.value[k] = slip_along(c, f);
+            x.rate[k] = (x.value[k] - low.value[k]) / h;
+            const double change = 4.0 * h * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
+            if (!(x.value[k] > change && low.value[k] > change)) return 0;
+        }
+    }
+    return 1;
+}
+
+/* Values of function k down to minus this are none. */
+HM_SELDOM static double no_value(const context *c, int32_t k)
+{
+    const int32_t f = k - c->m->n_contacts;
+    if (f < 0) return is_closed(c, k) ? NO_FORCE * largest_normal(c) : 1e-15 * c->number[c->m->extent_at];
+    if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
+    return 1e-3 * speed_that_is_none(c);
+}
+
+/* Where in (0, 1] the cubic with these ends and slopes becomes negative, or infinity; a start below 0 counts as 0. */
+HM_SELDOM static double cubic_root(double v0, double r0, double v1, double r1)
+{
+    const double b = 3.0 * (v1 - v0) - 2.0 * r0 - r1, a = 2.0 * (v0 - v1) + r0 + r1;
+    double end[4] = {0.0, 1.0, 1.0, 1.0}; /* of pieces without extremum */
+    const double square = b * b - 3.0 * a * r0;
+    int pieces = 0;
+    if (square > 0.0) {
+        const double q = -(b + copysign(sqrt(square), b)), s[2] = {q != 0.0 ? r0 / q : 2.0, a != 0.0 ? q / (3.0 * a) : 2.0};
+        const int later = s[1] < s[0];
+        for (int i = 0; i < 2; i++)
+            if (s[later ? 1 - i : i] > 0.0 && s[later ? 1 - i : i] < 1.0) end[++pieces] = s[later ? 1 - i : i];
+    }
+    for (int i = 0; i <= pieces; i++) {
+        double low = end[i], high = i == pieces ? 1.0 : end[i + 1];
+        if (!(v0 + high * (r0 + high * (b + high * a)) < 0.0)) continue;
+        if (i == 0 && v0 <= 0.0 && r0 <= 0.0) return 0.0;
+        for (int k = 0; k < 60; k++) {
+            const double s = 0.5 * (low + high);
+            if (v0 + s * (r0 + s * (b + s * a)) < 0.0) high = s;
+            else low = s;
+        }
+        return high;
+    }
+    return INFINITY;
+}
+
+/* Estimate of where in (0, h] function k becomes negative, or infinity. */
+HM_SELDOM static double root_between(const context *c, int32_t k, double h, event_values low, event_values high)
+{
+    const double none = no_value(c, k), v0 = fmax(low.value[k], 0.0), v1 = high.value[k];
+    double r0 = h * low.rate[k], r1 = h * high.rate[k];
+    if (!(v0 < INFINITY && v1 < INFINITY)) return INFINITY;
+    if (r0 == r0 && r1 == r1) {
+        if (v0 <= none && fabs(r0) <= none) r0 = 0.0;
+        if (v1 >= -none && !(r0 < 0.0 && r1 > 0.0)) return INFINITY;
+        if (v1 < -none || (r0 < 0.0 && r1 > 0.0)) return h * cubic_root(v0, r0, v1, r1);
+    }
+    return v1 < -none ? h * v0 / (v0 - v1) : INFINITY;
+}
+
+/* Pieces shorter than this part of a usual step are stepped over by Taylor's series: half steps would divide the rounding
+   errors of rows and signals by their length. What it leaves out is of the third order.                         */
+#define SHORTEST_PIECE 1e-6
+
+/* Whether loads, drivers or moving surfaces may do work. */
+HM_SELDOM static int has_loads(const context *c)
+{
+    const holonom_model *m = c->m;
+    int has = m->n_signals > 0 || m->n_frictions > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0;
+    for (int32_t j = 0; j < m->n_elements; j++) has |= c->number[m->drive_at + j] != 0.0;
+    return has;
+}
+
+HM_SELDOM static int32_t short_piece(context *c, double h)
+{
+    const holonom_model *m = c->m;
+    double *signal = c->s.signal, damping = 0.0, friction = 0.0;
+    keep_start(c);
+    look_at_state(c);
+    const int32_t status = look_at_forces(c);
+    if (status) return status;
+    const double before = kinetic_energy(c, c->k.momentum) + potential_change(c);
+    for (int32_t j = 0; j < m->n_elements; j++) {
+        double rate;
+        quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, c->s.v, &rate);
+        damping += h * c->number[m->damping_at + j] * rate * rate;
+    }
+    for (int32_t f = 0; f < m->n_frictions; f++)
+        if (friction_mode(c, f) == FRICTION_SLIDES)
+            for (int k = 0; k < n_slips(c, f); k++)
+                friction += h * c->k.event_mu[row_of(c, slip_row(c, f, k))] * rate_of_row(c, slip_row(c, f, k));
+    signals_at(c, c->t + h, c->k.signal1);
+    memcpy(signal, c->k.signal1, sizeof(double) * (size_t)m->n_signals);
+    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
+        hm_add(c->s.q + k, c->s.q_low + k, h * (c->s.v[k] + 0.5 * h * c->k.w[k]));
+        hm_add(c->s.v + k, c->s.v_low + k, h * c->k.w[k]);
+    }
+    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.q[DIM * m->n_free + k] = signal[k], c->s.q_low[DIM * m->n_free + k] = 0.0;
+    c->t += h;
+    follow_angles(c);
+    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(c, j);
+    book(c, S_DISSIPATED, damping);
+    book(c, S_FRICTION, friction);
+    const double after = kinetic_energy(c, c->k.momentum) + potential_change(c);
+    if (has_loads(c)) book(c, S_WORK, after - before + damping + friction);
+    return HOLONOM_OK;
+}
+
+/* A piece of length h. */
+static int32_t step_piece(context *c, double h)
+{
+    return h < SHORTEST_PIECE * usual_length(c) ? short_piece(c, h) : step_halving(c, h, 0);
+}
+
+/* Goes back to the start of the piece. What the step has cost stays counted. */
+HM_SELDOM static void undo_piece(context *c, double t, double law_time)
+{
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
+    memcpy(c->s.head, c->divided ? c->k.event_backup : c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0);
+    c->t = t;
+    c->s.head[S_NEWTON_ITERATIONS] = newton;
+    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
+}
+
+enum { AT_LOW, AT_HIGH, AT_TRIAL };
+
+/* Finds the first event of a piece of length h from time t, whose functions at both ends are known, and leaves the state
+   there; `covered` is its time, h if there is none. */
+HM_SELDOM static int32_t find_event(context *c, double t, double law_time, double h, double *covered)
+{
+    const int32_t n = c->m->n_contacts + c->m->n_frictions;
+    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH), at = values_at(c, AT_TRIAL);
+    const double least = 4e-16 * (fabs(t) + h);
+    double begin = 0.0, end = h, last = INFINITY;
+    *covered = h;
+    c->event = -1;
+    for (int trial = 0;; trial++) { /* the piece that is left halves in three trials, or faster */
+        const double width = end - begin;
+        double first = INFINITY;
+        int32_t which = -1;
+        for (int32_t k = 0; k < n; k++) {
+            const double root = root_between(c, k, width, low, high);
+            if (root < first) first = root, which = k;
+        }
+        c->event = which;
+        if (which < 0) return HOLONOM_OK;
+        blame(c, which < c->m->n_contacts ? c->m->contact_row[which] : slip_row(c, which - c->m->n_contacts, 0));
+        if (width > 0.5 * last && trial % 3 == 2) first = 0.5 * width; /* one end does not move */
+        last = width;
+        *covered = fmin(begin + fmax(first, fmin(least, 0.5 * width)), end);
+        undo_piece(c, t, law_time);
+        int32_t status = step_piece(c, *covered);
+        if (!status) status = event_functions(c, at);
+        if (status) return status;
+        int is_late = 0;
+        for (int32_t k = 0; k < n; k++) is_late |= at.value[k] < -no_value(c, k);
+        if (at.value[which] <= no_value(c, which) && !is_late) return HOLONOM_OK;
+        if (width <= 2.0 * least) return HOLONOM_OK;
+        copy_values(c, at, is_late ? high : low);
+        if (is_late) end = *covered;
+        else begin = *covered;
+    }
+}
+
+/* Whether function k has become 0 at the event. */
+static int has_ended(const context *c, int32_t k) { return k == c->event || values_at(c, AT_TRIAL).value[k] <= no_value(c, k); }
+
+/* Lets go what has reached its limit: contacts that no force holds, frictions at their cones or without slip. */
+HM_SELDOM static int32_t change_modes(context *c)
+{
+    const holonom_model *m = c->m;
+    if (has_forces(c)) {
+        const int32_t status = hold_rows(c, S_IMPACT);
+        if (status) return status;
+    }
+    for (int32_t i = 0; i < m->n_contacts; i++)
+        if (is_closed(c, i) && has_ended(c, i)) open_contact(c, i), contact_of(c, i)[C_PARTED] = 1.0;
+    for (int32_t f = 0, k = m->n_contacts; f < m->n_frictions; f++, k++) {
+        const int mode = friction_mode(c, f);
+        double along[3];
+        if (mode == FRICTION_OFF || !has_ended(c, k)) continue;
+        if (mode == FRICTION_SLIDES) {
+            let_stick(c, f);
+            const int32_t status = hold_rows(c, S_FRICTION);
+            if (status) return status;
+            continue;
+        }
+        friction_force(c, f, along);
+        let_slide(c, f, along);
+    }
+    return HOLONOM_OK;
+}
+
+/* Impacts and new modes at the present state. */
+HM_SELDOM static int32_t settle(context *c)
+{
+    int hits = 0;
+    int32_t status = hit_all(c, &hits);
+    if (!status) status = settle_modes(c);
+    if (status == HOLONOM_CONTACT_UNDECIDED) {
+        status = jam(c);
+        if (!status) status = settle_modes(c);
+    }
+    c->s.head[S_EVENTS] += 1.0;
+    c->s.head[S_UNSETTLED] = 0.0;
+    if (!status) status = event_functions(c, values_at(c, AT_LOW));
+    return status;
+}
+
+/* Slip in space turns fast just before it stops, and passes through 0 along no direction known before. A piece ends
+   before the time at which the slip, at its present rate, would: a tenth is left each time, so that pieces are as short as
+   the motion is fast and orders above 2 hold, and a SLIP_LEFT part of the speed of the mechanism counts as none.  */
+#define SLIP_LEFT 1e-7
+#define BEFORE_STOP 0.9
+
+static double length_before_stop(const context *c, double length)
+{
+    const event_values low = values_at(c, AT_LOW);
+    for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++)
+        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES && low.rate[k] < 0.0)
+            length = fmin(length, BEFORE_STOP * low.value[k] / -low.rate[k]);
+    return length;
+}
+
+/* Shortens the piece to come, of this length, where a slip is about to stop. Rates that rows still have, of directors that
+   turn, are part of the slip that the velocities show, and would be more than what is left of it.                 */
+static int32_t stop_before(context *c, double *length)
+{
+    const double whole = *length;
+    if (!(length_before_stop(c, whole) < whole)) return HOLONOM_OK;
+    int32_t status = hold_rows(c, S_IMPACT);
+    if (!status) status = event_functions(c, values_at(c, AT_LOW));
+    *length = length_before_stop(c, whole);
+    return status;
+}
+
+/* Directions of slips in space at the end of a piece; whether one of them is about to stop. */
+static int follow_slips(context *c, event_values at)
+{
+    int stops = 0;
+    for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
+        double along[3];
+        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES) continue;
+        at.value[k] = slip_of(c, f, along);
+        if (at.value[k] > 0.0) let_slide(c, f, along);
+        if (!(at.rate[k] < 0.0) || at.value[k] > SLIP_LEFT / RESTING * speed_that_is_none(c)) continue;
+        at.value[k] = 0.0;
+        stops = 1;
+    }
+    return stops;
+}
+
+/* Whether friction has given no energy over the piece. It does where rows that hold the same thing twice share a normal
+   force at will, and one of them pulls, with a ledger that closes.                                               */
+static int friction_takes(const context *c)
+{
+    const double *start = c->divided ? c->k.event_backup : c->k.pair_backup, *head = c->s.head;
+    return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
+}
+
+/* Cuts a piece of length h from time t, which has just been stepped over, at its first event, and changes modes there;
+   `covered` is what is left of it. */
+static int32_t end_piece(context *c, double t, double law_time, double h, double *covered)
+{
+    const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);
+    int32_t status = HOLONOM_OK;
+    *covered = h;
+    c->event = -1;
+    if (!is_quiet(c, h, low, high)) {
+        status = event_functions(c, high);
+        if (!status) status = find_event(c, t, law_time, h, covered);
+    }
+    if (!status && !friction_takes(c)) status = HOLONOM_CONTACT_UNDECIDED;
+    if (status) return status;
+    if (*covered == h && c->event < 0) {
+        const int stops = follow_slips(c, high);
+        copy_values(c, high, stops ? values_at(c, AT_TRIAL) : low);
+        if (!stops) return HOLONOM_OK;
+    }
+    if (!(c->s.head[S_EVENTS] < c->s.head[S_MAX_EVENTS])) return HOLONOM_TOO_MANY_EVENTS;
+    status = change_modes(c);
+    return status ? status : settle(c);
+}
+
+#endif

@@ -1,0 +1,404 @@
+/* Impacts at a fixed configuration: what touches and approaches parts with the restitution asked for, or stays closed.
+
+   With x_r = M^-1 (g_r + G_B' p_B), G_B x_r = 0, the velocities that a unit impulse along row r brings about while all
+   bilateral rows hold, W = g_r . x_s is what impact_law.h works on, and v+ = v- + sum p_r x_r.                    */
+#ifndef HOLONOM_IMPACT_H
+#define HOLONOM_IMPACT_H
+
+#include "contact.h"
+#include "context.h"
+#include "energy.h"
+#include "impact_law.h"
+#include "rigid.h"
+#include "start.h"
+
+/* Momentum += factor times the gradient of row j at the state, or of its rate. */
+HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)
+{
+    composite_result result = {0.0, 0.0, 0.0};
+    context still = *c;
+    still.h = AT_STATE;
+    const int32_t status = composite_slopes(&still, j, 0, &result);
+    const local_form *local = (const local_form *)c->k.local;
+    if (status) return status;
+    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
+        add_gradient(c, c->m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+    return HOLONOM_OK;
+}
+
+/* Velocities x (n, overwritten) that impulses in `momentum`, times -sqrt 2, bring about; those of the rows are in mu. */
+HM_SELDOM static void reach_of(const context *c, double *x)
+{
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    solve_with_factors(c);
+    add_solution(c, x);
+}
+
+/* An impact as it is set up: the rows of contacts that take part, and what is known of each. */
+typedef struct hit {
+    hm_impact law;
+    int32_t *contact; /* of each of law's                                                                     */
+    int32_t *row;     /* composite of each row                                                                 */
+} hit;
+
+/* Lays the vectors of an impact over the scratch. */
+HM_SELDOM static void map_hit(const context *c, hit *x)
+{
+    const int64_t n = c->m->n_hit_rows;
+    double *d = c->k.hit;
+    int32_t *i = (int32_t *)(void *)(d + 5 * n);
+    x->law = (hm_impact){.W = c->k.hit_matrix, .restitution = d, .coefficient = d + n, .before = d + 2 * n,
+                         .impulse = d + 3 * n, .after = d + 4 * n, .scratch = c->k.hit_scratch,
+                         .first = i, .tangents = i + n, .status = i + 2 * n};
+    x->contact = i + 3 * n;
+    x->row = i + 4 * n;
+}
+
+/* Adds contact i with its friction; 0 if there is no room. */
+HM_SELDOM static int add_to_hit(const context *c, hit *x, int32_t i, double restitution)
+{
+    const int32_t f = c->m->contact_friction[i], k = x->law.contacts, slips = f < 0 ? 0 : n_slips(c, f);
+    if (x->law.rows + 1 + slips > c->m->n_hit_rows) return 0;
+    ((int32_t *)(uintptr_t)x->law.first)[k] = x->law.rows;
+    ((int32_t *)(uintptr_t)x->law.tangents)[k] = slips;
+    ((double *)(uintptr_t)x->law.coefficient)[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
+    x->law.restitution[k] = restitution;
+    x->contact[k] = i;
+    x->row[x->law.rows++] = c->m->contact_row[i];
+    for (int s = 0; s < slips; s++) x->row[x->law.rows++] = slip_row(c, f, s);
+    x->law.contacts++;
+    return 1;
+}
+
+/* Whether drivers or surfaces move, whose work is what a change of velocities adds to the kinetic energy and its losses. */
+static int is_driven(const context *c)
+{
+    double *rest = c->k.ahead, moved = c->m->n_signals;
+    memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        for (int k = 0; k < n_slips(c, f); k++)
+            moved += fabs(function_rate(c, slip_row(c, f, k), c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate));
+    return moved > 0.0;
+}
+
+/* Part of the velocities that makes rows move which hold, with the other sign (hit_defect): a step leaves it by its order.
+   It is orthogonal to all that rows allow, so that its energy is apart. Factors are those at the state.         */
+HM_SELDOM static void find_defect(const context *c)
+{
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(c->k.hit_defect, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+    solve_with_factors(c);
+    add_solution(c, c->k.hit_defect);
+}
+
+HM_SELDOM static void add_defect(const context *c, double sign)
+{
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
+}
+
+/* Lets frictions that slide push nothing, or again what they do: part of the velocities that they bring about would not be
+   orthogonal to what rows allow.                                                                                */
+static void spare_sliding(const context *c, int spared)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double *x = friction_of(c, f);
+        if (x[F_MODE] == (spared ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
+    }
+}
+
+/* Takes that part off the velocities and books its energy; what the velocities lose beyond that is work of drivers. */
+HM_SELDOM static int32_t hold_rows(context *c, int account)
+{
+    spare_sliding(c, 1);
+    stand_still(c);
+    const int32_t status = factorise_at_state(c, NULL);
+    if (!status) find_defect(c);
+    spare_sliding(c, 0);
+    if (status) return status;
+    add_defect(c, 1.0);
+    /* What was solved for near a singular configuration is not quite orthogonal: its own work is booked. */
+    const double square = 0.5 * mass_product(c, c->k.hit_defect, c->k.hit_defect);
+    double change = -square;
+    momenta(c, c->k.momentum);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) change += c->k.hit_defect[k] * c->k.momentum[k];
+    const double loss = is_driven(c) ? square : -change;
+    book(c, account, loss);
+    book(c, S_WORK, change + loss);
+    look_at_state(c);
+    return HOLONOM_OK;
+}
+
+/* Fills W from the velocities that the impulses bring about. */
+static int32_t fill_matrix(const context *c, const hit *x, double *W)
+{
+    const int64_t n = DIM * c->n_moving, rows = x->law.rows;
+    int32_t status = HOLONOM_OK;
+    for (int32_t r = 0; r < rows && !status; r++) {
+        memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
+        status = add_row_gradient(c, x->row[r], 1.0);
+        for (int32_t s = 0; s < rows; s++) {
+            double sum = 0.0;
+            for (int64_t k = 0; k < n; k++) sum += c->k.momentum[k] * c->k.hit_reach[n * s + k];
+            W[rows * r + s] = sum;
+        }
+    }
+    return status;
+}
+
+/* Fills W and the rates before. All contacts are open, so that factors are those of the bilateral rows. */
+HM_SELDOM static int32_t fill_hit(context *c, hit *x)
+{
+    const int64_t n = DIM * c->n_moving, rows = x->law.rows;
+    double *W = (double *)(uintptr_t)x->law.W, *before = (double *)(uintptr_t)x->law.before;
+    stand_still(c);
+    int32_t status = factorise_at_state(c, NULL);
+    if (status) return status;
+    find_defect(c);
+    add_defect(c, 1.0);
+    for (int32_t r = 0; r < rows && !status; r++) {
+        memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
+        status = add_row_gradient(c, x->row[r], -AT_STATE);
+        reach_of(c, c->k.hit_reach + n * r);
+    }
+    for (int32_t r = 0; r < rows; r++) before[r] = rate_of_row(c, x->row[r]);
+    return status ? status : fill_matrix(c, x, W);
+}
+
+/* What the impulses, those of the rows in mu, take with the velocities at hand: the mean of both ends is exact. */
+HM_SELDOM static double loss_rate(const context *c, const hit *x)
+{
+    double sum = 0.0;
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
+    for (int32_t i = 0; i < c->m->n_rows; i++) sum += c->k.mu[i] * c->k.row_rate[i];
+    for (int32_t r = 0; r < x->law.rows; r++) sum -= x->law.impulse[r] * rate_of_row(c, x->row[r]);
+    return sum;
+}
+
+/* Whether a contact stays closed after the impact. */
+HM_SELDOM static int closes(const hit *x)
+{
+    for (int32_t k = 0; k < x->law.contacts; k++)
+        if (x->law.restitution[k] == 0.0 && x->law.impulse[x->law.first[k]] > 0.0) return 1;
+    return 0;
+}
+
+/* Whether a contact that has just been hit gets closer. */
+static int approaches(const context *c, const hit *x)
+{
+    for (int32_t k = 0; k < x->law.contacts; k++)
+        if (gap_rate(c, x->contact[k]) < -speed_that_is_none(c)) return 1;
+    return 0;
+}
+
+/* Applies the impulses and books what they take: along the contacts, and along rows whose rates are not quite 0, as the
+   method leaves them. Where drivers move, their work is the rest of the change of energy.                       */
+HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
+{
+    const int driven = is_driven(c);
+    int32_t status = HOLONOM_OK;
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t r = 0; r < x->law.rows && !status; r++) {
+        const double p = x->law.impulse[r];
+        status = add_row_gradient(c, x->row[r], -AT_STATE * p);
+    }
+    if (status) return status;
+    reach_of(c, c->k.w);
+    double loss = 0.5 * loss_rate(c, x);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
+    loss += 0.5 * loss_rate(c, x);
+    add_defect(c, -1.0);
+    if (closes(x) || approaches(c, x)) { /* their gaps must stay as they are, or open */
+        add_defect(c, 1.0);
+        loss += 0.5 * mass_product(c, c->k.hit_defect, c->k.hit_defect);
+    }
+    /* Where contacts and rows hold the same thing twice velocities are not solved for to the last digit. Differences of
+       kinetic energies tell it, but for their own round-off.                                                     */
+    const double change = kinetic_energy(c, c->k.momentum) - kinetic;
+    if (!driven && fabs(change + loss) > 1e-13 * kinetic) loss = -change;
+    book(c, S_IMPACT, loss);
+    if (driven) book(c, S_WORK, change + loss);
+    for (int32_t k = 0; k < x->law.contacts; k++) {
+        double *own = contact_of(c, x->contact[k]);
+        const double p = x->law.impulse[x->law.first[k]];
+        if (!(p > 0.0)) continue;
+        own[C_IMPACTS] += x->law.before[x->law.first[k]] < -speed_that_is_none(c) ? 1.0 : 0.0;
+        own[C_IMPULSE] += p;
+    }
+    return HOLONOM_OK;
+}
+
+/* Contacts that touch and do not part: those that take part in an impact. */
+HM_SELDOM static int takes_part(const context *c, int32_t i) { return gap_of(c, i) <= gap_that_is_none(c) && gap_rate(c, i) <= speed_that_is_none(c); }
+
+/* Restitution of contact i, with the accelerations before the impact in w: 0 if it approaches slowly, or if the flight that
+   follows would be short. Neither depends on the step, so that what is lost does not.                             */
+HM_SELDOM static double restitution_of(const context *c, int32_t i)
+{
+    const double e = c->number[c->m->restitution_at + i], speed = -gap_rate(c, i);
+    if (!(e > 0.0) || !(speed > fmax(c->s.head[S_REST_SPEED], speed_that_is_none(c)))) return 0.0;
+    const double growth = is_closed(c, i) || c->s.head[S_REST_TIME] == 0.0 ? 0.0 : second_rate_of_row(c, c->m->contact_row[i]);
+    return growth < 0.0 && 2.0 * e * speed < c->s.head[S_REST_TIME] * -growth ? 0.0 : e;
+}
+
+/* One impact of all contacts that touch, or, by the sequential law, of the one that approaches fastest. */
+HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
+{
+    const int sequential = c->s.head[S_IMPACT_LAW] != 0.0;
+    hit x;
+    int32_t fastest = -1;
+    double most = -speed_that_is_none(c);
+    *has_hit = 0;
+    map_hit(c, &x);
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (takes_part(c, i) && gap_rate(c, i) < most) most = gap_rate(c, i), fastest = i;
+    if (fastest < 0) return HOLONOM_OK;
+    *has_hit = 1;
+    blame(c, c->m->contact_row[fastest]);
+    int32_t status = c->s.head[S_REST_TIME] > 0.0 ? look_at_forces(c) : HOLONOM_OK;
+    if (status) return status;
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (takes_part(c, i) && (!sequential || i == fastest) && !add_to_hit(c, &x, i, restitution_of(c, i)))
+            return HOLONOM_IMPACT_UNSOLVED;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+    for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+    const double kinetic = kinetic_energy(c, c->k.momentum);
+    status = fill_hit(c, &x);
+    if (status) return status;
+    if (hm_solve_impact(&x.law)) return HOLONOM_IMPACT_UNSOLVED;
+    return apply_hit(c, &x, kinetic);
+}
+
+enum { MOST_SEQUENTIAL = 2000 };
+
+/* Stops slips at once by impulses where no forces agree with strong friction, though nothing approaches (Lecornu 1905, for
+   the rod of Painleve): to the law of impact all that rests approaches a little.                                 */
+HM_SELDOM static int32_t jam(context *c)
+{
+    hit x;
+    double pushed = 0.0, *before;
+    map_hit(c, &x);
+    before = (double *)(uintptr_t)x.law.before;
+    look_at_state(c);
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_at_rest(c, i) && !add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+    for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+    const double kinetic = kinetic_energy(c, c->k.momentum);
+    const int32_t status = fill_hit(c, &x);
+    if (status) return status;
+    for (int32_t k = 0; k < x.law.contacts; k++) before[x.law.first[k]] -= speed_that_is_none(c);
+    if (hm_solve_impact(&x.law)) return HOLONOM_CONTACT_UNDECIDED;
+    for (int32_t k = 0; k < x.law.contacts; k++) pushed += x.law.impulse[x.law.first[k]];
+    return pushed > 0.0 ? apply_hit(c, &x, kinetic) : HOLONOM_CONTACT_UNDECIDED;
+}
+
+/* Whether an open contact that touches seems to part: rates that rows still have may hide that it gets closer. */
+static int seems_to_part(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (!is_closed(c, i) && gap_of(c, i) <= gap_that_is_none(c) && gap_rate(c, i) > speed_that_is_none(c)) return 1;
+    return 0;
+}
+
+/* Impacts at the present state; `hits` counts them. */
+HM_SELDOM static int32_t hit_all(context *c, int *hits)
+{
+    look_at_state(c);
+    for (*hits = 0; *hits < MOST_SEQUENTIAL; *hits += 1) {
+        int has_hit;
+        int32_t status = hit_once(c, &has_hit);
+        if (!status && !has_hit && *hits == 0 && seems_to_part(c)) {
+            status = hold_rows(c, S_IMPACT);
+            if (!status) status = hit_once(c, &has_hit);
+        }
+        if (status || !has_hit) return status;
+        look_at_state(c);
+    }
+    return HOLONOM_IMPACT_UNSOLVED;
+}
+
+/* ------------------------------------------------------------------------------------------ modes */
+
+/* Momentum += factor times the gradient of contact i's gap, with the friction that a normal force of 1 brings about while
+   it slides.                                                                                                   */
+static int32_t add_push(const context *c, int32_t i, double factor)
+{
+    const int32_t f = c->m->contact_friction[i];
+    double along[3];
+    int32_t status = add_row_gradient(c, c->m->contact_row[i], factor);
+    if (f < 0 || !(slip_of(c, f, along) > speed_that_is_none(c))) return status;
+    for (int k = 0; k < n_slips(c, f) && !status; k++)
+        status = add_row_gradient(c, slip_row(c, f, k), -factor * c->number[c->m->sliding_at + f] * along[k]);
+    return status;
+}
+
+/* The accelerations of contacts at rest obey the law that velocities obey after an impact without restitution, with
+   forces for impulses: guesses all modes at once by it.                                                         */
+static int32_t guess_by_law(context *c)
+{
+    const holonom_model *m = c->m;
+    const int64_t n = DIM * c->n_moving;
+    hit x;
+    map_hit(c, &x);
+    double *W = (double *)(uintptr_t)x.law.W, *before = (double *)(uintptr_t)x.law.before;
+    look_at_state(c);
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        const int32_t f = m->contact_friction[i];
+        open_contact(c, i);
+        if (!is_at_rest(c, i)) continue;
+        const int slides = f >= 0 && slip_of(c, f, NULL) > speed_that_is_none(c);
+        if (!add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
+        const int32_t k = x.law.contacts - 1;
+        if (slides) { /* add_push knows its friction */
+            x.law.rows = x.law.first[k] + 1;
+            ((int32_t *)(uintptr_t)x.law.tangents)[k] = 0;
+            ((double *)(uintptr_t)x.law.coefficient)[k] = 0.0;
+        } else if (f >= 0)
+            ((double *)(uintptr_t)x.law.coefficient)[k] = c->number[m->static_at + f];
+    }
+    const int32_t rows = x.law.rows;
+    int32_t status = look_at_forces(c);
+    for (int32_t r = 0; r < rows && !status; r++) before[r] = second_rate_of_row(c, x.row[r]);
+    stand_still(c);
+    if (!status) status = factorise_at_state(c, NULL);
+    for (int32_t k = 0; k < x.law.contacts && !status; k++)
+        for (int32_t r = x.law.first[k]; r <= x.law.first[k] + x.law.tangents[k] && !status; r++) {
+            memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
+            status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
+            reach_of(c, c->k.hit_reach + n * r);
+        }
+    if (!status) status = fill_matrix(c, &x, W);
+    if (!status && hm_solve_impact(&x.law)) status = HOLONOM_CONTACT_UNDECIDED;
+    if (status) return status;
+    look_at_state(c);
+    for (int32_t k = 0; k < x.law.contacts; k++) {
+        const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.law.first[k] + 1, slips = x.law.tangents[k];
+        if (x.law.status[k] == IMPACT_PARTED) continue;
+        close_contact(c, i);
+        if (f < 0 || slips == 0 || friction_mode(c, f) == FRICTION_OFF) continue;
+        const double force = impact_length(slips, x.law.impulse + t);
+        double along[3] = {0.0, 0.0, 0.0};
+        for (int32_t a = 0; a < slips && force > 0.0; a++) along[a] = -x.law.impulse[t + a] / force;
+        if (x.law.status[k] == IMPACT_CLOSED && force > 0.0) let_slide(c, f, along);
+        else let_stick(c, f);
+    }
+    return HOLONOM_OK;
+}
+
+/* Decides from the present state which contacts are closed and which frictions stick. */
+static int32_t settle_modes(context *c)
+{
+    guess_modes(c);
+    int32_t status = agree_with_forces(c);
+    if (status == HOLONOM_CONTACT_UNDECIDED) {
+        status = guess_by_law(c);
+        if (!status) status = agree_with_forces(c);
+    }
+    return status ? status : start_with_modes(c);
+}
+
+#endif

@@ -1,0 +1,138 @@
+/* Which rows hold: those of contacts while they are closed, those of frictions while they stick. While a friction slides,
+   its rows' multipliers follow the cone
+
+       mu_k = (mu_s N + preload) t_k,      N = sum of |lambda of some rows|,
+
+   t the direction of the slip; the friction -mu_k grad psi_k then works -mu_k psi_k <= 0, exactly.              */
+#ifndef HOLONOM_ROW_STATE_H
+#define HOLONOM_ROW_STATE_H
+
+#include "composite.h"
+#include "context.h"
+
+enum row_state { ROW_IS_ON, ROW_IS_OFF, ROW_IS_SLIDING };
+
+static inline double *contact_of(const context *c, int32_t i) { return c->s.contacts + C_SIZE * i; }
+
+static inline double *friction_of(const context *c, int32_t f) { return c->s.frictions + F_SIZE * f; }
+
+/* Says which row keeps a step from being solved. */
+static inline void blame(context *c, int32_t j) { c->at_fault = row_of(c, j) + 1; }
+
+static inline int is_closed(const context *c, int32_t i) { return contact_of(c, i)[C_CLOSED] != 0.0; }
+
+static inline int friction_mode(const context *c, int32_t f)
+{
+    const double mode = friction_of(c, f)[F_MODE];
+    return mode == FRICTION_STICKS ? FRICTION_STICKS : mode == FRICTION_SLIDES ? FRICTION_SLIDES : FRICTION_OFF;
+}
+
+/* Contact, or n_contacts + friction, that composite j is a row of; -1: it always holds. */
+static inline int32_t owner_of(const context *c, int32_t j)
+{
+    return c->m->unilateral && is_row(c, j) ? c->m->row_owner[j - first_function(c)] : -1;
+}
+
+static inline enum row_state state_of_row(const context *c, int32_t j)
+{
+    const int32_t owner = owner_of(c, j), f = owner - c->m->n_contacts;
+    if (owner < 0) return ROW_IS_ON;
+    if (f < 0) return is_closed(c, owner) ? ROW_IS_ON : ROW_IS_OFF;
+    const int mode = friction_mode(c, f);
+    return mode == FRICTION_STICKS ? ROW_IS_ON : mode == FRICTION_SLIDES ? ROW_IS_SLIDING : ROW_IS_OFF;
+}
+
+/* The composite of multiplier i, or -1 if it is no function. */
+static inline int32_t composite_of(const context *c, int32_t i)
+{
+    const int32_t j = i - (c->m->n_form_rows + DIM * c->m->n_coincidences);
+    return j < 0 ? -1 : j + first_function(c);
+}
+
+/* Likewise of multiplier i. */
+static inline enum row_state state_of_multiplier(const context *c, int32_t i)
+{
+    const int32_t j = c->m->unilateral ? composite_of(c, i) : -1;
+    return j < 0 ? ROW_IS_ON : state_of_row(c, j);
+}
+
+/* Gap at which the contact of composite j closed, which its row holds; 0 for others. */
+static inline double reference_of(const context *c, int32_t j)
+{
+    const int32_t owner = owner_of(c, j);
+    return owner >= 0 && owner < c->m->n_contacts ? contact_of(c, owner)[C_REFERENCE] : 0.0;
+}
+
+static inline int is_at_hand(const context *c, int32_t f)
+{
+    const int32_t j = c->m->friction_row[c->m->friction_row_ptr[f]];
+    return j >= c->begin[ISLAND_VELOCITY] && j < c->end[ISLAND_VELOCITY];
+}
+
+/* Whether friction f is that of a contact, and off while this is open. */
+static inline int is_of_contact(const context *c, int32_t f)
+{
+    return c->m->normal_row[2 * c->m->normal_ptr[f] + 1] == NORMAL_PUSHES;
+}
+
+static inline int n_slips(const context *c, int32_t f) { return c->m->friction_row_ptr[f + 1] - c->m->friction_row_ptr[f]; }
+
+static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m->friction_row[c->m->friction_row_ptr[f] + k]; }
+
+/* End of the sum of squares that begins at entry `at` of the normal force of friction f; its root. */
+static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const double *mu, double *root)
+{
+    double sum = 0.0;
+    do {
+        sum += hm_square(mu[c->m->normal_row[2 * at]]);
+        at++;
+    } while (at < c->m->normal_ptr[f + 1] && c->m->normal_row[2 * at + 1] == NORMAL_CONTINUES);
+    *root = sqrt(sum);
+    return at;
+}
+
+/* Normal force of friction f with multipliers mu. */
+static double normal_force(const context *c, int32_t f, const double *mu)
+{
+    double sum = 0.0, root;
+    for (int32_t at = c->m->normal_ptr[f]; at < c->m->normal_ptr[f + 1];) {
+        if (c->m->normal_row[2 * at + 1] == NORMAL_PUSHES) sum -= mu[c->m->normal_row[2 * at++]];
+        else {
+            at = sum_of_squares(c, f, at, mu, &root);
+            sum += root;
+        }
+    }
+    return sum;
+}
+
+/* Force up to which friction f sticks, or with which it slides. */
+static double cone(const context *c, int32_t f, int sliding, double normal)
+{
+    const double coefficient = c->number[(sliding ? c->m->sliding_at : c->m->static_at) + f];
+    return coefficient * normal + c->number[c->m->preload_at + f];
+}
+
+/* Direction of the slip of friction f: as it was when it began to slide or, with several rows, as in the step at hand. */
+static void slip_direction(const context *c, int32_t f, double *along)
+{
+    const int n = n_slips(c, f);
+    double size2 = 0.0;
+    for (int k = 0; k < n; k++) size2 += hm_square(c->k.slip[row_of(c, slip_row(c, f, k))]);
+    for (int k = 0; k < n; k++)
+        along[k] = n > 1 && size2 > 0.0 ? c->k.slip[row_of(c, slip_row(c, f, k))] / sqrt(size2) : friction_of(c, f)[F_ALONG_1 + k];
+}
+
+/* Multipliers that the rows of sliding frictions are held to: lambda, from mu. */
+static void follow_cones(const context *c)
+{
+    if (!c->sliding) return;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double along[3];
+        if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
+        const double force = cone(c, f, 1, normal_force(c, f, c->k.mu));
+        slip_direction(c, f, along);
+        for (int k = 0; k < n_slips(c, f); k++) c->k.lambda[row_of(c, slip_row(c, f, k))] = force * along[k];
+    }
+}
+
+#endif

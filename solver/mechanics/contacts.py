@@ -1,0 +1,228 @@
+"""Contacts as gaps and slip rates.
+
+plane      g = (x - p) . n - R                 s = d/dt (x - p) . t - R sum n_i d/dt (c_i . t)
+sphere     g = |u| - (r_1 + r_2),              s = (r_1 + r_2) u' . J u/|u|^2 - r_1 w_1 - r_2 w_2
+clearance  g = (c^2 - |u|^2)/2c,               s = c u' . J u/|u|^2 + r w_2 - (c + r) w_1
+stop       g = sigma - min, g = max - sigma    (an angle, a displacement, a distance)
+
+with u from the first centre to the second (of a clearance: from the hole to the pin), n_i = c_i . n
+components of the normal along the directors c_i of the body that carries the ball, w angular
+velocities. The gradient of a gap has size 1 where the surfaces touch, so that its multiplier is a
+force. A slip rate is that of the materials that touch. The gap of a clearance is smooth where |u|
+vanishes, too.
+"""
+
+from __future__ import annotations
+
+from solver.mechanics.combination import Combination
+from solver.mechanics.formulas import leaf_symbol, rewritten
+from solver.mechanics.frames import RigidFrame
+from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechanism, Scale
+from solver.mechanics.parts import JointParts
+from solver.mechanics.rows import METRES, RADIANS, Rows
+from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned
+from solver.runtime.layout import LEAF_RATE
+from solver.scene import (
+    ClearanceContact,
+    Expr,
+    Number,
+    PlaneContact,
+    PointReference,
+    RubbingContact,
+    SphereContact,
+    Stop,
+)
+from solver.scene.expression import operate, sqrt
+
+Contacts = PlaneContact | SphereContact | ClearanceContact | Stop
+DRAWN = 1e-9
+"""Penetration that rounding of the drawing explains, relative to the size of the mechanism."""
+
+
+def add_plane(rows: Rows, contact: PlaneContact, _: JointParts) -> None:
+    """Keep a ball on one side of a plane that a body carries."""
+    mechanism, parts = rows.mechanism, rows.parts
+    frame, centre = parts.frame(contact.body), parts.place(contact.point)
+    normal = rows.unit(contact.axis)
+    zero = (0.0,) * mechanism.dim
+    link = centre - frame.place(contact.position or zero)
+    upward, radius = frame.direction(normal), contact.radius
+    height = mechanism.leaf(mechanism.component(link, upward))
+    slips: list[Formula] = []
+    if contact.friction is not None:
+        ball = _body_of(rows, contact.point) if _is_there(radius) else None
+        for tangent in _tangents(mechanism, normal):
+            along = frame.direction(tangent)
+            speed = dot(contact.surface_velocity or zero, tangent)
+            slide = mechanism.leaf(mechanism.component(link, along), LEAF_RATE)
+            value, leaves = leaf_symbol(0) - speed, [slide]
+            if ball is not None:
+                turning, size2 = _dot_of_pairs(
+                    mechanism, leaves, [(x, upward, along) for x in map(ball.direction, ball.axes)]
+                )
+                value = value - radius * turning / size2
+            slips.append(Formula(value, tuple(leaves)))
+    _add(rows, contact, Formula(leaf_symbol(0) - radius, (height,)), slips=slips)
+
+
+def _tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
+    """Unit vectors along a plane; in 2-D the one to the right of the normal."""
+    if mechanism.dim == 2:
+        return (scale(-1.0, turned(normal)),)
+    first = perpendicular(normal, mechanism.default)[0]
+    return first, cross(normal, first)
+
+
+def add_balls(rows: Rows, contact: SphereContact, _: JointParts) -> None:
+    """Keep two balls apart."""
+    first, second = contact.radii
+    reach = first + second
+    rows.rule(reach, ">", "the sum of the radii must be > 0 m")
+    arms = (-1.0 * first, -1.0 * second)
+    length = rows.mechanism.length(rows.parts.link(contact.points))
+    gap = Formula(leaf_symbol(0) - reach, (rows.mechanism.leaf(length),))
+    _add_between(rows, contact, contact.points, gap, reach, arms)
+
+
+def add_clearance(rows: Rows, contact: ClearanceContact, _: JointParts) -> None:
+    """Keep a pin in its hole."""
+    pin, hole = contact.points
+    arms = (-1.0 * (contact.radius + contact.pin_radius), contact.pin_radius)
+    link, radius = rows.parts.link((hole, pin)), contact.radius
+    square = rows.mechanism.component(link, link)
+    gap = Formula(0.5 * (radius - leaf_symbol(0) / radius), (rows.mechanism.leaf(square),))
+    _add_between(rows, contact, (hole, pin), gap, radius, arms)
+
+
+def _add_between(
+    rows: Rows, contact: SphereContact | ClearanceContact,
+    ends: tuple[PointReference, PointReference], gap: Formula, reach: Number,
+    arms: tuple[Number, Number],
+) -> None:  # fmt: skip
+    """Add a contact of circles, whose centres are `reach` apart where they touch.
+
+    The arms are what the angular velocities of the first and second body add to the slip rate.
+    """
+    mechanism, parts = rows.mechanism, rows.parts
+    link = parts.link(ends)
+    slips = []
+    if contact.friction is not None:
+        leaves: list[Leaf] = []
+        x, y = (parts.axis(k) for k in range(2))
+        turning, size2 = _dot_of_pairs(mechanism, leaves, [(link, x, y), (link.turned(), x, y)])
+        slip = reach * turning / operate("max", size2, 0.25 * reach * reach)  # not where u vanishes
+        for end, arm in zip(ends, arms, strict=True):
+            body = _body_of(rows, end)
+            if body is not None and _is_there(arm):
+                spokes = [(d, x, y) for d in map(body.direction, body.axes)]
+                turning, size2 = _dot_of_pairs(mechanism, leaves, spokes)
+                slip = slip + arm * turning / size2
+        slips.append(Formula(slip, tuple(leaves)))
+    _add(rows, contact, gap, slips=slips)
+
+
+def _dot_of_pairs(
+    mechanism: Mechanism, leaves: list[Leaf],
+    pairs: list[tuple[Combination, Combination, Combination]],
+) -> tuple[Number, Number]:  # fmt: skip
+    """Return sum (d . n) (d . t)' and sum (d . n)^2 of triples d, n, t; their leaves are added.
+
+    With d along all axes of a body the ratio is (w x n) . t. Over a step, where values are means,
+    it is then 2 tan(phi/2)/h for a turn phi about n x t, which is what velocities have: a ball that
+    rolls rolls without slip at any step. The rate of the angle itself would be phi/h.
+    """
+    total: Number = 0.0
+    size2: Number = 0.0
+    for d, n, t in pairs:
+        k = len(leaves)
+        leaves.append(mechanism.leaf(mechanism.component(d, n)))
+        leaves.append(mechanism.leaf(mechanism.component(d, t), LEAF_RATE))
+        total = total + leaf_symbol(k) * leaf_symbol(k + 1)
+        size2 = size2 + leaf_symbol(k) * leaf_symbol(k)
+    return total, size2
+
+
+def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
+    """Limit an angle, a displacement or a distance, at one or both ends."""
+    mechanism, parts = rows.mechanism, rows.parts
+    size = METRES
+    if stop.points is not None:
+        quantity: int | None = mechanism.length(parts.link(stop.points))
+    else:
+        assert stop.joint is not None
+        joint = parts.joints[stop.joint]
+        quantity = joint.angle if stop.turns else joint.displacement
+        size = RADIANS if stop.turns else METRES
+    assert quantity is not None
+    leaf = mechanism.leaf(quantity)
+    if stop.min is not None and stop.max is not None:
+        rows.rule(stop.max - stop.min, ">", "max - min must be > 0")
+    if stop.min is not None:
+        _add(rows, stop, Formula(leaf_symbol(0) - stop.min, (leaf,)), size, " at min")
+    if stop.max is not None:
+        _add(rows, stop, Formula(stop.max - leaf_symbol(0), (leaf,)), size, " at max")
+
+
+def _add(
+    rows: Rows, contact: Contacts, gap: Formula, size: Scale = METRES, end: str = "",
+    slips: list[Formula] | None = None,
+) -> None:  # fmt: skip
+    """Add the rows of a gap and of its slip rates, with what must hold of their numbers."""
+    mechanism = rows.mechanism
+    if rows.name not in rows.parts.contacts:  # a stop may have two ends
+        rows.rule(1.0 - contact.restitution, ">=", "1 - restitution must be >= 0")
+    _demand_free(rows, contact, gap, "rad" if size is RADIANS else "m", end)
+    kind = "turned" if size is RADIANS else "off"
+    row = rows.function(gap, size, kind)
+    friction = -1
+    if slips:
+        assert isinstance(contact, RubbingContact)
+        assert contact.friction is not None
+        sliding = contact.friction
+        static = sliding if contact.static_friction is None else contact.static_friction
+        if contact.static_friction is not None:
+            rows.rule(static - sliding, ">=", "static_friction - friction must be >= 0")
+        slip_rows = tuple(rows.velocity(slip, METRES)[1] for slip in slips)
+        friction = len(mechanism.frictions)
+        mechanism.frictions.append(Friction(slip_rows, ((row,),), sliding, static))
+    rows.parts.contacts.setdefault(rows.name, []).append(len(mechanism.contacts))
+    mechanism.contacts.append(Contact(row[1], contact.restitution, friction))
+
+
+def play(gap: Number, clearance: Number) -> Number:
+    """Return c - |u| from the gap (c^2 - |u|^2)/2c of a clearance c."""
+    return 2.0 * gap / (1.0 + sqrt(operate("max", 1.0 - 2.0 * gap / clearance, 0.0)))
+
+
+def _demand_free(rows: Rows, contact: Contacts, gap: Formula, unit: str, end: str) -> None:
+    """Demand that a gap is drawn open, or closed up to rounding."""
+    mechanism = rows.mechanism
+    (leaf,) = gap.leaves
+    drawn, symbol = mechanism.drawn_value(leaf.index), leaf_symbol(0)
+
+    def replace(part: Expr) -> Number | None:
+        return (drawn if part == symbol else part) if part.op == "symbol" else None
+
+    text = f"it is drawn in penetration{end}: its gap is {{value!r}} {unit}"
+    size = mechanism.extent if unit == "m" else 1.0
+    value = rewritten(gap.value, replace)
+    if isinstance(contact, ClearanceContact):
+        value = contact.radius - sqrt(drawn)
+    rows.rule(value, ">=", text, bound=-DRAWN * size)
+
+
+def _body_of(rows: Rows, reference: PointReference) -> RigidFrame | None:
+    """Rigid body that a place belongs to; None for the ground and for points, which do not turn."""
+    frame = rows.parts.frames.get((reference.point or "").partition(".")[0])
+    return frame if isinstance(frame, RigidFrame) else None
+
+
+def _is_there(number: Number) -> bool:
+    """Whether a number may be other than 0."""
+    return isinstance(number, Expr) or number != 0.0
+
+
+CONTACTS = {
+    PlaneContact: add_plane, SphereContact: add_balls, ClearanceContact: add_clearance,
+    Stop: add_stop,
+}  # fmt: skip

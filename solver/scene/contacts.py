@@ -1,0 +1,268 @@
+"""Contacts of a scene: what touches what, how it rebounds, and how it rubs.
+
+A gap is a distance, or the angle that is left to a stop: positive while a contact is open, zero
+while it is closed. The normal force pushes the two sides apart and is never negative.
+"""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
+
+from solver.scene import fields as kind
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.joints import check_point_and_body
+from solver.scene.quantities import CONTACT, FRICTION, Offer
+from solver.scene.report import Path
+from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, Rule
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+    from solver.scene.references import Reader
+    from solver.scene.settings import SolverSettings
+
+Ends: TypeAlias = tuple[PointReference, PointReference]
+
+SHARE = Rule(lambda x: 0.0 <= x <= 1.0, "from 0 to 1", relation=">=")
+"""The upper limit is a rule of its own: see ``solver.mechanics.contacts``."""
+SETTINGS = {
+    "formulation": ("conserving-al", 'contacts need formulation = "conserving-al"'),
+    "start": ("drawn", "no static equilibrium is sought with contacts or friction of joints"),
+    "paired": (True, "contacts need paired = true"),
+}
+"""Settings that contacts need, and why."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Contact(Part):
+    """Two parts that touch and come apart: what all types have."""
+
+    offers = CONTACT
+
+    restitution: Annotated[
+        Number,
+        kind.Quantity("", "normal speed after an impact over that before it", SHARE, PROPERTY),
+    ] = 0.0
+    law: Annotated[Literal["rigid"], kind.Choice(words=("rigid",))] = "rigid"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RubbingContact(Contact):
+    """A contact whose sides may rub; without `friction` they slide freely."""
+
+    friction: Annotated[
+        Number | None, kind.Quantity("", "coefficient while it slides", NOT_NEGATIVE, PROPERTY)
+    ] = None
+    static_friction: Annotated[
+        Number | None,
+        kind.Quantity(
+            "", "coefficient while it sticks; `friction` unless given", NOT_NEGATIVE, PROPERTY
+        ),
+    ] = None
+
+    @classmethod
+    def offered(cls, given: "Collection[str]") -> tuple[Offer, ...]:
+        """One without friction has no slip."""
+        return (*cls.offers, *(FRICTION if "friction" in given else ()))
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that friction has a coefficient while it slides, and none larger than at rest."""
+        if given.static_friction is None:
+            return
+        if given.friction is None:
+            message = "'friction' is missing: the coefficient while it slides"
+            reader.draft.error(path, message, "write friction = ...")
+            return
+        assert self.friction is not None
+        assert self.static_friction is not None
+        sliding, static = map(reader.value, (self.friction, self.static_friction))
+        if sliding is not None and static is not None and static < sliding and sliding >= 0.0:
+            message = f"must be >= friction = {sliding:.15g}, got {static:.15g}"
+            reader.draft.error((*path, "static_friction"), message)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlaneContact(RubbingContact):
+    """A point or ball on one side of a plane, in 2-D of a line, that a body carries."""
+
+    type = "plane"
+
+    point: Annotated[PointReference, kind.ONE_END]
+    axis: Annotated[
+        Vector,
+        kind.Direction(
+            text="normal of the plane, towards the point", example=[0, 0, 1], required=True
+        ),
+    ]
+    position: Annotated[
+        Vector | None, kind.Components("m", "a place of the plane as drawn; the origin")
+    ] = None
+    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
+    radius: Annotated[Number, kind.Quantity("m", "of a ball about the point", NOT_NEGATIVE)] = 0.0
+    surface_velocity: Annotated[
+        Vector | None,
+        kind.Components(
+            "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
+        ),
+    ] = None
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that the point is none of the body, and that a moving surface rubs."""
+        RubbingContact.check(self, reader, path, given)
+        check_point_and_body(reader, path, self.point, self.body, given.body)
+        if given.surface_velocity is not None and given.friction is None:
+            message = "has no effect without friction"
+            help = "write friction = ..., or leave it out"
+            reader.draft.error((*path, "surface_velocity"), message, help)
+
+
+def _radii(reader: "Reader", path: Path, radii: Any, _: Any) -> tuple[Number, ...]:
+    """Check the radii of both balls, of which one may be a point."""
+    if radii is BROKEN:
+        return 1.0, 1.0
+    found = tuple(
+        reader.number((*path, i), radius, rule=NOT_NEGATIVE, unit="m")
+        for i, radius in enumerate(radii)
+    )
+    if reader.values(found) == [0.0, 0.0]:
+        reader.draft.error(path, "both are 0: two points never touch", "give one ball a radius")
+    return found
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SphereContact(RubbingContact):
+    """Two balls, in 2-D discs, about two points."""
+
+    type = "sphere"
+
+    points: Annotated[Ends, kind.TWO_ENDS]
+    radii: Annotated[
+        tuple[Number, Number],
+        kind.ListOf("m", "of each", example=[0.1, 0.1], size=kind.TWO, reading=_radii),
+    ]
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that it does not rub in space."""
+        RubbingContact.check(self, reader, path, given)
+        _no_friction_in_space(reader, path, given)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ClearanceContact(RubbingContact):
+    """A pin in a hole with play, in 3-D a ball in a socket: its centre stays in the clearance."""
+
+    type = "clearance"
+
+    points: Annotated[Ends, kind.TWO_ENDS]
+    """Centre of the pin, and of the hole."""
+    radius: Annotated[
+        Number,
+        kind.Quantity("m", "the clearance: of the hole less of the pin", POSITIVE, example=1e-4),
+    ]
+    pin_radius: Annotated[
+        Number, kind.Quantity("m", "of the pin, the arm of the friction", NOT_NEGATIVE)
+    ] = 0.0
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that it does not rub in space."""
+        RubbingContact.check(self, reader, path, given)
+        _no_friction_in_space(reader, path, given)
+
+
+def _no_friction_in_space(reader: "Reader", path: Path, given: Any) -> None:
+    if reader.dimension == 3 and given.friction is not None:
+        message = "friction between balls is available only in dimension 2"
+        help = 'leave it out; in space the type "plane" has friction'
+        reader.draft.error((*path, "friction"), message, help)
+
+
+def _joint(reader: "Reader", path: Path, name: Any, _: Any) -> str:
+    reader.joint(path, name, "angle", "displacement")
+    return "" if name is BROKEN else name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stop(Contact):
+    """An end of the angle or displacement of a joint, or of the distance of two points (a rope)."""
+
+    type = "stop"
+
+    joint: Annotated[str | None, kind.Plain(example="bearing", reading=_joint)] = None
+    of: Annotated[
+        Literal["angle", "displacement"] | None,
+        kind.Choice(text="of the joint, if it has both", words=("angle", "displacement")),
+    ] = None
+    """None where `points` is given; else what of the joint is limited."""
+    points: Annotated[Ends | None, kind.TWO_ENDS] = None
+    min: Annotated[
+        Number | None, kind.Quantity("rad or m", "least angle, displacement or distance")
+    ] = None
+    max: Annotated[
+        Number | None, kind.Quantity("rad or m", "largest angle, displacement or distance")
+    ] = None
+
+    @property
+    def turns(self) -> bool:
+        """Whether it limits an angle."""
+        return self.of == "angle"
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Find out what of the joint is limited, where the joint has only one of the two."""
+        values = reader.fields(cls, path, given)
+        if given.joint not in (None, BROKEN):
+            offered = [word for word in ("angle", "displacement") if reader.has(given.joint, word)]
+            if given.of is None and len(offered) == 1:
+                values["of"] = offered[0]
+            elif given.of is None and len(offered) == 2:
+                message = f"'of' is missing: '{given.joint}' has an angle and a displacement"
+                help = 'write of = "angle" or of = "displacement"'
+                reader.draft.error(path, message, help)
+            elif given.of not in (None, BROKEN) and offered and given.of not in offered:
+                reader.joint((*path, "joint"), given.joint, given.of)
+        stop = cls(**values)
+        stop.check(reader, path, given)
+        return stop
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that it limits one thing, at an end at least, which the drawing does not pass."""
+        draft = reader.draft
+        if (given.joint is None) == (given.points is None):
+            message = "neither 'joint' nor 'points' is given"
+            if given.joint is not None:
+                message = "either 'joint' or 'points' is possible, not both"
+            help = 'write joint = "...", or points = [...] for the distance of two points'
+            draft.error(path, message, help)
+        if given.points is not None and given.of is not None:
+            message = "a stop of two points limits their distance"
+            draft.error((*path, "of"), message, "leave it out")
+        if given.min is None and given.max is None:
+            draft.error(path, "neither 'min' nor 'max' is given", "give one or both")
+        low, high = (x if x is None else reader.value(x) for x in (self.min, self.max))
+        if low is not None and high is not None and not low < high:
+            message = f"must be < max = {high:.15g}, got {low:.15g}"
+            draft.error((*path, "min"), message)
+        elif given.points is None and given.joint is not None:
+            unit, what = ("rad" if self.turns else "m"), self.of or "angle"
+            for name, value, sign in (("min", low, -1.0), ("max", high, 1.0)):
+                if value is not None and sign * value < 0.0:
+                    rule = "<= 0" if name == "min" else ">= 0"
+                    message = f"must be {rule} {unit}, got {value:.15g}: the {what} is 0 as drawn"
+                    help = "draw the joint within its stops, or measure them from the drawing"
+                    draft.error((*path, name), message, help)
+
+
+def check_settings(reader: "Reader", settings: "SolverSettings") -> None:
+    """Report settings that scenes with contacts or friction of joints cannot have."""
+    if not reader.known.touches:
+        return
+    for name, (needed, why) in SETTINGS.items():
+        if getattr(settings, name) not in (needed, BROKEN):
+            help = f"write {name} = {kind.shown(needed)}, or leave it out".replace("'", '"')
+            reader.draft.error(("solver", name), why, help)
+
+
+CONTACTS: dict[str, type[Part]] = {
+    contact.type: contact for contact in (PlaneContact, SphereContact, ClearanceContact, Stop)
+}
+"""Types of contacts."""

@@ -1,0 +1,79 @@
+"""Friction of joints: |T| <= coefficient radius N + preload, N the force that the joint carries."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
+
+from solver.scene import fields as kind
+from solver.scene.expression import Number
+from solver.scene.fields import BROKEN, Part
+from solver.scene.quantities import Offer, turning
+from solver.scene.report import Path
+from solver.scene.rules import NOT_NEGATIVE, POSITIVE, PROPERTY
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
+
+ALONG = (
+    Offer("friction", "N", "friction of {name} on the motion of its second body"),
+    Offer("slip", "m/s", "slip rate of {name}"),
+    Offer("friction_mode", "1", "of {name}: 1 while friction holds it, 2 while it slides"),
+)
+"""Of a joint that slides; of a cylindrical one the sizes."""
+ABOUT = turning(ALONG)
+"""Of a joint that turns; of a spherical one the sizes."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointFriction(Part):
+    """Coulomb's friction in a joint; without a normal force it is the preload."""
+
+    coefficient: Annotated[Number, kind.Quantity("", "while it slides", NOT_NEGATIVE, PROPERTY)] = (
+        0.0
+    )
+    static: Annotated[
+        Number | None,
+        kind.Quantity("", "while it sticks; `coefficient` unless given", NOT_NEGATIVE, PROPERTY),
+    ] = None
+    radius: Annotated[
+        Number | None, kind.Quantity("m", "of the journal, pin or ball", POSITIVE, example=0.01)
+    ] = None
+    """None of a prismatic joint."""
+    preload: Annotated[
+        Number,
+        kind.Quantity("", "N.m where the joint turns, N where it slides", NOT_NEGATIVE, PROPERTY),
+    ] = 0.0
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that there is some friction, and none larger while it slides than at rest."""
+        draft = reader.draft
+        if given.coefficient is None and given.preload is None:
+            help = "write coefficient = ..., preload = ... or both"
+            draft.error(path, "neither 'coefficient' nor 'preload' is given", help)
+        if self.static is not None and given.static is not BROKEN:
+            sliding, static = map(reader.value, (self.coefficient, self.static))
+            if sliding is not None and static is not None and 0.0 <= static < sliding:
+                message = f"must be >= coefficient = {sliding:.15g}, got {static:.15g}"
+                draft.error((*path, "static"), message)
+
+
+def _with_radius(needed: bool) -> kind.Reading:
+    def read(reader: "Reader", path: Path, value: Any, _: Any) -> JointFriction | None:
+        if value is BROKEN:
+            return None
+        part = reader.draft.part(path, JointFriction, value)
+        if not needed and part.radius is not None:
+            message = "friction of a prismatic joint acts along it, at no radius"
+            reader.draft.error((*path, "radius"), message, "leave it out")
+        elif needed and part.radius is None:
+            message = "'radius' is missing: the arm of the friction"
+            reader.draft.error(path, message, "write radius = 0.01")
+        return JointFriction.read(reader, path, part)
+
+    return read
+
+
+_TEXT = "{ coefficient, radius, preload, static } of Coulomb's friction"
+FRICTION = kind.Table(text=_TEXT, parts=(JointFriction,), reading=_with_radius(True))
+FRICTION_ALONG = kind.Table(
+    text=_TEXT.replace(" radius,", ""), parts=(JointFriction,), reading=_with_radius(False)
+)

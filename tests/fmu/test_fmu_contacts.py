@@ -1,0 +1,145 @@
+"""Contacts in FMUs: the library's bits, parameters that take effect, states taken over impacts."""
+
+from __future__ import annotations
+
+import functools
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from fmpy import simulate_fmu
+from fmpy.validation import validate_fmu
+
+import solver
+from tests.commands import run
+from tests.contact_scenes import ball, belt, slider_crank_with_clearance, toml_of
+from tests.fmu_instance import instance, text_fmu
+from tests.problems import GRAVITY, Content
+
+HITS = [0.451523640985731, 1.1739614665629, 1.75191172702464]
+
+
+def text_of(content: Content, until: float, step: float, h: float, order: int = 2) -> str:
+    """Text of a scene file with an experiment and settings."""
+    tables = {
+        "solver": {"step_size": h, "order": order},
+        "experiment": {"stop_time": until, "step_size": step},
+    }
+    return toml_of(content | tables)
+
+
+def bouncing_ball() -> str:
+    parameters = {"bounce": {"value": 0.8, "min": 0.0, "max": 1.0, "variability": "tunable"}}
+    content = ball(restitution="bounce") | {"parameters": parameters}
+    return text_of(content, 2.0, 0.1, 0.05)
+
+
+def slider_crank() -> str:
+    return text_of(slider_crank_with_clearance(), 0.02, 0.001, 2e-4, order=4)
+
+
+SCENES = {"ball": bouncing_ball, "slider-crank": slider_crank}
+
+
+@functools.cache
+def fmu_of(name: str) -> Path:
+    return text_fmu(SCENES[name]())
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_an_fmu_with_contacts_gives_what_the_library_gives(name):
+    # Every output at every communication point, with impacts within the steps: the same bits.
+    trajectory = solver.simulate(solver.loads(SCENES[name]()))
+    result = simulate_fmu(str(fmu_of(name)))
+    names = [each for each in result.dtype.names or () if each != "time"]
+    assert any(each.endswith(".impacts") for each in names)
+    for each in names:
+        assert np.array_equal(result[each], trajectory[each]), each
+    assert result["energy.error"].max() < 1e-13
+    assert result["energy.impact"][-1] > 0.0
+
+
+def test_the_ball_in_an_fmu_is_where_its_parabolas_say():
+    result = simulate_fmu(str(fmu_of("ball")))
+    assert result["p.y"][-1] == pytest.approx(0.260741728327057, abs=2e-14)
+    assert result["floor.impacts"][-1] == 3.0
+    for hit in HITS:
+        assert np.diff(result["floor.impacts"])[math.floor(hit / 0.1)] == 1.0
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_check_passes_and_the_fmu_is_valid(name, capsys):
+    code, out, error = run(capsys, "check", fmu_of(name))
+    assert (code, error) == (0, ""), out
+    assert validate_fmu(str(fmu_of(name))) == []
+
+
+@pytest.mark.parametrize("bounce", [0.0, 0.3, 1.0])
+def test_a_restitution_that_is_set_at_the_start_takes_effect(bounce):
+    # 0.08 s after the hit, within the flight at 0.3 times its speed.
+    with instance(fmu_of("ball")) as fmu:
+        fmu.initialise(bounce=bounce)
+        fmu.run(0.0, 0.1, 5)
+        assert fmu.step(0.5, 0.03)
+        speed, t = math.sqrt(2.0 * GRAVITY), 0.53 - HITS[0]
+        height = bounce * speed * t - 0.5 * GRAVITY * t * t if bounce > 0.0 else 0.0
+        assert fmu.get("p.y") == pytest.approx(height, abs=1e-14)
+        lost = GRAVITY * (1.0 - bounce * bounce)
+        assert fmu.get("energy.impact") == pytest.approx(lost, abs=1e-13)
+        assert fmu.get("floor.mode") == (bounce == 0.0)
+
+
+def test_a_restitution_that_is_tuned_between_two_hits_holds_from_the_next_one():
+    with instance(fmu_of("ball")) as fmu:
+        fmu.initialise()
+        fmu.run(0.0, 0.1, 8)
+        assert fmu.get("energy.impact") == pytest.approx(0.36 * GRAVITY, abs=1e-14)
+        fmu.set(bounce=1.0)
+        fmu.run(0.8, 0.1, 12)
+        assert fmu.get("floor.impacts") == 3.0
+        assert fmu.get("energy.impact") == pytest.approx(0.36 * GRAVITY, abs=1e-13)
+        assert fmu.get("energy.work") == 0.0
+        assert fmu.get("energy.error") == pytest.approx(0.0, abs=1e-13)
+
+
+def test_restitution_set_is_restitution_written_in():
+    written = text_fmu(text_of(ball(restitution=0.55), 2.0, 0.1, 0.05))
+    with instance(fmu_of("ball")) as fmu, instance(written) as other:
+        fmu.initialise(bounce=0.55)
+        other.initialise()
+        names = ("p.y", "p.vy", "energy.impact", "floor.impulse")
+        for i in range(15):
+            assert fmu.step(0.1 * i, 0.1)
+            assert other.step(0.1 * i, 0.1)
+            assert [fmu.get(each) for each in names] == [other.get(each) for each in names]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_step_over_an_impact_may_be_taken_back_and_retried(name):
+    step, before, more = (0.1, 4, 8) if name == "ball" else (0.001, 1, 10)
+    with instance(fmu_of(name)) as fmu, instance(fmu_of(name)) as other:
+        fmu.initialise()
+        other.initialise()
+        fmu.run(0.0, step, before)
+        start = before * step
+        state = fmu.fmu.getFMUState()
+        data = fmu.fmu.serializeFMUState(state)
+        first = fmu.run(start, step, more)
+        fmu.fmu.setFMUState(state)
+        fmu.run(start, 0.37 * step, 3)
+        fmu.fmu.setFMUState(state)
+        assert fmu.run(start, step, more) == first
+        other.fmu.setFMUState(other.fmu.deserializeFMUState(data))
+        assert other.run(start, step, more) == first
+        fmu.fmu.freeFMUState(state)
+
+
+def test_friction_and_belts_reach_the_fmu():
+    path = text_fmu(text_of(belt(), 1.0, 0.1, 0.01, order=4))
+    trajectory = solver.simulate(solver.loads(text_of(belt(), 1.0, 0.1, 0.01, order=4)))
+    result = simulate_fmu(str(path))
+    for each in ("p.x", "belt.mode", "belt.slip", "belt.friction", "energy.friction"):
+        assert np.array_equal(result[each], trajectory[each])
+    assert set(result["belt.mode"]) == {1.0, 2.0}
+    assert result["energy.friction"][-1] > 0.0
