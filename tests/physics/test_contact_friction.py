@@ -1,0 +1,66 @@
+"""Friction of contacts: what rolls goes on rolling, and what touches keeps its momenta together."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import solver
+
+ROLLING = {
+    2: """
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+ball = { position = [0, 0.1], mass = 1, inertia = 0.004, velocity = [4, 0], angular_velocity = -40 }
+[contacts]
+floor = { type = "plane", point = "ball", axis = [0, 1], radius = 0.1, friction = 0.2 }
+""",
+    3: """
+gravity = [0, 0, -9.81]
+[bodies]
+ball = { position = [0, 0, 0.1], mass = 1, inertia = [0.004, 0.004, 0.004], velocity = [4, 0, 0], angular_velocity = [0, 40, 0] }
+[contacts]
+floor = { type = "plane", point = "ball", axis = [0, 0, 1], radius = 0.1, friction = 0.2 }
+""",  # noqa: E501
+}
+DISCS = """
+name = "discs"
+dimension = 2
+[bodies]
+a = { position = [0, 0], mass = 1, inertia = 0.01, velocity = [1, 0], angular_velocity = 20 }
+b = { position = [0.5, 0.05], mass = 2, inertia = 0.05, angular_velocity = -3 }
+[contacts]
+pair = { type = "sphere", points = ["a", "b"], radii = [0.1, 0.2], friction = 0.3, restitution = 0.4 }
+"""  # noqa: E501
+PINS = """
+name = "pin"
+dimension = 2
+[bodies]
+a = { position = [0, 0], mass = 1, inertia = 0.01, velocity = [1, 0], angular_velocity = 20 }
+b = { position = [0, 0], mass = 2, inertia = 0.05, angular_velocity = -3 }
+[contacts]
+bearing = { type = "clearance", points = ["a", "b"], radius = 0.01, pin_radius = 0.05, friction = 0.3 }
+"""  # noqa: E501
+
+
+@pytest.mark.parametrize("step", [0.002, 0.01, 0.03])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_ball_that_rolls_goes_on_rolling_without_slip_at_any_step(dimension, step):
+    """A turn of 1.2 rad in the longest step; only rounding is left of the slip rate."""
+    text = f'name = "ball"\n{ROLLING[dimension]}[solver]\nstep_size = {step}\n'
+    found = solver.simulate(solver.loads(text + f"[experiment]\nstep_size = {step}\n"))
+    assert np.abs(found["floor.slip"]).max() < 1e-9
+    assert found["ball.vx"] == pytest.approx(4.0, abs=1e-9)
+    assert np.abs(found["floor.friction"]).max() < 1e-7
+    assert found["energy.friction"][-1] == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("text", [DISCS, PINS], ids=["discs", "pin"])
+def test_what_touches_and_rubs_keeps_momentum_and_angular_momentum(text):
+    found = solver.simulate(solver.loads(text))
+    touched = found["energy.impact"][-1] + found["energy.friction"][-1]
+    assert touched > 0.01
+    for word in ("momentum.x", "momentum.y", "angular_momentum.z"):
+        assert np.ptp(found[word]) < 1e-12
+    assert np.abs(found["energy.balance"]).max() < 1e-12

@@ -1,0 +1,189 @@
+"""Friction of contacts: where sliding stops, turns, sticks and gives way, and what it takes.
+
+References are closed forms with 40 digits (mpmath); for the rod and for the block thrown across an
+incline, solutions in minimal coordinates by DOP853 with polished events.
+"""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from tests.contact_events import begin, cover, even, events_of, number, times_of
+from tests.contact_scenes import (
+    belt,
+    bowling_ball,
+    bowling_disc,
+    incline,
+    rod_that_falls,
+    slider,
+)
+
+SLIDER_STOP, SLIDER_PLACE, SLIDER_LOSS = 0.509683995922528, 0.382262996941896, 1.125
+INCLINE_TURN, INCLINE_PLACE = 0.311284942023868, -3.93975673279302
+INCLINE_SPEED, INCLINE_LOSS = -5.03464649614911, 7.85549146651316
+BELT_FIRST_SLIP, BELT_SLIP_TIME, BELT_PERIOD = 0.25, 0.471238898038469, 0.671238898038469
+BELT_LOSS, BELT_RIGHT = 0.402743338823081, 0.0582842712474619  # of a cycle; x at the farthest
+DISC_ROLLS, DISC_PLACE = 0.509683995922528, 1.27420998980632
+BALL_ROLLS, BALL_SPEED, BALL_SPIN = 1.16499199068006, 4.28571428571429, 39.6825396825397
+BALL_PLACE, BALL_LOSS = 5.99138738064033, 5.14285714285714
+ROD_HIT, ROD_TURN, ROD_END = 0.3248707931989, 0.4217270464735, 0.4374693840614
+ROD_LOSS = 1.837397483959 + 0.1515135408489  # along and across the floor, until the far end hits
+ROD_BOUNCE_END, ROD_BOUNCE_LOSS = 0.4278350194564, 1.378048112969 - 0.04474491661579
+THROWN_STOP, THROWN_DOWN, THROWN_ACROSS = 0.34573831175214, 0.053474696351885, 0.11799314374224
+
+
+@pytest.mark.parametrize("h", [0.1, 0.01, 0.007])
+def test_a_slider_stops_and_stays(h):
+    # Under a constant force steps are exact: round-off at every h.
+    events = events_of(slider(), 1.0, h)
+    assert times_of(events, "stick") == pytest.approx([SLIDER_STOP], abs=1e-13)
+    integrator = begin(slider(), h)
+    passed = cover(integrator, even(1.0, 0.1))
+    assert integrator["p.x"] == pytest.approx(SLIDER_PLACE, abs=1e-15)
+    assert integrator["p.vx"] == pytest.approx(0.0, abs=1e-16)
+    assert integrator["floor.mode"] == 1.0
+    assert integrator["floor.friction"] == pytest.approx(0.0, abs=1e-15)
+    assert integrator["energy.friction"] == pytest.approx(SLIDER_LOSS, abs=1e-15)
+    assert passed.error < 1e-15
+
+
+def test_a_block_thrown_up_a_steep_incline_turns_and_slides_back():
+    # Slope 0.5 rad beyond the angle of friction: it never sticks, and friction changes its sign.
+    events = events_of(incline(0.5, 0.2, [2.0]), 2.0, 0.05)
+    assert [e.kind for e in events] == ["turn"]
+    assert events[0].time == pytest.approx(INCLINE_TURN, abs=1e-13)
+    integrator = begin(incline(0.5, 0.2, [2.0]), 0.05)
+    cover(integrator, even(2.0, 0.1))
+    assert integrator["p.x"] == pytest.approx(INCLINE_PLACE, abs=1e-13)
+    assert integrator["p.vx"] == pytest.approx(INCLINE_SPEED, abs=1e-13)
+    assert integrator["energy.friction"] == pytest.approx(INCLINE_LOSS, abs=1e-13)
+
+
+def test_a_block_on_a_gentle_incline_sticks_where_it_stops():
+    # tan 0.1 < 0.2. Deceleration g (sin + mu cos); it then holds by g sin.
+    integrator = begin(incline(0.1, 0.2, [2.0]), 0.05)
+    cover(integrator, even(2.0, 0.1))
+    braking = 9.81 * (math.sin(0.1) + 0.2 * math.cos(0.1))
+    assert integrator["p.x"] == pytest.approx(2.0 / braking, abs=1e-14)
+    assert integrator["floor.mode"] == 1.0
+    assert integrator["floor.friction"] == pytest.approx(9.81 * math.sin(0.1), abs=1e-12)
+
+
+def test_a_block_on_a_belt_sticks_and_slips_in_the_period_of_the_closed_form():
+    # Order 6 at h = 0.02 s: 3.6e-11 s late in each cycle.
+    events = events_of(belt(), 6.6, 0.02, order=6)
+    slips, sticks = times_of(events, "slip"), times_of(events, "stick")
+    expected = [BELT_FIRST_SLIP + i * BELT_PERIOD for i in range(10)]
+    assert slips == pytest.approx(expected, abs=5e-10)
+    assert sticks == pytest.approx([t + BELT_SLIP_TIME for t in expected[:9]], abs=5e-10)
+    assert slips[9] == pytest.approx(6.29115008234622, abs=5e-10)
+
+
+def test_a_cycle_of_stick_and_slip_takes_the_work_of_the_belt():
+    # From one slip to the next the spring is as it was: the belt's work is what friction takes.
+    integrator = begin(belt(), 0.01, 6)
+    cover(integrator, [BELT_FIRST_SLIP, *even(BELT_FIRST_SLIP + BELT_PERIOD, 0.05, 0.25)])
+    assert integrator["energy.friction"] == pytest.approx(BELT_LOSS, abs=1e-12)
+    work = number(integrator, "energy.work")
+    until_slip = 0.5 * 100.0 * 0.05**2  # of the spring, by the belt at the same speed
+    assert work == pytest.approx(BELT_LOSS + until_slip, abs=1e-12)
+
+
+def test_the_farthest_place_on_the_belt_is_that_of_the_closed_form():
+    # The belt has carried the block to 0.05 m; it overshoots the middle of its swing at 0.03 m.
+    integrator = begin(belt(), 0.01, 6)
+    swing = math.hypot(0.02, 0.02)  # stretch over that of sliding, and speed over frequency
+    cover(integrator, even(BELT_FIRST_SLIP + math.atan2(0.02, 0.02) / 10.0, 0.01))
+    assert integrator["p.x"] == pytest.approx(0.03 + swing, abs=1e-12)
+    assert 0.03 + swing == pytest.approx(BELT_RIGHT, abs=1e-15)
+    assert integrator["p.vx"] == pytest.approx(0.0, abs=2e-12)
+
+
+def test_a_disc_that_slides_begins_to_roll():
+    events = events_of(bowling_disc(), 0.6, 0.01, order=6)
+    assert times_of(events, "stick") == pytest.approx([DISC_ROLLS], abs=5e-13)
+    integrator = begin(bowling_disc(), 0.01, 6)
+    passed = cover(integrator, even(1.0, 0.1))
+    assert integrator["d.vx"] == pytest.approx(2.0, abs=1e-12)
+    assert abs(number(integrator, "d.angular_velocity")) == pytest.approx(8.0, abs=5e-12)
+    place = DISC_PLACE + 2.0 * (1.0 - DISC_ROLLS)
+    assert integrator["d.x"] == pytest.approx(place, abs=5e-12)
+    assert integrator["energy.friction"] == pytest.approx(1.5, abs=1e-12)
+    assert passed.error < 1e-13
+
+
+@pytest.mark.parametrize("direction", [0.0, 0.3, math.pi / 2, 2.0])
+def test_a_bowling_ball_begins_to_roll_in_any_direction(direction):
+    # Slip in space counts as none below 1e-7 of the speeds of the mechanism, so it rolls 1e-7 s
+    # early and no more: what then is left is booked. 1e-9 of place and speed is the order's.
+    content = bowling_ball(direction)
+    events = events_of(content, 1.3, 0.005, order=6)
+    assert times_of(events, "stick") == pytest.approx([BALL_ROLLS], abs=2e-7)
+    integrator = begin(content, 0.005, 6)
+    passed = cover(integrator, even(1.5, 0.1))
+    speed = math.hypot(number(integrator, "b.vx"), number(integrator, "b.vy"))
+    assert speed == pytest.approx(BALL_SPEED, abs=5e-9)
+    spin = math.hypot(number(integrator, "b.wx"), number(integrator, "b.wy"))
+    assert spin == pytest.approx(BALL_SPIN, abs=5e-8)
+    way = math.atan2(number(integrator, "b.vy"), number(integrator, "b.vx"))
+    assert way == pytest.approx(direction, abs=1e-12)
+    place = BALL_PLACE + BALL_SPEED * (1.5 - BALL_ROLLS)
+    found = math.hypot(number(integrator, "b.x"), number(integrator, "b.y"))
+    assert found == pytest.approx(place, abs=1e-8)
+    assert integrator["energy.friction"] == pytest.approx(BALL_LOSS, abs=5e-9)
+    assert passed.error < 1e-13
+    assert passed.gap > -1e-14
+
+
+def test_a_block_thrown_across_an_incline_curves_down_and_stops():
+    # In space friction turns with the slip, which turns ever faster until the block stops. The stop
+    # is called one at 1e-7 of its speed, with no effect on the place.
+    content = incline(0.3, 0.5, [0.0, 1.0])
+    events = events_of(content, 0.5, 0.01, order=6)
+    assert times_of(events, "stick") == pytest.approx([THROWN_STOP], abs=1e-7)
+    integrator = begin(content, 0.01, 6)
+    passed = cover(integrator, even(1.0, 0.1))
+    assert integrator["p.x"] == pytest.approx(-THROWN_DOWN, abs=2e-12)
+    assert integrator["p.y"] == pytest.approx(THROWN_ACROSS, abs=2e-12)
+    loss = 0.5 + 9.81 * math.sin(0.3) * THROWN_DOWN
+    assert integrator["energy.friction"] == pytest.approx(loss, abs=5e-12)
+    assert passed.error < 1e-13
+
+
+def test_a_rod_that_falls_hits_slides_turns_and_lands():
+    # Its lower end slides, turns and slides the other way before the far end hits.
+    events = events_of(rod_that_falls(), 0.438, 0.01, order=6)
+    assert times_of(events, "hit", "A") == pytest.approx([ROD_HIT], abs=2e-13)
+    assert times_of(events, "turn", "A") == pytest.approx([ROD_TURN], abs=2e-12)
+    assert times_of(events, "hit", "B") == pytest.approx([ROD_END], abs=1e-12)
+    integrator = begin(rod_that_falls(), 0.01, 6)
+    passed = cover(integrator, [*even(0.43, 0.01), ROD_END - 1e-12])
+    loss = number(integrator, "energy.impact") + number(integrator, "energy.friction")
+    assert loss == pytest.approx(ROD_LOSS, abs=5e-12)
+    centre = 0.5 * (number(integrator, "a.x") + number(integrator, "b.x"))
+    assert centre == pytest.approx(0.0276348620904, abs=2e-12)
+    assert passed.error < 1e-14
+
+
+def test_a_rod_that_bounces_lands_on_its_far_end():
+    # With e = 0.5 and friction the impulses across the floor give 0.0447 J back: the sum counts.
+    content = rod_that_falls(0.5, 1.0)
+    events = events_of(content, 0.43, 0.01, order=6)
+    assert times_of(events, "hit", "A") == pytest.approx([ROD_HIT], abs=2e-13)
+    assert times_of(events, "hit", "B") == pytest.approx([ROD_BOUNCE_END], abs=1e-12)
+    integrator = begin(content, 0.01, 6)
+    cover(integrator, even(0.42, 0.01))
+    assert integrator["energy.impact"] == pytest.approx(ROD_BOUNCE_LOSS, abs=1e-12)
+    assert integrator["energy.friction"] == 0.0
+
+
+def test_a_flat_rod_comes_to_rest_with_all_its_energy_lost():
+    # m g 0.8 m; the rod's ends hold the same thing twice then.
+    integrator = begin(rod_that_falls(), 0.01, 4)
+    passed = cover(integrator, even(0.8, 0.01))
+    assert integrator["energy.dissipated"] == pytest.approx(0.8 * 9.81, abs=1e-10)
+    assert passed.error < 1e-13
+    assert passed.gap > -1e-14
+    assert passed.loss >= 0.0
