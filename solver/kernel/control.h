@@ -176,7 +176,6 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         if (!status) status = end_piece(c, start + done, law_time, length, &covered);
         if (status) return status;
         done = covered == next - done ? next : done + covered;
-        follow_energies(c);
     }
     return HOLONOM_OK;
 }

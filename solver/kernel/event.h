@@ -87,7 +87,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
     const double gap = c->s.head[S_MEAN_TIME] - c->s.head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (c->t - c->s.head[S_MEAN_TIME]) / gap : 0.0;
     const double reach = 4.0 * h * fastest_node(c);
-    if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h)) return 0;
+    if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h && ahead <= FARTHEST)) return 0;
     for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
     for (int32_t i = 0; i < m->n_contacts; i++) {

@@ -247,7 +247,6 @@ HM_SELDOM static double restitution_of(const context *c, int32_t i)
 /* One impact of all contacts that touch, or, by the sequential law, of the one that approaches fastest. */
 HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
 {
-    const int sequential = c->s.head[S_IMPACT_LAW] != 0.0;
     hit x;
     int32_t fastest = -1;
     double most = -speed_that_is_none(c);
@@ -260,6 +259,8 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     blame(c, c->m->contact_row[fastest]);
     int32_t status = c->s.head[S_REST_TIME] > 0.0 ? look_at_forces(c) : HOLONOM_OK;
     if (status) return status;
+    /* One that does not rebound takes along what it touches: alone, hits of two would go on and on. */
+    const int sequential = c->s.head[S_IMPACT_LAW] != 0.0 && restitution_of(c, fastest) > 0.0;
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (takes_part(c, i) && (!sequential || i == fastest) && !add_to_hit(c, &x, i, restitution_of(c, i)))
             return HOLONOM_IMPACT_UNSOLVED;

@@ -49,7 +49,8 @@ static void measure_motion(const context *c, const hm_measured *y)
 static void extrapolate(const context *c, int32_t n, const double *mean, const double *before, double *y)
 {
     const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
-    const double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
+    double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
+    if (c->m->unilateral && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
     for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
 }
 
@@ -116,7 +117,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
         const double *x = contact_of(c, i), *mu = y->multiplier;
         const int32_t f = m->contact_friction[i], j = m->contact_row[i];
         const int slides = f >= 0 && friction_mode(c, f) == FRICTION_SLIDES;
-        const double values[] = {gap_of(c, i), is_closed(c, i) ? -mu[row_of(c, j)] : 0.0,
+        const double values[] = {gap_of(c, i), is_closed(c, i) ? fmax(-mu[row_of(c, j)], 0.0) : 0.0,
                                  is_closed(c, i) ? slides ? 2.0 : 1.0 : 0.0, x[C_IMPACTS], x[C_IMPULSE]};
         memcpy(y->contact + 5 * i, values, sizeof values);
     }

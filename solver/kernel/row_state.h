@@ -10,6 +10,8 @@
 #include "composite.h"
 #include "context.h"
 
+#define FARTHEST 2.0 /* times what is between two means, up to which their line tells a multiplier              */
+
 enum row_state { ROW_IS_ON, ROW_IS_OFF, ROW_IS_SLIDING };
 
 static inline double *contact_of(const context *c, int32_t i) { return c->s.contacts + C_SIZE * i; }
