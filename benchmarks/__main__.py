@@ -31,6 +31,7 @@ SECTIONS = {
     "stability": "benchmarks.stability",
     "stress": "benchmarks.stress",
     "skips": "benchmarks.skips",
+    "contact": "benchmarks.contact.section",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""
 

@@ -1,0 +1,114 @@
+"""A way of solving problems with impacts, its settings, and the best of what it reaches.
+
+The same loop runs here and, for codes that have interpreters of their own, in theirs
+(`benchmarks.contact.run`): NumPy alone is needed.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from benchmarks.contact.problems import Problem, Score
+from benchmarks.effort import Effort
+from benchmarks.timing import Entry, interleave
+
+Row = dict[str, Any]
+Setting = dict[str, Any]
+REPETITIONS = 5
+USUAL = 1e-3
+"""A step [s] whose runs are kept, whatever they reach."""
+
+
+class GaveUpError(Exception):
+    """A code did not solve a problem with a setting; the text says why."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Method:
+    """A solver; all its settings are tried, those of a family from coarse to fine."""
+
+    name: str
+    families: Callable[[Problem], Iterable[Iterable[Setting]]]
+    label: Callable[[Setting], str]
+    entry: Callable[[Problem, Setting], Entry]
+    """The run as it is timed, without looking at it."""
+    score: Callable[[Problem, Setting], Score]
+    """The same run, looked at; raises `GaveUpError`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Where a family ends."""
+
+    run: float
+    """CPU seconds of a run after which no finer one is tried."""
+    settings: int
+    """Most settings of a family."""
+
+
+def measured(problem: Problem, methods: Sequence[Method], limits: Limits) -> list[Row]:
+    """The best runs of each method, timed in turn; JSON can hold them."""
+    rows: list[Row] = []
+    entries: dict[str, Entry] = {}
+    for method in methods:
+        tried = [
+            row for family in method.families(problem) for row in _family(
+                problem, method, list(family)[: limits.settings], limits.run
+            )
+        ]  # fmt: skip
+        for row in best(tried):
+            setting = row["setting"]
+            entries[str(len(rows))] = method.entry(problem, setting)
+            rows.append(row | {"setting": method.label(setting), "h": setting.get("h")})
+    effort = Effort(
+        name="best", scale=1.0, repetitions=REPETITIONS, budget=limits.run, largest=1, steps=1
+    )
+    for key, times in interleave(entries, effort).items():
+        rows[int(key)] |= {"ms": 1e3 * times.minimum, "noise": times.noise}
+    return rows
+
+
+def _family(
+    problem: Problem, method: Method, settings: Sequence[Setting], limit: float
+) -> Iterable[Row]:
+    for setting in settings:
+        try:
+            entry = method.entry(problem, setting)
+            seconds = _once(entry)
+            found = method.score(problem, setting)
+        except GaveUpError:
+            continue
+        if math.isfinite(found.energy):
+            yield {"solver": method.name, "setting": setting, "ms": 1e3 * seconds} | asdict(found)
+        if seconds > limit:
+            break
+
+
+def _once(entry: Entry) -> float:
+    entry.prepare()
+    begin = time.process_time()
+    entry.run()
+    return time.process_time() - begin
+
+
+def best(rows: Sequence[Row]) -> list[Row]:
+    """Rows that no faster one beats in the times of impacts or in the energy."""
+    front: list[Row] = []
+    events, energy = math.inf, math.inf
+    for row in sorted(rows, key=lambda row: row["ms"]):
+        timely = row["events"] is not None and row["events"] < events
+        if timely or row["energy"] < energy or row["setting"].get("h") == USUAL:
+            front.append(row)
+        events = row["events"] if timely else events
+        energy = min(energy, row["energy"])
+    return front
+
+
+def reached(rows: Iterable[Mapping[str, Any]], error: float) -> Mapping[str, Any] | None:
+    """The fastest row whose times of impacts are as good as an error."""
+    good = [row for row in rows if row["events"] is not None and row["events"] <= error]
+    return min(good, key=lambda row: row["ms"], default=None)
