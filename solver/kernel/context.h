@@ -34,6 +34,8 @@ typedef struct context {
     int constraints_only;      /* 1: only the rows act                                                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
+    int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
+    int lagged;         /* whether cones take the normal forces `lag`                                        */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved, and 1; else 0            */
@@ -139,7 +141,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->half = 0, c->halves = 2;
     c->constraints_only = c->unweighted = c->damped = 0;
     c->cone_mu = c->k.mu;
-    c->at_fault = c->divided = c->sliding = 0;
+    c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
     for (int32_t f = 0; f < m->n_frictions; f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;

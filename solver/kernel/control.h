@@ -12,6 +12,7 @@
 #include "norms.h"
 #include "predict.h"
 #include "step_halving.h"
+#include "stepped.h"
 
 enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
@@ -151,7 +152,11 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         }
         repeats = 0;
         double covered = h;
-        if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) return status;
+        if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) {
+            if (!may_step_over(status)) return status;
+            undo_piece(c, start + done, law_time);
+            return cover_stepped(c, start, done, step);
+        }
         done = covered == rest ? step : done + covered;
         follow_energies(c);
     }
@@ -174,6 +179,10 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         covered = length;
         if (!status) status = step_piece(c, length);
         if (!status) status = end_piece(c, start + done, law_time, length, &covered);
+        if (may_step_over(status)) {
+            undo_piece(c, start + done, law_time);
+            return cover_stepped(c, start, done, step);
+        }
         if (status) return status;
         done = covered == next - done ? next : done + covered;
     }

@@ -224,7 +224,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     follow_angles(&c); /* from no direction, which is no turn */
     for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
     open_ledger(&c);
-    if (m->unilateral && ((status = refuse_penetration(&c)) || (status = settle(&c)))) head[S_AT_FAULT] = c.at_fault;
+    if (m->unilateral && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;
     if (status) return status;
     head[S_EVENTS] = 0.0;
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;

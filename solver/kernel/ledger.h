@@ -17,6 +17,14 @@ static void book(context *c, int account, double amount)
     hm_add(c->s.head + account, c->s.head + account + 1, amount); /* high and low part */
 }
 
+/* Account of what row j takes: where contacts change at the ends of half steps, those move that close, and slips that stop. */
+static inline int account_of(const context *c, int32_t j, enum row_state state)
+{
+    const int32_t owner = c->stepping ? owner_of(c, j) : -1;
+    if (state == ROW_IS_SLIDING || owner >= c->m->n_contacts) return S_FRICTION;
+    return owner < 0 ? S_DEFECT : S_IMPACT;
+}
+
 /* Work of the elements' drives, what dampers take, and the work of drivers: a row of multiplier mu works
    -mu (its part by quantities) = -mu dphi + mu (its part by signals).                                           */
 static void book_composites(context *c)
@@ -36,7 +44,7 @@ static void book_composites(context *c)
         const enum row_state state = state_of_row(c, j);
         if (state == ROW_IS_OFF) continue;
         composite_slopes(c, j, 0, &result);
-        book(c, state == ROW_IS_SLIDING ? S_FRICTION : S_DEFECT, mu * result.change);
+        book(c, account_of(c, j, state), mu * result.change);
         book(c, S_WORK, mu * (result.change - result.mechanical));
     }
 }

@@ -107,6 +107,12 @@ static double normal_force(const context *c, int32_t f, const double *mu)
     return sum;
 }
 
+/* Likewise, or that which the cone takes instead. */
+static inline double normal_in_cone(const context *c, int32_t f, const double *mu)
+{
+    return c->lagged ? c->k.lag[f] : normal_force(c, f, mu);
+}
+
 /* Force up to which friction f sticks, or with which it slides. */
 static double cone(const context *c, int32_t f, int sliding, double normal)
 {
@@ -131,7 +137,7 @@ static void follow_cones(const context *c)
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double along[3];
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
-        const double force = cone(c, f, 1, normal_force(c, f, c->k.mu));
+        const double force = cone(c, f, 1, normal_in_cone(c, f, c->k.mu));
         slip_direction(c, f, along);
         for (int k = 0; k < n_slips(c, f); k++) c->k.lambda[row_of(c, slip_row(c, f, k))] = force * along[k];
     }

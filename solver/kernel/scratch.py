@@ -46,6 +46,11 @@ WORK = {
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
+    "touch": "4 * n_contacts", "flips": "n_frictions", "lands": "n_frictions",  # see stepped.h
+    "lag": "n_frictions",  # normal forces of cones, where they lag
+    "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
+    "slip_before": "n_rows * unilateral",  # slips at its start
+    "stepped_backup": "n_state * unilateral",  # before a half step of stepped mode
     "hit_defect": "n * unilateral",  # velocities across the rows, see impact.h
     "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h
     "hit_matrix": "n_hit_rows * n_hit_rows",

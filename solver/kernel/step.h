@@ -42,7 +42,7 @@ static void rows_at_start(context *c, int exact)
     }
     for IN_ISLAND(c, j, ISLAND_FUNCTION)
         c->k.phi0[row_of(c, j)] = exact && state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
-    for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = 0.0;
+    for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
 }
 
 /* Whether no direction is about to turn by more than 2.5 rad: a step would take the shorter way round, with an exact
@@ -73,7 +73,7 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
-    rows_at_start(c, is_telling(c) || is_penalty(c));
+    rows_at_start(c, is_telling(c) || is_penalty(c) || c->stepping);
     const int dependent = c->island[I_DEPENDENT] != 0.0;
     const double compliance = compliance_over_sigma(c);
     const double kept = dependent ? 1.0 - FORGOTTEN : 1.0;

@@ -249,7 +249,7 @@ static int32_t add_composites(const context *c)
         if (status) return status;
         double factor = c->h;
         if (row >= 0) {
-            c->k.phi[row] = result.row + (is_seeking(c) || j >= first_velocity_row(c) ? 0.0 : c->k.phi0[row]);
+            c->k.phi[row] = result.row + (is_seeking(c) || (j >= first_velocity_row(c) && !c->stepping) ? 0.0 : c->k.phi0[row]);
             factor *= c->k.mu[row];
         }
         if (state == ROW_IS_SLIDING) {

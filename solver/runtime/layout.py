@@ -248,6 +248,7 @@ HEAD = (
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "ledger_error",
     "events",  # of contacts, in the last step
+    "stepped",  # whether a part of it was, see stepped.h
     "at_fault",  # multiplier of the contact that the last step failed at, and 1; else 0
     "status",  # of the last step
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",

@@ -1,0 +1,582 @@
+/* Stepped mode: contacts change at the ends of half steps alone, however many, and no event is located.
+
+   A half step h has two stages. The first is a conserving step in which each contact obeys
+
+       0 <= N _|_ g(q_1) >= 0,     |T| <= mu_s N + preload where there is no slip, else T = (mu N + preload) t,
+
+   with the rows of closed contacts and of frictions that stick on; which these are is found by solving the step with a
+   choice of them, and changing what fails. Its contacts take -N (g_1 - g_0) >= 0. A friction whose slip s_0 the step would
+   reverse stops in it, after the way s_0^2/2a that it takes with the deceleration a of that step.
+   The second stage acts on the velocities alone, at q_1: closed contacts part with rates f e |g'_0| where they have just
+   closed, and with none where they were closed before; what holds is held. f is such that e^2 of what both stages take
+   with f = 0 is given back (energetic restitution, Stronge 1990), a quadratic equation.                         */
+#ifndef HOLONOM_STEPPED_H
+#define HOLONOM_STEPPED_H
+
+#include "contact.h"
+#include "context.h"
+#include "energy.h"
+#include "event.h"
+#include "half_step.h"
+#include "impact.h"
+#include "rigid.h"
+#include "start.h"
+#include "step_halving.h"
+
+enum { MOST_CHOICES = 100, MOST_LAGS = 6, MOST_DIVISIONS = 7, BLOCK_CHOICES = 12 };
+#define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that is none                          */
+#define CONE_MARGIN 1e-9  /* of the cone, and of a slip, by which statuses are kept                             */
+#define LAG_TOLERANCE 1e-9
+
+/* What stepped mode knows of each contact in a half step. */
+typedef struct touch {
+    double gap, rate; /* at its start; the rate where it is near, else 0                                         */
+    double was_closed, is_near;
+} touch;
+
+static inline touch *touch_of(const context *c, int32_t i) { return (touch *)(void *)c->k.touch + i; }
+
+static inline int is_landing(const context *c, int32_t i) { return is_closed(c, i) && touch_of(c, i)->was_closed == 0.0; }
+
+static double normal_in_step(const context *c, int32_t i) { return -c->k.mu[row_of(c, c->m->contact_row[i])]; }
+
+static double largest_normal_in_step(const context *c)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i)) largest = fmax(largest, fabs(normal_in_step(c, i)));
+    return largest;
+}
+
+/* Sum of the slips of friction f (by row) along its direction. */
+static double along_of(const context *c, int32_t f, const double *slip)
+{
+    double sum = 0.0;
+    for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * slip[row_of(c, slip_row(c, f, k))];
+    return sum;
+}
+
+/* --------------------------------------------------------------------------------------- first stage */
+
+/* Accelerations that contacts may have: of two nodes, as weight and the last half steps tell. */
+static double largest_acceleration(const context *c)
+{
+    const double *gravity = c->number + c->m->gravity_at, extent = c->number[c->m->extent_at];
+    double most2 = dot(gravity, gravity);
+    for (int32_t a = 0; a < c->n_moving; a++)
+        for (int parity = 0; parity < 2; parity++) {
+            const double *x = c->s.a[parity] + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
+            most2 = fmax(most2, size * size * dot(x, x));
+        }
+    return 2.0 * sqrt(most2);
+}
+
+static void let_close(context *c, int32_t i)
+{
+    const int32_t f = c->m->contact_friction[i];
+    double *x = contact_of(c, i);
+    x[C_CLOSED] = 1.0;
+    x[C_REFERENCE] = 0.0;
+    if (f >= 0) guess_friction(c, f);
+}
+
+static void forget_stop(const context *c, int32_t f)
+{
+    for (int k = 0; k < n_slips(c, f); k++) c->k.stop[row_of(c, slip_row(c, f, k))] = 0.0;
+}
+
+/* Gaps and slips at the start of a half step of length h, and a first choice: what was closed stays so, what is reached
+   at the present rate closes. */
+static void begin_choice(context *c, double h)
+{
+    const holonom_model *m = c->m;
+    const double speed = 4.0 * h * fastest_node(c), fall = 3.0 * h * h * largest_acceleration(c);
+    const double none = PENETRATION * c->number[m->extent_at];
+    quantities_at_state(c);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        touch *x = touch_of(c, i);
+        x->was_closed = contact_of(c, i)[C_CLOSED];
+        x->gap = gap_of(c, i);
+        x->is_near = x->was_closed != 0.0 || x->gap < speed + fall + none;
+        x->rate = x->is_near != 0.0 ? gap_rate(c, i) : 0.0;
+        x->is_near = x->was_closed != 0.0 || x->gap + 2.0 * h * fmin(x->rate, 0.0) - fall < none;
+    }
+    for (int32_t f = 0; f < m->n_frictions; f++) {
+        const int mode = friction_mode(c, f);
+        c->k.flips[f] = 0.0;
+        forget_stop(c, f);
+        for (int k = 0; k < n_slips(c, f); k++)
+            c->k.slip_before[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
+        if (mode == FRICTION_SLIDES || !is_of_contact(c, f)) guess_friction(c, f);
+    }
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        const touch *x = touch_of(c, i);
+        if (x->was_closed != 0.0) contact_of(c, i)[C_REFERENCE] = 0.0;
+        else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) let_close(c, i);
+    }
+}
+
+/* Gap of contact i at the end of the half step. */
+static int32_t gap_at_end(const context *c, int32_t i, double *gap)
+{
+    composite_result result = {0.0, 0.0, 0.0};
+    const int32_t status = composite_slopes(c, c->m->contact_row[i], 0, &result);
+    *gap = touch_of(c, i)->gap + result.change;
+    return status;
+}
+
+/* Way of the node that moves most in the half step. */
+static double largest_way(const context *c)
+{
+    const double extent = c->number[c->m->extent_at];
+    double most2 = 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double *d = c->k.d + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
+        most2 = fmax(most2, size * size * dot(d, d));
+    }
+    return sqrt(most2);
+}
+
+/* Closes open contacts that the half step leaves in penetration, of those that are near or of `all`; how many, at most
+   `most`. */
+static int32_t close_crossed(context *c, int all, int most, int *changed)
+{
+    const double none = PENETRATION * c->number[c->m->extent_at], reach = 4.0 * largest_way(c);
+    int32_t status = HOLONOM_OK;
+    for (int32_t i = 0; i < c->m->n_contacts && *changed < most && !status; i++) {
+        const int32_t *leaf = c->m->leaf + 4 * c->m->leaf_ptr[c->m->contact_row[i]];
+        const int turns = leaf[0] != LEAF_SIGNAL && c->m->quantity_kind[leaf[1]] == QUANTITY_ANGLE;
+        double gap = INFINITY;
+        if (is_closed(c, i) || (touch_of(c, i)->is_near == 0.0 && (!all || (!turns && touch_of(c, i)->gap > reach)))) continue;
+        status = gap_at_end(c, i, &gap);
+        if (!(gap < -none)) continue;
+        touch_of(c, i)->is_near = 1.0;
+        blame(c, c->m->contact_row[i]);
+        let_close(c, i);
+        *changed += 1;
+    }
+    return status;
+}
+
+/* Opens closed contacts that would pull. A jammed one slides first: it may be its friction that pulls. */
+static void open_pulling(context *c, int most, int *changed)
+{
+    const double none = NO_FORCE * largest_normal_in_step(c);
+    for (int32_t i = 0; i < c->m->n_contacts && *changed < most; i++) {
+        const int32_t f = c->m->contact_friction[i];
+        double along[3];
+        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none)) continue;
+        blame(c, c->m->contact_row[i]);
+        *changed += 1;
+        if (f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0 && cone(c, f, 1, 1.0) > 0.0) {
+            c->k.flips[f] = 2.0;
+            double size2 = 0.0;
+            for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
+            for (int k = 0; k < n_slips(c, f) && size2 > 0.0; k++) along[k] /= sqrt(size2);
+            if (size2 > 0.0) {
+                forget_stop(c, f);
+                let_slide(c, f, along);
+                continue;
+            }
+        }
+        open_contact(c, i);
+    }
+}
+
+/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
+static void change_frictions(context *c, int most, int *changed)
+{
+    const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_that_is_none(c);
+    for (int32_t f = 0; f < c->m->n_frictions && *changed < most; f++) {
+        const int mode = friction_mode(c, f), n = n_slips(c, f);
+        double along[3], size2 = 0.0;
+        if (mode == FRICTION_OFF) continue;
+        if (mode == FRICTION_STICKS) {
+            const double limit = cone(c, f, 0, normal_in_cone(c, f, c->k.mu));
+            for (int k = 0; k < n; k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
+            if (!(sqrt(size2) > limit + CONE_MARGIN * fabs(limit) + none)) continue;
+            for (int k = 0; k < n; k++) along[k] /= sqrt(size2);
+            forget_stop(c, f);
+            let_slide(c, f, along);
+        } else {
+            const double before = along_of(c, f, c->k.slip_before), mean = along_of(c, f, c->k.slip);
+            if (!(mean < 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0) - still)) continue;
+            const double way = before > 0.0 ? 0.25 * before * before * c->h / (before - mean) : 0.0;
+            for (int k = 0; k < n; k++) c->k.stop[row_of(c, slip_row(c, f, k))] = way * friction_of(c, f)[F_ALONG_1 + k];
+            let_stick(c, f);
+        }
+        c->k.flips[f] += 1.0;
+        blame(c, slip_row(c, f, 0));
+        *changed += 1;
+    }
+}
+
+/* Number that tells choices apart. */
+static uint64_t name_of_choice(const context *c)
+{
+    uint64_t name = 14695981039346656037u;
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i)) name = (name ^ (uint64_t)(i + 1)) * 1099511628211u;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        const double *x = friction_of(c, f);
+        const int sign = x[F_ALONG_1] < 0.0;
+        name = (name ^ (uint64_t)(1000003 + 8 * f + 2 * friction_mode(c, f) + sign)) * 1099511628211u;
+    }
+    return name;
+}
+
+/* Whether this choice has come back so often that the changes go round. */
+static int goes_round(uint64_t *known, int count, uint64_t name)
+{
+    int times = 0;
+    for (int k = 0; k < count; k++) times += known[k] == name;
+    known[count] = name;
+    return times > 1;
+}
+
+/* Solves the half step with the choice at hand until no contact or friction objects: all that do change at once and, where
+   that goes round, the first one alone.                                                                          */
+static int32_t solve_choices(context *c, int parity)
+{
+    uint64_t known[MOST_CHOICES + 1];
+    int most = INT_MAX, since = 0;
+    for (int choice = 0; choice < MOST_CHOICES; choice++) {
+        int changed = 0;
+        c->factors_h = 0.0;
+        int32_t status = solve_step(c, parity);
+        if (status && status != HOLONOM_NEWTON_DIVERGED && status != HOLONOM_UZAWA_DIVERGED) return status;
+        open_pulling(c, most, &changed);
+        if (status && !changed) return status;
+        if (!status) status = close_crossed(c, 0, most, &changed);
+        if (!status) change_frictions(c, most, &changed);
+        if (!status && !changed) status = close_crossed(c, 1, most, &changed);
+        if (!changed) return status;
+        if (choice == BLOCK_CHOICES && !c->m->n_frictions) most = 1, since = choice;
+        if (!goes_round(known + since, choice - since, name_of_choice(c))) continue;
+        if (most == 1) return HOLONOM_CONTACT_UNDECIDED;
+        most = 1, since = choice + 1;
+    }
+    return HOLONOM_CONTACT_UNDECIDED;
+}
+
+/* Contacts and frictions as they were at the start of the half step. */
+static void take_modes_back(context *c)
+{
+    const size_t bytes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
+    memcpy(c->s.contacts, c->k.stepped_backup + (c->s.contacts - c->s.head), bytes);
+}
+
+/* First stage. Where no choice agrees, since friction is strong, the cones' normal forces lag: each problem is then one of
+   a convex function, and what friction does is booked as it is.                                                 */
+static int32_t solve_contacts(context *c, int parity)
+{
+    const holonom_model *m = c->m;
+    const double *last = c->s.mu[1 - parity];
+    begin_choice(c, c->h);
+    c->lagged = 0;
+    int32_t status = solve_choices(c, parity);
+    if (status != HOLONOM_CONTACT_UNDECIDED || !m->n_frictions) return status;
+    take_modes_back(c);
+    for (int32_t f = 0; f < m->n_frictions; f++)
+        c->k.lag[f] = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, last), 0.0);
+    c->lagged = 1;
+    for (int lag = 0; lag < MOST_LAGS; lag++) {
+        double change = 0.0, largest = 0.0;
+        take_modes_back(c);
+        begin_choice(c, c->h);
+        if ((status = solve_choices(c, parity))) break;
+        for (int32_t f = 0; f < m->n_frictions; f++) {
+            const double normal = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, c->k.mu), 0.0);
+            change = fmax(change, fabs(normal - c->k.lag[f]));
+            largest = fmax(largest, normal);
+            c->k.lag[f] = lag > 1 ? 0.5 * (c->k.lag[f] + normal) : normal;
+        }
+        if (change <= LAG_TOLERANCE * largest) break;
+    }
+    c->lagged = 0;
+    return status;
+}
+
+/* -------------------------------------------------------------------------------------- second stage */
+
+static int island_has_contact(context *c)
+{
+    EACH_IN(c, composites, composite, j)
+        if (is_row(c, j) && owner_of(c, j) >= 0 && state_of_row(c, j) != ROW_IS_OFF) return 1;
+    return 0;
+}
+
+/* Rates of rows that are to vanish (in phi): of islands in which a contact is closed. */
+static void rates_to_stop(context *c)
+{
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+    for (int32_t island = 0; island < c->m->n_islands; island++) {
+        look_at(c, island, island + 1);
+        if (island_has_contact(c)) continue;
+        EACH_ROW(c, i) c->k.phi[i] = 0.0;
+    }
+    look_at(c, 0, c->m->n_islands);
+}
+
+/* Velocities x (overwritten) and impulses (in mu) that change the rates of the rows by -phi. */
+static void velocities_for(const context *c, double *x)
+{
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    solve_with_factors(c);
+    add_solution(c, x);
+}
+
+/* Rates at which contacts would part by themselves, with the other sign in phi; e^2 of all that land, by their energies. */
+static double rates_of_landing(const context *c)
+{
+    double given = 0.0, taken = 0.0;
+    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const int32_t row = row_of(c, c->m->contact_row[i]);
+        const double e = c->number[c->m->restitution_at + i], speed = -touch_of(c, i)->rate;
+        if (!is_landing(c, i) || !(speed > 0.0)) continue;
+        const double weight = speed * speed / c->number[c->m->row_sigma_at + row];
+        taken += weight;
+        if (!(speed > fmax(c->s.head[S_REST_SPEED], speed_that_is_none(c)))) continue;
+        given += e * e * weight;
+        c->k.phi[row] = -e * speed;
+    }
+    return taken > 0.0 ? given / taken : 0.0;
+}
+
+/* Lets frictions slide freely in the second stage, or again as they did, other than those of contacts that land. */
+static void spare_resting(const context *c, int spared)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double *x = friction_of(c, f);
+        if (c->k.lands[f] == 0.0 && x[F_MODE] == (spared ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
+    }
+}
+
+/* Adds x to the velocities and books what its impulses (in mu) take; the rest of the change of energy is work. */
+static void add_velocities(context *c, const double *x, int driven)
+{
+    const holonom_model *m = c->m;
+    double *rate = c->k.row_rate, friction = 0.0, total = 0.0;
+    const double before = mass_product(c, x, c->s.v) + 0.5 * mass_product(c, x, x);
+    for (int side = 0; side < 2; side++) {
+        row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, rate);
+        for (int32_t f = 0; f < m->n_frictions; f++)
+            for (int k = 0; k < n_slips(c, f); k++) {
+                const int32_t j = slip_row(c, f, k), row = row_of(c, j);
+                if (state_of_row(c, j) == ROW_IS_OFF) continue;
+                rate[row] = rate_of_row(c, j);
+                if (c->k.lands[f] == 0.0) friction += 0.5 * c->k.mu[row] * rate[row];
+            }
+        for (int32_t i = 0; i < m->n_rows; i++) total += 0.5 * c->k.mu[i] * rate[i];
+        for (int32_t k = 0; k < DIM * m->n_free && !side; k++) hm_add(c->s.v + k, c->s.v_low + k, x[k]);
+    }
+    const double loss = driven ? total : -before;
+    book(c, S_FRICTION, friction);
+    book(c, S_IMPACT, loss - friction);
+    if (driven) book(c, S_WORK, before + loss);
+}
+
+/* Lets those frictions stick whose slip the second stage has reversed. */
+static int stop_reversed(context *c)
+{
+    int stops = 0;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        double sum = 0.0;
+        if (friction_mode(c, f) != FRICTION_SLIDES) continue;
+        for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * rate_of_row(c, slip_row(c, f, k));
+        if (!(sum < -speed_that_is_none(c))) continue;
+        let_stick(c, f);
+        stops = 1;
+    }
+    return stops;
+}
+
+/* Part of the rates of landing contacts, whose velocities are `part` and whose impulses are in mu, that gives `share` of what
+   both stages take back: `taken`, and what the velocities `stop` take, whose impulses are in event_mu.          */
+static double part_given_back(context *c, double share, double taken, const double *stop, const double *part, int driven)
+{
+    const double curved = 0.5 * mass_product(c, part, part);
+    double linear = mass_product(c, part, c->s.v) + mass_product(c, part, stop);
+    double lost = taken - mass_product(c, stop, c->s.v) - 0.5 * mass_product(c, stop, stop);
+    if (driven) { /* what surfaces and drivers do is no loss */
+        memset(c->k.ahead, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+        row_rates(c, c->s.q, c->s.q_low, c->k.ahead, c->s.signal, c->k.signal_rate, c->k.row_rate);
+        for (int32_t i = 0; i < c->m->n_rows; i++) {
+            linear -= c->k.mu[i] * c->k.row_rate[i];
+            lost += c->k.event_mu[i] * c->k.row_rate[i];
+        }
+    }
+    const double back = share * fmax(lost, 0.0), root = linear + sqrt(fmax(linear * linear + 4.0 * curved * back, 0.0));
+    return back > 0.0 && root > 0.0 ? 2.0 * back / root : 0.0;
+}
+
+/* Velocities of the second stage (hit_defect), and their impulses (event_mu). */
+static int32_t velocities_of_parting(context *c, double taken, int driven)
+{
+    const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
+    double *stop = c->k.hit_defect, *part = c->k.free;
+    stand_still(c);
+    const int32_t status = factorise_at_state(c, NULL);
+    if (status) return status;
+    for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
+    find_dependent_rows(c);
+    rates_to_stop(c);
+    velocities_for(c, stop);
+    memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)rows);
+    const double share = rates_of_landing(c);
+    if (!(share > 0.0)) return HOLONOM_OK;
+    velocities_for(c, part);
+    const double f = part_given_back(c, share, taken, stop, part, driven);
+    for (int32_t k = 0; k < n; k++) stop[k] += f * part[k];
+    for (int32_t i = 0; i < rows; i++) c->k.event_mu[i] += f * c->k.mu[i];
+    return HOLONOM_OK;
+}
+
+/* Likewise of slips that have just been stopped; what contacts do stays. */
+static int32_t velocities_of_stopping(context *c)
+{
+    stand_still(c);
+    const int32_t status = factorise_at_state(c, NULL);
+    if (status) return status;
+    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        for (int k = 0; k < n_slips(c, f) && friction_mode(c, f) == FRICTION_STICKS; k++)
+            c->k.phi[row_of(c, slip_row(c, f, k))] = rate_of_row(c, slip_row(c, f, k));
+    velocities_for(c, c->k.hit_defect);
+    memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)c->m->n_rows);
+    return HOLONOM_OK;
+}
+
+/* Second stage; `taken` is what contacts have taken in the first one, of length h and that parity. */
+static int32_t part_contacts(context *c, double taken, int parity)
+{
+    const holonom_model *m = c->m;
+    look_at_state(c);
+    const int driven = is_driven(c);
+    for (int32_t f = 0; f < m->n_frictions; f++) c->k.lands[f] = 0.0;
+    for (int32_t i = 0; i < m->n_contacts; i++)
+        if (m->contact_friction[i] >= 0) c->k.lands[m->contact_friction[i]] = is_landing(c, i);
+    spare_resting(c, 1);
+    int32_t status = velocities_of_parting(c, taken, driven);
+    if (!status) add_velocities(c, c->k.hit_defect, driven);
+    for (int32_t i = 0; i < m->n_contacts && !status; i++) {
+        const int32_t row = row_of(c, m->contact_row[i]);
+        double *own = contact_of(c, i);
+        if (!is_landing(c, i)) continue;
+        own[C_IMPACTS] += touch_of(c, i)->rate < -speed_that_is_none(c) ? 1.0 : 0.0;
+        own[C_IMPULSE] -= c->h * c->s.mu[parity][row] + c->k.event_mu[row];
+        c->s.head[S_EVENTS] += 1.0;
+    }
+    spare_resting(c, 0);
+    if (!status && stop_reversed(c)) {
+        spare_resting(c, 1);
+        status = velocities_of_stopping(c);
+        if (!status) add_velocities(c, c->k.hit_defect, driven);
+        spare_resting(c, 0);
+    }
+    for (int32_t i = 0; i < m->n_contacts && !status; i++)
+        if (is_closed(c, i) && gap_rate(c, i) > speed_that_is_none(c)) open_contact(c, i);
+    return status;
+}
+
+/* ---------------------------------------------------------------------------------------- half steps */
+
+static double booked(const context *c, int account) { return c->s.head[account] + c->s.head[account + 1]; }
+
+static int has_closed(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        if (is_closed(c, i)) return 1;
+    return 0;
+}
+
+/* One half step, which counts only if its ledger closes. */
+static int32_t try_half(context *c, double h, int half)
+{
+    const int parity = half % 2;
+    const double before = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c)), impact = booked(c, S_IMPACT);
+    c->h = h;
+    c->half = half;
+    if (c->m->sensing) sense(c, h, parity);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
+    signals_at(c, c->t + h, c->k.signal1);
+    forget_changes(c);
+    int32_t status = solve_contacts(c, parity);
+    if (status) return status;
+    accept_step(c, parity);
+    if (has_closed(c) || c->m->n_frictions) status = part_contacts(c, booked(c, S_IMPACT) - impact, parity);
+    if (status) return status;
+    const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
+    const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];
+    return fabs(after - before) <= allowed ? HOLONOM_OK : HOLONOM_LEDGER_OPEN;
+}
+
+/* A half step of length h; where it fails, two of half its length. */
+static int32_t stepped_half(context *c, double h, int half, int divisions)
+{
+    const double t = c->t, law_time = c->number[c->m->time_at];
+    memcpy(c->k.stepped_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    int32_t status = try_half(c, h, half);
+    if (!status) return HOLONOM_OK;
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
+    memcpy(c->s.head, c->k.stepped_backup, sizeof(double) * (size_t)c->state_size);
+    if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0);
+    c->t = t;
+    c->s.head[S_NEWTON_ITERATIONS] = newton;
+    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
+    lower_penalties(c);
+    if (divisions == MOST_DIVISIONS) return status;
+    status = stepped_half(c, 0.5 * h, 0, divisions + 1);
+    return status ? status : stepped_half(c, 0.5 * h, 1, divisions + 1);
+}
+
+static inline int is_stepped(const context *c) { return c->m->unilateral && c->s.head[S_CONTACT_MODE] != 0.0; }
+
+/* Whether stepped mode may go on where located mode has failed so. */
+static inline int may_step_over(int32_t status)
+{
+    return status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED || status == HOLONOM_CONTACT_UNDECIDED ||
+           status == HOLONOM_EVENT_LOST;
+}
+
+/* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are those of the last pair:
+   no line through them leads across an impact.                                                                  */
+HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, double step)
+{
+    double *head = c->s.head;
+    const double rest = step - done, longest = fmin(head[S_STEP_SIZE], head[S_LONGEST_STEP]);
+    const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
+    int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
+    head[S_STEPPED] = 1.0;
+    head[S_ORDER_IN_USE] = 2.0;
+    c->stepping = 1;
+    for (int64_t i = 0; !status && i < (int64_t)n; i++) {
+        c->t = start + done + h * (double)i;
+        c->unweighted = 0;
+        begin_halves(c, 2);
+        status = stepped_half(c, 0.5 * h, 0, 0);
+        if (!status) status = stepped_half(c, 0.5 * h, 1, 0);
+        if (status) break;
+        average_multipliers(c, c->t - 0.5 * h);
+        memcpy(c->s.mean_before, c->s.mean, sizeof(double) * (size_t)c->m->n_rows);
+        memcpy(c->s.driven_mean_before, c->s.driven_mean, sizeof(double) * (size_t)(DIM * c->m->n_driven));
+        follow_energies(c);
+    }
+    c->stepping = 0;
+    if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */
+    return status;
+}
+
+/* Which contacts are closed at the start of a run: those that its first multipliers agree with, if any do. */
+HM_SELDOM static int32_t begin_stepped(context *c)
+{
+    const int32_t status = settle_modes(c);
+    c->s.head[S_UNSETTLED] = 0.0;
+    return status == HOLONOM_CONTACT_UNDECIDED ? HOLONOM_OK : status;
+}
+
+#endif
