@@ -117,6 +117,9 @@ class Graph:
     couplings: Mapping[tuple[int, int], bool]
     anchors: Mapping[int, Sequence[int]]
     islands: Sequence[int]
+    loose: frozenset[int] = frozenset()
+    """Rows of contacts and frictions: where too many of them couple the same nodes, they are
+    eliminated first, by their bare regularisation."""
 
 
 class Carriers:
@@ -176,11 +179,25 @@ class Carriers:
 def block_order(graph: Graph) -> list[int]:
     """Return the blocks in their elimination order.
 
+    Each of n balls may touch each other one, so that their rows are n^2/2, of which few hold at a
+    time. Between the nodes they would fill the whole pattern. Eliminated first, a row adds the four
+    or so products of its own nodes. Iterations lose the digits that this costs, not the solution.
+
     Raises
     ------
     AssemblyError
         When the factorisation would need too many products.
     """
+    try:
+        return _order(graph, frozenset())
+    except AssemblyError:
+        if not graph.loose:
+            raise
+        return _order(graph, graph.loose)
+
+
+def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
+    """Return such an order, with loose rows first."""
     weight, neighbours = graph.sizes, [set[int]() for _ in graph.sizes]
     for a, b in graph.couplings:
         if a != b:
@@ -191,7 +208,7 @@ def block_order(graph: Graph) -> list[int]:
     done = [False] * len(weight)
     carriers, waiting = Carriers(graph), set()
     # Rows enter the heap as neighbours of an eliminated block, so after one of their nodes.
-    heap = [(degree[block], block) for block in range(graph.n_nodes)]
+    heap = [(degree[block], block) for block in chain(range(graph.n_nodes), loose)]
     heapq.heapify(heap)
     order: list[int] = []
     while heap or waiting:
@@ -201,7 +218,8 @@ def block_order(graph: Graph) -> list[int]:
             size, block = heapq.heappop(heap)
             if done[block] or size != degree[block]:
                 continue
-            if block >= graph.n_nodes and not carriers.carry(block):
+            carried = block < graph.n_nodes or block in loose or carriers.carry(block)
+            if not carried:
                 waiting.add(block)
                 continue
         done[block] = True

@@ -143,7 +143,7 @@ class TangentPattern:
         self.pattern = eliminate(
             Graph(
                 self.sizes, self.n_nodes, self._couplings(),
-                dict(enumerate(anchors, self.n_nodes)), self._islands(),
+                dict(enumerate(anchors, self.n_nodes)), self._islands(), self._loose(ends),
             )
         )  # fmt: skip
 
@@ -169,6 +169,21 @@ class TangentPattern:
         nodes = composite.nodes
         square: list[Piece] = [] if self.lean else [(nodes, nodes, ROWS)]
         return square if row is None else square + _border(nodes, row)
+
+    def _loose(self, ends: Sequence[int]) -> frozenset[int]:
+        """Blocks of the rows of contacts and their frictions."""
+        structure, mechanism = self.structure, self.structure.mechanism
+        functions, slips = structure.function_rows.place, structure.velocity_rows.place
+        touching = [contact for contact in mechanism.contacts]
+        return frozenset(
+            [ends[2] + functions[contact.row] for contact in touching]
+            + [
+                ends[3] + slips[row]
+                for contact in touching
+                if contact.friction >= 0
+                for row in mechanism.frictions[contact.friction].rows
+            ]
+        )
 
     def _cones(self, ends: Sequence[int]) -> list[list[Piece]]:
         """Each velocity row of a friction with the rows that make its normal force."""
