@@ -47,6 +47,7 @@ WORK = {
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
     "touch": "4 * n_contacts", "flips": "n_frictions", "lands": "n_frictions",  # see stepped.h
+    "share": "n_frictions",  # part of the half step until a slip stops
     "lag": "n_frictions",  # normal forces of cones, where they lag
     "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
     "slip_before": "n_rows * unilateral",  # slips at its start

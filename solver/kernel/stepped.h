@@ -23,8 +23,9 @@
 #include "start.h"
 #include "step_halving.h"
 
-enum { MOST_CHOICES = 100, MOST_LAGS = 6, MOST_DIVISIONS = 7, BLOCK_CHOICES = 12 };
+enum { MOST_CHOICES = 60, PATIENCE = 5, MOST_LAGS = 6, MOST_DIVISIONS = 7 };
 #define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that is none                          */
+#define ROUND_OFF 1e-15   /* of a coordinate, over the same                                                */
 #define CONE_MARGIN 1e-9  /* of the cone, and of a slip, by which statuses are kept                             */
 #define LAG_TOLERANCE 1e-9
 
@@ -82,7 +83,30 @@ static void let_close(context *c, int32_t i)
 
 static void forget_stop(const context *c, int32_t f)
 {
+    c->k.share[f] = 0.0;
     for (int k = 0; k < n_slips(c, f); k++) c->k.stop[row_of(c, slip_row(c, f, k))] = 0.0;
+}
+
+/* Friction f stops after that share of a half step, along a way that its slip takes there on the mean. */
+static void let_stop(const context *c, int32_t f, double share)
+{
+    c->k.share[f] = share;
+    for (int k = 0; k < n_slips(c, f); k++) {
+        const int32_t row = row_of(c, slip_row(c, f, k));
+        c->k.stop[row] = 0.5 * share * c->h * c->k.slip_before[row];
+    }
+}
+
+/* Where slips of one body stop, their ways must not contradict each other: all stop after the same share, the least one or,
+   if that does not help, at once. Returns whether there is any.                                                 */
+static int stop_together(const context *c, int at_once)
+{
+    double least = INFINITY;
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (c->k.share[f] > 0.0) least = fmin(least, c->k.share[f]);
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (c->k.share[f] > 0.0) let_stop(c, f, at_once ? 0.0 : least);
+    return least < INFINITY;
 }
 
 /* Gaps and slips at the start of a half step of length h, and a first choice: what was closed stays so, what is reached
@@ -138,13 +162,32 @@ static double largest_way(const context *c)
     return sqrt(most2);
 }
 
-/* Closes open contacts that the half step leaves in penetration, of those that are near or of `all`; how many, at most
-   `most`. */
-static int32_t close_crossed(context *c, int all, int most, int *changed)
+/* Contacts and frictions (behind the contacts) that object to a choice: how many, and the last one; and which of them are to
+   change. */
+typedef struct objections {
+    int count;
+    int32_t last, changing;
+    int at_once; /* whether slips that stop do so at the start of the half step */
+} objections;
+
+enum { NONE_CHANGES = -2, ALL_CHANGE = -1 };
+
+/* Counts one more; whether it changes. */
+static int objects(context *c, objections *x, int32_t k)
+{
+    const int changes = x->changing == ALL_CHANGE || x->changing == k;
+    x->count++;
+    x->last = k;
+    if (changes) blame(c, k < c->m->n_contacts ? c->m->contact_row[k] : slip_row(c, k - c->m->n_contacts, 0));
+    return changes;
+}
+
+/* Open contacts that the half step leaves in penetration, of those that are near or of `all`, close. */
+static int32_t close_crossed(context *c, int all, objections *x)
 {
     const double none = PENETRATION * c->number[c->m->extent_at], reach = 4.0 * largest_way(c);
     int32_t status = HOLONOM_OK;
-    for (int32_t i = 0; i < c->m->n_contacts && *changed < most && !status; i++) {
+    for (int32_t i = 0; i < c->m->n_contacts && !status; i++) {
         const int32_t *leaf = c->m->leaf + 4 * c->m->leaf_ptr[c->m->contact_row[i]];
         const int turns = leaf[0] != LEAF_SIGNAL && c->m->quantity_kind[leaf[1]] == QUANTITY_ANGLE;
         double gap = INFINITY;
@@ -152,110 +195,105 @@ static int32_t close_crossed(context *c, int all, int most, int *changed)
         status = gap_at_end(c, i, &gap);
         if (!(gap < -none)) continue;
         touch_of(c, i)->is_near = 1.0;
-        blame(c, c->m->contact_row[i]);
-        let_close(c, i);
-        *changed += 1;
+        if (objects(c, x, i)) let_close(c, i);
     }
     return status;
 }
 
-/* Opens closed contacts that would pull. A jammed one slides first: it may be its friction that pulls. */
-static void open_pulling(context *c, int most, int *changed)
+/* What rounding errors of the coordinates make of the normal force of contact i. */
+static double noise_of_normal(const context *c, int32_t i)
+{
+    const double *number = c->number, place = ROUND_OFF * number[c->m->extent_at];
+    return 2.0 * place / (c->h * c->h * number[c->m->row_sigma_at + row_of(c, c->m->contact_row[i])]);
+}
+
+/* Closed contacts that would pull open. A jammed one slides first: it may be its friction that pulls. */
+static void open_pulling(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal_in_step(c);
-    for (int32_t i = 0; i < c->m->n_contacts && *changed < most; i++) {
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t f = c->m->contact_friction[i];
-        double along[3];
-        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none)) continue;
-        blame(c, c->m->contact_row[i]);
-        *changed += 1;
-        if (f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0 && cone(c, f, 1, 1.0) > 0.0) {
-            c->k.flips[f] = 2.0;
-            double size2 = 0.0;
-            for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
-            for (int k = 0; k < n_slips(c, f) && size2 > 0.0; k++) along[k] /= sqrt(size2);
-            if (size2 > 0.0) {
-                forget_stop(c, f);
-                let_slide(c, f, along);
-                continue;
-            }
+        double along[3], size2 = 0.0;
+        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)) || !objects(c, x, i)) continue;
+        const int jams = f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0;
+        for (int k = 0; jams && k < n_slips(c, f); k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
+        if (!(size2 > 0.0)) {
+            open_contact(c, i);
+            continue;
         }
-        open_contact(c, i);
+        for (int k = 0; k < n_slips(c, f); k++) along[k] /= sqrt(size2);
+        c->k.flips[f] = 2.0;
+        forget_stop(c, f);
+        let_slide(c, f, along);
     }
 }
 
-/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
-static void change_frictions(context *c, int most, int *changed)
+/* Frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
+static void change_frictions(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_that_is_none(c);
-    for (int32_t f = 0; f < c->m->n_frictions && *changed < most; f++) {
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
         const int mode = friction_mode(c, f), n = n_slips(c, f);
         double along[3], size2 = 0.0;
         if (mode == FRICTION_OFF) continue;
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_in_cone(c, f, c->k.mu));
             for (int k = 0; k < n; k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
-            if (!(sqrt(size2) > limit + CONE_MARGIN * fabs(limit) + none)) continue;
+            if (!(sqrt(size2) > limit + CONE_MARGIN * fabs(limit) + none) || !objects(c, x, c->m->n_contacts + f)) continue;
             for (int k = 0; k < n; k++) along[k] /= sqrt(size2);
             forget_stop(c, f);
             let_slide(c, f, along);
         } else {
             const double before = along_of(c, f, c->k.slip_before), mean = along_of(c, f, c->k.slip);
-            if (!(mean < 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0) - still)) continue;
-            const double way = before > 0.0 ? 0.25 * before * before * c->h / (before - mean) : 0.0;
-            for (int k = 0; k < n; k++) c->k.stop[row_of(c, slip_row(c, f, k))] = way * friction_of(c, f)[F_ALONG_1 + k];
+            const double least = x->at_once ? 0.0 : 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0);
+            if (!(mean < least - still) || !objects(c, x, c->m->n_contacts + f)) continue;
+            forget_stop(c, f);
+            if (before > 0.0 && !x->at_once) let_stop(c, f, 0.5 * before / (before - mean));
             let_stick(c, f);
         }
         c->k.flips[f] += 1.0;
-        blame(c, slip_row(c, f, 0));
-        *changed += 1;
     }
 }
 
-/* Number that tells choices apart. */
-static uint64_t name_of_choice(const context *c)
+/* Counts those that object to the step that was solved with `status`, and changes what is to change. Rows that contradict
+   each other leave a step unsolved, with forces that pull. */
+static int32_t look_for_objections(context *c, int32_t status, objections *x)
 {
-    uint64_t name = 14695981039346656037u;
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (is_closed(c, i)) name = (name ^ (uint64_t)(i + 1)) * 1099511628211u;
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        const double *x = friction_of(c, f);
-        const int sign = x[F_ALONG_1] < 0.0;
-        name = (name ^ (uint64_t)(1000003 + 8 * f + 2 * friction_mode(c, f) + sign)) * 1099511628211u;
-    }
-    return name;
+    x->count = 0;
+    open_pulling(c, x);
+    if (status) return x->count ? HOLONOM_OK : status;
+    status = close_crossed(c, 0, x);
+    if (!status) change_frictions(c, x);
+    if (!status && !x->count) status = close_crossed(c, 1, x);
+    return status;
 }
 
-/* Whether this choice has come back so often that the changes go round. */
-static int goes_round(uint64_t *known, int count, uint64_t name)
+/* Whether a step that was solved so may have failed by its choice. */
+static inline int may_choose_anew(int32_t status)
 {
-    int times = 0;
-    for (int k = 0; k < count; k++) times += known[k] == name;
-    known[count] = name;
-    return times > 1;
+    return status == HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Solves the half step with the choice at hand until no contact or friction objects: all that do change at once and, where
-   that goes round, the first one alone.                                                                          */
-static int32_t solve_choices(context *c, int parity)
+/* Solves the half step with the choice at hand until no contact or friction objects. All that do change at once as long as
+   they become fewer, now and then; else the last one alone, by which no choice comes back (Murty 1974; Judice & Pires
+   1994), until they are fewer again.                                                                            */
+static int32_t solve_choices(context *c, int parity, int at_once)
 {
-    uint64_t known[MOST_CHOICES + 1];
-    int most = INT_MAX, since = 0;
-    for (int choice = 0; choice < MOST_CHOICES; choice++) {
-        int changed = 0;
+    const int most = MOST_CHOICES + c->m->n_contacts / 4;
+    int fewest = INT_MAX, patience = PATIENCE, together = 0;
+    for (int choice = 0; choice < most; choice++) {
+        objections x = {0, 0, NONE_CHANGES, at_once};
         c->factors_h = 0.0;
-        int32_t status = solve_step(c, parity);
-        if (status && status != HOLONOM_NEWTON_DIVERGED && status != HOLONOM_UZAWA_DIVERGED) return status;
-        open_pulling(c, most, &changed);
-        if (status && !changed) return status;
-        if (!status) status = close_crossed(c, 0, most, &changed);
-        if (!status) change_frictions(c, most, &changed);
-        if (!status && !changed) status = close_crossed(c, 1, most, &changed);
-        if (!changed) return status;
-        if (choice == BLOCK_CHOICES && !c->m->n_frictions) most = 1, since = choice;
-        if (!goes_round(known + since, choice - since, name_of_choice(c))) continue;
-        if (most == 1) return HOLONOM_CONTACT_UNDECIDED;
-        most = 1, since = choice + 1;
+        int32_t status = solve_step(c, parity), solved = status;
+        if (status && !may_choose_anew(status)) return status;
+        if (status && together < 2 && stop_together(c, together++)) continue;
+        status = look_for_objections(c, solved, &x);
+        if (status || !x.count) return status;
+        if (x.count < fewest) fewest = x.count, patience = PATIENCE;
+        else if (patience > 0) patience--;
+        x.changing = patience > 0 ? ALL_CHANGE : x.last;
+        look_for_objections(c, solved, &x);
+        if (together) stop_together(c, together > 1);
     }
     return HOLONOM_CONTACT_UNDECIDED;
 }
@@ -273,11 +311,14 @@ static int32_t solve_contacts(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const double *last = c->s.mu[1 - parity];
-    begin_choice(c, c->h);
+    int32_t status = HOLONOM_CONTACT_UNDECIDED;
     c->lagged = 0;
-    int32_t status = solve_choices(c, parity);
-    if (status != HOLONOM_CONTACT_UNDECIDED || !m->n_frictions) return status;
-    take_modes_back(c);
+    for (int at_once = 0; at_once < 2; at_once++) {
+        begin_choice(c, c->h);
+        status = solve_choices(c, parity, at_once);
+        if (!may_choose_anew(status) || !m->n_frictions) return status;
+        take_modes_back(c);
+    }
     for (int32_t f = 0; f < m->n_frictions; f++)
         c->k.lag[f] = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, last), 0.0);
     c->lagged = 1;
@@ -285,7 +326,7 @@ static int32_t solve_contacts(context *c, int parity)
         double change = 0.0, largest = 0.0;
         take_modes_back(c);
         begin_choice(c, c->h);
-        if ((status = solve_choices(c, parity))) break;
+        if ((status = solve_choices(c, parity, 1))) break;
         for (int32_t f = 0; f < m->n_frictions; f++) {
             const double normal = friction_mode(c, f) == FRICTION_OFF ? 0.0 : fmax(normal_force(c, f, c->k.mu), 0.0);
             change = fmax(change, fabs(normal - c->k.lag[f]));
