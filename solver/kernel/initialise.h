@@ -14,6 +14,7 @@
 #include "norms.h"
 #include "policy_stopping.h"
 #include "start.h"
+#include "stepped.h"
 #include "tangent.h"
 
 /* One increment of Newton's iteration, no longer than a third of the mechanism; its length, and that of d. */

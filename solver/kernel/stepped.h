@@ -553,7 +553,7 @@ static int32_t try_half(context *c, double h, int half)
     if (status) return status;
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
     const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];
-    return fabs(after - before) <= allowed ? HOLONOM_OK : HOLONOM_LEDGER_OPEN;
+    return fabs(after - before) <= allowed ? HOLONOM_OK : HOLONOM_NEWTON_DIVERGED;
 }
 
 /* A half step of length h; where it fails, two of half its length. */
@@ -580,8 +580,7 @@ static inline int is_stepped(const context *c) { return c->m->unilateral && c->s
 /* Whether stepped mode may go on where located mode has failed so. */
 static inline int may_step_over(int32_t status)
 {
-    return status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED || status == HOLONOM_CONTACT_UNDECIDED ||
-           status == HOLONOM_EVENT_LOST;
+    return status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED || status == HOLONOM_CONTACT_UNDECIDED;
 }
 
 /* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are those of the last pair:
@@ -612,9 +611,11 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     return status;
 }
 
-/* Which contacts are closed at the start of a run: those that its first multipliers agree with, if any do. */
-HM_SELDOM static int32_t begin_stepped(context *c)
+/* Contacts at the start of a run. In stepped mode what hits does so in the first half step, and those are closed that the
+   first multipliers agree with, if any do.                                                                      */
+HM_SELDOM static int32_t begin_contacts(context *c)
 {
+    if (!is_stepped(c)) return settle(c);
     const int32_t status = settle_modes(c);
     c->s.head[S_UNSETTLED] = 0.0;
     return status == HOLONOM_CONTACT_UNDECIDED ? HOLONOM_OK : status;
