@@ -7,6 +7,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
 from tests.problems import GRAVITY, Content, mechanism
 
 ORIGIN = {"position": [0.0, 0.0], "fixed": True}
@@ -380,4 +382,54 @@ def point_on_a_ball(angle: float = 0.1, rate: float = 0.3) -> Content:
             "p": {"mass": 1.0, "position": [s, c], "velocity": [rate * c, -rate * s]},
         },
         contacts={"top": {"type": "sphere", "points": ["o", "p"], "radii": [1.0, 0.0]}},
+    )
+
+
+def pile_of_discs(n: int, restitution: float = 0.3) -> Content:
+    """Discs that fall into a box three of them wide, each of which may touch each other one."""
+    radius, width, draw = 0.05, 0.31, np.random.default_rng(1)
+    walls = {"floor": ([0, 1], 0.0), "left": ([1, 0], 0.0), "right": ([-1, 0], width)}
+    points: Content = {}
+    contacts: Content = {}
+    for i in range(n):
+        x = 0.055 + 0.1 * (i % 3) + 0.004 * float(draw.random())
+        points[f"p{i}"] = {"mass": 0.1, "position": [x, 0.06 + 0.12 * (i // 3) + 0.03 * (i % 3)]}
+        for name, (axis, place) in walls.items():
+            contacts[f"{name}_{i}"] = {
+                "type": "plane", "point": f"p{i}", "axis": axis, "position": [place, 0.0],
+                "radius": radius, "restitution": restitution,
+            }  # fmt: skip
+        for j in range(i):
+            contacts[f"pair_{i}_{j}"] = {
+                "type": "sphere", "points": [f"p{i}", f"p{j}"], "radii": [radius, radius],
+                "restitution": restitution,
+            }  # fmt: skip
+    return mechanism("pile", 2, points=points, contacts=contacts)
+
+
+def chain_over_a_floor(n: int = 12) -> Content:
+    """Hanging chain of points, let go, that falls on a floor with friction."""
+    points: Content = {}
+    x, z, length = 0.0, 0.05, 0.1
+    for i in range(n):
+        points[f"p{i}"] = {"mass": 0.1, "position": [x, z]}
+        slope = 1.2 + 0.25 * math.sin(1.3 * i)
+        x, z = x + length * math.cos(slope), z + length * math.sin(slope)
+    joints = {f"r{i}": {"type": "distance", "points": [f"p{i}", f"p{i + 1}"]} for i in range(n - 1)}
+    floor = {"type": "plane", "axis": [0, 1], "friction": 0.3}
+    contacts = {f"c{i}": floor | {"point": f"p{i}"} for i in range(n)}
+    return mechanism("chain", 2, points=points, joints=joints, contacts=contacts)
+
+
+def painleve_rod(friction: float, slope: float) -> Content:
+    """Rod whose lower end slides on a floor; with strong friction no forces, or several, obey."""
+    x, y = 0.5 * math.cos(slope), 0.5 * math.sin(slope)
+    ends = {"a": [-x, 0.0], "b": [x, 2.0 * y]}
+    floor = {"type": "plane", "axis": [0, 1], "friction": friction}
+    return mechanism(
+        "rod",
+        2,
+        points={k: {"mass": 0.0, "position": p, "velocity": [2.0, 0.0]} for k, p in ends.items()},
+        bodies={"rod": {"type": "bar", "points": ["a", "b"], "mass": 1.0}},
+        contacts={f"at_{k}": floor | {"point": k} for k in ends},
     )

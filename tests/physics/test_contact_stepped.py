@@ -1,0 +1,158 @@
+"""Stepped mode: contacts change at the ends of half steps, however many, and energies stay physical."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.contact_events import begin, contacts_of, cover, even, number
+from tests.contact_scenes import (
+    ball,
+    belt,
+    bowling_ball,
+    chain_over_a_floor,
+    circle,
+    painleve_rod,
+    pendulum_at_a_stop,
+    pile_of_discs,
+    slider,
+    slider_crank_with_clearance,
+)
+from tests.problems import GRAVITY, Content
+
+STEPPED = {"contact_mode": "stepped"}
+CLOSURE = 1e-12
+"""Of the reference energy."""
+LEAST_GAP = -1e-12
+
+
+@pytest.mark.parametrize("h", [0.02, 0.01, 0.004, 0.001])
+def test_a_ball_loses_by_impacts_what_its_restitution_says(h):
+    # 1 - e^2 of the energy at each of three hits, wherever in a step they fall.
+    integrator = begin(ball(), h, **STEPPED)
+    passed = cover(integrator, even(2.0, h))
+    assert integrator["floor.impacts"] == 3.0
+    assert integrator["energy.impact"] == pytest.approx(7.23836736, abs=1e-9)
+    assert passed.error <= CLOSURE
+    assert passed.gap >= LEAST_GAP
+    assert integrator["solver.stepped"] == 1.0
+
+
+@pytest.mark.parametrize("h", [0.02, 0.01])
+def test_an_elastic_ball_keeps_its_energy_over_a_hundred_impacts(h):
+    integrator = begin(ball(restitution=1.0), h, **STEPPED)
+    cover(integrator, even(91.0, h))
+    assert number(integrator, "floor.impacts") >= 100.0
+    assert abs(number(integrator, "energy.impact")) <= 1e-10
+
+
+@pytest.mark.parametrize("h", [0.02, 0.01])
+def test_a_ball_comes_to_rest_within_its_zeno_time(h):
+    integrator = begin(ball(), h, **STEPPED)
+    cover(integrator, even(4.2, h))
+    assert integrator["floor.mode"] == 1.0
+    assert integrator["energy.impact"] == pytest.approx(GRAVITY, abs=1e-12)
+    assert integrator["floor.force"] == pytest.approx(GRAVITY, abs=1e-9)
+
+
+@pytest.mark.parametrize("h", [0.02, 0.01])
+def test_an_elastic_point_in_a_circle_keeps_its_energy(h):
+    integrator = begin(circle(1.0), h, **STEPPED)
+    passed = cover(integrator, even(20.0, h))
+    assert number(integrator, "wall.impacts") > 20.0
+    assert abs(number(integrator, "energy.impact")) <= 1e-10
+    assert passed.error <= CLOSURE
+    assert passed.gap >= LEAST_GAP
+
+
+@pytest.mark.parametrize(("restitution", "loss"), [(0.5, 6.891693941328), (0.0, 6.504864815522)])
+def test_the_loss_in_a_circle_is_right_to_first_order(restitution, loss):
+    for h in (0.02, 0.005):
+        integrator = begin(circle(restitution), h, **STEPPED)
+        cover(integrator, even(20.0, h))
+        assert integrator["energy.impact"] == pytest.approx(loss, rel=0.25 * h)
+
+
+@pytest.mark.parametrize("h", [0.1, 0.05, 0.01, 0.007])
+def test_a_slider_stops_where_it_must(h):
+    # A slip that stops within a half step goes on until then: v^2/2a, and all is friction's.
+    integrator = begin(slider(), h, **STEPPED)
+    passed = cover(integrator, even(0.7, h))
+    assert integrator["p.x"] == pytest.approx(0.382262996941896, abs=1e-13)
+    assert integrator["p.vx"] == pytest.approx(0.0, abs=1e-15)
+    assert integrator["energy.friction"] == pytest.approx(1.125, abs=1e-13)
+    assert integrator["floor.mode"] == 1.0
+    assert passed.error <= CLOSURE
+
+
+@pytest.mark.parametrize(
+    ("content", "until", "h"),
+    [
+        pytest.param(belt(), 3.0, 0.01, id="belt"),
+        pytest.param(bowling_ball(0.6), 1.5, 0.01, id="bowling ball"),
+        pytest.param(pendulum_at_a_stop(), 4.0, 0.01, id="pendulum at a stop"),
+        pytest.param(slider_crank_with_clearance(), 0.03, 5e-5, id="slider-crank"),
+        *(
+            pytest.param(painleve_rod(mu, slope), 1.0, 0.01, id=f"rod {mu} {slope}")
+            for mu in (0.5, 1.5, 2.5)
+            for slope in (0.6, 1.2)
+        ),
+    ],
+)
+def test_the_ledger_closes_and_no_gap_is_crossed(content: Content, until, h):
+    integrator = begin(content, h, **STEPPED)
+    passed = cover(integrator, even(until, h))
+    assert passed.error <= CLOSURE
+    assert passed.gap >= LEAST_GAP
+    assert number(integrator, "energy.dissipated") > 0.0
+
+
+def test_a_pile_of_discs_comes_to_rest_with_the_same_energy_at_every_step():
+    # 273 gaps, of which 42 are closed in the end. The energy at rest is that of the prototype.
+    energies = []
+    for h in (0.004, 0.002):
+        integrator = begin(pile_of_discs(21), h, **STEPPED)
+        passed = cover(integrator, even(1.0, 10.0 * h))
+        assert passed.error <= CLOSURE
+        assert passed.gap >= LEAST_GAP
+        assert number(integrator, "energy.kinetic") <= 1e-20
+        heights = (number(integrator, f"p{i}.y") for i in range(21))
+        energies.append(0.1 * GRAVITY * sum(heights))
+    assert energies[0] == pytest.approx(energies[1], abs=1e-9)
+    assert energies[0] == pytest.approx(7.187239, abs=1e-6)
+
+
+@pytest.mark.parametrize("h", [0.005, 0.0025])
+def test_a_chain_that_falls_on_a_floor_comes_to_rest(h):
+    integrator = begin(chain_over_a_floor(), h, **STEPPED)
+    passed = cover(integrator, even(1.5, 10.0 * h))
+    assert passed.error <= CLOSURE
+    assert passed.gap >= LEAST_GAP
+    assert number(integrator, "energy.kinetic") <= 1e-20
+    assert sum(number(integrator, f"{name}.mode") > 0.0 for name in contacts_of(integrator)) >= 8
+
+
+@pytest.mark.parametrize("settings", [{}, {"tolerance": 1e-6}], ids=str)
+@pytest.mark.parametrize("order", [2, 4])
+def test_located_mode_steps_over_the_zeno_time_of_a_ball(order, settings):
+    # Flights of e^n get shorter without end until 4.06371276887158 s: infinitely many events.
+    integrator = begin(ball(), 0.01, order, rest_speed=0.0, rest_time=0.0, **settings)
+    cover(integrator, [3.0])
+    assert integrator["solver.stepped"] == 0.0
+    passed = cover(integrator, [4.1])
+    assert integrator["solver.stepped"] == 1.0
+    assert integrator["solver.events"] >= 50.0
+    assert passed.error <= CLOSURE
+    cover(integrator, [4.2, 4.3])
+    assert integrator["solver.stepped"] == 0.0
+    assert integrator["floor.mode"] == 1.0
+    assert integrator["energy.impact"] == pytest.approx(GRAVITY, abs=1e-12)
+
+
+def test_stepped_runs_continue_from_a_saved_state_bit_for_bit():
+    whole = begin(pile_of_discs(6), 0.004, **STEPPED)
+    cover(whole, even(0.4, 0.004))
+    first, second = (begin(pile_of_discs(6), 0.004, **STEPPED) for _ in range(2))
+    cover(first, even(0.4, 0.004)[:50])
+    second.restore(first.save())
+    cover(second, even(0.4, 0.004)[50:])
+    assert [whole[f"p{i}.y"] for i in range(6)] == [second[f"p{i}.y"] for i in range(6)]
