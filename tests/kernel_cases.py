@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from tests.joint_scenes import train
-from tests.twins import EVERYTHING, FORMULATIONS, SCENES, model_of
+from tests.scene_files import SMOOTH
+from tests.twins import EVERYTHING, FORMULATIONS, model_of
 from tests.zoo import PLANE, SPACE
 
-SOURCES = {path.stem: path for path in SCENES}
+SOURCES = {path.stem: path for path in SMOOTH}
 SOURCES |= {f"everything in {dim}-D": text for dim, text in EVERYTHING.items()}
 SOURCES["gears and a cam in the plane"] = (
     train(2, "gear", 0.01)

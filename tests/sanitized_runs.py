@@ -14,11 +14,11 @@ import solver
 from solver.options import CHOICES, ORDERS
 from tests.hostile import models
 from tests.kernel_calls import kernel_of
+from tests.scene_files import ALL
 from tests.twins import EVERYTHING
 
 DAMAGED = 20_000
 """Damaged models and states, each with a good checksum."""
-SCENES = Path(__file__).parent.parent / "scenes"
 STEPS = 8
 
 SETTINGS: list[dict[str, str | float | bool]] = [
@@ -70,7 +70,7 @@ def _move(model: solver.Model, settings: dict[str, str | float | bool]) -> None:
 def main(every: int) -> None:
     """Run the cases; what ends with a sentence is as good as what goes on."""
     warnings.simplefilter("ignore")
-    texts = [path.read_text("utf-8") for path in sorted(SCENES.glob("*.toml"))]
+    texts = [path.read_text("utf-8") for path in ALL]
     ran = ended = 0
     model = None
     for number, (text, settings) in enumerate(

@@ -8,6 +8,7 @@ from solver.scene.draft import Draft
 from solver.scene.names import offered
 from solver.scene.quantities import quantities
 from solver.scene.report import Source
+from tests.scene_files import touches
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -18,4 +19,4 @@ else:
 def quantities_of(text):
     """Names of all quantities of a scene in TOML, each with its level."""
     data = tomllib.loads(text)
-    return quantities(offered(Draft(data, Source(), [])), data.get("dimension", 3))
+    return quantities(offered(Draft(data, Source(), [])), data.get("dimension", 3), touches(text))

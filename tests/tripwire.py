@@ -20,11 +20,11 @@ from pathlib import Path
 
 import solver
 from solver.options import CHOICES, ORDERS
+from tests.scene_files import SMOOTH
 from tests.twins import EVERYTHING
 
 Settings = dict[str, str | float | bool]
 
-SCENES = Path(__file__).parent.parent / "scenes"
 STEPS = 120
 
 SETTINGS: list[Settings] = [
@@ -70,7 +70,7 @@ def hash_of(text: str, settings: Settings) -> str:
 
 def main(path: Path) -> int:
     """Write or compare the hashes; 1 where one differs."""
-    scenes = {path.stem: path.read_text("utf-8") for path in sorted(SCENES.glob("*.toml"))}
+    scenes = {path.stem: path.read_text("utf-8") for path in SMOOTH}
     cases = list(itertools.product((scenes | EVERYTHING).items(), SETTINGS))
     names = [f"{name} {json.dumps(settings)}" for (name, _), settings in cases]
     with ProcessPoolExecutor(2) as pool:

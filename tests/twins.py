@@ -15,7 +15,6 @@ from tests.kernel_calls import kernel_of
 
 Array = NDArray[np.float64]
 
-SCENES = sorted((Path(__file__).parent.parent / "scenes").glob("*.toml"))
 FORMULATIONS = CHOICES["formulation"]
 
 PENDULUM = """

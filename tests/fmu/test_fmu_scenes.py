@@ -16,8 +16,9 @@ from fmu_src import status
 from solver.runtime import Integrator
 from tests.commands import run
 from tests.fmu_instance import SCENES, Instance, instance, scene_fmu
+from tests.scene_files import ALL
 
-ALL_SCENES = sorted(path.stem for path in SCENES.glob("*.toml"))
+ALL_SCENES = [path.stem for path in ALL]
 RAMPED = ["double_wishbone", "stewart"]
 STRUCTURED = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
 """Of the names that the standard calls structured (2.2.9), those without arrays and quotes."""

@@ -18,6 +18,7 @@ from build_fmu.model_description import model_description
 from solver.runtime import Model
 from solver.scene.units import BaseUnit, base_unit
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
+from tests.scene_files import ALL
 
 ERROR = 3
 AWKWARD = [0.1 + 0.2, 1 / 3, 1e-300, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0, 1e22]
@@ -264,7 +265,7 @@ ALLOWED = {
 """Causality, variability and initial of FMI 2.0.5, 2.2.7, as far as they occur here."""
 
 
-@pytest.mark.parametrize("path", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_causality_variability_initial_and_start_fit_each_other(path):
     root = described(solver.assemble(solver.load(path)))
     variables = root.findall("ModelVariables/ScalarVariable")

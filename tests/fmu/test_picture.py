@@ -18,9 +18,10 @@ from build_fmu.picture import AZIMUTH, ELEVATION, HEIGHT, MARGIN, WIDTH, picture
 from build_fmu.self_check import self_check
 from solver.mechanics.build_mechanism import build_mechanism
 from tests.fmu_instance import SCENES, scene_fmu
+from tests.scene_files import ALL
 
 BLACK = (0.0, 0.0, 0.0)
-ALL_SCENES = sorted(path.stem for path in SCENES.glob("*.toml"))
+ALL_SCENES = [path.stem for path in ALL]
 
 
 def pixels(png: bytes) -> np.ndarray:
@@ -78,9 +79,13 @@ def test_what_lies_beside_the_canvas_is_left_out():
 
 @pytest.mark.parametrize("name", ALL_SCENES)
 def test_every_scene_has_a_picture_that_fills_its_frame(name):
-    seen = pixels(picture(build_mechanism(solver.load(SCENES / f"{name}.toml"))))
+    scene = solver.load(SCENES / f"{name}.toml")
+    seen = pixels(picture(build_mechanism(scene)))
     assert seen.shape == (HEIGHT, WIDTH, 3)
     rows, columns = np.nonzero((seen < 250).any(axis=2))
+    if len(scene.points) + len(scene.bodies) == 1 and not scene.joints:
+        assert len(rows) > 0  # one place has no size that could fill the frame
+        return
     room = (np.ptp(columns) / (WIDTH - 2 * MARGIN), np.ptp(rows) / (HEIGHT - 2 * MARGIN))
     assert max(room) >= 0.9
     assert max(room) <= 1.3  # with what is drawn around a place

@@ -13,13 +13,13 @@ from pathlib import Path
 from typing import Any
 
 import solver
+from tests.scene_files import ALL
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
-SCENES = sorted((Path(__file__).parents[2] / "scenes").glob("*.toml"))
 LONGEST = 4000
 """Characters of a scene that is damaged; the longer ones are not of other kinds."""
 NUMBERS = (
@@ -64,7 +64,7 @@ def prepare(_folder: Path) -> None:
 def case(seed: str, number: int, _folder: Path) -> str | None:
     """Damage a scene, then read it, assemble it and take a step."""
     chance = random.Random(f"{seed}/{number}")
-    texts = [text for path in SCENES if len(text := path.read_text("utf-8")) < LONGEST]
+    texts = [text for path in ALL if len(text := path.read_text("utf-8")) < LONGEST]
     damage = chance.choice((_tokens, _numbers, _numbers, _signs, _lines, _tables))
     text = damage(chance, chance.choice(texts))
     notation = "json" if damage is _tables else "toml"

@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import pytest
 
-from tests.fmu_instance import SCENES, scene_fmu
+from tests.fmu_instance import scene_fmu
 from tests.importers.tools import REQUIRED, command, need
+from tests.scene_files import ALL
 
 if not REQUIRED:
     pytest.skip("takes minutes: make importers runs it", allow_module_level=True)
-ALL = sorted(path.stem for path in SCENES.glob("*.toml"))
+NAMES = [path.stem for path in ALL]
 
 
-@pytest.mark.parametrize("scene", ALL)
+@pytest.mark.parametrize("scene", NAMES)
 def test_fmpy_validates_a_scene(scene):
     run = command(need("fmpy"), "fmpy", "validate", str(scene_fmu(scene)))
     assert run.returncode == 0, run.stdout
     assert "No problems found" in run.stdout
 
 
-@pytest.mark.parametrize("scene", ALL)
+@pytest.mark.parametrize("scene", NAMES)
 def test_fmpy_simulates_a_scene(scene, tmp_path):
     result = tmp_path / "result.csv"
     arguments = ["--stop-time", "0.1", "--output-file", str(result)]
@@ -30,7 +31,7 @@ def test_fmpy_simulates_a_scene(scene, tmp_path):
     assert float(rows[-1].partition(",")[0]) == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize("scene", ALL)
+@pytest.mark.parametrize("scene", NAMES)
 def test_fmutool_finds_no_error_in_a_scene(scene):
     tool = need("fmu-manipulation-toolbox")
     run = command(tool, "fmutool", "-input", str(scene_fmu(scene)), "-check")

@@ -6,13 +6,13 @@ import pytest
 
 import solver
 from solver.mechanics.mobility import survey
-from tests.mechanism_runs import SCENES, scene
+from tests.mechanism_runs import scene
+from tests.scene_files import ALL
 
-MECHANISMS = sorted(SCENES.glob("*.toml"))
 STEPS = 200
 
 
-@pytest.mark.parametrize("path", MECHANISMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_energy_is_balanced_and_no_joint_opens(path):
     # Solved to 1e-12 in each step, 200 of which do not add up: errors are not of one sign.
     drawn = solver.load(path)

@@ -1,7 +1,5 @@
 """The variable table: a scene's names are those that the mechanism answers to."""
 
-from pathlib import Path
-
 import pytest
 
 import solver
@@ -10,12 +8,11 @@ from solver.mechanics.outputs import named
 from solver.mechanics.sensors import Sensors
 from solver.scene import Distance
 from tests.kernel_calls import kernel_of
+from tests.scene_files import ALL, SCENES
 from tests.scene_quantities import quantities_of
 
-SCENES = sorted((Path(__file__).parents[2] / "scenes").glob("*.toml"))
 
-
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_every_quantity_an_output_may_use_has_a_meaning(path):
     scene = solver.load(path)
     known = [quantity.name for quantity in named(Sensors(build_mechanism(scene)))]
@@ -23,7 +20,7 @@ def test_every_quantity_an_output_may_use_has_a_meaning(path):
     assert len(known) == len(set(known))
 
 
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_positions_are_those_of_the_scene_until_it_moves(path):
     scene = solver.load(path)
     mechanism = solver.Integrator(solver.assemble(scene))
@@ -40,14 +37,14 @@ def test_positions_are_those_of_the_scene_until_it_moves(path):
 
 
 def test_two_names_of_a_model_never_agree():
-    for path in SCENES:
+    for path in ALL:
         names = [variable.name for variable in solver.assemble(solver.load(path)).variables]
         assert len(names) == len(set(names)), path.stem
 
 
 def test_the_sign_of_every_force_along_a_line_and_torque_about_an_axis_is_described():
     """Components have the sign of their axis; one number alone must say what makes it positive."""
-    for path in SCENES:
+    for path in ALL:
         scene = solver.load(path)
         elements = {*scene.forces, *scene.drivers}
         elements |= {name for name, x in scene.joints.items() if isinstance(x, Distance)}
@@ -58,7 +55,7 @@ def test_the_sign_of_every_force_along_a_line_and_torque_about_an_axis_is_descri
 
 
 def test_the_rate_of_constraints_falls_with_the_square_of_the_step_at_order_2():
-    model = solver.assemble(solver.load(SCENES[0].parent / "double_pendulum.toml"))
+    model = solver.assemble(solver.load(SCENES / "double_pendulum.toml"))
     largest = [
         solver.simulate(model, step_size=0.02, internal_step=h)["constraint.velocity"].max()
         for h in (4e-3, 2e-3)

@@ -9,7 +9,7 @@ from build_fmu import build
 from build_fmu.motion import RESIDUAL
 from build_fmu.self_check import self_check
 from tests.commands import run
-from tests.fmu_instance import SCENES
+from tests.scene_files import ALL
 
 ARM = """
 name = "arm"
@@ -51,6 +51,6 @@ def test_of_a_smooth_driver_nothing_is_said(angle):
     assert lag(solver.assemble(solver.loads(ARM.format(angle=angle)))) == []
 
 
-@pytest.mark.parametrize("path", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_velocities_of_all_scenes_follow_their_constraints(path):
     assert lag(solver.assemble(solver.load(path))) == []

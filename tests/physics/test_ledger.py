@@ -6,7 +6,6 @@ E = E_0 + work - dissipated, to the tolerance of a step, 1e-12 of the energy tha
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,11 +23,10 @@ from tests.problems import (
     view,
 )
 from tests.random_mechanisms import driven_systems
+from tests.scene_files import ALL
 
-SCENES = sorted((Path(__file__).parents[2] / "scenes").glob("*.toml"))
 
-
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_the_ledger_of_every_scene_closes(path):
     # With every input changed from step to step within its limits, no longer than the scene is
     # meant to run, and the tolerance of a step, 1e-12, as measure.

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from tests.kernel_cases import SOURCES, is_plain, settings
-from tests.twins import FORMULATIONS, SCENES, advance, start, vector
+from tests.scene_files import SMOOTH
+from tests.twins import FORMULATIONS, advance, start, vector
 
 
 def conservative(integrator):
@@ -23,7 +24,7 @@ REVERSIBLE = ("bricard", "dzhanibekov", "heavy_top", "chaplygin_sleigh", "rollin
 @pytest.mark.parametrize(
     ("name", "formulation"),
     [
-        *((path.stem, method) for path in SCENES if is_plain(path) for method in FORMULATIONS),
+        *((path.stem, method) for path in SMOOTH if is_plain(path) for method in FORMULATIONS),
         *((name, "conserving-al") for name in REVERSIBLE),
     ],
 )

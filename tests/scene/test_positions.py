@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from solver.scene.positions import lines_of_json, lines_of_toml
 from solver.scene.report import location_of, path_of
 from tests.nested_data import paths_of
+from tests.scene_files import ALL
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -18,7 +19,6 @@ else:
     import tomli as tomllib
 
 ROOT = Path(__file__).parents[2]
-SCENES = sorted((ROOT / "scenes").glob("*.toml"))
 
 
 TRICKY = """# = [ { "
@@ -65,7 +65,7 @@ def test_every_path_of_a_toml_text_has_its_line():
     assert lines["arr", 1, "deep", 1, "z"] == 28
 
 
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_every_path_of_a_scene_has_its_line(path):
     text = path.read_text(encoding="utf-8")
     assert set(lines_of_toml(text)) == {place for place, _ in paths_of(tomllib.loads(text))}

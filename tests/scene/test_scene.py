@@ -24,6 +24,7 @@ from solver.scene import (
     loads,
     parse,
 )
+from tests.scene_files import ALL
 from tests.short_scene import SHORT
 
 if sys.version_info >= (3, 11):
@@ -32,7 +33,6 @@ else:
     import tomli as tomllib
 
 ROOT = Path(__file__).parents[2]
-SCENES = sorted((ROOT / "scenes").glob("*.toml"))
 
 
 def problems_of(text, **options):
@@ -41,7 +41,7 @@ def problems_of(text, **options):
     return caught.value.problems
 
 
-@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_every_scene_of_the_repository_is_free_of_mistakes(path):
     scene = load(path)
     assert scene.name == path.stem

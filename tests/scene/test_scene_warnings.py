@@ -11,9 +11,10 @@ from hypothesis import strategies as st
 import build_fmu
 from solver import SceneError, SceneWarning, load, loads, simulate
 from tests.commands import run
+from tests.scene_files import ALL
 
 ROOT = Path(__file__).parents[2]
-GOOD = [*ROOT.glob("scenes/*.toml"), *ROOT.glob("examples/*.toml")]
+GOOD = [*ALL, *ROOT.glob("examples/*.toml")]
 
 SWING = """
 name = "swing"

@@ -2,21 +2,20 @@
 
 import json
 import sys
-from pathlib import Path
 
 from hypothesis import given
 from hypothesis import strategies as st
 
 from solver.scene import SceneError, loads
 from tests.nested_data import paths_of
+from tests.scene_files import ALL
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
-SCENES = sorted((Path(__file__).parents[2] / "scenes").glob("*.toml"))
-TEXTS = [path.read_text(encoding="utf-8") for path in SCENES]
+TEXTS = [path.read_text(encoding="utf-8") for path in ALL]
 
 
 def report_of(text, **options):
