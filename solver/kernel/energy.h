@@ -187,6 +187,8 @@ static int is_dissipative(const context *c)
     if (c->formulation == HOLONOM_PENALTY_VELOCITY) return 1;
     for (int32_t j = 0; j < c->m->n_elements; j++)
         if (c->number[c->m->damping_at + j] != 0.0) return 1;
+    for (int32_t j = 0; j < c->m->n_potentials; j++)
+        if (c->number[c->m->depth_damping_at + j] != 0.0) return 1;
     return 0;
 }
 

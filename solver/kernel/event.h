@@ -192,6 +192,12 @@ HM_SELDOM static int32_t short_piece(context *c, double h)
         quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, c->s.v, &rate);
         damping += h * c->number[m->damping_at + j] * rate * rate;
     }
+    for (int32_t j = first_potential(c); j < n_composites(c); j++) {
+        double power, share;
+        if (!is_damped(c, j)) continue;
+        share = damping_at_state(c, j, &power);
+        damping += h * share * power;
+    }
     for (int32_t f = 0; f < m->n_frictions; f++)
         if (friction_mode(c, f) == FRICTION_SLIDES)
             for (int k = 0; k < n_slips(c, f); k++)

@@ -60,6 +60,11 @@ static void power_slopes(double x0, double x1, double dx, double y0, double y1, 
         slope[1] = x0 > 0.0 ? hm_pow(x0, y0) * hm_log(x0) : 0.0;
         return;
     }
+    if (dy == 0.0 && y0 > 1.0 && x0 >= 0.0 && x1 >= 0.0 && (x0 == 0.0 || x1 == 0.0)) { /* 0 has no logarithm */
+        slope[0] = x0 + x1 > 0.0 ? hm_pow(x0 + x1, y0 - 1.0) : 0.0;
+        slope[1] = 0.0;
+        return;
+    }
     const double l0 = hm_log(x0), l1 = hm_log(x1), per_x = log_slope(x0, x1, dx), dl = per_x * dx;
     const double middle = 0.5 * (y0 * l0 + y1 * l1), change = 0.5 * ((y0 + y1) * dl + (l0 + l1) * dy);
     const double outer = hm_exp(middle) * sinhc(0.5 * change);

@@ -46,6 +46,40 @@ static int32_t run_function(const context *c, int32_t j)
                                 m->function_ptr[f + 1] - begin, c->number, &c->k.r);
 }
 
+/* A damped potential U = K delta^(n+1)/(n+1) acts with the factor max(0, 1 + a ddelta/h) on its slopes (Hunt and
+   Crossley 1975): it never pulls, and takes (factor - 1) dU >= 0 out exactly. At the equilibrium it is not damped. */
+static double damping_factor(const context *c, int32_t j, double rate_of_depth)
+{
+    return fmax(0.0, 1.0 + c->number[c->m->depth_damping_at + (j - first_potential(c))] * rate_of_depth);
+}
+
+static inline int is_damped(const context *c, int32_t j)
+{
+    return j >= first_potential(c) && c->m->depth_register[j - first_potential(c)] >= 0;
+}
+
+/* Slopes of the function that has been run, with its damping. */
+static inline void damp_slopes(const context *c, int32_t j)
+{
+    if (!is_damped(c, j) || is_seeking(c)) return;
+    const double factor = damping_factor(c, j, c->k.r.dr[c->m->depth_register[j - first_potential(c)]] / c->h);
+    for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++) c->k.r.adjoint[l] *= factor;
+}
+
+/* Factor of a damped potential at the state, less 1, and the rate of its energy without damping. */
+HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *power)
+{
+    const holonom_model *m = c->m;
+    const hm_registers *r = &c->k.r;
+    const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+    for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++, entry += 4) {
+        r->r0[l] = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, r->dr + l); /* slopes there times rates */
+        r->r1[l] = r->r0[l];
+    }
+    *power = r->dr[run_function(c, j)];
+    return damping_factor(c, j, r->dr[m->depth_register[j - first_potential(c)]]) - 1.0;
+}
+
 /* ----------------------------- intermediate configuration of eq 8 (theory 2.3), for conserving-al-beta */
 
 /* Leaf l of function j at q_n + beta d, from its forms there: value in x1, slopes p. */
@@ -165,6 +199,7 @@ static void differentiate_slopes(const context *c, int32_t j, double *matrix)
             if (is_velocity || is_seeking(c)) r->r0[k] += shift;
             else r->dr[k] += shift;
             run_function(c, j);
+            damp_slopes(c, j);
             const double weight = (side ? -0.5 : 0.5) / delta * (is_velocity ? c->theta : 1.0);
             for (int32_t l = 0; l < n; l++) matrix[n * l + k] += weight * r->adjoint[l];
         }
@@ -244,6 +279,7 @@ static int32_t function_slopes(const context *c, int32_t j, int tangent, composi
     if (status) return status;
     load_registers(c, j, OVER_STEP);
     const int32_t last = run_function(c, j);
+    damp_slopes(c, j);
     if (tangent) function_tangent(c, j, matrix);
     result->change = is_velocity_row(c, j) ? c->h * c->k.r.r0[last] : c->k.r.dr[last];
     result->row = is_seeking(c) && !is_velocity_row(c, j) ? c->k.r.r0[last] : result->change;

@@ -39,6 +39,10 @@ static void book_composites(context *c)
         book(c, S_WORK, drive * result.mechanical);
     }
     EACH_COMPOSITE(c, j) {
+        if (is_damped(c, j)) {
+            composite_slopes(c, j, 0, &result);
+            book(c, S_DISSIPATED, result.mechanical - result.change);
+        }
         if (!is_row(c, j)) continue;
         const double mu = c->k.mu[row_of(c, j)];
         const enum row_state state = state_of_row(c, j);

@@ -190,6 +190,18 @@ static int32_t forces_at_state(const context *c)
                          AT_STATE * damping * rate * leaf.p[i], local->um, local->wm, c->k.momentum);
         }
     }
+    for (int32_t j = first_potential(c); j < n_composites(c) && !status; j++) {
+        composite_result unused;
+        double power;
+        if (!is_damped(c, j)) continue;
+        if ((status = composite_slopes(&still, j, 0, &unused))) break;
+        const double share = damping_at_state(c, j, &power);
+        for (int32_t f = 0; f < m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]; f++) {
+            const local_form *local = (const local_form *)c->k.local + f;
+            add_gradient(c, m->composite_form[m->composite_form_ptr[j] + f], AT_STATE * share * c->k.slope[f],
+                         local->um, local->wm, c->k.momentum);
+        }
+    }
     return status;
 }
 

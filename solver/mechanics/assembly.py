@@ -13,7 +13,7 @@ from solver.mechanics.outputs import named
 from solver.mechanics.parts import Parts
 from solver.mechanics.sensors import Sensors
 from solver.mechanics.structure import Structure, flat, pointers
-from solver.mechanics.tape import Numbers, Segment
+from solver.mechanics.tape import CODE, Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
@@ -129,7 +129,16 @@ def _functions(structure: Structure, numbers: Numbers) -> dict[str, array]:
     formulas = (*(row.formula for row in structure.functions), *structure.potentials.items)
     operations = [numbers.operations(x.value, len(x.leaves)) for x in formulas]
     counted = pointers([range(len(x) // 4) for x in operations])
-    return {"function_ptr": counted, "operation": flat(operations)}
+    depths = [-1] * len(structure.potentials)
+    for k, (potential, found) in enumerate(
+        zip(structure.potentials.items, operations[len(structure.functions) :], strict=True)
+    ):
+        if potential.damping is not None:  # the energy is a power of the depth, times a number
+            depths[k] = found[1 + 4 * max(i for i, x in enumerate(found[::4]) if x == CODE["pow"])]
+    return {
+        "function_ptr": counted, "operation": flat(operations),
+        "depth_register": array("i", depths),
+    }  # fmt: skip
 
 
 def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number]]:
@@ -156,6 +165,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
         "rest": [element.rest for element in structure.elements.items],
         "damping": [element.damping for element in structure.elements.items],
         "drive": [element.drive for element in structure.elements.items],
+        "depth_damping": [x.damping or 0.0 for x in structure.potentials.items],
         "restitution": [contact.restitution for contact in contacts],
         "sliding": [friction.sliding for friction in frictions],
         "static": [friction.static for friction in frictions],

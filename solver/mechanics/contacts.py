@@ -18,7 +18,7 @@ from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol, rewritten
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechanism, Scale
-from solver.mechanics.parts import JointParts
+from solver.mechanics.parts import CompliantContact, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned
 from solver.runtime.layout import LEAF_RATE
@@ -169,6 +169,9 @@ def _add(
 ) -> None:  # fmt: skip
     """Add the rows of a gap and of its slip rates, with what must hold of their numbers."""
     mechanism = rows.mechanism
+    if contact.law != "rigid":
+        _add_compliant(rows, contact, gap)
+        return
     if rows.name not in rows.parts.contacts:  # a stop may have two ends
         rows.rule(1.0 - contact.restitution, ">=", "1 - restitution must be >= 0")
     _demand_free(rows, contact, gap, "rad" if size is RADIANS else "m", end)
@@ -187,6 +190,35 @@ def _add(
         mechanism.frictions.append(Friction(slip_rows, ((row,),), sliding, static))
     rows.parts.contacts.setdefault(rows.name, []).append(len(mechanism.contacts))
     mechanism.contacts.append(Contact(row[1], contact.restitution, friction))
+
+
+def _add_compliant(rows: Rows, contact: Contacts, gap: Formula) -> None:
+    """Add a potential K depth^(n+1)/(n+1), damped by c times the rate of its depth.
+
+    Of Lankarani and Nikravesh c = 3 (1 - e^2)/(4 v), for an impact at the speed v.
+    """
+    assert contact.stiffness is not None
+    power = contact.exponent + 1.0
+    rows.rule(contact.exponent - 1.0, ">=", "exponent - 1 must be >= 0")
+    opening = gap.value
+    if isinstance(contact, ClearanceContact):  # smooth where the centres meet
+        radius = contact.radius
+        opening = radius - sqrt(operate("max", leaf_symbol(0), radius * radius))
+    depth = operate("max", -1.0 * opening, 0.0)
+    damping = contact.damping
+    if contact.law == "lankarani-nikravesh":
+        assert contact.impact_speed is not None
+        rows.rule(1.0 - contact.restitution, ">=", "1 - restitution must be >= 0")
+        loss = 1.0 - contact.restitution * contact.restitution
+        damping = 0.75 * loss / contact.impact_speed
+    (leaf,) = gap.leaves
+    energy = contact.stiffness / power * depth**power
+    rows.mechanism.potentials.append(Formula(energy, gap.leaves, damping))
+    if isinstance(contact, ClearanceContact):
+        opening = contact.radius - sqrt(leaf_symbol(0))
+    force = contact.stiffness * depth**contact.exponent
+    found = CompliantContact(leaf.index, opening, depth, force, damping or 0.0)
+    rows.parts.compliant.setdefault(rows.name, []).append(found)
 
 
 def play(gap: Number, clearance: Number) -> Number:

@@ -197,7 +197,8 @@ class _Search:
             numbers = friction.sliding, friction.static, friction.preload
             yield forced, numbers, joined, mechanism.velocity_rows[friction.rows[0]]
         for potential in mechanism.potentials:
-            yield forced, (potential.value,), joined, potential
+            numbers = potential.value, potential.damping or 0.0
+            yield forced, numbers, joined, potential
         for element in mechanism.elements:
             yield forced, element.numbers, joined, element
         for load in (*mechanism.loads, *mechanism.moments, *mechanism.body_moments):

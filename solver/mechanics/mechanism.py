@@ -71,6 +71,8 @@ class Formula(NamedTuple):
 
     value: Number
     leaves: tuple[Leaf, ...]
+    damping: Number | None = None
+    """Of the energy of a compliant contact, a power of its depth: share of the force per speed."""
 
 
 class Scale(NamedTuple):

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import play
 from solver.mechanics.derivative import derivative
-from solver.mechanics.formulas import rewritten
+from solver.mechanics.formulas import leaf_symbol, rewritten
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.parts import JointParts
 from solver.mechanics.sensors import Named, Ref, Sensors, Values, references
@@ -219,6 +219,8 @@ def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
     Of a stop with two ends the gap is that to the nearer one; impacts and impulses are those of
     both, and so is the force, as only one end can be closed.
     """
+    if name in sensors.parts.compliant:
+        return _of_a_compliant_contact(sensors, name)
     contacts = sensors.parts.contacts[name]
     words = [offer.word for offer in CONTACT]
     values: dict[str, Any] = {
@@ -232,6 +234,27 @@ def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
         words = [offer.word for offer in FRICTION]
         values |= {word: Ref("friction", friction, k) for k, word in enumerate(words)}
     return values
+
+
+def _of_a_compliant_contact(sensors: Sensors, name: str) -> Found:
+    """Gap and force; of a stop with two ends the gap to the nearer one, and the force of both."""
+    gaps: list[Number] = []
+    force: Number = 0.0
+    for found in sensors.parts.compliant[name]:
+        own = leaf_symbol(0)
+        value = sensors.value(Ref("quantity", found.quantity))
+        rate = sensors.value(Ref("quantity_rate", found.quantity))
+
+        def seen(part: Expr, own: Expr = own, value: Expr = value) -> Number | None:
+            return (value if part == own else part) if part.op == "symbol" else None
+
+        gaps.append(rewritten(found.gap, seen))
+        # Where it is pressed in, depth and gap have opposite rates.
+        speed = -1.0 * rewritten(derivative(found.gap, "#0"), seen) * rate
+        share = operate("max", 1.0 + found.damping * speed, 0.0)
+        force = force + rewritten(found.force, seen) * share
+    gap = gaps[0] if len(gaps) == 1 else operate("min", *gaps)
+    return {"gap": gap, "force": force}
 
 
 def _joined(sensors: Sensors, word: str, refs: list[Ref]) -> Ref | Number:

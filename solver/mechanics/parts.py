@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from solver.mechanics.combination import Combination, node
 from solver.mechanics.frames import Frame, Ground, RigidFrame
@@ -44,6 +45,18 @@ class JointParts:
     """Symbols of the slopes with a meaning of their own."""
 
 
+class CompliantContact(NamedTuple):
+    """A contact that is a force: all but the damping are formulas of one quantity."""
+
+    quantity: int
+    gap: Number
+    depth: Number
+    force: Number
+    """Without damping."""
+    damping: Number
+    """Share of the force per speed."""
+
+
 @dataclass(slots=True)
 class Parts:
     """Names and what they stand for in a mechanism."""
@@ -63,6 +76,8 @@ class Parts:
     """Element of a force."""
     contacts: dict[str, list[int]] = field(default_factory=dict)
     """Index among the mechanism's contacts; a stop with both ends has two."""
+    compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)
+    """Likewise of contacts that are forces."""
     problems: list[tuple[str, str]] = field(default_factory=list)
     """Location and sentence of what is wrong with the scene."""
 

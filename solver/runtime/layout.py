@@ -167,6 +167,7 @@ TABLES = {
     "leaf_ptr": Pointers("n_composites", "leaf", "n_registers"),
     "leaf": Table(width=4),  # LEAF_.., index, two local forms
     "function_ptr": Pointers("n_functions", "operation", "n_registers"),
+    "depth_register": Table("n_potentials", -1, "n_registers"),  # of damped ones: a depth; else -1
     "operation": Table(width=4),  # code, three arguments: a register, or -1 - a number's place
     "load_form": Table("n_loads", 0, "n_forms"),  # the link u they act on
     "load_axes": Table("n_loads", -1),  # -1 global, or first director of the body they turn with
@@ -214,6 +215,7 @@ OFFSETS = {
     "row_scale": "n_rows",  # makes Phi dimensionless
     "row_sigma": "n_rows",  # (G M^-1 G')_ii
     **dict.fromkeys(("stiffness", "rest", "damping", "drive"), "n_elements"),
+    "depth_damping": "n_potentials",  # [s/m, s/rad], see function.h
     "restitution": "n_contacts",
     "sliding": "n_frictions", "static": "n_frictions",  # coefficients
     "preload": "n_frictions",  # [N, N m] that friction has without a normal force

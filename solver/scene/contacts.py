@@ -11,7 +11,7 @@ from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.joints import check_point_and_body
-from solver.scene.quantities import CONTACT, FRICTION, Offer
+from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
 from solver.scene.report import Path
 from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, Rule
 
@@ -25,6 +25,17 @@ Ends: TypeAlias = tuple[PointReference, PointReference]
 
 SHARE = Rule(lambda x: 0.0 <= x <= 1.0, "from 0 to 1", relation=">=")
 """The upper limit is a rule of its own: see ``solver.mechanics.contacts``."""
+AT_LEAST_ONE = Rule(lambda x: x >= 1.0, ">= 1", relation=">=")
+"""Likewise: ``solver.mechanics.contacts`` has a rule of the exponent less 1."""
+LAWS = {
+    "rigid": (),
+    "hertz": ("stiffness",),
+    "hunt-crossley": ("stiffness", "damping"),
+    "lankarani-nikravesh": ("stiffness", "impact_speed"),
+}
+"""Laws of a contact, and the fields that they need."""
+SOFT = ("stiffness", "exponent", "damping", "impact_speed")
+"""Fields of compliant laws."""
 SETTINGS = {
     "formulation": ("conserving-al", 'contacts need formulation = "conserving-al"'),
     "start": ("drawn", "no static equilibrium is sought with contacts or friction of joints"),
@@ -43,7 +54,59 @@ class Contact(Part):
         Number,
         kind.Quantity("", "normal speed after an impact over that before it", SHARE, PROPERTY),
     ] = 0.0
-    law: Annotated[Literal["rigid"], kind.Choice(words=("rigid",))] = "rigid"
+    law: Annotated[
+        Literal["rigid", "hertz", "hunt-crossley", "lankarani-nikravesh"],
+        kind.Choice(words=tuple(LAWS)),
+    ] = "rigid"
+    stiffness: Annotated[
+        Number | None,
+        kind.Quantity("N/m^exponent", "of a compliant law: force over depth^exponent", POSITIVE),
+    ] = None
+    exponent: Annotated[
+        Number, kind.Quantity("", "of a compliant law, of its depth", AT_LEAST_ONE)
+    ] = 1.5
+    damping: Annotated[
+        Number | None,
+        kind.Quantity("s/m", "of hunt-crossley: share of the force per speed", NOT_NEGATIVE),
+    ] = None
+    impact_speed: Annotated[
+        Number | None,
+        kind.Quantity("m/s", "of lankarani-nikravesh: at which the restitution holds", POSITIVE),
+    ] = None
+
+    @classmethod
+    def offered(cls, given: "Collection[str]") -> tuple[Offer, ...]:
+        """A compliant one is a force: it has no mode and no impacts."""
+        return COMPLIANT if is_compliant(given) else cls.offers
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that what is given is what the law needs."""
+        if given.law is BROKEN:
+            return
+        needed, draft = LAWS[self.law], reader.draft
+        for name in needed:
+            if getattr(given, name) is None:
+                message = f"'{name}' is missing: law = \"{self.law}\" needs it"
+                draft.error(path, message, f"write {name} = ...")
+        possible = (*needed, *(("exponent",) if needed else ()))
+        for name in SOFT:
+            if getattr(given, name) is not None and name not in possible:
+                laws = [f'"{law}"' for law in LAWS if law != "rigid"]
+                if name in ("damping", "impact_speed"):
+                    laws = [f'"{law}"' for law, fields in LAWS.items() if name in fields]
+                help = f"leave it out, or write law = {' or '.join(laws)}"
+                draft.error((*path, name), f'has no effect with law = "{self.law}"', help)
+        refused = {"friction": bool(needed), "restitution": self.law in ("hertz", "hunt-crossley")}
+        for name, refuse in refused.items():
+            if refuse and getattr(given, name) is not None:
+                message = f'is not possible with law = "{self.law}"'
+                help = 'leave it out; law = "rigid" has it'
+                draft.error((*path, name), message, help)
+
+
+def is_compliant(given: "Collection[str]") -> bool:
+    """Whether a contact with these fields is compliant: it has a stiffness, which others cannot."""
+    return "stiffness" in given
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,10 +126,13 @@ class RubbingContact(Contact):
     @classmethod
     def offered(cls, given: "Collection[str]") -> tuple[Offer, ...]:
         """One without friction has no slip."""
+        if is_compliant(given):
+            return COMPLIANT
         return (*cls.offers, *(FRICTION if "friction" in given else ()))
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that friction has a coefficient while it slides, and none larger than at rest."""
+        Contact.check(self, reader, path, given)
         if given.static_friction is None:
             return
         if given.friction is None:
@@ -226,6 +292,7 @@ class Stop(Contact):
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that it limits one thing, at an end at least, which the drawing does not pass."""
+        Contact.check(self, reader, path, given)
         draft = reader.draft
         if (given.joint is None) == (given.points is None):
             message = "neither 'joint' nor 'points' is given"

@@ -6,6 +6,7 @@ import keyword
 from collections.abc import Iterator
 from typing import Any
 
+from solver.scene.contacts import is_compliant
 from solver.scene.draft import Draft
 from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.numbers import Known
@@ -78,7 +79,9 @@ def known_names(draft: Draft) -> Known:
             kinds.setdefault(name, "bar" if bar else noun)
     joints = (draft.data["joints"][name] for name in draft.names("joints"))
     rubs = any(isinstance(joint, dict) and "friction" in joint for joint in joints)
-    touches = rubs or bool(draft.names("contacts"))
+    contacts = (draft.data["contacts"][name] for name in draft.names("contacts"))
+    rigid = [x for x in contacts if not (isinstance(x, dict) and is_compliant(x))]
+    touches = rubs or bool(rigid)
     known = Known(kinds, dimension=draft.dimension or 3, offered=offered(draft), touches=touches)
     within = (f"{body}.{point}" for body, point in body_points(draft))
     known.ends = dict.fromkeys((*draft.names("points"), *known.of("body"), *within))

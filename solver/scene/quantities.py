@@ -143,6 +143,12 @@ CONTACT = (
 )
 """Of a contact."""
 
+COMPLIANT = (
+    Offer("gap", "m", "gap of {name}, negative while it is pressed in"),
+    Offer("force", "N", "normal force of {name}, never negative"),
+)
+"""Of a compliant contact."""
+
 FRICTION = (
     Offer("friction", "N", "friction force of {name}; in space its size"),
     Offer("slip", "m/s", "slip rate of {name}; in space its size"),
