@@ -14,6 +14,8 @@ vanishes, too.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol, rewritten
 from solver.mechanics.frames import RigidFrame
@@ -25,6 +27,7 @@ from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     ClearanceContact,
     Expr,
+    Gear,
     Number,
     PlaneContact,
     PointReference,
@@ -32,9 +35,13 @@ from solver.scene import (
     SphereContact,
     Stop,
 )
+from solver.scene import (
+    Contact as ContactPart,
+)
 from solver.scene.expression import operate, sqrt
 
-Contacts = PlaneContact | SphereContact | ClearanceContact | Stop
+Touching = ContactPart | Gear
+"""What has gaps: a contact, or a gear with backlash."""
 DRAWN = 1e-9
 """Penetration that rounding of the drawing explains, relative to the size of the mechanism."""
 
@@ -50,19 +57,19 @@ def add_plane(rows: Rows, contact: PlaneContact, _: JointParts) -> None:
     height = mechanism.leaf(mechanism.component(link, upward))
     slips: list[Formula] = []
     if contact.friction is not None:
-        ball = _body_of(rows, contact.point) if _is_there(radius) else None
+        ball = body_of(rows, contact.point) if is_there(radius) else None
         for tangent in _tangents(mechanism, normal):
             along = frame.direction(tangent)
             speed = dot(contact.surface_velocity or zero, tangent)
             slide = mechanism.leaf(mechanism.component(link, along), LEAF_RATE)
             value, leaves = leaf_symbol(0) - speed, [slide]
             if ball is not None:
-                turning, size2 = _dot_of_pairs(
+                turning, size2 = dot_of_pairs(
                     mechanism, leaves, [(x, upward, along) for x in map(ball.direction, ball.axes)]
                 )
                 value = value - radius * turning / size2
             slips.append(Formula(value, tuple(leaves)))
-    _add(rows, contact, Formula(leaf_symbol(0) - radius, (height,)), slips=slips)
+    add_contact(rows, contact, Formula(leaf_symbol(0) - radius, (height,)), slips=slips)
 
 
 def _tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
@@ -109,19 +116,19 @@ def _add_between(
     if contact.friction is not None:
         leaves: list[Leaf] = []
         x, y = (parts.axis(k) for k in range(2))
-        turning, size2 = _dot_of_pairs(mechanism, leaves, [(link, x, y), (link.turned(), x, y)])
+        turning, size2 = dot_of_pairs(mechanism, leaves, [(link, x, y), (link.turned(), x, y)])
         slip = reach * turning / operate("max", size2, 0.25 * reach * reach)  # not where u vanishes
         for end, arm in zip(ends, arms, strict=True):
-            body = _body_of(rows, end)
-            if body is not None and _is_there(arm):
+            body = body_of(rows, end)
+            if body is not None and is_there(arm):
                 spokes = [(d, x, y) for d in map(body.direction, body.axes)]
-                turning, size2 = _dot_of_pairs(mechanism, leaves, spokes)
+                turning, size2 = dot_of_pairs(mechanism, leaves, spokes)
                 slip = slip + arm * turning / size2
         slips.append(Formula(slip, tuple(leaves)))
-    _add(rows, contact, gap, slips=slips)
+    add_contact(rows, contact, gap, slips=slips)
 
 
-def _dot_of_pairs(
+def dot_of_pairs(
     mechanism: Mechanism, leaves: list[Leaf],
     pairs: list[tuple[Combination, Combination, Combination]],
 ) -> tuple[Number, Number]:  # fmt: skip
@@ -158,21 +165,24 @@ def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
     if stop.min is not None and stop.max is not None:
         rows.rule(stop.max - stop.min, ">", "max - min must be > 0")
     if stop.min is not None:
-        _add(rows, stop, Formula(leaf_symbol(0) - stop.min, (leaf,)), size, " at min")
+        add_contact(rows, stop, Formula(leaf_symbol(0) - stop.min, (leaf,)), size, " at min")
     if stop.max is not None:
-        _add(rows, stop, Formula(stop.max - leaf_symbol(0), (leaf,)), size, " at max")
+        add_contact(rows, stop, Formula(stop.max - leaf_symbol(0), (leaf,)), size, " at max")
 
 
-def _add(
-    rows: Rows, contact: Contacts, gap: Formula, size: Scale = METRES, end: str = "",
+def add_contact(
+    rows: Rows, contact: Touching, gap: Formula, size: Scale = METRES, end: str = "",
     slips: list[Formula] | None = None,
 ) -> None:  # fmt: skip
-    """Add the rows of a gap and of its slip rates, with what must hold of their numbers."""
+    """Add the rows of a gap and of its slip rates, with what must hold of their numbers.
+
+    A part may have several gaps, such as a stop its two ends, told apart by `end`.
+    """
     mechanism = rows.mechanism
-    if contact.law != "rigid":
+    if isinstance(contact, ContactPart) and contact.law != "rigid":
         _add_compliant(rows, contact, gap)
         return
-    if rows.name not in rows.parts.contacts:  # a stop may have two ends
+    if rows.name not in rows.parts.contacts:
         rows.rule(1.0 - contact.restitution, ">=", "1 - restitution must be >= 0")
     _demand_free(rows, contact, gap, "rad" if size is RADIANS else "m", end)
     kind = "turned" if size is RADIANS else "off"
@@ -192,7 +202,7 @@ def _add(
     mechanism.contacts.append(Contact(row[1], contact.restitution, friction))
 
 
-def _add_compliant(rows: Rows, contact: Contacts, gap: Formula) -> None:
+def _add_compliant(rows: Rows, contact: ContactPart, gap: Formula) -> None:
     """Add a potential K depth^(n+1)/(n+1), damped by c times the rate of its depth.
 
     Of Lankarani and Nikravesh c = 3 (1 - e^2)/(4 v), for an impact at the speed v.
@@ -226,30 +236,30 @@ def play(gap: Number, clearance: Number) -> Number:
     return 2.0 * gap / (1.0 + sqrt(operate("max", 1.0 - 2.0 * gap / clearance, 0.0)))
 
 
-def _demand_free(rows: Rows, contact: Contacts, gap: Formula, unit: str, end: str) -> None:
+def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: str) -> None:
     """Demand that a gap is drawn open, or closed up to rounding."""
     mechanism = rows.mechanism
-    (leaf,) = gap.leaves
-    drawn, symbol = mechanism.drawn_value(leaf.index), leaf_symbol(0)
-
-    def replace(part: Expr) -> Number | None:
-        return (drawn if part == symbol else part) if part.op == "symbol" else None
-
     text = f"it is drawn in penetration{end}: its gap is {{value!r}} {unit}"
     size = mechanism.extent if unit == "m" else 1.0
-    value = rewritten(gap.value, replace)
+    value = as_drawn(mechanism, gap.value, gap.leaves)
     if isinstance(contact, ClearanceContact):
-        value = contact.radius - sqrt(drawn)
+        value = contact.radius - sqrt(mechanism.drawn_value(gap.leaves[0].index))
     rows.rule(value, ">=", text, bound=-DRAWN * size)
 
 
-def _body_of(rows: Rows, reference: PointReference) -> RigidFrame | None:
+def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Number:
+    """Return a number over leaves for what these are as drawn."""
+    drawn = {leaf_symbol(k): mechanism.drawn_value(leaf.index) for k, leaf in enumerate(leaves)}
+    return rewritten(value, lambda part: drawn.get(part, part) if part.op == "symbol" else None)
+
+
+def body_of(rows: Rows, reference: PointReference) -> RigidFrame | None:
     """Rigid body that a place belongs to; None for the ground and for points, which do not turn."""
     frame = rows.parts.frames.get((reference.point or "").partition(".")[0])
     return frame if isinstance(frame, RigidFrame) else None
 
 
-def _is_there(number: Number) -> bool:
+def is_there(number: Number) -> bool:
     """Whether a number may be other than 0."""
     return isinstance(number, Expr) or number != 0.0
 

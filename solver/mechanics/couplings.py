@@ -2,6 +2,8 @@
 
     gear  theta_2 - k theta_1 = 0        rack  x_2 - R theta_1 = 0        surface  F(xi) = 0
 
+    gear with backlash b   g = b/2 + (theta_2 - k theta_1),  g = b/2 - (theta_2 - k theta_1)
+
 with xi the coordinates of a place in the axes of a body. A rolling disc has one holonomic row, the
 height of its centre, and one velocity row for each tangent of the plane (theory 6.2).
 
@@ -11,6 +13,7 @@ sigma - f(t) = 0 whose multiplier is the force that it exerts, F = -mu along +si
 
 from __future__ import annotations
 
+from solver.mechanics.contacts import add_contact
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import formula, is_linear_in_rates, leaf_symbol
 from solver.mechanics.joints import angle_between
@@ -100,7 +103,15 @@ def add_angle(rows: Rows, joint: ConstantAngle, found: JointParts) -> None:
 def add_gear(rows: Rows, joint: Gear, found: JointParts) -> None:
     """Couple the angles of two joints."""
     first, second = (rows.parts.joints[other] for other in joint.joints)
-    _couple(rows, found, first.angle, second.angle, joint.ratio, RADIANS)
+    if joint.backlash is None:
+        _couple(rows, found, first.angle, second.angle, joint.ratio, RADIANS)
+        return
+    assert first.angle is not None
+    assert second.angle is not None
+    leaves = tuple(map(rows.mechanism.leaf, (first.angle, second.angle)))
+    lead, half = leaf_symbol(1) - joint.ratio * leaf_symbol(0), 0.5 * joint.backlash
+    for flank in (half + lead, half - lead):
+        add_contact(rows, joint, Formula(flank, leaves), RADIANS)
 
 
 def add_rack(rows: Rows, joint: Rack, found: JointParts) -> None:

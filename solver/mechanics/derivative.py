@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from solver.scene import Expr, Number, symbols
+from solver.scene import Expr, ExpressionError, Number, symbols
 from solver.scene.expression import Operand, cos, log, operate, select, sign, sin, sqrt
 
 SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
@@ -56,6 +56,9 @@ def derivative(number: Number, name: str) -> Number:
         args: list[Any] = [arg for arg in part.args if not isinstance(arg, str)]
         if part.op == "select":
             return select(args[0], walk(args[1]), walk(args[2]))
+        if part.op == "spline_curvature":
+            message = "the curvature of a profile has no derivative: it has kinks at the points"
+            raise ExpressionError(message)
         total: Number = 0.0
         for arg, slope in zip(args, SLOPES.get(part.op, ()), strict=False):
             inner = walk(arg)

@@ -26,6 +26,7 @@ from solver.scene import (
     Constraint,
     Distance,
     Expr,
+    Gear,
     Gravitation,
     JointTorque,
     Number,
@@ -140,6 +141,10 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
     if found.friction is not None:
         words = "friction", "slip", "friction_mode"
         values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
+    if isinstance(joint, Gear) and joint.backlash is not None:
+        values |= _of_a_contact(sensors, name, joint)
+        pushes = [sensors.value(Ref("contact", k, 1)) for k in sensors.parts.contacts[name]]
+        values["torque"] = pushes[0] - pushes[1]
     return values
 
 
@@ -149,6 +154,8 @@ def _reaction(sensors: Sensors, joint: Part, found: JointParts) -> dict[str, Any
     if isinstance(joint, Distance):
         assert found.row is not None
         return {"force": Ref("rod_force", found.row[1])}
+    if isinstance(joint, Gear) and joint.backlash is not None:
+        return {}
     if joint.has("force") or joint.has("torque"):
         assert found.row is not None
         return dict.fromkeys(

@@ -8,6 +8,7 @@ from __future__ import annotations
 from solver.scene.bodies import Bar, Body, Point, Rigid
 from solver.scene.contacts import (
     ClearanceContact,
+    Contact,
     PlaneContact,
     RubbingContact,
     SphereContact,
@@ -62,3 +63,9 @@ from solver.scene.reader import load, loads
 from solver.scene.report import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.scene import Output, Scene, json_schema
 from solver.scene.settings import Experiment, SolverSettings
+from solver.scene.surfaces import (
+    CamContact,
+    ProfileContact,
+    SuperquadricContact,
+    SurfaceContact,
+)

@@ -5,7 +5,7 @@ while it is closed. The normal force pushes the two sides apart and is never neg
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias
 
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
@@ -13,7 +13,7 @@ from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.joints import check_point_and_body
 from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
 from solver.scene.report import Path
-from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, Rule
+from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, SHARE, Rule
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -23,8 +23,6 @@ if TYPE_CHECKING:
 
 Ends: TypeAlias = tuple[PointReference, PointReference]
 
-SHARE = Rule(lambda x: 0.0 <= x <= 1.0, "from 0 to 1", relation=">=")
-"""The upper limit is a rule of its own: see ``solver.mechanics.contacts``."""
 AT_LEAST_ONE = Rule(lambda x: x >= 1.0, ">= 1", relation=">=")
 """Likewise: ``solver.mechanics.contacts`` has a rule of the exponent less 1."""
 LAWS = {
@@ -49,6 +47,8 @@ class Contact(Part):
     """Two parts that touch and come apart: what all types have."""
 
     offers = CONTACT
+    yields: ClassVar[bool] = True
+    """Whether its law may be compliant: a gap of one quantity may."""
 
     restitution: Annotated[
         Number,
@@ -84,6 +84,10 @@ class Contact(Part):
         if given.law is BROKEN:
             return
         needed, draft = LAWS[self.law], reader.draft
+        if needed and not self.yields:
+            message = f'must be "rigid" for a contact of type "{self.type}"'
+            draft.error((*path, "law"), message, "leave it out")
+            return
         for name in needed:
             if getattr(given, name) is None:
                 message = f"'{name}' is missing: law = \"{self.law}\" needs it"

@@ -13,9 +13,16 @@ from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.friction import ABOUT, ALONG, FRICTION, FRICTION_ALONG, JointFriction
-from solver.scene.quantities import ROTATION, ROTATION_IN_SPACE, VECTOR, Offer
+from solver.scene.quantities import (
+    CONTACT,
+    ROTATION,
+    ROTATION_IN_SPACE,
+    VECTOR,
+    Offer,
+    turning,
+)
 from solver.scene.report import Path
-from solver.scene.rules import NOT_ZERO, POSITIVE, Place
+from solver.scene.rules import NOT_ZERO, POSITIVE, PROPERTY, SHARE, Place
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -362,7 +369,7 @@ class PointOn(Part):
         check_point_and_body(reader, path, self.point, self.body, given.body)
 
 
-def _surface(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
+def read_surface(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
     """Check that an expression depends on the coordinates of a point."""
     own = ("x", "y", "z")[: reader.dimension or 3]
     number = reader.number(path, value, Place(tunable=False, own=own))
@@ -406,7 +413,9 @@ class PointOnSurface(PointOn):
     surface: Annotated[
         Number,
         kind.Quantity(
-            text="zero on the surface, in body axes", example="x**2 + y**2 - 1", reading=_surface
+            text="zero on the surface, in body axes",
+            example="x**2 + y**2 - 1",
+            reading=read_surface,
         ),
     ]
 
@@ -458,13 +467,32 @@ def _two_joints(second: str) -> kind.ListOf:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Gear(Part):
-    """angle of the second joint = ratio * angle of the first."""
+    """angle of the second joint = ratio * angle of the first, give or take half the backlash."""
 
     type = "gear"
     offers = _on_the_second("torque", "N.m")
 
     joints: Annotated[tuple[str, str], _two_joints("angle")]
     ratio: Annotated[Number, kind.Quantity(rule=NOT_ZERO, example=-2.0)]
+    backlash: Annotated[
+        Number | None, kind.Quantity("rad", "turn of the second joint within the play", POSITIVE)
+    ] = None
+    """None: the teeth have no play, and the gear is a constraint."""
+    restitution: Annotated[
+        Number,
+        kind.Quantity("", "rate after an impact of the teeth over that before", SHARE, PROPERTY),
+    ] = 0.0
+
+    @classmethod
+    def offered(cls, given: Collection[str]) -> tuple[Offer, ...]:
+        """One with backlash is a contact, too."""
+        return (*cls.offers, *(turning(CONTACT) if "backlash" in given else ()))
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that teeth that rebound have play."""
+        if given.restitution is not None and given.backlash is None:
+            message = "has no effect without backlash: teeth without play never part"
+            reader.draft.error((*path, "restitution"), message, "write backlash = 0.01")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -31,6 +31,8 @@ RESERVED: dict[str, str] = {
 }
 """Names with a meaning of their own: what each is reserved for. Many scenes have a floor, which the
 bracket behind the function tells apart."""
+_OF_CONTACTS = frozenset({"friction", "backlash"})
+"""Fields of joints that make them touch or rub."""
 
 
 def check_name(draft: Draft, path: Path, name: str) -> None:
@@ -78,7 +80,7 @@ def known_names(draft: Draft) -> Known:
             bar = table == "bodies" and draft.part_class(table, name) is TYPES["bodies"]["bar"]
             kinds.setdefault(name, "bar" if bar else noun)
     joints = (draft.data["joints"][name] for name in draft.names("joints"))
-    rubs = any(isinstance(joint, dict) and "friction" in joint for joint in joints)
+    rubs = any(isinstance(x, dict) and not x.keys().isdisjoint(_OF_CONTACTS) for x in joints)
     contacts = (draft.data["contacts"][name] for name in draft.names("contacts"))
     rigid = [x for x in contacts if not (isinstance(x, dict) and is_compliant(x))]
     touches = rubs or bool(rigid)

@@ -127,7 +127,7 @@ def _build(draft: Draft) -> Scene:
     _forgotten_dimension(draft, drawn, heading.gravity)
     known = known_names(draft)
     check_body_points(draft, known)
-    reader = Reader(draft, known)
+    reader = Reader(draft, known, profiles)
     read_parameters(reader)
     reader.read("inputs")
     for table in ("points", "bodies"):

@@ -14,6 +14,7 @@ from solver.scene.expression import Vector
 from solver.scene.fields import BROKEN, Part, PointReference, fields_of, shown
 from solver.scene.numbers import Known, unknown_end
 from solver.scene.places import Places, same
+from solver.scene.profiles import Profile
 from solver.scene.report import Path
 from solver.scene.scene import TYPES
 from solver.scene.words import a, did_you_mean
@@ -25,8 +26,10 @@ NOWHERE = PointReference(point=None)
 class Reader(Places):
     """Reader of the parts of one scene; knows where everything is drawn once bodies are read."""
 
-    def __init__(self, draft: Draft, known: Known) -> None:
+    def __init__(self, draft: Draft, known: Known, profiles: Mapping[str, Profile]) -> None:
         super().__init__(draft, known)
+        self.profiles = profiles
+        """Those without a mistake."""
         self.joints = {name: draft.part_class("joints", name) for name in draft.names("joints")}
         """Class of each joint of the file; None where its type is unknown."""
         self.driven: dict[tuple[str, str], str] = {}
@@ -63,9 +66,9 @@ class Reader(Places):
             self.draft.error(path, *problem)
         return problem is None
 
-    def point(self, path: Path, name: Any, place: Any) -> PointReference:
-        """Read the field `point`, with `at` for a place on a body."""
-        where = (*path, "point")
+    def point(self, path: Path, name: Any, place: Any, field: str = "point") -> PointReference:
+        """Read the field `point`, or another, with `at` for a place on a body."""
+        where = (*path, field)
         at = None if place is None else self.vector((*path, "at"), place)
         if name is BROKEN:
             return NOWHERE

@@ -48,3 +48,5 @@ class Rule:
 POSITIVE = Rule(lambda x: x > 0.0, "> 0", relation=">")
 NOT_ZERO = Rule(lambda x: x != 0.0, "other than 0")
 NOT_NEGATIVE = Rule(lambda x: x >= 0.0, ">= 0", relation=">=")
+SHARE = Rule(lambda x: 0.0 <= x <= 1.0, "from 0 to 1", relation=">=")
+"""Of restitution; the upper limit is a rule of its own: see ``solver.mechanics.contacts``."""

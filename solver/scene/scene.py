@@ -23,6 +23,7 @@ from solver.scene.profiles import Profile
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
 from solver.scene.settings import Experiment, SolverSettings
+from solver.scene.surfaces import SURFACES
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 """What a name looks like."""
@@ -81,7 +82,9 @@ class Scene(Part):
     constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
         default_factory=dict
     )
-    contacts: Annotated[dict[str, Part], _table("contact", CONTACTS)] = field(default_factory=dict)
+    contacts: Annotated[dict[str, Part], _table("contact", CONTACTS | SURFACES)] = field(
+        default_factory=dict
+    )
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)

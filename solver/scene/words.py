@@ -58,6 +58,9 @@ _WORDS = {
         sphere: ball balls disc discs circle
         clearance: play backlash journal bearing
         stop: limit end_stop endstop rope bound
+        profile: road rail track curve
+        cam: lobe
+        superquadric: ellipsoid superellipsoid ellipse
         """,
     "fields": """
         stiffness: k spring_constant spring_rate rate
@@ -111,7 +114,8 @@ _NOT_A_WORD = {
         'write the motion that it makes: type = "angle" or "displacement" with value = "2*t"'
     ),
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
-        'write a contact in [contacts]: type = "plane", "sphere", "clearance" or "stop"'
+        'write a contact in [contacts]: type = "plane", "sphere", "clearance", "stop", "profile", '
+        '"cam", "surface" or "superquadric"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""

@@ -51,7 +51,8 @@ def test_every_other_example_fits_the_first_scene(piece):
 def test_every_type_is_in_the_tables_and_has_an_example(table, types):
     start = EXAMPLES.index(SPATIAL)
     scene = tomllib.loads("".join(EXAMPLES[start : start + 6]))
-    shown = {part.get("type", "rigid") for part in scene.get(table, {}).values()}
+    scenes = scene, *(tomllib.loads(piece) for piece in EXAMPLES[start + 6 :] if table in piece)
+    shown = {part.get("type", "rigid") for x in scenes for part in x.get(table, {}).values()}
     assert set(types) - shown <= {"bar"}
     for name in set(types) - {"rigid"}:
         assert f"`{name}`" in GUIDE or f'`type = "{name}"`' in GUIDE

@@ -8,6 +8,7 @@ import pytest
 
 from solver.scene import (
     AngleDriver,
+    CamContact,
     ClearanceContact,
     ConstantAngle,
     Constraint,
@@ -26,6 +27,7 @@ from solver.scene import (
     PositionDriver,
     Potential,
     Prismatic,
+    ProfileContact,
     Rack,
     Revolute,
     Rolling,
@@ -35,6 +37,8 @@ from solver.scene import (
     Spherical,
     Spring,
     Stop,
+    SuperquadricContact,
+    SurfaceContact,
     Torque,
     TorsionDamper,
     TorsionSpring,
@@ -143,6 +147,16 @@ def test_forces_arrive_as_written(name, force):
         ("n4", Stop(joint="j1", of="angle", min=-1.0, max=2.0)),
         ("n5", Stop(joint="j3", of="displacement", max=1.0, restitution=1.0)),
         ("n6", Stop(points=(PointReference(point="O"), PointReference(point="b1")), max=2.0)),
+        ("n7", ProfileContact(point=TIP, profile="road", body="link", position=(0.0, -3.0),
+                              axis=(0.0, 2.0), radius=0.1)),
+        ("n8", CamContact(joint="j1", follower=PointReference(point="b2"), profile="lobe",
+                          radius=0.2, friction=0.1)),
+        ("n9", CamContact(joint="j1", follower=PointReference(point="b2"), profile="lobe",
+                          face=(0.0, -2.0))),
+        ("n10", SurfaceContact(point=POINT_A, body="b4", surface=parse("x**2 + y**2 - 1"),
+                              ball_radius=0.1)),
+        ("n11", SuperquadricContact(point=POINT_A, semi_axes=(3.0, 2.0), exponent=4.0,
+                                   position=(0.0, 1.0))),
     ],
 )  # fmt: skip
 def test_contacts_arrive_as_written(name, contact):
@@ -220,6 +234,9 @@ def test_quantities_in_space(name, words):
         ("n1", "gap force mode impacts impulse friction slip"),
         ("n3", "gap force mode impacts impulse"),
         ("n4", "gap force mode impacts impulse"),
+        ("n8", "gap force mode impacts impulse friction slip"),
+        ("n10", "gap force mode impacts impulse"),
+        ("j9", "torque gap force mode impacts impulse"),
         ("f1", ""),
     ],
 )
@@ -235,7 +252,7 @@ def test_a_scene_has_losses_of_contacts_only_where_something_touches():
     assert "lost" in loads(plane).outputs
     rubbing = "".join(x for x in plane.splitlines(keepends=True) if x[0] != "n" or x[1] == "a")
     assert "lost" in loads(rubbing.replace("[contacts]", "")).outputs
-    free = re.sub(", friction = {.*?}", "", rubbing.replace("[contacts]", ""))
+    free = re.sub(", (friction = {.*?}|backlash.*0.5)", "", rubbing.replace("[contacts]", ""))
     with pytest.raises(SceneError, match=r"unknown quantity 'energy\.impact'"):
         loads(free)
 

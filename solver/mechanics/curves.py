@@ -1,0 +1,97 @@
+"""Curves that follow from a profile: the path of a wheel's centre, and how far a cam reaches.
+
+    road    x_c = x - R p'/s,  y_c = p + R/s,                s = sqrt(1 + p'^2)
+    cam     C = P + R n,       P = r (cos phi, sin phi),     n = (r e_r - r' e_phi)/sqrt(r^2 + r'^2)
+    flat    psi = phi - atan(r'/r),                          h = r^2/sqrt(r^2 + r'^2)
+
+with h(psi) the support function: the distance from the axis of a tangent whose normal has the angle
+psi. Each is a spline through points of the exact curve, among them those at the profile's knots,
+between which it is smooth; pieces are halved until the spline fits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from math import atan2, hypot
+
+from solver.mechanics.rows import Rows
+from solver.scene import Profile
+from solver.scene.expression import Curve, apply
+from solver.scene.profiles import table_of
+
+FITS = 1e-9
+"""Distance from the exact curve at which pieces are no longer halved, relative to its size."""
+MOST_HALVINGS = 7
+Place = tuple[float, float]
+
+
+def centres_above(rows: Rows, profile: Profile, radius: float) -> Curve:
+    """Return the heights of the centre of a wheel that rolls on a profile y(x)."""
+
+    def place(x: float) -> Place:
+        y, slope = _value_and_slope(profile, x)
+        s = hypot(1.0, slope)
+        return x - radius * slope / s, y + radius / s
+
+    text = "the wheel is larger than the hollow of '{}' at x = {:.6g} m, where it touches twice"
+    return _traced(rows, profile, place, text, ".radius") if radius > 0.0 else profile.curve
+
+
+def centres_around(rows: Rows, profile: Profile, radius: float) -> Curve:
+    """Return the distances of the centre of a roller that rolls on a cam r(phi)."""
+
+    def place(phi: float) -> Place:
+        r, slope = _value_and_slope(profile, phi)
+        q = hypot(r, slope)
+        out, across = r + radius * r / q, -radius * slope / q
+        return phi + atan2(across, out), hypot(out, across)
+
+    text = "the roller is larger than the hollow of '{}' at {:.6g} rad, where it touches twice"
+    return _traced(rows, profile, place, text, ".radius") if radius > 0.0 else profile.curve
+
+
+def reach(rows: Rows, profile: Profile) -> Curve:
+    """Return the support function h(psi) of a cam r(phi)."""
+
+    def place(phi: float) -> Place:
+        r, slope = _value_and_slope(profile, phi)
+        return phi - atan2(slope, r), r * r / hypot(r, slope)
+
+    text = "the cam '{}' is hollow at {:.6g} rad, where a flat face touches it twice"
+    return _traced(rows, profile, place, text, ".face")
+
+
+def _value_and_slope(profile: Profile, x: float) -> Place:
+    return apply("spline", x, profile.curve), apply("spline_slope", x, profile.curve)
+
+
+def _traced(
+    rows: Rows, profile: Profile, place: Callable[[float], Place], text: str, field: str
+) -> Curve:  # fmt: skip
+    """Return the spline through places of a curve; one that turns back is reported by `text`."""
+    knots = list(profile.x)
+    name = profile.curve.name
+    size = max(abs(y) for _, y in map(place, knots)) + knots[-1] - knots[0]
+    curve = profile.curve
+    for _ in range(MOST_HALVINGS):
+        places = [place(x) for x in knots]
+        for (before, _), (after, _), x in zip(places, places[1:], knots[1:], strict=False):
+            if not after - before > 0.0:
+                rows.problem(text.format(name, x), field)
+                return profile.curve
+        xs, ys = ([*column] for column in zip(*places, strict=True))
+        if profile.periodic:  # up to rounding it is
+            xs[-1], ys[-1] = xs[0] + knots[-1] - knots[0], ys[0]
+        curve = Curve(name, table_of(xs, ys, periodic=profile.periodic))
+        middles = list(_middles(knots))
+        error = max(abs(apply("spline", x, curve) - y) for x, y in map(place, middles))
+        if error <= FITS * size:
+            break
+        knots = sorted([*knots, *middles])
+    return curve
+
+
+def _middles(knots: list[float]) -> Iterator[float]:
+    for left, right in pairwise(knots):
+        yield 0.5 * (left + right)

@@ -1,0 +1,265 @@
+"""Contacts with curves and surfaces as gaps and slip rates.
+
+profile       g = (y - p(x))/sqrt(1 + p'^2)
+cam           g = (rho - r(phi))/sqrt(1 + (r'/rho)^2),   flat face  g = (c - p) . m - h(psi)
+surface       g = F/sqrt(|grad F|^2 + (F/L)^2)
+superquadric  F = 1 - S inside, S^(1/p) - 1 outside,     S = |x/a|^p + |y/b|^p + |z/c|^p
+
+with x, y and rho, phi the coordinates of the point in axes that a body carries, of a wheel or
+roller those of its centre, whose path p or r is then (``solver.mechanics.curves``); c a cam's axis,
+p a place of a face with the normal m towards the cam. Each vanishes exactly where the surfaces
+touch, and its gradient has size 1 there; farther off it is the distance to first order alone, and
+of a surface at most L, the size of the mechanism, as F is of any size. With n the normal in axes of
+the body,
+
+slip          s = xi' . t - R (w x n) . t,               n . t = 0
+
+xi the coordinates there and w the angular velocity of the ball against the body. In space the
+tangents turn with n from those as drawn by the smallest turn, which is smooth until n points
+against the drawn one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from solver.mechanics.combination import Combination
+from solver.mechanics.contacts import add_contact, as_drawn, body_of, is_there
+from solver.mechanics.curves import centres_above, centres_around, reach
+from solver.mechanics.derivative import derivative
+from solver.mechanics.formulas import leaf_symbol, refuse_switches, rewritten
+from solver.mechanics.mechanism import Formula, Leaf
+from solver.mechanics.parts import AXES, JointParts
+from solver.mechanics.rows import Rows
+from solver.mechanics.vectors import Vector, dot, perpendicular, scale, turned
+from solver.runtime.layout import LEAF_RATE
+from solver.scene import (
+    CamContact,
+    Expr,
+    ExpressionError,
+    Number,
+    PointReference,
+    ProfileContact,
+    RubbingContact,
+    SuperquadricContact,
+    SurfaceContact,
+)
+from solver.scene.expression import cos, operate, sin, sqrt, symbol
+
+Coordinates = Sequence[tuple[Combination, Combination]]
+"""Forms link . axis of a place in axes of a body."""
+
+
+def add_profile(rows: Rows, contact: ProfileContact, _: JointParts) -> None:
+    """Keep a point or wheel above a profile that a body carries."""
+    mechanism, parts = rows.mechanism, rows.parts
+    frame, place = parts.frame(contact.body), parts.place(contact.point)
+    upward = rows.unit(contact.axis or (0.0, 1.0))
+    link = place - frame.place(contact.position or (0.0, 0.0))
+    forms = [(link, frame.direction(x)) for x in (scale(-1.0, turned(upward)), upward)]
+    curve = centres_above(rows, parts.scene.profiles[contact.profile], contact.radius)
+    leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
+    x, y = leaf_symbol(0), leaf_symbol(1)
+    slope = operate("spline_slope", x, curve)
+    steepness = sqrt(1.0 + slope * slope)
+    gap = Formula((y - operate("spline", x, curve)) / steepness, tuple(leaves))
+    normal = (-1.0 * slope / steepness, 1.0 / steepness)
+    slips = _slips(rows, contact, contact.point, leaves, normal, forms, contact.radius)
+    add_contact(rows, contact, gap, slips=slips)
+
+
+def add_cam(rows: Rows, contact: CamContact, _: JointParts) -> None:
+    """Keep a point, a roller or a flat face off a cam."""
+    parts = rows.parts
+    joint = parts.scene.joints[contact.joint]
+    body, position = joint.bodies[1], joint.position  # pyright: ignore
+    frame = parts.frame(body)
+    axes = [frame.direction(x) for x in ((1.0, 0.0), (0.0, 1.0))]
+    centre, follower = frame.place(position), parts.place(contact.follower)
+    if contact.face is not None:
+        _add_flat_face(rows, contact, centre, axes)
+        return
+    mechanism, link = rows.mechanism, follower - centre
+    curve = centres_around(rows, parts.scene.profiles[contact.profile], contact.radius)
+    forms = [(link, axis) for axis in axes]
+    leaves = [
+        mechanism.leaf(mechanism.length(link)), mechanism.leaf(mechanism.angle(*forms))
+    ]  # fmt: skip
+    rho, phi = leaf_symbol(0), leaf_symbol(1)
+    slope = operate("spline_slope", phi, curve) / rho
+    steepness = sqrt(1.0 + slope * slope)
+    gap = Formula((rho - operate("spline", phi, curve)) / steepness, tuple(leaves))
+    c, s = cos(phi), sin(phi)
+    normal = (c + slope * s) / steepness, (s - slope * c) / steepness
+    slips = _slips(rows, contact, contact.follower, leaves, normal, forms, contact.radius)
+    add_contact(rows, contact, gap, slips=slips)
+
+
+def _add_flat_face(
+    rows: Rows, contact: CamContact, centre: Combination, axes: Sequence[Combination]
+) -> None:
+    """Keep a cam off a face: it reaches h(psi) in the direction psi of the face.
+
+    It touches h'(psi) beside the line from its axis to the face.
+    """
+    mechanism, parts = rows.mechanism, rows.parts
+    assert contact.face is not None
+    normal = rows.unit(contact.face, "face must not be of length zero")
+    frame = parts.frame((contact.follower.point or "").partition(".")[0])
+    link = centre - parts.place(contact.follower)
+    towards = frame.direction(scale(-1.0, normal))
+    angle = mechanism.angle((towards, axes[0]), (towards, axes[1]))
+    height = mechanism.component(link, frame.direction(normal))
+    curve = reach(rows, parts.scene.profiles[contact.profile])
+    extent = operate("spline", leaf_symbol(1), curve)
+    gap = Formula(leaf_symbol(0) - extent, (mechanism.leaf(height), mechanism.leaf(angle)))
+    slips = []
+    if contact.friction is not None:
+        across = mechanism.component(link, frame.direction(turned(normal)))
+        value = -1.0 * leaf_symbol(1) - operate("spline", leaf_symbol(0), curve) * leaf_symbol(2)
+        leaves = (
+            mechanism.leaf(angle), mechanism.leaf(across, LEAF_RATE),
+            mechanism.leaf(angle, LEAF_RATE),
+        )  # fmt: skip
+        slips.append(Formula(value, leaves))
+    add_contact(rows, contact, gap, slips=slips)
+
+
+def add_surface(rows: Rows, contact: SurfaceContact, _: JointParts) -> None:
+    """Keep a point on one side of a surface that a formula gives."""
+    parts = rows.parts
+    forms = parts.frame(contact.body).coordinates(parts.place(contact.point))
+    of_leaf = {symbol(axis): leaf_symbol(k) for k, axis in enumerate(AXES[: len(forms)])}
+
+    def replace(part: Expr) -> Number | None:
+        return of_leaf.get(part, part) if part.op == "symbol" else None
+
+    value = rewritten(contact.surface, replace)
+    slopes = [derivative(value, str(leaf)) for leaf in of_leaf.values()]
+    for number in (value, *slopes):
+        try:
+            refuse_switches(number)
+        except ExpressionError:
+            message = "the surface must be smooth: write it without conditions, abs, min, max, mod "
+            message += "and rounding of the coordinates"
+            raise ExpressionError(message) from None
+    _add_implicit(rows, contact, forms, value, slopes)
+
+
+def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) -> None:
+    """Keep a point inside or outside of a superquadric."""
+    mechanism, parts = rows.mechanism, rows.parts
+    frame, place = parts.frame(contact.body), parts.place(contact.point)
+    forms = frame.coordinates(place)
+    if contact.position is not None:
+        link = place - frame.place(contact.position)
+        forms = tuple((link, axis) for _, axis in forms)
+    p, inside = contact.exponent, contact.side == "inside"
+    total: Number = 0.0
+    slopes: list[Number] = []
+    for k, length in enumerate(contact.semi_axes):
+        u = leaf_symbol(k) / length
+        rest = operate("abs", u) ** (p - 2.0) if p > 2.0 else 1.0  # u |u|^(p - 2): no sign of u
+        total = total + u * u * rest
+        slopes.append(u * rest / length)
+    if inside:
+        value, factor = 1.0 - total, -1.0 * p
+    else:
+        value, factor = total ** (1.0 / p) - 1.0, total ** (1.0 / p - 1.0)
+    assert len(slopes) == mechanism.dim
+    _add_implicit(rows, contact, forms, value, [factor * x for x in slopes])
+
+
+def _add_implicit(
+    rows: Rows, contact: SurfaceContact | SuperquadricContact, forms: Coordinates, value: Number,
+    slopes: list[Number],
+) -> None:  # fmt: skip
+    """Keep a point where F > 0, a function of its coordinates with these slopes."""
+    mechanism = rows.mechanism
+    leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
+    square, far = dot(slopes, slopes), value / mechanism.extent
+    gap = Formula(value / sqrt(square + far * far), tuple(leaves))
+    steepness = sqrt(square)
+    normal = tuple(slope / steepness for slope in slopes)
+    radius = contact.ball_radius
+    slips = _slips(rows, contact, contact.point, leaves, normal, forms, radius)
+    add_contact(rows, contact, gap, slips=slips)
+
+
+# ------------------------------------------------------------------------------------- slip rates
+
+
+def _slips(
+    rows: Rows, contact: RubbingContact, point: PointReference, leaves: Sequence[Leaf],
+    normal: Vector, forms: Coordinates, radius: Number,
+) -> list[Formula]:  # fmt: skip
+    """Return the slip rates of a ball about a place with these coordinates in axes of a body.
+
+    The normal is a function of the leaves, in the same axes.
+    """
+    if contact.friction is None:
+        return []
+    mechanism = rows.mechanism
+    ball = body_of(rows, point) if is_there(radius) else None
+    spokes = [*map(ball.direction, ball.axes)] if ball is not None else []
+    axes = [axis for _, axis in forms]
+    slips = []
+    for tangent in _tangents(rows, normal, leaves):
+        used = list(leaves)
+        value: Number = 0.0
+        for t, form in zip(tangent, forms, strict=True):
+            value = value + t * leaf_symbol(len(used))
+            used.append(mechanism.leaf(mechanism.component(*form), LEAF_RATE))
+        if spokes:
+            value = value - radius * _turning(rows, used, spokes, axes, normal, tangent)
+        slips.append(Formula(value, tuple(used)))
+    return slips
+
+
+def _turning(
+    rows: Rows, leaves: list[Leaf], spokes: Sequence[Combination], axes: Sequence[Combination],
+    normal: Vector, tangent: Vector,
+) -> Number:  # fmt: skip
+    """Return (w x n) . t of a body with these axes, as ``dot_of_pairs``; its leaves are added.
+
+    Normal and tangent are given by their components along axes of the other body.
+    """
+    mechanism = rows.mechanism
+    total: Number = 0.0
+    size2: Number = 0.0
+    for spoke in spokes:
+        along: Number = 0.0
+        rate: Number = 0.0
+        for axis, n, t in zip(axes, normal, tangent, strict=True):
+            component = mechanism.component(spoke, axis)
+            along = along + n * leaf_symbol(len(leaves))
+            rate = rate + t * leaf_symbol(len(leaves) + 1)
+            leaves += mechanism.leaf(component), mechanism.leaf(component, LEAF_RATE)
+        total = total + along * rate
+        size2 = size2 + along * along
+    return total / size2
+
+
+def _tangents(rows: Rows, normal: Vector, leaves: Sequence[Leaf]) -> tuple[Vector, ...]:
+    """Return unit tangents; in 2-D the one to the right of the normal."""
+    if len(normal) == 2:
+        return ((normal[1], -1.0 * normal[0]),)
+    default = rows.mechanism.default
+    try:
+        drawn = tuple(default(as_drawn(rows.mechanism, x, leaves)) for x in normal)
+    except ExpressionError:  # there is no normal where the point is drawn
+        drawn = (0.0, 0.0, 1.0)
+    first, second = perpendicular(drawn, default)
+    x, y, z = dot(normal, first), dot(normal, second), 1.0 + dot(normal, drawn)
+    mixed = -1.0 * x * y / z
+    components = (1.0 - x * x / z, mixed, -1.0 * x), (mixed, 1.0 - y * y / z, -1.0 * y)
+    return tuple(
+        tuple(dot(parts, column) for column in zip(first, second, drawn, strict=True))
+        for parts in components
+    )
+
+
+SURFACES = {
+    ProfileContact: add_profile, CamContact: add_cam, SurfaceContact: add_surface,
+    SuperquadricContact: add_superquadric,
+}  # fmt: skip

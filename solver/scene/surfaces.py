@@ -1,0 +1,198 @@
+"""Contacts of a point, wheel or roller with curves and surfaces."""
+
+from dataclasses import dataclass
+from math import isclose, pi
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from solver.scene import fields as kind
+from solver.scene.contacts import RubbingContact
+from solver.scene.expression import Number, Vector
+from solver.scene.fields import BROKEN, PointReference
+from solver.scene.joints import check_point_and_body, read_surface
+from solver.scene.report import Path
+from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
+from solver.scene.words import a, did_you_mean
+
+if TYPE_CHECKING:
+    from solver.scene.references import Reader
+
+EXPONENT = Rule(lambda x: x == 2.0 or x >= 3.0, "2 or at least 3, else its curvature has no bounds")
+
+
+def _profile(reader: "Reader", path: Path, name: Any, _: Any) -> str:
+    """Check that a profile exists, and is a spline and not the integral of one."""
+    if name is BROKEN:
+        return ""
+    known, draft = reader.draft.names("profiles"), reader.draft
+    if name not in known:
+        part = reader.known.parts.get(name)
+        message = f"'{name}' is {a(part)}, not a profile" if part else f"unknown profile '{name}'"
+        draft.error(path, message, did_you_mean(name, known, "profiles"))
+    elif name in reader.profiles and reader.profiles[name].integrate:
+        message = f"the profile '{name}' is an integral, which has no curve of centres"
+        draft.error(path, message, "write points of the curve itself, without integrate")
+    return name
+
+
+_PROFILE = kind.Plain(example="road", reading=_profile)
+
+
+def _radius(text: str) -> kind.Quantity:
+    return kind.setting("m", text, NOT_NEGATIVE)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointContact(RubbingContact):
+    """A point against what a body carries."""
+
+    yields = False
+
+    point: Annotated[PointReference, kind.ONE_END]
+    body: Annotated[str | None, kind.BODY_OR_GROUND] = None
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that the point is none of the body, and that one of the two can move."""
+        RubbingContact.check(self, reader, path, given)
+        check_point_and_body(reader, path, self.point, self.body, given.body)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProfileContact(PointContact):
+    """A point or wheel above a profile, such as a road, that a body carries."""
+
+    type = "profile"
+    only_in = (2, "in space write 'surface', whose formula may call profiles")
+
+    profile: Annotated[str, _PROFILE]
+    """Height over way, both from `position`."""
+    position: Annotated[
+        Vector | None, kind.Components("m", "origin of the profile as drawn; the global one")
+    ] = None
+    axis: Annotated[Vector | None, kind.Direction(text="of the height, as drawn; +y")] = None
+    radius: Annotated[float, _radius("of a wheel about the point")] = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CamContact(RubbingContact):
+    """A cam r(angle) on the second body of a joint against a point, a roller or a flat face."""
+
+    type = "cam"
+    yields = False
+    only_in = (2, "in space write 'surface', whose formula may call profiles")
+
+    joint: Annotated[str, kind.joint_with("angle", "camshaft")]
+    follower: Annotated[
+        PointReference,
+        kind.Plain(
+            text="point of the follower: tip, centre of the roller, or a place of the face",
+            example="slide",
+            reading=lambda reader, path, name, _: reader.point(path[:-1], name, None, "follower"),
+        ),
+    ]
+    profile: Annotated[str, _PROFILE]
+    """Radius over angle, from +x as drawn; of period 2 pi."""
+    radius: Annotated[float, _radius("of a roller about the follower's point")] = 0.0
+    face: Annotated[
+        Vector | None, kind.Direction(text="of a flat face, towards the cam, as drawn")
+    ] = None
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that the profile is a closed curve about the axis, and the follower fits."""
+        RubbingContact.check(self, reader, path, given)
+        draft = reader.draft
+        if given.face is not None and given.radius is not None:
+            message = "a follower has either a roller or a flat face"
+            draft.error((*path, "face"), message, "leave out 'face' or 'radius'")
+        follower = self.follower.point
+        if given.face is not None and follower and reader.owner(follower) is None:
+            message = f"'{follower}' is a point, which does not turn and carries no face"
+            draft.error((*path, "follower"), message, "name a body or a point of one")
+        shaft = reader.parts["joints"].get(self.joint)
+        pair = getattr(shaft, "bodies", None)
+        if (
+            reader.has(self.joint, "angle")
+            and pair
+            and follower
+            and reader.owner(follower) == pair[1]
+        ):
+            message = f"'{follower}' is a point of the cam, the second body of '{self.joint}'"
+            draft.error((*path, "follower"), message)
+        profile = reader.profiles.get(self.profile)
+        if profile is None or given.profile is BROKEN:
+            return
+        place, period = (*path, "profile"), profile.x[-1] - profile.x[0]
+        if not profile.periodic:
+            message = f"the profile '{self.profile}' of a cam must be periodic"
+            draft.error(place, message, "write periodic = true")
+        elif not isclose(period, 2.0 * pi, rel_tol=1e-9):
+            message = f"the profile of a cam must have the period 2 pi rad, got {period:.15g}"
+            draft.error(place, message, 'give x in rad, and "2*pi" for a full turn')
+        if min(profile.y) <= 0.0:
+            message = f"the radius of a cam must be > 0 m, got {min(profile.y):.15g}"
+            draft.error(place, message, "give the distance from the axis, not the lift")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceContact(PointContact):
+    """A point on the side of a surface where F(x, y, z) > 0, in the plane of a curve F(x, y).
+
+    The coordinates are those in the axes of the body, from its origin.
+    """
+
+    type = "surface"
+
+    surface: Annotated[
+        Number,
+        kind.Quantity(
+            text="positive on the side of the point, in body axes",
+            example="1 - x**2 - y**2",
+            reading=read_surface,
+        ),
+    ]
+    ball_radius: Annotated[
+        Number,
+        kind.Quantity(
+            "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
+        ),
+    ] = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SuperquadricContact(PointContact):
+    """A point inside or outside of |x/a|^p + |y/b|^p + |z/c|^p = 1, in axes of a body."""
+
+    type = "superquadric"
+
+    semi_axes: Annotated[
+        Vector, kind.Components("m", "half of its length along each axis", rule=POSITIVE,
+                                example=[1, 0.8, 0.6])
+    ]  # fmt: skip
+    exponent: Annotated[float, kind.setting("", "2 for an ellipsoid", EXPONENT, 2.0)] = 2.0
+    position: Annotated[
+        Vector | None, kind.Components("m", "centre as drawn; origin of the body")
+    ] = None
+    side: Annotated[Literal["inside", "outside"], kind.Choice(words=("inside", "outside"))] = (
+        "inside"
+    )
+    ball_radius: Annotated[
+        Number,
+        kind.Quantity(
+            "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
+        ),
+    ] = 0.0
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check the lengths."""
+        PointContact.check(self, reader, path, given)
+        for i, length in enumerate(self.semi_axes):
+            value = None if given.semi_axes is BROKEN else reader.value(length)
+            if value is not None and not value > 0.0:
+                message = f"must be > 0 m, got {value:.15g}"
+                reader.draft.error((*path, "semi_axes", i), message)
+
+
+SURFACES: dict[str, type[kind.Part]] = {
+    contact.type: contact
+    for contact in (ProfileContact, CamContact, SurfaceContact, SuperquadricContact)
+}
+"""Types of contacts with curves and surfaces."""
