@@ -46,11 +46,11 @@ static int32_t run_function(const context *c, int32_t j)
                                 m->function_ptr[f + 1] - begin, c->number, &c->k.r);
 }
 
-/* A damped potential U = K delta^(n+1)/(n+1) acts with the factor max(0, 1 + a ddelta/h) on its slopes (Hunt and
-   Crossley 1975): it never pulls, and takes (factor - 1) dU >= 0 out exactly. At the equilibrium it is not damped. */
-static double damping_factor(const context *c, int32_t j, double rate_of_depth)
+/* A damped potential U = K delta^(n+1)/(n+1) acts with 1 + x times its slopes, x = max(-1, a ddelta/h) (Hunt and
+   Crossley 1975): it never pulls, and takes x dU >= 0 out exactly. At the equilibrium it is not damped. This is x. */
+static double damping_share(const context *c, int32_t j, double rate_of_depth)
 {
-    return fmax(0.0, 1.0 + c->number[c->m->depth_damping_at + (j - first_potential(c))] * rate_of_depth);
+    return fmax(-1.0, c->number[c->m->depth_damping_at + (j - first_potential(c))] * rate_of_depth);
 }
 
 static inline int is_damped(const context *c, int32_t j)
@@ -58,15 +58,21 @@ static inline int is_damped(const context *c, int32_t j)
     return j >= first_potential(c) && c->m->depth_register[j - first_potential(c)] >= 0;
 }
 
+/* Over the step, where the potential has been run. */
+static double damping_share_of_step(const context *c, int32_t j)
+{
+    return damping_share(c, j, c->k.r.dr[c->m->depth_register[j - first_potential(c)]] / c->h);
+}
+
 /* Slopes of the function that has been run, with its damping. */
 static inline void damp_slopes(const context *c, int32_t j)
 {
     if (!is_damped(c, j) || is_seeking(c)) return;
-    const double factor = damping_factor(c, j, c->k.r.dr[c->m->depth_register[j - first_potential(c)]] / c->h);
+    const double factor = 1.0 + damping_share_of_step(c, j);
     for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++) c->k.r.adjoint[l] *= factor;
 }
 
-/* Factor of a damped potential at the state, less 1, and the rate of its energy without damping. */
+/* Share of a damped potential at the state, and the rate of its energy without damping. */
 HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *power)
 {
     const holonom_model *m = c->m;
@@ -77,7 +83,7 @@ HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *po
         r->r1[l] = r->r0[l];
     }
     *power = r->dr[run_function(c, j)];
-    return damping_factor(c, j, r->dr[m->depth_register[j - first_potential(c)]]) - 1.0;
+    return damping_share(c, j, r->dr[m->depth_register[j - first_potential(c)]]);
 }
 
 /* ----------------------------- intermediate configuration of eq 8 (theory 2.3), for conserving-al-beta */

@@ -41,7 +41,7 @@ static void book_composites(context *c)
     EACH_COMPOSITE(c, j) {
         if (is_damped(c, j)) {
             composite_slopes(c, j, 0, &result);
-            book(c, S_DISSIPATED, result.mechanical - result.change);
+            book(c, S_DISSIPATED, damping_share_of_step(c, j) * result.change);
         }
         if (!is_row(c, j)) continue;
         const double mu = c->k.mu[row_of(c, j)];

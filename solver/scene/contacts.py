@@ -102,7 +102,7 @@ class Contact(Part):
                 draft.error((*path, name), f'has no effect with law = "{self.law}"', help)
         refused = {"friction": bool(needed), "restitution": self.law in ("hertz", "hunt-crossley")}
         for name, refuse in refused.items():
-            if refuse and getattr(given, name) is not None:
+            if refuse and getattr(given, name, None) is not None:
                 message = f'is not possible with law = "{self.law}"'
                 help = 'leave it out; law = "rigid" has it'
                 draft.error((*path, name), message, help)
