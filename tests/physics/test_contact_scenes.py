@@ -20,14 +20,6 @@ from tests.scene_files import SCENES, TOUCHING
 LOSSES = ("energy.friction", "energy.impact")
 NAMES = [path.stem for path in TOUCHING]
 PLAY = "slider_crank_with_play_in_the_guide"
-DEAD_CENTRE = "slips that reverse at a dead centre are stopped by impulses, which nothing books"
-PULLS = "a closed clearance with friction reports a negative force"
-
-
-def known(**defects: str) -> list[object]:
-    """Return the names of all scenes, those with a known defect as failures."""
-    marks = {name: [pytest.mark.xfail(strict=True, reason=why)] for name, why in defects.items()}
-    return [pytest.param(name, marks=marks.get(name, [])) for name in NAMES]
 
 
 @cache
@@ -61,7 +53,7 @@ def until(integrator: Integrator, time: float) -> Integrator:
     return integrator
 
 
-@pytest.mark.parametrize("name", known(**{PLAY: DEAD_CENTRE}))
+@pytest.mark.parametrize("name", NAMES)
 def test_the_ledger_closes_and_what_is_lost_never_comes_back(name):
     found = played(name)
     assert found["energy.error"].max() <= 1e-11
@@ -69,7 +61,7 @@ def test_the_ledger_closes_and_what_is_lost_never_comes_back(name):
         assert np.diff(found[loss]).min() >= -1e-15 * max(1.0, found[loss].max())
 
 
-@pytest.mark.parametrize("name", known(**{PLAY: DEAD_CENTRE, "four_bar_with_clearance": PULLS}))
+@pytest.mark.parametrize("name", NAMES)
 def test_nothing_penetrates_and_nothing_pulls(name):
     found = played(name)
     for contact in contacts_of(begin(name)):
@@ -101,7 +93,6 @@ def test_a_worn_wrist_pin_meets_its_hole_nine_times_in_twenty_milliseconds():
     assert until(integrator, 0.0212872)["wrist_pin.impacts"] == 10.0
 
 
-@pytest.mark.xfail(strict=True, reason=DEAD_CENTRE)
 def test_a_slider_with_play_stays_within_it_and_meets_both_walls():
     found = played(PLAY)
     corners = ("upper_left", "upper_right", "lower_left", "lower_right")
