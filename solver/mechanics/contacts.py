@@ -1,6 +1,7 @@
 """Contacts as gaps and slip rates.
 
 plane      g = (x - p) . n - R                 s = d/dt (x - p) . t - R sum n_i d/dt (c_i . t)
+corners    the same of each corner x of a body
 sphere     g = |u| - (r_1 + r_2),              s = (r_1 + r_2) u' . J u/|u|^2 - r_1 w_1 - r_2 w_2
 clearance  g = (c^2 - |u|^2)/2c,               s = c u' . J u/|u|^2 + r w_2 - (c + r) w_1
 stop       g = sigma - min, g = max - sigma    (an angle, a displacement, a distance)
@@ -26,6 +27,7 @@ from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, t
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     ClearanceContact,
+    CornersContact,
     Expr,
     Gear,
     Number,
@@ -48,8 +50,25 @@ DRAWN = 1e-9
 
 def add_plane(rows: Rows, contact: PlaneContact, _: JointParts) -> None:
     """Keep a ball on one side of a plane that a body carries."""
-    mechanism, parts = rows.mechanism, rows.parts
-    frame, centre = parts.frame(contact.body), parts.place(contact.point)
+    ball = body_of(rows, contact.point)
+    _add_ball_on_plane(rows, contact, contact.body, rows.parts.place(contact.point), ball)
+
+
+def add_corners(rows: Rows, contact: CornersContact, _: JointParts) -> None:
+    """Keep the corners of a body on one side of a plane."""
+    frame = rows.parts.frames[contact.body]
+    assert isinstance(frame, RigidFrame)
+    for k, corner in enumerate(contact.corners):
+        end = f" at corner {k + 1}"
+        _add_ball_on_plane(rows, contact, contact.on, frame.at(corner), frame, end)
+
+
+def _add_ball_on_plane(
+    rows: Rows, contact: PlaneContact | CornersContact, carrier: str | None, centre: Combination,
+    body: RigidFrame | None, end: str = "",
+) -> None:  # fmt: skip
+    """Keep a ball about a place of a body on one side of a plane that another one carries."""
+    mechanism, frame = rows.mechanism, rows.parts.frame(carrier)
     normal = rows.unit(contact.axis)
     zero = (0.0,) * mechanism.dim
     link = centre - frame.place(contact.position or zero)
@@ -57,7 +76,7 @@ def add_plane(rows: Rows, contact: PlaneContact, _: JointParts) -> None:
     height = mechanism.leaf(mechanism.component(link, upward))
     slips: list[Formula] = []
     if contact.friction is not None:
-        ball = body_of(rows, contact.point) if is_there(radius) else None
+        ball = body if is_there(radius) else None
         for tangent in _tangents(mechanism, normal):
             along = frame.direction(tangent)
             speed = dot(contact.surface_velocity or zero, tangent)
@@ -69,7 +88,8 @@ def add_plane(rows: Rows, contact: PlaneContact, _: JointParts) -> None:
                 )
                 value = value - radius * turning / size2
             slips.append(Formula(value, tuple(leaves)))
-    add_contact(rows, contact, Formula(leaf_symbol(0) - radius, (height,)), slips=slips)
+    gap = Formula(leaf_symbol(0) - radius, (height,))
+    add_contact(rows, contact, gap, end=end, slips=slips)
 
 
 def _tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
@@ -265,6 +285,6 @@ def is_there(number: Number) -> bool:
 
 
 CONTACTS = {
-    PlaneContact: add_plane, SphereContact: add_balls, ClearanceContact: add_clearance,
-    Stop: add_stop,
+    PlaneContact: add_plane, CornersContact: add_corners, SphereContact: add_balls,
+    ClearanceContact: add_clearance, Stop: add_stop,
 }  # fmt: skip

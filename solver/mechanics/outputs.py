@@ -38,7 +38,7 @@ from solver.scene import (
     Spring,
     Stop,
 )
-from solver.scene.expression import operate, symbol
+from solver.scene.expression import operate, select, symbol
 from solver.scene.quantities import (
     CONTACT,
     FRICTION,
@@ -55,6 +55,8 @@ Found: TypeAlias = Mapping[str, "Ref | Number | Values"]
 
 SECTIONS = {"constraint": "residual"}
 """Measurements of quantities of the whole, where these are not called the same."""
+FORCE, MODE = ([offer.word for offer in CONTACT].index(word) for word in ("force", "mode"))
+SLIP = [offer.word for offer in FRICTION].index("slip")
 SECTIONS_OF_CONTACTS = {"energy": "loss", "solver": "contact_solver"}
 
 
@@ -143,7 +145,7 @@ def _of_a_joint(sensors: Sensors, name: str, joint: Part) -> Found:
         values |= {word: Ref("friction", found.friction, k) for k, word in enumerate(words)}
     if isinstance(joint, Gear) and joint.backlash is not None:
         values |= _of_a_contact(sensors, name, joint)
-        pushes = [sensors.value(Ref("contact", k, 1)) for k in sensors.parts.contacts[name]]
+        pushes = [sensors.value(Ref("contact", k, FORCE)) for k in sensors.parts.contacts[name]]
         values["torque"] = pushes[0] - pushes[1]
     return values
 
@@ -223,8 +225,8 @@ def _tension(
 def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
     """State of a contact, and the friction in it.
 
-    Of a stop with two ends the gap is that to the nearer one; impacts and impulses are those of
-    both, and so is the force, as only one end can be closed.
+    Of a stop with two ends or a body with corners the gap is the least one; force, impacts and
+    impulses are the sums, and so are friction forces, in space those of their sizes.
     """
     if name in sensors.parts.compliant:
         return _of_a_compliant_contact(sensors, name)
@@ -236,10 +238,13 @@ def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
     }
     if isinstance(contact, ClearanceContact):
         values["gap"] = play(sensors.value(values["gap"]), contact.radius)
-    friction = sensors.parts.mechanism.contacts[contacts[0]].friction
-    if friction >= 0:
-        words = [offer.word for offer in FRICTION]
-        values |= {word: Ref("friction", friction, k) for k, word in enumerate(words)}
+    frictions = [sensors.parts.mechanism.contacts[index].friction for index in contacts]
+    if frictions[0] >= 0:
+        for k, offer in enumerate(FRICTION):
+            refs = [Ref("friction", friction, k) for friction in frictions]
+            values[offer.word] = _joined(sensors, offer.word, refs)
+        if len(contacts) > 1:
+            values["slip"] = _largest_slip(sensors, contacts, frictions)
     return values
 
 
@@ -264,11 +269,28 @@ def _of_a_compliant_contact(sensors: Sensors, name: str) -> Found:
     return {"gap": gap, "force": force}
 
 
+def _largest_slip(sensors: Sensors, contacts: list[int], frictions: list[int]) -> Number:
+    """Return the slip of the closed corner that slips most."""
+    largest: Number = 0.0
+    for index, friction in zip(contacts, frictions, strict=True):
+        mode = sensors.value(Ref("contact", index, MODE))
+        slip = select(mode, sensors.value(Ref("friction", friction, SLIP)), 0.0)
+        larger = operate("gt", operate("abs", slip), operate("abs", largest))
+        largest = select(larger, slip, largest)
+    return largest
+
+
 def _joined(sensors: Sensors, word: str, refs: list[Ref]) -> Ref | Number:
-    """Return a quantity of one contact, or of the two ends of a stop."""
+    """Return a quantity of one contact, or of several that have one name."""
     if len(refs) == 1:
         return refs[0]
-    first, second = map(sensors.value, refs)
+    total, *others = map(sensors.value, refs)
+    for other in others:
+        total = _both(word, total, other)
+    return total
+
+
+def _both(word: str, first: Number, second: Number) -> Number:
     if word in ("gap", "mode"):
         return operate("min" if word == "gap" else "max", first, second)
     return first + second

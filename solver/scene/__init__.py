@@ -9,6 +9,7 @@ from solver.scene.bodies import Bar, Body, Point, Rigid
 from solver.scene.contacts import (
     ClearanceContact,
     Contact,
+    CornersContact,
     PlaneContact,
     RubbingContact,
     SphereContact,

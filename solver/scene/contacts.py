@@ -180,10 +180,77 @@ class PlaneContact(RubbingContact):
         """Check that the point is none of the body, and that a moving surface rubs."""
         RubbingContact.check(self, reader, path, given)
         check_point_and_body(reader, path, self.point, self.body, given.body)
-        if given.surface_velocity is not None and given.friction is None:
-            message = "has no effect without friction"
-            help = "write friction = ..., or leave it out"
-            reader.draft.error((*path, "surface_velocity"), message, help)
+        _check_surface_velocity(reader, path, given)
+
+
+def _check_surface_velocity(reader: "Reader", path: Path, given: Any) -> None:
+    if given.surface_velocity is not None and given.friction is None:
+        message = "has no effect without friction"
+        help = "write friction = ..., or leave it out"
+        reader.draft.error((*path, "surface_velocity"), message, help)
+
+
+def _corners(reader: "Reader", path: Path, corners: Any, _: Any) -> tuple[Vector, ...]:
+    """Check that each corner is a place, and that there are some."""
+    if corners is BROKEN:
+        return ()
+    if not corners:
+        reader.draft.error(path, "must have at least one corner, got none")
+    return tuple(reader.vector((*path, i), corner) for i, corner in enumerate(corners))
+
+
+def _carrier_of_corners(reader: "Reader", path: Path, name: Any, _: Any) -> str:
+    if name is BROKEN:
+        return ""
+    if reader.known.parts.get(name) == "bar":
+        message, help = f"the bar '{name}' has points for corners", 'write type = "plane" for each'
+        reader.draft.error(path, message, help)
+    else:
+        reader.body(path, name)
+    return name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CornersContact(RubbingContact):
+    """Corners of a body on one side of a plane: of a polygon, a box, a capsule with a radius."""
+
+    type = "corners"
+
+    body: Annotated[str, kind.Plain(example="block", reading=_carrier_of_corners)]
+    corners: Annotated[
+        tuple[Vector, ...],
+        kind.ListOf(
+            "m", "in axes of the body, from its origin", item=kind.COMPONENTS,
+            example=[[0, 0, 0], [1, 0, 0]], reading=_corners,
+        ),
+    ]  # fmt: skip
+    axis: Annotated[
+        Vector,
+        kind.Direction(
+            text="normal of the plane, towards the body", example=[0, 0, 1], required=True
+        ),
+    ]
+    position: Annotated[
+        Vector | None, kind.Components("m", "a place of the plane as drawn; the origin")
+    ] = None
+    on: Annotated[str | None, kind.BODY_OR_GROUND] = None
+    """The body that carries the plane."""
+    radius: Annotated[
+        Number, kind.Quantity("m", "of the corners, as of a capsule", NOT_NEGATIVE)
+    ] = 0.0
+    surface_velocity: Annotated[
+        Vector | None,
+        kind.Components(
+            "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
+        ),
+    ] = None
+
+    def check(self, reader: "Reader", path: Path, given: Any) -> None:
+        """Check that the plane is another body's, and that a moving surface rubs."""
+        RubbingContact.check(self, reader, path, given)
+        if self.on is not None and self.on == self.body:
+            reader.draft.error((*path, "on"), f"the corners are those of '{self.on}' itself")
+        _check_surface_velocity(reader, path, given)
 
 
 def _radii(reader: "Reader", path: Path, radii: Any, _: Any) -> tuple[Number, ...]:
@@ -334,6 +401,7 @@ def check_settings(reader: "Reader", settings: "SolverSettings") -> None:
 
 
 CONTACTS: dict[str, type[Part]] = {
-    contact.type: contact for contact in (PlaneContact, SphereContact, ClearanceContact, Stop)
+    contact.type: contact
+    for contact in (PlaneContact, CornersContact, SphereContact, ClearanceContact, Stop)
 }
 """Types of contacts."""

@@ -55,6 +55,7 @@ _WORDS = {
         """,
     "contacts": """
         plane: floor ground wall line halfspace half_space
+        corners: box block polygon capsule cube
         sphere: ball balls disc discs circle
         clearance: play backlash journal bearing
         stop: limit end_stop endstop rope bound
@@ -114,8 +115,8 @@ _NOT_A_WORD = {
         'write the motion that it makes: type = "angle" or "displacement" with value = "2*t"'
     ),
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
-        'write a contact in [contacts]: type = "plane", "sphere", "clearance", "stop", "profile", '
-        '"cam", "surface" or "superquadric"'
+        'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", "stop", '
+        '"profile", "cam", "surface" or "superquadric"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""

@@ -217,7 +217,9 @@ def test_slip_is_the_tangential_velocity_of_the_materials(case, seed):
         error = 1e-5 if case in TRACED else 1e-8
         assert found == pytest.approx([slip @ [n[1], -n[0]]], abs=error)
     else:
-        assert np.linalg.norm(found) == pytest.approx(np.linalg.norm(slip - (slip @ n) * n), abs=1e-8)
+        assert np.linalg.norm(found) == pytest.approx(
+            np.linalg.norm(slip - (slip @ n) * n), abs=1e-8
+        )
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -341,3 +343,31 @@ def test_the_curvature_of_a_profile_has_no_derivative():
     curvature = derivative(slope, "x")
     with pytest.raises(ExpressionError, match="the curvature of a profile has no derivative"):
         derivative(curvature, "x")
+
+
+@pytest.mark.parametrize("dim", [2, 3])
+@FEW
+@given(seed=SEEDS)
+def test_corners_are_balls_on_a_plane(dim, seed):
+    """Each corner has the gap and the slip rates of a named point of the body at its place."""
+    random = np.random.default_rng(seed)
+    corners = random.normal(size=(3, dim)).tolist()
+    plane = {
+        "axis": random.normal(size=dim).tolist(), "position": random.normal(size=dim).tolist(),
+        "radius": RADIUS, "friction": 0.1,
+    }  # fmt: skip
+    poses = {name: posed(random, dim) for name in "ab"}
+    named = {f"p{k}": corner for k, corner in enumerate(corners)}
+    content = {"dimension": dim, "bodies": bodies(dim, a=named)}
+    one = {"type": "corners", "body": "a", "corners": corners, "on": "b"} | plane
+    apart = {
+        f"c{k}": {"type": "plane", "point": f"a.p{k}", "body": "b"} | plane for k in range(3)
+    }  # fmt: skip
+    found = []
+    for contacts in ({"c": one}, apart):
+        moved = Moved(content | {"contacts": contacts}, poses)
+        formulas = [row.formula for row in moved.mechanism.function_rows] + moved.slips
+        found.append([moved.value(formula) for formula in formulas])
+        assert len(moved.mechanism.contacts) == 3
+    assert len(found[0]) == 3 * dim
+    assert found[0] == pytest.approx(found[1], abs=1e-12)

@@ -280,3 +280,37 @@ def test_teeth_with_play_lose_what_restitution_says(restitution):
     assert after["energy.impact"] == pytest.approx(loss, abs=1e-12)
     assert after["b.angular_velocity"] == pytest.approx(-20.0 * impulse, rel=1e-9)
     assert after["mesh.torque"] == pytest.approx(0.0, abs=1e-9)
+
+
+ROCKING = (0.338045483931156, 0.781462847122351, 1.11940175098697)
+"""Times at which a block lands that rocks from corner to corner, in closed form [s]."""
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_block_rocks_from_corner_to_corner_as_in_closed_form(dimension):
+    """Half width 0.1 m, half height 0.3 m, let go at 0.2 rad: it keeps 0.85 of its rate."""
+    b, h, tilt = 0.1, 0.3, 0.2
+    c, s = math.cos(tilt), math.sin(tilt)
+    inertia: Any = (b * b + h * h) / 3.0
+    centre = [c * b - s * h, s * b + c * h]
+    orientation: Any = tilt
+    corners: Any = [[-b, -h], [b, -h]]
+    if dimension == 3:  # with the depth of the block along y, and turned about -y
+        inertia, centre = [0.03, inertia, 0.01], [centre[0], 0.0, centre[1]]
+        orientation = {"axis": [0, -1, 0], "angle": tilt}
+        corners = [[x, y, z] for x, z in corners for y in (-0.2, 0.2)]
+    block = {"mass": 1, "inertia": inertia, "position": centre, "orientation": orientation}
+    floor = {"type": "corners", "body": "block", "corners": corners, "friction": 2.0}
+    floor["axis"] = [0] * (dimension - 1) + [1]
+    content = mechanism("block", dimension, bodies={"block": block}, contacts={"floor": floor})
+    near = 1e-7
+    energy = GRAVITY * (centre[-1] - h)
+    times = [hit + side for hit in ROCKING for side in (-near, near)]
+    for k, ran in enumerate(run(content, times, h=5e-3, order=6)):
+        landed = (k + 1) // 2
+        hits = float(ran["floor.impacts"]) / (1 if dimension == 2 else 2)
+        assert hits == landed
+        kept = 0.85 ** (2 * landed)
+        assert ran["energy.impact"] == pytest.approx(energy * (1.0 - kept), rel=1e-9)
+        assert ran["floor.mode"] == 1.0
+        assert abs(float(ran["floor.slip"])) < 1e-10
