@@ -11,7 +11,7 @@ between which it is smooth; pieces are halved until the spline fits.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from math import atan2, hypot
 
@@ -23,6 +23,8 @@ from solver.scene.profiles import table_of
 FITS = 1e-9
 """Distance from the exact curve at which pieces are no longer halved, relative to its size."""
 MOST_HALVINGS = 7
+ROUNDING = 1e-15
+"""Of heights, relative to the largest."""
 Place = tuple[float, float]
 
 
@@ -60,6 +62,28 @@ def reach(rows: Rows, profile: Profile) -> Curve:
 
     text = "the cam '{}' is hollow at {:.6g} rad, where a flat face touches it twice"
     return _traced(rows, profile, place, text, ".face")
+
+
+def separated(
+    heights: Sequence[Sequence[float]],
+) -> Iterator[tuple[list[float], list[float]]]:
+    """Yield columns u and rows v whose products add up to a matrix, by its largest pivots.
+
+    A spline is linear in its values: that through the matrix is the sum of U(x) V(y).
+    """
+    rest = [list(row) for row in heights]
+    size = max(abs(z) for row in rest for z in row)
+    for _ in range(min(len(rest), len(rest[0]))):
+        pivot, i, k = max(
+            (abs(z), i, k) for i, row in enumerate(rest) for k, z in enumerate(row)
+        )  # fmt: skip
+        if pivot <= ROUNDING * size:
+            return
+        u, v = [row[k] for row in rest], [z / rest[i][k] for z in rest[i]]
+        rest = [
+            [z - a * b for z, b in zip(row, v, strict=True)] for row, a in zip(rest, u, strict=True)
+        ]
+        yield u, v
 
 
 def _value_and_slope(profile: Profile, x: float) -> Place:

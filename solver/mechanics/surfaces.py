@@ -3,6 +3,7 @@
 profile       g = (y - p(x))/sqrt(1 + p'^2)
 cam           g = (rho - r(phi))/sqrt(1 + (r'/rho)^2),   flat face  g = (c - p) . m - h(psi)
 surface       g = F/sqrt(|grad F|^2 + (F/L)^2)
+height field  g = (z - h)/sqrt(1 + |grad h|^2),         h = sum U_k(x) V_k(y), splines
 superquadric  F = 1 - S inside, S^(1/p) - 1 outside,     S = |x/a|^p + |y/b|^p + |z/c|^p
 
 with x, y and rho, phi the coordinates of the point in axes that a body carries, of a wheel or
@@ -25,7 +26,7 @@ from collections.abc import Sequence
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import add_contact, as_drawn, body_of, is_there
-from solver.mechanics.curves import centres_above, centres_around, reach
+from solver.mechanics.curves import centres_above, centres_around, reach, separated
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, refuse_switches, rewritten
 from solver.mechanics.mechanism import Formula, Leaf
@@ -37,6 +38,7 @@ from solver.scene import (
     CamContact,
     Expr,
     ExpressionError,
+    HeightFieldContact,
     Number,
     PointReference,
     ProfileContact,
@@ -44,7 +46,8 @@ from solver.scene import (
     SuperquadricContact,
     SurfaceContact,
 )
-from solver.scene.expression import cos, operate, sin, sqrt, symbol
+from solver.scene.expression import Curve, cos, operate, sin, sqrt, symbol
+from solver.scene.profiles import table_of
 
 Coordinates = Sequence[tuple[Combination, Combination]]
 """Forms link . axis of a place in axes of a body."""
@@ -170,6 +173,34 @@ def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) ->
     _add_implicit(rows, contact, forms, value, [factor * x for x in slopes])
 
 
+def add_height_field(rows: Rows, contact: HeightFieldContact, _: JointParts) -> None:
+    """Keep a point above a field of heights, a spline in either direction."""
+    mechanism, parts = rows.mechanism, rows.parts
+    frame, place = parts.frame(contact.body), parts.place(contact.point)
+    forms = frame.coordinates(place)
+    if contact.position is not None:
+        link = place - frame.place(contact.position)
+        forms = tuple((link, axis) for _, axis in forms)
+    leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
+    x, y, z = (leaf_symbol(k) for k in range(3))
+    height: Number = 0.0
+    slopes: list[Number] = [0.0, 0.0]
+    for u, v in separated(contact.z):
+        first, second = (
+            Curve("height", table_of(contact.x, u)),
+            Curve("height", table_of(contact.y, v)),
+        )
+        along, across = operate("spline", x, first), operate("spline", y, second)
+        height = height + along * across
+        slopes[0] = slopes[0] + operate("spline_slope", x, first) * across
+        slopes[1] = slopes[1] + along * operate("spline_slope", y, second)
+    steepness = sqrt(1.0 + dot(slopes, slopes))
+    gap = Formula((z - height) / steepness, tuple(leaves))
+    normal = (*(-1.0 * slope / steepness for slope in slopes), 1.0 / steepness)
+    slips = _slips(rows, contact, contact.point, leaves, normal, forms, contact.ball_radius)
+    add_contact(rows, contact, gap, slips=slips)
+
+
 def _add_implicit(
     rows: Rows, contact: SurfaceContact | SuperquadricContact, forms: Coordinates, value: Number,
     slopes: list[Number],
@@ -261,5 +292,5 @@ def _tangents(rows: Rows, normal: Vector, leaves: Sequence[Leaf]) -> tuple[Vecto
 
 SURFACES = {
     ProfileContact: add_profile, CamContact: add_cam, SurfaceContact: add_surface,
-    SuperquadricContact: add_superquadric,
+    SuperquadricContact: add_superquadric, HeightFieldContact: add_height_field,
 }  # fmt: skip

@@ -66,6 +66,7 @@ from solver.scene.scene import Output, Scene, json_schema
 from solver.scene.settings import Experiment, SolverSettings
 from solver.scene.surfaces import (
     CamContact,
+    HeightFieldContact,
     ProfileContact,
     SuperquadricContact,
     SurfaceContact,

@@ -114,7 +114,12 @@ class NumberChecks:
         return number
 
     def constant(
-        self, path: Path, parsed: Any, default: float, rule: Rule | None = None, unit: str = ""
+        self,
+        path: Path,
+        parsed: Any,
+        default: float = 0.0,
+        rule: Rule | None = None,
+        unit: str = "",
     ) -> float:
         """Check a number without symbols; `default` stands for a missing or broken one."""
         if parsed is None or parsed is BROKEN:

@@ -1,6 +1,7 @@
 """Contacts of a point, wheel or roller with curves and surfaces."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import isclose, pi
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -191,8 +192,72 @@ class SuperquadricContact(PointContact):
                 reader.draft.error((*path, "semi_axes", i), message)
 
 
+def _rising(reader: "Reader", path: Path, numbers: Any, _: Any) -> tuple[float, ...]:
+    """Check the places of a grid along one axis."""
+    if numbers is BROKEN:
+        return ()
+    places = tuple(reader.constant((*path, i), x) for i, x in enumerate(numbers))
+    if len(places) < 2:
+        reader.draft.error(path, f"a grid must have at least 2 places, got {len(places)}")
+    known = all(x.is_constant for x in numbers)
+    for i, (before, place) in enumerate(pairwise(places), 1):
+        if known and not place > before:
+            message = f"must be larger than the one before, {before:.15g}, got {place:.15g}"
+            reader.draft.error((*path, i), message, "sort the places")
+    return places
+
+
+def _heights(reader: "Reader", path: Path, rows: Any, given: Any) -> tuple[tuple[float, ...], ...]:
+    """Check that there is a height at each place of a grid."""
+    if BROKEN in (rows, given.x, given.y):
+        return ()
+    if len(rows) != len(given.x):
+        message = f"must have as many lists as x has numbers, {len(given.x)}, got {len(rows)}"
+        reader.draft.error(path, message)
+    for i, row in enumerate(rows):
+        if len(row) != len(given.y):
+            message = f"must have as many numbers as y, {len(given.y)}, got {len(row)}"
+            reader.draft.error((*path, i), message)
+    return tuple(
+        tuple(reader.constant((*path, i, k), z) for k, z in enumerate(row))
+        for i, row in enumerate(rows)
+    )
+
+
+_PLACES = kind.ListOf("m", "places of the grid, rising", example=[0, 1, 2], reading=_rising)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightFieldContact(PointContact):
+    """A point above a smooth field of heights z(x, y) over a grid, in axes of a body."""
+
+    type = "height_field"
+    only_in = (3, "in the plane write 'profile'")
+
+    x: Annotated[tuple[float, ...], _PLACES]
+    y: Annotated[tuple[float, ...], _PLACES]
+    z: Annotated[
+        tuple[tuple[float, ...], ...],
+        kind.ListOf(
+            "m", "a list for each x, with a height for each y", item=kind.ListOf(),
+            example=[[0, 0.1], [0.2, 0]], reading=_heights,
+        ),
+    ]  # fmt: skip
+    position: Annotated[
+        Vector | None, kind.Components("m", "origin of the grid as drawn; that of the body")
+    ] = None
+    ball_radius: Annotated[
+        Number,
+        kind.Quantity(
+            "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
+        ),
+    ] = 0.0
+
+
 SURFACES: dict[str, type[kind.Part]] = {
     contact.type: contact
-    for contact in (ProfileContact, CamContact, SurfaceContact, SuperquadricContact)
+    for contact in (
+        *(ProfileContact, CamContact, SurfaceContact, SuperquadricContact, HeightFieldContact),
+    )
 }
 """Types of contacts with curves and surfaces."""

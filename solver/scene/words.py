@@ -61,6 +61,7 @@ _WORDS = {
         stop: limit end_stop endstop rope bound
         profile: road rail track curve
         cam: lobe
+        height_field: terrain heightfield heightmap height_map grid
         superquadric: ellipsoid superellipsoid ellipse
         """,
     "fields": """
@@ -116,7 +117,7 @@ _NOT_A_WORD = {
     ),
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
         'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", "stop", '
-        '"profile", "cam", "surface" or "superquadric"'
+        '"profile", "cam", "surface", "height_field" or "superquadric"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""

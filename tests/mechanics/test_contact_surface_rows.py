@@ -164,7 +164,30 @@ def on_a_superquadric(random: np.random.Generator, dim: int, side: str, p: float
     return touching(random, dim, contact, centre - RADIUS * normal, normal, RADIUS)
 
 
+GRID_X, GRID_Y = np.linspace(-2.0, 2.0, 9), np.linspace(-1.5, 1.5, 7)
+HEIGHTS = 0.2 * np.sin(GRID_X[:, None] + 2.0 * GRID_Y) + 0.05 * np.cos(3.0 * GRID_X)[:, None]
+
+
+def on_a_height_field(random: np.random.Generator) -> Touch:
+    """A ball whose centre moves on a field of heights, interpolated along y and then along x."""
+    x, y = random.uniform(-1.9, 1.9), random.uniform(-1.4, 1.4)
+
+    def height(x: float, y: float, order: tuple[int, int] = (0, 0)) -> float:
+        along_y = CubicSpline(GRID_Y, HEIGHTS, axis=1, bc_type="natural")(y, order[1])
+        return float(CubicSpline(GRID_X, along_y, bc_type="natural")(x, order[0]))
+
+    centre = np.array([x, y, height(x, y)])
+    normal = np.array([-height(x, y, (1, 0)), -height(x, y, (0, 1)), 1.0])
+    contact = {
+        "type": "height_field", "point": "a.tip", "body": "b", "x": GRID_X.tolist(),
+        "y": GRID_Y.tolist(), "z": HEIGHTS.tolist(), "ball_radius": RADIUS,
+    }  # fmt: skip
+    n = normal / np.linalg.norm(normal)
+    return touching(random, 3, contact, centre - RADIUS * n, normal, RADIUS)
+
+
 CASES = {
+    "height field": on_a_height_field,
     "profile": on_a_profile,
     "cam with a roller": on_a_cam,
     "cam with a flat face": flat_on_a_cam,

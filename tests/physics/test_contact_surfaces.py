@@ -158,6 +158,44 @@ def test_a_block_on_a_surface_stops_where_one_on_a_plane_does():
     assert places[0] == pytest.approx(places[1], abs=1e-8)
 
 
+HILLS = (0.2816252221903, 0.4481808782893, 0.8520982395137, 0.9976538522032)
+"""Times at which a point leaves hills and lands on them, by integration of reduced equations."""
+ON_HILLS = (5.433959678356, 0.08536587499792, 0.03812644165997)
+"""Where it is after 1.2 s [m], and the energy that its landings took [J]."""
+
+
+def hills(contact: dict[str, Any]) -> Content:
+    """Point of 1 kg that slides on z = 0.1 cos 3x cos 3y, from (0.8, 0.05) at (4, 0.5) m/s."""
+    x, y = 2.4, 0.15
+    height = 0.1 * math.cos(x) * math.cos(y)
+    climb = -0.3 * (4.0 * math.sin(x) * math.cos(y) + 0.5 * math.cos(x) * math.sin(y))
+    ball = {"mass": 1.0, "position": [0.8, 0.05, height], "velocity": [4.0, 0.5, climb]}
+    return mechanism("hills", 3, points={"p": ball}, contacts={"hills": contact | {"point": "p"}})
+
+
+def test_a_point_leaves_hills_and_lands_on_them_as_by_the_reduced_equations():
+    content = hills({"type": "surface", "surface": "z - 0.1*cos(3*x)*cos(3*y)"})
+    near = 1e-8
+    times = [time + side for time in HILLS for side in (-near, near)]
+    *runs, last = run(content, [*times, 1.2], h=1e-2, order=6)
+    assert [ran["hills.mode"] for ran in runs] == [1.0, 0.0, 0.0, 1.0] * 2
+    assert [ran["hills.impacts"] for ran in runs] == [0.0] * 3 + [1.0] * 4 + [2.0]
+    found = last["p.x"], last["p.y"], last["energy.impact"]
+    assert found == pytest.approx(ON_HILLS, abs=1e-10)
+
+
+def test_a_height_field_is_the_surface_that_its_grid_is_taken_from():
+    """To what a spline of 0.05 m makes of waves of 2 m: 2e-7 m, and in curvature 2e-3 of it."""
+    x, y = np.linspace(0.0, 6.0, 121), np.linspace(-1.0, 1.0, 41)
+    z = 0.1 * np.outer(np.cos(3.0 * x), np.cos(3.0 * y))
+    content = hills({"type": "height_field", "x": x.tolist(), "y": y.tolist(), "z": z.tolist()})
+    content["points"]["p"]["position"][2] += 1e-6  # not below the spline
+    (ran,) = run(content, [1.2], h=1e-2, order=4)
+    found = ran["p.x"], ran["p.y"], ran["energy.impact"]
+    assert found == pytest.approx(ON_HILLS, abs=1e-4)
+    assert ran["hills.mode"] == 1.0
+
+
 class Road:
     """Height of the centre of a wheel that rolls on a spline, and its second derivative."""
 

@@ -18,6 +18,7 @@ from solver.scene import (
     Force,
     Gear,
     Gravitation,
+    HeightFieldContact,
     JointFriction,
     JointTorque,
     PlaneContact,
@@ -58,13 +59,14 @@ else:
 FOLDER = Path(__file__).parents[1] / "whole_scenes"
 SPACE = (FOLDER / "space.toml").read_text(encoding="utf-8")
 PLANE = (FOLDER / "plane.toml").read_text(encoding="utf-8")
+ROUGH = (FOLDER / "rough.toml").read_text(encoding="utf-8")
 SCENE = loads(SPACE)
 POINT_A = PointReference(point="A")
 TIP = PointReference(point="b1.tip")
 
 
 def test_the_scenes_of_this_test_use_every_type_there_is():
-    data = tomllib.loads(SPACE), tomllib.loads(PLANE)
+    data = tomllib.loads(SPACE), tomllib.loads(PLANE), tomllib.loads(ROUGH)
     for table, types in TYPES.items():
         used = {part.get("type", "rigid") for d in data for part in d.get(table, {}).values()}
         assert used == set(types), table
@@ -165,6 +167,14 @@ def test_forces_arrive_as_written(name, force):
 )  # fmt: skip
 def test_contacts_arrive_as_written(name, contact):
     assert loads(PLANE).contacts[name] == contact
+
+
+def test_a_height_field_arrives_as_written():
+    assert loads(ROUGH).contacts["n1"] == HeightFieldContact(
+        point=POINT_A, body="b1", x=(0.0, 1.0), y=(0.0, 1.0, 2.0),
+        z=((0.0, 0.1, 0.0), (0.0, 0.0, 1.0)), position=(0.0, 0.0, 1.0), friction=0.1,
+        ball_radius=parse("a"),
+    )  # fmt: skip
 
 
 def test_a_place_on_a_body_and_on_the_ground_are_kept_and_that_of_a_point_is_not():
