@@ -157,7 +157,7 @@ def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) ->
     if contact.position is not None:
         link = place - frame.place(contact.position)
         forms = tuple((link, axis) for _, axis in forms)
-    p, inside = contact.exponent, contact.side == "inside"
+    p, inside = contact.power, contact.side == "inside"
     total: Number = 0.0
     slopes: list[Number] = []
     for k, length in enumerate(contact.semi_axes):

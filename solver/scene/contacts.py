@@ -215,6 +215,7 @@ class CornersContact(RubbingContact):
     """Corners of a body on one side of a plane: of a polygon, a box, a capsule with a radius."""
 
     type = "corners"
+    yields = False
 
     body: Annotated[str, kind.Plain(example="block", reading=_carrier_of_corners)]
     corners: Annotated[

@@ -168,7 +168,7 @@ class SuperquadricContact(PointContact):
         Vector, kind.Components("m", "half of its length along each axis", rule=POSITIVE,
                                 example=[1, 0.8, 0.6])
     ]  # fmt: skip
-    exponent: Annotated[float, kind.setting("", "2 for an ellipsoid", EXPONENT, 2.0)] = 2.0
+    power: Annotated[float, kind.setting("", "2 for an ellipsoid", EXPONENT, 2.0)] = 2.0
     position: Annotated[
         Vector | None, kind.Components("m", "centre as drawn; origin of the body")
     ] = None

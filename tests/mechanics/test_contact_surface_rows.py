@@ -159,7 +159,7 @@ def on_a_superquadric(random: np.random.Generator, dim: int, side: str, p: float
     normal *= (-1.0 if side == "inside" else 1.0) / np.linalg.norm(normal)
     contact = {
         "type": "superquadric", "point": "a.tip", "body": "b", "semi_axes": semi_axes.tolist(),
-        "exponent": p, "side": side, "ball_radius": RADIUS,
+        "power": p, "side": side, "ball_radius": RADIUS,
     }  # fmt: skip
     return touching(random, dim, contact, centre - RADIUS * normal, normal, RADIUS)
 

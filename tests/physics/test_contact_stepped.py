@@ -1,4 +1,4 @@
-"""Stepped mode: contacts change at the ends of half steps, however many, and energies stay physical."""
+"""Stepped mode: contacts change at the ends of half steps, and energies stay physical."""
 
 from __future__ import annotations
 

@@ -113,7 +113,7 @@ def bowl(contact: dict[str, Any]) -> Content:
 
 
 FORMULA = {"type": "surface", "surface": "1 - x**4 - (y/0.8)**4 - (z/0.6)**4"}
-SUPERQUADRIC = {"type": "superquadric", "semi_axes": [1, 0.8, 0.6], "exponent": 4}
+SUPERQUADRIC = {"type": "superquadric", "semi_axes": [1, 0.8, 0.6], "power": 4}
 
 
 @pytest.mark.parametrize("contact", [FORMULA, SUPERQUADRIC], ids=["formula", "superquadric"])

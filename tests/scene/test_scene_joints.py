@@ -161,7 +161,7 @@ def test_forces_arrive_as_written(name, force):
         ("n12", CornersContact(body="b4", corners=((1.0, 0.5), (1.0, -0.5)), axis=(0.0, 1.0),
                                position=(0.0, -3.0), on="link", radius=0.1, friction=0.3,
                                surface_velocity=(parse("sin(t)"), 0.0))),
-        ("n11", SuperquadricContact(point=POINT_A, semi_axes=(3.0, 2.0), exponent=4.0,
+        ("n11", SuperquadricContact(point=POINT_A, semi_axes=(3.0, 2.0), power=4.0,
                                    position=(0.0, 1.0))),
     ],
 )  # fmt: skip
