@@ -4,7 +4,7 @@ profile       g = (y - p(x))/sqrt(1 + p'^2)
 cam           g = (rho - r(phi))/sqrt(1 + (r'/rho)^2),   flat face  g = (c - p) . m - h(psi)
 surface       g = F/sqrt(|grad F|^2 + (F/L)^2)
 height field  g = (z - h)/sqrt(1 + |grad h|^2),         h = sum U_k(x) V_k(y), splines
-superquadric  F = 1 - S inside, S^(1/p) - 1 outside,     S = |x/a|^p + |y/b|^p + |z/c|^p
+superquadric  F = 1 - S^(1/p) inside, S^(1/p) - 1 outside,   S = |x/a|^p + |y/b|^p + |z/c|^p
 
 with x, y and rho, phi the coordinates of the point in axes that a body carries, of a wheel or
 roller those of its centre, whose path p or r is then (``solver.mechanics.curves``); c a cam's axis,
@@ -49,6 +49,8 @@ from solver.scene import (
 from solver.scene.expression import Curve, cos, operate, sin, sqrt, symbol
 from solver.scene.profiles import table_of
 
+CENTRE = 1e-12
+"""Of a superquadric S = 1: S below which its centre is rounded off."""
 Coordinates = Sequence[tuple[Combination, Combination]]
 """Forms link . axis of a place in axes of a body."""
 
@@ -151,7 +153,7 @@ def add_surface(rows: Rows, contact: SurfaceContact, _: JointParts) -> None:
 
 def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) -> None:
     """Keep a point inside or outside of a superquadric."""
-    mechanism, parts = rows.mechanism, rows.parts
+    parts = rows.parts
     frame, place = parts.frame(contact.body), parts.place(contact.point)
     forms = frame.coordinates(place)
     if contact.position is not None:
@@ -165,11 +167,11 @@ def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) ->
         rest = operate("abs", u) ** (p - 2.0) if p > 2.0 else 1.0  # u |u|^(p - 2): no sign of u
         total = total + u * u * rest
         slopes.append(u * rest / length)
-    if inside:
-        value, factor = 1.0 - total, -1.0 * p
-    else:
-        value, factor = total ** (1.0 / p) - 1.0, total ** (1.0 / p - 1.0)
-    assert len(slopes) == mechanism.dim
+    # S^(1/p) grows evenly with the distance, 1 - S does not; the centre, where it has a kink, is
+    # rounded off without changing where it is 1.
+    sign, total = (-1.0 if inside else 1.0), total + CENTRE
+    value = sign * (total ** (1.0 / p) - (1.0 + CENTRE) ** (1.0 / p))
+    factor = sign * total ** (1.0 / p - 1.0)
     _add_implicit(rows, contact, forms, value, [factor * x for x in slopes])
 
 

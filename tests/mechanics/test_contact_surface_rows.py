@@ -292,6 +292,21 @@ def test_the_gap_to_a_surface_stays_finite_where_it_has_no_normal():
     assert moved.value(moved.gap.formula) == pytest.approx(moved.mechanism.extent)
 
 
+@pytest.mark.parametrize("side", ["inside", "outside"])
+@pytest.mark.parametrize("part", [0.1, 0.5, 0.9])
+def test_the_gap_to_a_superquadric_is_no_more_than_the_way_to_it(side, part):
+    """Far away it is the distance to first order alone, and on the safe side."""
+    for seed in range(20):
+        touch = on_a_superquadric(np.random.default_rng(seed), 3, side, 4.0)
+        a, b = touch.poses["a"], touch.poses["b"]
+        centre = a.x + a.R @ np.array(TIP) - b.x
+        way = (part if side == "inside" else 1.0 / part) * centre
+        a.x = a.x + way - centre
+        moved = Moved(touch.content, touch.poses)
+        gap = moved.value(moved.gap.formula)
+        assert 0.0 < gap <= (1.0 + 1e-9) * float(np.linalg.norm(way - centre))
+
+
 def gears(**fields: Any) -> dict[str, Any]:
     shafts = {
         name: {"type": "revolute", "bodies": ["ground", name.lower()], "position": place}
