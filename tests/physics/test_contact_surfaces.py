@@ -352,3 +352,28 @@ def test_a_block_rocks_from_corner_to_corner_as_in_closed_form(dimension):
         assert ran["energy.impact"] == pytest.approx(energy * (1.0 - kept), rel=1e-9)
         assert ran["floor.mode"] == 1.0
         assert abs(float(ran["floor.slip"])) < 1e-10
+
+
+@pytest.mark.parametrize(
+    ("restitution", "friction"), [(1.0, None), (0.5, None), (0.0, 0.3), (0.5, 0.3)]
+)
+def test_losses_in_a_bowl_depend_neither_on_the_step_nor_on_how_it_is_written(
+    restitution, friction
+):
+    """Flight is exact at any order: impacts up to the first sliding are those of round-off."""
+    rubbing = {} if friction is None else {"friction": friction}
+    lost, seen = [], set()
+    for contact in (FORMULA, SUPERQUADRIC):
+        content = bowl(contact | {"restitution": restitution} | rubbing)
+        content["points"]["p"] |= {"position": [0.1, 0.05, 0.1], "velocity": [0.7, 0.3, 0.2]}
+        for h, order in ((0.02, 2), (0.01, 4), (0.01, 6)):
+            ran = start(content, paired=True, h=h, order=order, max_events=1000)
+            for k in range(30):
+                ran.advance(0.1 * k, 0.1)
+            assert float(ran["energy.error"]) < 1e-13
+            assert float(ran["bowl.gap"]) > -1e-14
+            lost.append(float(ran["energy.impact"]))
+            seen.add(ran["bowl.impacts"])
+    assert lost == pytest.approx([lost[0]] * 6, rel=1e-10, abs=1e-12)
+    assert len(seen) == 1
+    assert abs(lost[0]) < 1e-12 or restitution < 1.0
