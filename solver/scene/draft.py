@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _NAMES_OF = {
     **{"point": "points", "body": "bodies", "joint": "joints"},
+    **{"follower": "bodies", "profile": "profiles"},
     **{name: name for name in ("points", "bodies", "joints")},
 }
 """Fields that name parts of a table."""

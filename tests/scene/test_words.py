@@ -35,6 +35,29 @@ SCENE = {
 }  # fmt: skip
 
 
+PLANE = {
+    "name": "x",
+    "dimension": 2,
+    "points": {
+        "O": {"position": [0, 0], "fixed": True},
+        "A": {"position": [1, 0], "mass": 1.0},
+    },
+    "bodies": {
+        name: {"position": [0, 0], "mass": 1.0, "inertia": 1.0} for name in ("crank", "slider")
+    },
+    "joints": {
+        "bearing": {"type": "revolute", "bodies": ["ground", "crank"], "position": [0, 0]},
+        "guide": {"type": "prismatic", "bodies": ["ground", "slider"], "axis": [1, 0]},
+    },
+}
+"""Likewise in the plane, for types that exist only there."""
+
+
+def scene_with(table, word):
+    """Scene in which there may be a part of this type."""
+    return SCENE if TYPES[table][word].is_in(3) else PLANE
+
+
 def problems(scene):
     """Mistakes that are reported of a scene; none where it is right."""
     text = scene if isinstance(scene, str) else json.dumps(scene)
@@ -45,10 +68,10 @@ def problems(scene):
     return ()
 
 
-def problem_of(table, fields):
+def problem_of(table, fields, scene=SCENE):
     """The one mistake that is reported of a scene with one more part."""
-    parts = SCENE.get(table, {}) | {"new": fields}
-    (found,) = problems(SCENE | {table: parts})
+    parts = scene.get(table, {}) | {"new": fields}
+    (found,) = problems(scene | {table: parts})
     return found
 
 
@@ -57,7 +80,7 @@ def example(table, word):
     known = {
         "points": ["O", "A"], "point": "A", "bodies": ["ground", "slider"], "body": "slider",
         "joint": "bearing", "joints": ["bearing", "guide"], "axis": [0, 0, 1], "value": "1.0",
-        "position": [0, 0, 0], "axes": [[1, 0, 0], [0, 1, 0]], "surface": "x",
+        "position": [0, 0, 0], "axes": [[1, 0, 0], [0, 1, 0]], "surface": "x", "follower": "A",
     }  # fmt: skip
     if word == "torque" or (table, word) in (("forces", "force"), ("drivers", "position")):
         known["value"] = [1, 0, 0]
@@ -100,7 +123,8 @@ def test_other_words_for_tables(word, names):
     ("table", "word", "names"), [(t, *item) for t in TYPES for item in NAMES[t].items()]
 )
 def test_other_words_for_types(table, word, names):
-    assert problem_of(table, {"type": word}).help == f"did you mean '{names[0]}'?"
+    scene = scene_with(table, names[0])
+    assert problem_of(table, {"type": word}, scene).help == f"did you mean '{names[0]}'?"
 
 
 @pytest.mark.parametrize(("word", "names"), NAMES["fields"].items())
@@ -169,10 +193,12 @@ def test_fields_of_one_type_under_another_name_suggest_it(table, right):
         if fields.keys() <= fields_of(model).keys()
         and all(name in fields for name, x in fields_of(model).items() if x.required)
     }
+    scene = scene_with(table, right)
     for wrong, model in TYPES[table].items():
-        if fitting == {right} and not fields.keys() <= fields_of(model).keys():
-            parts = SCENE.get(table, {}) | {"new": fields | {"type": wrong}}
-            found = {p.message: p.help for p in problems(SCENE | {table: parts})}
+        possible = model.is_in(scene.get("dimension", 3))
+        if fitting == {right} and possible and not fields.keys() <= fields_of(model).keys():
+            parts = scene.get(table, {}) | {"new": fields | {"type": wrong}}
+            found = {p.message: p.help for p in problems(scene | {table: parts})}
             assert found[f"is no field of the type '{wrong}'"] == f'write type = "{right}"'
             assert "unknown field" not in found
 
@@ -184,7 +210,8 @@ def test_a_misspelt_field_is_one_mistake_and_not_also_a_missing_one(table, word)
         fields |= {"points": ["A", "B"]} if word == "bar" else {"mass": 1.0, "inertia": [1, 1, 1]}
     for name in fields.keys() - {"type"}:
         wrong = {(f"{x}_" if x == name else x): value for x, value in fields.items()}
-        found = problems(SCENE | {table: SCENE.get(table, {}) | {"new": wrong}})
+        scene = scene_with(table, word)
+        found = problems(scene | {table: scene.get(table, {}) | {"new": wrong}})
         helps = {report.location: report.help for report in found}
         assert helps[f"{table}.new.{name}_"] == f"did you mean '{name}'?"
         assert not any(f"'{name}'" in report.message for report in found)
@@ -197,10 +224,11 @@ def test_a_torque_at_a_joint_is_a_joint_torque():
 
 @pytest.mark.parametrize(("table", "word"), PARTS)
 def test_what_is_missing_is_shown_with_names_of_this_scene(table, word):
-    named = {"point", "points", "body", "bodies", "joint", "joints"}
+    named = {"point", "points", "body", "bodies", "joint", "joints", "follower"}
     fields = example(table, word)
     for name in named & fields.keys():
-        scene = SCENE | {table: SCENE.get(table, {}) | {"new": fields | {name: 1.5}}}
+        scene = scene_with(table, word)
+        scene = scene | {table: scene.get(table, {}) | {"new": fields | {name: 1.5}}}
         helps = [found.help for found in problems(scene) if found.location.endswith(f".{name}")]
         (text,) = helps
         names = json.loads(text.partition("= ")[2])
