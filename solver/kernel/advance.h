@@ -92,12 +92,13 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     set_laws(&c, start, 0);
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = 0.0;
-    if (!status && m->unilateral && !is_stepped(&c)) {
+    int stepped = is_stepped(&c);
+    if (!status && m->unilateral && !stepped) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle(&c) : event_functions(&c, values_at(&c, AT_LOW));
-        if (may_step_over(status)) undo_piece(&c, start, c.number[m->time_at]);
+        if ((stepped = may_step_over(status))) undo_piece(&c, start, c.number[m->time_at]), status = HOLONOM_OK;
     }
-    if (is_stepped(&c) || may_step_over(status)) status = status && !may_step_over(status) ? status : cover_stepped(&c, start, 0.0, step);
+    if (!status && stepped) status = cover_stepped(&c, start, 0.0, step);
     else if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;

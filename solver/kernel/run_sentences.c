@@ -96,6 +96,11 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (!chosen && !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
+    if (head[S_STEPPED] != 0.0) {
+        if (head[S_ORDER] <= 2.0) return 0;
+        hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);
+        return head[S_CONTACT_MODE] != 0.0;
+    }
     hm_clear(&reason);
     say_lasting_reason(&reason, f, head);
     if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");

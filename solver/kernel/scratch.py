@@ -46,8 +46,9 @@ WORK = {
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
-    "touch": "4 * n_contacts", "flips": "n_frictions", "lands": "n_frictions",  # see stepped.h
+    "touch": "5 * n_contacts", "flips": "n_frictions", "lands": "n_frictions",  # see stepped.h
     "share": "n_frictions",  # part of the half step until a slip stops
+    "sweep": "n_contacts * (n_local + 3)",  # gradients and forces of those near
     "lag": "n_frictions",  # normal forces of cones, where they lag
     "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
     "slip_before": "n_rows * unilateral",  # slips at its start

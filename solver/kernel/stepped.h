@@ -24,6 +24,9 @@
 #include "step_halving.h"
 
 enum { MOST_CHOICES = 60, PATIENCE = 5, MOST_LAGS = 6, MOST_DIVISIONS = 7 };
+enum { FEW = 2, FEW_CONTACTS = 8, MOST_GUESSES = 8, MOST_SWEEPS = 10000 }; /* FEW are no reason to guess          */
+#define RELAXATION 1.6    /* of these sweeps                                                                    */
+#define BEYOND 10.0       /* times the largest force guessed: contacts contradict each other                    */
 #define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that is none                          */
 #define ROUND_OFF 1e-15   /* of a coordinate, over the same                                                */
 #define CONE_MARGIN 1e-9  /* of the cone, and of a slip, by which statuses are kept                             */
@@ -33,6 +36,7 @@ enum { MOST_CHOICES = 60, PATIENCE = 5, MOST_LAGS = 6, MOST_DIVISIONS = 7 };
 typedef struct touch {
     double gap, rate; /* at its start; the rate where it is near, else 0                                         */
     double was_closed, is_near;
+    double normal; /* its force by the last choice that was solved, or guessed                                    */
 } touch;
 
 static inline touch *touch_of(const context *c, int32_t i) { return (touch *)(void *)c->k.touch + i; }
@@ -268,20 +272,122 @@ static int32_t look_for_objections(context *c, int32_t status, objections *x)
     return status;
 }
 
+/* Gradient of gap i over its free nodes, in the middle of the half step. */
+static int32_t gradient_of_gap(const context *c, int32_t i, double *gradient, double *gap)
+{
+    const holonom_model *m = c->m;
+    const int32_t j = m->contact_row[i], size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t status = gap_at_end(c, i, gap);
+    if (status) return status;
+    local_gradients(c, j);
+    for (int32_t k = 0; k < size; k++) gradient[k] = 0.0;
+    for (int32_t f = 0; f < m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]; f++)
+        for (int32_t k = 0; k < size; k++) gradient[k] += c->k.slope[f] * c->k.gradient[size * f + k];
+    return HOLONOM_OK;
+}
+
+/* Chooses anew, from the half step that is solved, those contacts that would be closed if masses of nodes were all that
+   couples gaps: N >= 0 _|_ g + W (N - N_0) >= 0 by projected over-relaxed sweeps (Cryer 1971), which cost far less than
+   another factorisation. Where rows couple gaps, too, more will object.                                          */
+static int32_t guess_choice(context *c, int parity)
+{
+    const holonom_model *m = c->m;
+    const int32_t stride = DIM * m->n_local_nodes + 3;
+    const double half = 0.5 * c->h * c->h, none = PENETRATION * c->number[m->extent_at];
+    double *way = c->k.ahead, *at = c->k.sweep;
+    memset(way, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
+        const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+        if (touch_of(c, i)->is_near == 0.0) continue;
+        const int32_t status = gradient_of_gap(c, i, at + 3, at);
+        if (status) return status;
+        at[1] = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
+        at[2] = 0.0;
+        for (int32_t k = 0; k < size; k++) at[2] += half * hm_square(at[3 + k]) / c->number[m->node_mass_at + node[k / DIM]];
+        at += stride;
+    }
+    for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+        double largest = 0.0;
+        at = c->k.sweep;
+        for (int32_t i = 0; i < m->n_contacts; i++) {
+            const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
+            const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+            double gap = at[0];
+            if (touch_of(c, i)->is_near == 0.0) continue;
+            for (int32_t k = 0; k < size; k++) gap += at[3 + k] * way[DIM * node[k / DIM] + k % DIM];
+            const double normal = at[2] > 0.0 ? fmax(at[1] - RELAXATION * gap / at[2], 0.0) : 0.0, change = normal - at[1];
+            for (int32_t k = 0; k < size; k++)
+                way[DIM * node[k / DIM] + k % DIM] += half * change * at[3 + k] / c->number[m->node_mass_at + node[k / DIM]];
+            at[1] = normal;
+            largest = fmax(largest, fabs(change) * at[2]);
+            at += stride;
+        }
+        if (largest <= none) break;
+    }
+    at = c->k.sweep;
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        if (touch_of(c, i)->is_near == 0.0) continue;
+        touch_of(c, i)->normal = at[1];
+        c->s.mu[parity][row_of(c, m->contact_row[i])] = -at[1]; /* decides what dependent rows leave open */
+        if (at[1] > 0.0 && !is_closed(c, i)) let_close(c, i);
+        else if (!(at[1] > 0.0) && is_closed(c, i)) open_contact(c, i);
+        at += stride;
+    }
+    return HOLONOM_OK;
+}
+
+/* Of closed contacts that contradict each other, since there are more of them than they can hold, opens the one whose force
+   vanishes first on the way from the last one solved to where the failed iteration has gone; 0 if there is none.  */
+static int open_contradicting(context *c)
+{
+    double least = INFINITY;
+    int32_t first = -1;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const double before = fmax(touch_of(c, i)->normal, 0.0), change = is_closed(c, i) ? before - normal_in_step(c, i) : 0.0;
+        if (change > before && before / change < least) least = before / change, first = i;
+    }
+    if (first < 0) return 0;
+    blame(c, c->m->contact_row[first]);
+    open_contact(c, first);
+    return 1;
+}
+
+/* Whether forces are far beyond those that were guessed: closed contacts hold each other, up to a little that they contradict. */
+static int contradicts(const context *c, int guessed)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < c->m->n_contacts && guessed; i++) largest = fmax(largest, touch_of(c, i)->normal);
+    return largest > 0.0 && largest_normal_in_step(c) > BEYOND * largest;
+}
+
+static int n_near(const context *c)
+{
+    int n = 0;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) n += touch_of(c, i)->is_near != 0.0;
+    return n;
+}
+
+static void keep_normals(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++)
+        touch_of(c, i)->normal = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
+}
+
 /* Whether a step that was solved so may have failed by its choice. */
 static inline int may_choose_anew(int32_t status)
 {
     return status == HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Solves the half step with the choice at hand until no contact or friction objects. All that do change at once as long as
-   they become fewer, now and then; else the last one alone, by which no choice comes back (Murty 1974; Judice & Pires
-   1994), until they are fewer again.                                                                            */
+/* Solves the half step with the choice at hand until no contact or friction objects. Where many do, they are guessed anew.
+   Else all change at once as long as they become fewer now and then, or the last one alone, by which no choice comes back
+   (Murty 1974; Judice and Pires 1994), until they are fewer again.                                              */
 static int32_t solve_choices(context *c, int parity, int at_once)
 {
-    const int most = MOST_CHOICES + c->m->n_contacts / 4;
-    int fewest = INT_MAX, patience = PATIENCE, together = 0;
-    for (int choice = 0; choice < most; choice++) {
+    int fewest = INT_MAX, patience = PATIENCE, together = 0, guesses = 0;
+    const int are_many = !at_once && n_near(c) > FEW_CONTACTS;
+    for (int choice = 0; choice < MOST_CHOICES; choice++) {
         objections x = {0, 0, NONE_CHANGES, at_once};
         c->factors_h = 0.0;
         int32_t status = solve_step(c, parity), solved = status;
@@ -291,6 +397,16 @@ static int32_t solve_choices(context *c, int parity, int at_once)
         if (status || !x.count) return status;
         if (x.count < fewest) fewest = x.count, patience = PATIENCE;
         else if (patience > 0) patience--;
+        if (are_many && solved && !guesses) { /* closed contacts contradict each other: from none on */
+            for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+            continue;
+        }
+        if (are_many && (solved || contradicts(c, guesses)) && open_contradicting(c)) continue;
+        if (!solved) keep_normals(c);
+        if (are_many && !solved && x.count > FEW && guesses++ < MOST_GUESSES) {
+            if ((status = guess_choice(c, parity))) return status;
+            continue;
+        }
         x.changing = patience > 0 ? ALL_CHANGE : x.last;
         look_for_objections(c, solved, &x);
         if (together) stop_together(c, together > 1);

@@ -1,9 +1,13 @@
-"""Stepped mode: contacts change at the ends of half steps, and energies stay physical."""
+"""Stepped mode: contacts change at the ends of half steps, and what they take stays physical."""
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
+import solver
+from solver.runtime import Integrator
 from tests.contact_events import begin, contacts_of, cover, even, number
 from tests.contact_scenes import (
     ball,
@@ -18,8 +22,9 @@ from tests.contact_scenes import (
     slider_crank_with_clearance,
 )
 from tests.problems import GRAVITY, Content
+from tests.problems import scene as solver_scene
 
-STEPPED = {"contact_mode": "stepped"}
+STEPPED: dict[str, Any] = {"contact_mode": "stepped"}
 CLOSURE = 1e-12
 """Of the reference energy."""
 LEAST_GAP = -1e-12
@@ -133,14 +138,14 @@ def test_a_chain_that_falls_on_a_floor_comes_to_rest(h):
 
 @pytest.mark.parametrize("settings", [{}, {"tolerance": 1e-6}], ids=str)
 @pytest.mark.parametrize("order", [2, 4])
-def test_located_mode_steps_over_the_zeno_time_of_a_ball(order, settings):
+def test_located_mode_steps_over_the_zeno_time_of_a_ball(order: int, settings: dict[str, Any]):
     # Flights of e^n get shorter without end until 4.06371276887158 s: infinitely many events.
     integrator = begin(ball(), 0.01, order, rest_speed=0.0, rest_time=0.0, **settings)
     cover(integrator, [3.0])
     assert integrator["solver.stepped"] == 0.0
     passed = cover(integrator, [4.1])
     assert integrator["solver.stepped"] == 1.0
-    assert integrator["solver.events"] >= 50.0
+    assert number(integrator, "solver.events") >= 50.0
     assert passed.error <= CLOSURE
     cover(integrator, [4.2, 4.3])
     assert integrator["solver.stepped"] == 0.0
@@ -156,3 +161,13 @@ def test_stepped_runs_continue_from_a_saved_state_bit_for_bit():
     second.restore(first.save())
     cover(second, even(0.4, 0.004)[50:])
     assert [whole[f"p{i}.y"] for i in range(6)] == [second[f"p{i}.y"] for i in range(6)]
+
+
+def test_stepped_mode_says_once_that_its_order_is_2():
+    sentences: list[str] = []
+    scene = solver_scene(ball(), order=4, step_size=0.01, paired=True, **STEPPED)
+    integrator = Integrator(solver.assemble(scene), log=sentences.append)
+    integrator.initialise()
+    cover(integrator, even(1.0, 0.1))
+    assert integrator["solver.order_in_use"] == 2.0
+    assert sum("of order 2" in sentence for sentence in sentences) == 1
