@@ -92,14 +92,14 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     set_laws(&c, start, 0);
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = 0.0;
-    int stepped = is_stepped(&c);
-    if (!status && m->unilateral && !stepped) {
+    if (!status && m->unilateral && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle(&c) : event_functions(&c, values_at(&c, AT_LOW));
-        if ((stepped = may_step_over(status))) undo_piece(&c, start, c.number[m->time_at]), status = HOLONOM_OK;
     }
-    if (!status && stepped) status = cover_stepped(&c, start, 0.0, step);
-    else if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
+    if (may_step_over(status)) {
+        undo_piece(&c, start, c.number[m->time_at]);
+        status = step_over(&c, status, start, 0.0, step);
+    } else if (!status) status = (is_stepped(&c) ? step_evenly : head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {

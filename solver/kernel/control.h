@@ -155,7 +155,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) {
             if (!may_step_over(status)) return status;
             undo_piece(c, start + done, law_time);
-            return cover_stepped(c, start, done, step);
+            return step_over(c, status, start, done, step);
         }
         done = covered == rest ? step : done + covered;
         follow_energies(c);
@@ -181,7 +181,7 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         if (!status) status = end_piece(c, start + done, law_time, length, &covered);
         if (may_step_over(status)) {
             undo_piece(c, start + done, law_time);
-            return cover_stepped(c, start, done, step);
+            return step_over(c, status, start, done, step);
         }
         if (status) return status;
         done = covered == next - done ? next : done + covered;

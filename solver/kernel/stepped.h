@@ -120,6 +120,7 @@ static void begin_choice(context *c, double h)
     const holonom_model *m = c->m;
     const double speed = 4.0 * h * fastest_node(c), fall = 3.0 * h * h * largest_acceleration(c);
     const double none = PENETRATION * c->number[m->extent_at];
+    memset(c->k.stop, 0, sizeof(double) * (size_t)m->n_rows);
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
     for (int32_t i = 0; i < m->n_contacts; i++) {
@@ -651,11 +652,12 @@ static int has_closed(const context *c)
     return 0;
 }
 
-/* One half step, which counts only if its ledger closes. */
+/* One half step, which counts only if its ledger closes and contacts give no energy. */
 static int32_t try_half(context *c, double h, int half)
 {
     const int parity = half % 2;
-    const double before = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c)), impact = booked(c, S_IMPACT);
+    const double before = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
+    const double impact = booked(c, S_IMPACT), friction = booked(c, S_FRICTION);
     c->h = h;
     c->half = half;
     if (c->m->sensing) sense(c, h, parity);
@@ -669,7 +671,8 @@ static int32_t try_half(context *c, double h, int half)
     if (status) return status;
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
     const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];
-    return fabs(after - before) <= allowed ? HOLONOM_OK : HOLONOM_NEWTON_DIVERGED;
+    if (!(fabs(after - before) <= allowed)) return HOLONOM_NEWTON_DIVERGED;
+    return booked(c, S_IMPACT) - impact + booked(c, S_FRICTION) - friction >= -allowed ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
 }
 
 /* A half step of length h; where it fails, two of half its length. */
@@ -725,6 +728,17 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     c->stepping = 0;
     if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */
     return status;
+}
+
+HM_SELDOM static int32_t step_evenly(context *c, double start, double step) { return cover_stepped(c, start, 0.0, step); }
+
+/* Likewise where located mode has failed, from where it last had no doubt. If that fails, too, its reason counts. */
+HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double done, double step)
+{
+    const int32_t at_fault = c->at_fault, status = cover_stepped(c, start, done, step);
+    if (!status) return HOLONOM_OK;
+    c->at_fault = at_fault;
+    return why;
 }
 
 /* Contacts at the start of a run. In stepped mode what hits does so in the first half step, and those are closed that the
