@@ -169,8 +169,9 @@ def provoked(status):
 
 
 def test_every_status_has_a_sentence_and_is_provoked_below():
-    at_the_start = {Status.CONTACT_SETTINGS, Status.PENETRATION, Status.CONTACT_UNDECIDED}
-    assert {Status.OK, *FAILURES} == {Status.OK, *SENTENCES} == set(Status) - at_the_start
+    at_the_start = {Status.CONTACT_SETTINGS, Status.PENETRATION}
+    others = set(Status) - at_the_start - {Status.CONTACT_UNDECIDED}  # which is stepped over
+    assert {Status.OK, *FAILURES} == {Status.OK, *SENTENCES} == others
 
 
 @pytest.mark.parametrize("status", FAILURES, ids=lambda status: status.name)
@@ -220,12 +221,12 @@ def test_a_mechanism_that_closes_into_a_contact_is_refused():
         model_of(LONG_ROD)
 
 
-def test_friction_that_gives_energy_fails_the_step():
-    run = start(BALL.replace("[1, 3]", "[1, 0]"))
-    run.numbers[run.model.offsets["sliding"]] = -0.5  # no scene can say so
-    with pytest.raises(StepError, match="no choice of closed contacts"):
-        run.advance(run.time, 0.1)
-    assert run.status is Status.CONTACT_UNDECIDED
+def test_what_located_mode_gives_up_is_stepped_over():
+    run = start(BALL, max_events=2)
+    run.advance(run.time, 2.0)
+    assert run["solver.stepped"] == 1.0
+    run.advance(run.time, 0.01)
+    assert run["solver.stepped"] == 0.0
 
 
 @pytest.mark.parametrize(("speed", "status"), [(250.0, Status.OK), (1e5, Status.TURN_TOO_LARGE)])
