@@ -214,6 +214,14 @@ HM_SELDOM static double largest_normal(const context *c)
     return largest;
 }
 
+/* Force that is none: of the largest one, or of what the reference energy makes over the size of the mechanism, so that a
+   contact which carries nothing does not open and close by round-off.                                            */
+HM_SELDOM static double force_that_is_none(const context *c)
+{
+    const double extent = c->number[c->m->extent_at];
+    return NO_FORCE * fmax(largest_normal(c), c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
+}
+
 HM_SELDOM static int is_at_rest(const context *c, int32_t i)
 {
     return gap_of(c, i) <= gap_that_is_none(c) && fabs(gap_rate(c, i)) <= speed_that_is_none(c);
@@ -240,7 +248,7 @@ static int32_t agree_with_forces(context *c)
     const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
     for (int change = 0; change < most; change++) {
         const int32_t status = look_at_forces(c);
-        const double none = NO_FORCE * largest_normal(c);
+        const double none = force_that_is_none(c);
         if (status) return status;
         if (!(open_worst(c, none) || slide_worst(c, none) || turn_back(c) || close_worst(c))) return HOLONOM_OK;
     }

@@ -119,7 +119,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
 HM_SELDOM static double no_value(const context *c, int32_t k)
 {
     const int32_t f = k - c->m->n_contacts;
-    if (f < 0) return is_closed(c, k) ? NO_FORCE * largest_normal(c) : 1e-15 * c->number[c->m->extent_at];
+    if (f < 0) return is_closed(c, k) ? force_that_is_none(c) : 1e-15 * c->number[c->m->extent_at];
     if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
     return 1e-3 * speed_that_is_none(c);
 }
