@@ -192,7 +192,7 @@ _TABLE = (
     Option(
         "max_events",
         50.0,
-        "impacts and other changes of contacts that a communication step may have",
+        "impacts and other changes of contacts in a communication step, beyond which it is stepped",
         low=1.0,
         high=1e6,
         whole=True,
