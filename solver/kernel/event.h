@@ -160,7 +160,10 @@ HM_SELDOM static double root_between(const context *c, int32_t k, double h, even
     if (r0 == r0 && r1 == r1) {
         if (v0 <= none && fabs(r0) <= none) r0 = 0.0;
         if (v1 >= -none && !(r0 < 0.0 && r1 > 0.0)) return INFINITY;
-        if (v1 < -none || (r0 < 0.0 && r1 > 0.0)) return h * cubic_root(v0, r0, v1, r1);
+        const double root = h * cubic_root(v0, r0, v1, r1), touch = (v0 - v1 + r1) / (r1 - r0);
+        if (root <= h || v1 < -none) return root;
+        /* A distance has a kink where the ball passes through: its tangents meet below 0, which a trial there shows. */
+        return v0 + r0 * touch < -none ? h * touch : INFINITY;
     }
     return v1 < -none ? h * v0 / (v0 - v1) : INFINITY;
 }
@@ -257,7 +260,13 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
             if (root < first) first = root, which = k;
         }
         c->event = which;
-        if (which < 0) return HOLONOM_OK;
+        if (which < 0 && trial == 0) return HOLONOM_OK;
+        if (which < 0) { /* it only came close */
+            *covered = h;
+            undo_piece(c, t, law_time);
+            const int32_t status = step_piece(c, h);
+            return status ? status : event_functions(c, high);
+        }
         blame(c, which < c->m->n_contacts ? c->m->contact_row[which] : slip_row(c, which - c->m->n_contacts, 0));
         if (width > 0.5 * last && trial % 3 == 2) first = 0.5 * width; /* one end does not move */
         last = width;
