@@ -39,8 +39,10 @@ HM_SELDOM static void reach_of(const context *c, double *x)
 /* An impact as it is set up: the rows of contacts that take part, and what is known of each. */
 typedef struct hit {
     hm_impact law;
-    int32_t *contact; /* of each of law's                                                                     */
-    int32_t *row;     /* composite of each row                                                                 */
+    double *W, *coefficient, *before; /* what law reads, to be filled                                          */
+    int32_t *first, *tangents;        /* likewise                                                              */
+    int32_t *contact;                 /* number of each contact that takes part                                */
+    int32_t *row;                     /* composite of each row                                                 */
 } hit;
 
 /* Lays the vectors of an impact over the scratch. */
@@ -49,9 +51,14 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
     const int64_t n = c->m->n_hit_rows;
     double *d = c->k.hit;
     int32_t *i = (int32_t *)(void *)(d + 5 * n);
-    x->law = (hm_impact){.W = c->k.hit_matrix, .restitution = d, .coefficient = d + n, .before = d + 2 * n,
+    x->W = c->k.hit_matrix;
+    x->coefficient = d + n;
+    x->before = d + 2 * n;
+    x->first = i;
+    x->tangents = i + n;
+    x->law = (hm_impact){.W = x->W, .restitution = d, .coefficient = x->coefficient, .before = x->before,
                          .impulse = d + 3 * n, .after = d + 4 * n, .scratch = c->k.hit_scratch,
-                         .first = i, .tangents = i + n, .status = i + 2 * n};
+                         .first = x->first, .tangents = x->tangents, .status = i + 2 * n};
     x->contact = i + 3 * n;
     x->row = i + 4 * n;
 }
@@ -61,9 +68,9 @@ HM_SELDOM static int add_to_hit(const context *c, hit *x, int32_t i, double rest
 {
     const int32_t f = c->m->contact_friction[i], k = x->law.contacts, slips = f < 0 ? 0 : n_slips(c, f);
     if (x->law.rows + 1 + slips > c->m->n_hit_rows) return 0;
-    ((int32_t *)(uintptr_t)x->law.first)[k] = x->law.rows;
-    ((int32_t *)(uintptr_t)x->law.tangents)[k] = slips;
-    ((double *)(uintptr_t)x->law.coefficient)[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
+    x->first[k] = x->law.rows;
+    x->tangents[k] = slips;
+    x->coefficient[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
     x->law.restitution[k] = restitution;
     x->contact[k] = i;
     x->row[x->law.rows++] = c->m->contact_row[i];
@@ -133,7 +140,7 @@ HM_SELDOM static int32_t hold_rows(context *c, int account)
 }
 
 /* Fills W from the velocities that the impulses bring about. */
-static int32_t fill_matrix(const context *c, const hit *x, double *W)
+static int32_t fill_matrix(const context *c, const hit *x)
 {
     const int64_t n = DIM * c->n_moving, rows = x->law.rows;
     int32_t status = HOLONOM_OK;
@@ -143,17 +150,16 @@ static int32_t fill_matrix(const context *c, const hit *x, double *W)
         for (int32_t s = 0; s < rows; s++) {
             double sum = 0.0;
             for (int64_t k = 0; k < n; k++) sum += c->k.momentum[k] * c->k.hit_reach[n * s + k];
-            W[rows * r + s] = sum;
+            x->W[rows * r + s] = sum;
         }
     }
     return status;
 }
 
 /* Fills W and the rates before. All contacts are open, so that factors are those of the bilateral rows. */
-HM_SELDOM static int32_t fill_hit(context *c, hit *x)
+HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
 {
     const int64_t n = DIM * c->n_moving, rows = x->law.rows;
-    double *W = (double *)(uintptr_t)x->law.W, *before = (double *)(uintptr_t)x->law.before;
     stand_still(c);
     int32_t status = factorise_at_state(c, NULL);
     if (status) return status;
@@ -164,8 +170,8 @@ HM_SELDOM static int32_t fill_hit(context *c, hit *x)
         status = add_row_gradient(c, x->row[r], -AT_STATE);
         reach_of(c, c->k.hit_reach + n * r);
     }
-    for (int32_t r = 0; r < rows; r++) before[r] = rate_of_row(c, x->row[r]);
-    return status ? status : fill_matrix(c, x, W);
+    for (int32_t r = 0; r < rows; r++) x->before[r] = rate_of_row(c, x->row[r]);
+    return status ? status : fill_matrix(c, x);
 }
 
 /* What the impulses, those of the rows in mu, take with the velocities at hand: the mean of both ends is exact. */
@@ -280,9 +286,8 @@ enum { MOST_SEQUENTIAL = 2000 };
 HM_SELDOM static int32_t jam(context *c)
 {
     hit x;
-    double pushed = 0.0, *before;
+    double pushed = 0.0;
     map_hit(c, &x);
-    before = (double *)(uintptr_t)x.law.before;
     look_at_state(c);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_at_rest(c, i) && !add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
@@ -291,7 +296,7 @@ HM_SELDOM static int32_t jam(context *c)
     const double kinetic = kinetic_energy(c, c->k.momentum);
     const int32_t status = fill_hit(c, &x);
     if (status) return status;
-    for (int32_t k = 0; k < x.law.contacts; k++) before[x.law.first[k]] -= speed_that_is_none(c);
+    for (int32_t k = 0; k < x.law.contacts; k++) x.before[x.law.first[k]] -= speed_that_is_none(c);
     if (hm_solve_impact(&x.law)) return HOLONOM_CONTACT_UNDECIDED;
     for (int32_t k = 0; k < x.law.contacts; k++) pushed += x.law.impulse[x.law.first[k]];
     return pushed > 0.0 ? apply_hit(c, &x, kinetic) : HOLONOM_CONTACT_UNDECIDED;
@@ -345,7 +350,6 @@ static int32_t guess_by_law(context *c)
     const int64_t n = DIM * c->n_moving;
     hit x;
     map_hit(c, &x);
-    double *W = (double *)(uintptr_t)x.law.W, *before = (double *)(uintptr_t)x.law.before;
     look_at_state(c);
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const int32_t f = m->contact_friction[i];
@@ -356,14 +360,14 @@ static int32_t guess_by_law(context *c)
         const int32_t k = x.law.contacts - 1;
         if (slides) { /* add_push knows its friction */
             x.law.rows = x.law.first[k] + 1;
-            ((int32_t *)(uintptr_t)x.law.tangents)[k] = 0;
-            ((double *)(uintptr_t)x.law.coefficient)[k] = 0.0;
+            x.tangents[k] = 0;
+            x.coefficient[k] = 0.0;
         } else if (f >= 0)
-            ((double *)(uintptr_t)x.law.coefficient)[k] = c->number[m->static_at + f];
+            x.coefficient[k] = c->number[m->static_at + f];
     }
     const int32_t rows = x.law.rows;
     int32_t status = look_at_forces(c);
-    for (int32_t r = 0; r < rows && !status; r++) before[r] = second_rate_of_row(c, x.row[r]);
+    for (int32_t r = 0; r < rows && !status; r++) x.before[r] = second_rate_of_row(c, x.row[r]);
     stand_still(c);
     if (!status) status = factorise_at_state(c, NULL);
     for (int32_t k = 0; k < x.law.contacts && !status; k++)
@@ -372,7 +376,7 @@ static int32_t guess_by_law(context *c)
             status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
             reach_of(c, c->k.hit_reach + n * r);
         }
-    if (!status) status = fill_matrix(c, &x, W);
+    if (!status) status = fill_matrix(c, &x);
     if (!status && hm_solve_impact(&x.law)) status = HOLONOM_CONTACT_UNDECIDED;
     if (status) return status;
     look_at_state(c);

@@ -8,7 +8,7 @@
 #include "ledger.h"
 
 /* Inputs as they are at time t: held, or on their line through the value at the beginning of the communication step. */
-static void load_inputs(context *c, double t)
+static void load_inputs(const context *c, double t)
 {
     const holonom_model *m = c->m;
     for (int32_t i = 0; i < m->n_inputs; i++)
@@ -53,7 +53,7 @@ static void set_laws(context *c, double t, int booked)
 }
 
 /* Signals at time t (n_signals, overwritten). */
-static void signals_at(context *c, double t, double *signal)
+static void signals_at(const context *c, double t, double *signal)
 {
     const holonom_model *m = c->m;
     const double law_time = c->number[m->time_at];
@@ -67,7 +67,7 @@ static void signals_at(context *c, double t, double *signal)
 
 /* Rates of the signals at time t (n_signals, overwritten): forward differences of fourth order, so that what a formula is
    before t does not matter. At a kink or a jump, such as that of 2 max(t, 0) at 0, the rate is that of what follows.  */
-HM_SELDOM static void signal_rates_at(context *c, double t, double *rate)
+HM_SELDOM static void signal_rates_at(const context *c, double t, double *rate)
 {
     static const double weight[5] = {0.0, 48.0, -36.0, 16.0, -3.0}; /* of differences: constants have the rate 0 */
     const int32_t n = c->m->n_signals;

@@ -112,7 +112,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
     const double *head = c->s.head;
     if (!m->unilateral) return;
     quantities_at_state(c);
-    signal_rates_at((context *)(uintptr_t)c, head[S_TIME], c->k.signal_rate);
+    signal_rates_at(c, head[S_TIME], c->k.signal_rate);
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const double *x = contact_of(c, i), *mu = y->multiplier;
         const int32_t f = m->contact_friction[i], j = m->contact_row[i];
