@@ -32,11 +32,11 @@ void holonom_set_inputs(const holonom_model *m, double *number, double *state, d
     context c;
     open_context(&c, m, number, state, work);
     set_laws(&c, c.t, 0);
-    if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0) start_anew(&c);
+    const int has_new_parameters = memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0;
+    const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
+    if (has_new_parameters) start_anew(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
-    if (memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0 ||
-        memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0)
-        c.s.head[S_UNSETTLED] = 1.0;
+    if (has_new_parameters || has_new_inputs) c.s.head[S_UNSETTLED] = 1.0;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
@@ -99,7 +99,8 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (may_step_over(status)) {
         undo_piece(&c, start, c.number[m->time_at]);
         status = step_over(&c, status, start, 0.0, step);
-    } else if (!status) status = (is_stepped(&c) ? step_evenly : head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
+    } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);
+    else if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {

@@ -125,6 +125,14 @@ HM_SELDOM static void open_contact(const context *c, int32_t i)
     if (f >= 0) friction_of(c, f)[F_MODE] = FRICTION_OFF;
 }
 
+/* Lets go all that contacts and frictions hold, as an impact asks for. */
+HM_SELDOM static void open_all(const context *c)
+{
+    for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
+    for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+}
+
+/* Closes contact i at the gap that it has. */
 HM_SELDOM static void close_contact(context *c, int32_t i)
 {
     const int32_t f = c->m->contact_friction[i];
@@ -189,13 +197,19 @@ HM_SELDOM static int turn_back(context *c)
     return 0;
 }
 
+/* Whether contact i touches and its gap does not move. */
+HM_SELDOM static int is_at_rest(const context *c, int32_t i)
+{
+    return gap_of(c, i) <= gap_that_is_none(c) && fabs(gap_rate(c, i)) <= speed_that_is_none(c);
+}
+
 /* Closes an open contact that touches, does not move and would get closer; 0 if none does. */
 HM_SELDOM static int close_worst(context *c)
 {
     int32_t worst = -1;
     double least = -growth_that_is_none(c);
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
-        if (is_closed(c, i) || !(gap_of(c, i) <= gap_that_is_none(c)) || !(fabs(gap_rate(c, i)) <= speed_that_is_none(c))) continue;
+        if (is_closed(c, i) || !is_at_rest(c, i)) continue;
         const double growth = second_rate_of_row(c, c->m->contact_row[i]);
         if (contact_of(c, i)[C_PARTED] != 0.0 && growth > -growth_that_is_none(c) * PARTING / NO_GROWTH) continue;
         if (growth < least) least = growth, worst = i;
@@ -220,11 +234,6 @@ HM_SELDOM static double force_that_is_none(const context *c)
 {
     const double extent = c->number[c->m->extent_at];
     return NO_FORCE * fmax(largest_normal(c), c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
-}
-
-HM_SELDOM static int is_at_rest(const context *c, int32_t i)
-{
-    return gap_of(c, i) <= gap_that_is_none(c) && fabs(gap_rate(c, i)) <= speed_that_is_none(c);
 }
 
 /* First guess of the modes at the present state: contacts that touch without approaching are closed, unless `parted` says
@@ -255,11 +264,11 @@ static int32_t agree_with_forces(context *c)
     return HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Takes multipliers and accelerations over as at a start. */
+/* Finds multipliers and accelerations of the modes at hand, as at the start of a run. */
 static int32_t start_with_modes(context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++) contact_of(c, i)[C_PARTED] = 0.0;
-    for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
+    forget_dependent_rows(c);
     const int32_t status = first_multipliers(c);
     forget_changes(c);
     return status;

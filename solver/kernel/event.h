@@ -37,6 +37,7 @@ static int has_forces(const context *c)
     return 0;
 }
 
+/* Slip of friction f at the state, along the direction in which it slides. */
 static double slip_along(const context *c, int32_t f)
 {
     double sum = 0.0;
@@ -63,17 +64,20 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
     return status;
 }
 
-/* A speed that no gap grows faster than. */
-static double fastest_node(const context *c)
+/* Largest square of the vectors x of the moving nodes; directors count times the size of the mechanism. */
+static double largest_square(const context *c, const double *x)
 {
     const double extent = c->number[c->m->extent_at];
-    double most2 = 0.0;
+    double largest = 0.0;
     for (int32_t a = 0; a < c->n_moving; a++) {
-        const double *v = c->s.v + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
-        most2 = fmax(most2, size * size * dot(v, v));
+        const double *own = x + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
+        largest = fmax(largest, size * size * dot(own, own));
     }
-    return sqrt(most2);
+    return largest;
 }
+
+/* Speed of the fastest node; no gap grows much faster. */
+static double fastest_node(const context *c) { return sqrt(largest_square(c, c->s.v)); }
 
 /* Parts of forces by which they must be on the safe side, so that their values need not be known better. */
 #define SAFE_NORMAL 0.3
@@ -228,16 +232,21 @@ static int32_t step_piece(context *c, double h)
     return h < SHORTEST_PIECE * usual_length(c) ? short_piece(c, h) : step_halving(c, h, 0);
 }
 
-/* Goes back to the start of the piece. What the step has cost stays counted. */
-HM_SELDOM static void undo_piece(context *c, double t, double law_time)
+/* Goes back to the state `backup` of time t, with laws of law_time. What the step has cost stays counted. */
+HM_SELDOM static void restore_state(context *c, const double *backup, double t, double law_time)
 {
     const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
-    memcpy(c->s.head, c->divided ? c->k.event_backup : c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0);
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
 }
+
+/* State at the start of the piece at hand. */
+static const double *start_of_piece(const context *c) { return c->divided ? c->k.event_backup : c->k.pair_backup; }
+
+HM_SELDOM static void undo_piece(context *c, double t, double law_time) { restore_state(c, start_of_piece(c), t, law_time); }
 
 enum { AT_LOW, AT_HIGH, AT_TRIAL };
 
@@ -377,7 +386,7 @@ static int follow_slips(context *c, event_values at)
    force at will, and one of them pulls, with a ledger that closes.                                               */
 static int friction_takes(const context *c)
 {
-    const double *start = c->divided ? c->k.event_backup : c->k.pair_backup, *head = c->s.head;
+    const double *start = start_of_piece(c), *head = c->s.head;
     return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
 }
 

@@ -270,8 +270,7 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (takes_part(c, i) && (!sequential || i == fastest) && !add_to_hit(c, &x, i, restitution_of(c, i)))
             return HOLONOM_IMPACT_UNSOLVED;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
-    for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+    open_all(c);
     const double kinetic = kinetic_energy(c, c->k.momentum);
     status = fill_hit(c, &x);
     if (status) return status;
@@ -291,8 +290,7 @@ HM_SELDOM static int32_t jam(context *c)
     look_at_state(c);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_at_rest(c, i) && !add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
-    for (int32_t i = 0; i < c->m->n_contacts; i++) open_contact(c, i);
-    for (int32_t f = 0; f < c->m->n_frictions; f++) friction_of(c, f)[F_MODE] = FRICTION_OFF;
+    open_all(c);
     const double kinetic = kinetic_energy(c, c->k.momentum);
     const int32_t status = fill_hit(c, &x);
     if (status) return status;

@@ -136,9 +136,9 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     return hm_lu_factor(0, size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
 }
 
-/* Solves  A x + G' mu = -f,  G x = -g  (of sliding rows, mu - (that of the cone) = g) with A the mass matrix, times node weights if given; G at the present links.
-   f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order of the unknowns; regularised and
-   iterated so that dependent rows do no harm.                                                                   */
+/* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the present links; a sliding
+   row has mu - (that of its cone) = g instead. f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order
+   of the unknowns; regularised and iterated so that dependent rows do no harm.                                  */
 static void solve_with_factors(const context *c)
 {
     const holonom_model *m = c->m;
@@ -161,6 +161,7 @@ static void solve_with_factors(const context *c)
     }
 }
 
+/* Likewise with new factors, of the mass matrix times node weights if given. */
 static int32_t solve_at_state(const context *c, const double *weight)
 {
     const int32_t status = factorise_at_state(c, weight);
@@ -277,8 +278,8 @@ HM_SELDOM static double bias_of_row(const context *c, int32_t j)
     return bias_of(c, j) - own;
 }
 
-/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w.
-   Differences look forward only: drivers may have a kink at the start.                                         */
+/* Biases of function and velocity rows that are on, from derivatives: contacts need more digits than differences in time
+   have. Those of signals look forward only, as below.                                                           */
 HM_SELDOM static void exact_biases(context *c)
 {
     const double delta = 1e-2 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
@@ -292,6 +293,8 @@ HM_SELDOM static void exact_biases(context *c)
         if (state_of_row(c, j) == ROW_IS_ON) c->k.row_bias[row_of(c, j)] = bias_of_row(c, j);
 }
 
+/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w.
+   Differences look forward only: drivers may have a kink at the start.                                         */
 HM_SELDOM static void row_biases(context *c)
 {
     const holonom_model *m = c->m;
@@ -322,6 +325,11 @@ HM_SELDOM static void row_biases(context *c)
     memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
 }
 
+HM_SELDOM static void forget_dependent_rows(const context *c)
+{
+    for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
+}
+
 /* Marks islands whose rows depend on each other, by the factors of solve_at_state: the pivot of a row is what is left of
    -G M^-1 G' - epsilon, of a dependent row no more than epsilon.                                               */
 static void find_dependent_rows(context *c)
@@ -330,7 +338,8 @@ static void find_dependent_rows(context *c)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(c, island, island + 1);
         EACH_ROW(c, i)
-            if (state_of_multiplier(c, i) == ROW_IS_ON && !(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
+            if (state_of_multiplier(c, i) == ROW_IS_ON &&
+                !(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
                 c->island[I_DEPENDENT] = 1.0; /* pivots are stored inverted */
     }
     look_at(c, 0, m->n_islands);

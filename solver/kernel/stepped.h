@@ -66,14 +66,9 @@ static double along_of(const context *c, int32_t f, const double *slip)
 /* Accelerations that contacts may have: of two nodes, as weight and the last half steps tell. */
 static double largest_acceleration(const context *c)
 {
-    const double *gravity = c->number + c->m->gravity_at, extent = c->number[c->m->extent_at];
-    double most2 = dot(gravity, gravity);
-    for (int32_t a = 0; a < c->n_moving; a++)
-        for (int parity = 0; parity < 2; parity++) {
-            const double *x = c->s.a[parity] + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
-            most2 = fmax(most2, size * size * dot(x, x));
-        }
-    return 2.0 * sqrt(most2);
+    const double *gravity = c->number + c->m->gravity_at;
+    const double largest2 = fmax(largest_square(c, c->s.a[0]), largest_square(c, c->s.a[1]));
+    return 2.0 * sqrt(fmax(dot(gravity, gravity), largest2));
 }
 
 static void let_close(context *c, int32_t i)
@@ -156,16 +151,7 @@ static int32_t gap_at_end(const context *c, int32_t i, double *gap)
 }
 
 /* Way of the node that moves most in the half step. */
-static double largest_way(const context *c)
-{
-    const double extent = c->number[c->m->extent_at];
-    double most2 = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double *d = c->k.d + DIM * a, size = c->m->node_kind[a] ? extent : 1.0;
-        most2 = fmax(most2, size * size * dot(d, d));
-    }
-    return sqrt(most2);
-}
+static double largest_way(const context *c) { return sqrt(largest_square(c, c->k.d)); }
 
 /* Contacts and frictions (behind the contacts) that object to a choice: how many, and the last one; and which of them are to
    change. */
@@ -543,10 +529,7 @@ static int stop_reversed(context *c)
 {
     int stops = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        double sum = 0.0;
-        if (friction_mode(c, f) != FRICTION_SLIDES) continue;
-        for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * rate_of_row(c, slip_row(c, f, k));
-        if (!(sum < -speed_that_is_none(c))) continue;
+        if (friction_mode(c, f) != FRICTION_SLIDES || !(slip_along(c, f) < -speed_that_is_none(c))) continue;
         let_stick(c, f);
         stops = 1;
     }
@@ -580,7 +563,7 @@ static int32_t velocities_of_parting(context *c, double taken, int driven)
     stand_still(c);
     const int32_t status = factorise_at_state(c, NULL);
     if (status) return status;
-    for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
+    forget_dependent_rows(c);
     find_dependent_rows(c);
     rates_to_stop(c);
     velocities_for(c, stop);
@@ -682,12 +665,7 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
     memcpy(c->k.stepped_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
     int32_t status = try_half(c, h, half);
     if (!status) return HOLONOM_OK;
-    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
-    memcpy(c->s.head, c->k.stepped_backup, sizeof(double) * (size_t)c->state_size);
-    if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0);
-    c->t = t;
-    c->s.head[S_NEWTON_ITERATIONS] = newton;
-    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
+    restore_state(c, c->k.stepped_backup, t, law_time);
     lower_penalties(c);
     if (divisions == MOST_DIVISIONS) return status;
     status = stepped_half(c, 0.5 * h, 0, divisions + 1);
@@ -729,8 +707,6 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     if (!is_stepped(c)) head[S_UNSETTLED] = 1.0; /* located mode looks at contacts anew */
     return status;
 }
-
-HM_SELDOM static int32_t step_evenly(context *c, double start, double step) { return cover_stepped(c, start, 0.0, step); }
 
 /* Likewise where located mode has failed, from where it last had no doubt. If that fails, too, its reason counts. */
 HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double done, double step)
