@@ -21,14 +21,14 @@
 #define NO_GROWTH 1e-9 /* acceleration, over the largest one, that is none                               */
 #define PARTING 1e-5   /* likewise towards a contact that the event at hand has opened                   */
 
-static double speed_that_is_none(const context *c)
+static double speed_tolerance(const context *c)
 {
     const double *extent = c->number + c->m->extent_at;
     return fmax(RESTING * speed_scale(c) * extent[0] / extent[1], 1e-300);
 }
 
 /* With the accelerations in w. */
-HM_SELDOM static double growth_that_is_none(const context *c)
+HM_SELDOM static double growth_tolerance(const context *c)
 {
     double most2 = dot(c->number + c->m->gravity_at, c->number + c->m->gravity_at);
     for (int32_t a = 0; a < c->n_moving; a++)
@@ -36,7 +36,7 @@ HM_SELDOM static double growth_that_is_none(const context *c)
     return NO_GROWTH * sqrt(most2);
 }
 
-HM_SELDOM static double gap_that_is_none(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
+HM_SELDOM static double gap_tolerance(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
 
 static double gap_of(const context *c, int32_t i) { return value_at_state(c, c->m->contact_row[i]); }
 
@@ -79,7 +79,7 @@ static double slip_of(const context *c, int32_t f, double *along)
 }
 
 /* Laws, quantities and rates of signals at the present state. */
-HM_SELDOM static void look_at_state(context *c)
+HM_SELDOM static void evaluate_state(context *c)
 {
     if (c->m->sensing) sense(c, 0.0, 0);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t, 1);
@@ -89,7 +89,7 @@ HM_SELDOM static void look_at_state(context *c)
 }
 
 /* Multipliers (in event_mu) and accelerations (in w) with the modes at hand. */
-HM_SELDOM static int32_t look_at_forces(context *c)
+HM_SELDOM static int32_t evaluate_forces(context *c)
 {
     const int32_t status = accelerations(c, c->k.event_mu);
     signal_rates_at(c, c->t, c->k.signal_rate);
@@ -114,7 +114,7 @@ HM_SELDOM static void guess_friction(context *c, int32_t f)
 {
     double along[3];
     if (!(cone(c, f, 0, 1.0) > 0.0)) friction_of(c, f)[F_MODE] = FRICTION_OFF;
-    else if (slip_of(c, f, along) > speed_that_is_none(c)) let_slide(c, f, along);
+    else if (slip_of(c, f, along) > speed_tolerance(c)) let_slide(c, f, along);
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
 }
 
@@ -187,8 +187,8 @@ HM_SELDOM static int turn_back(context *c)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
-        if (x[F_MODE] != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_that_is_none(c) ||
-            !(slip_growth(c, f) < -growth_that_is_none(c)))
+        if (x[F_MODE] != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_tolerance(c) ||
+            !(slip_growth(c, f) < -growth_tolerance(c)))
             continue;
         x[F_MODE] = FRICTION_STICKS;
         blame(c, slip_row(c, f, 0));
@@ -200,18 +200,18 @@ HM_SELDOM static int turn_back(context *c)
 /* Whether contact i touches and its gap does not move. */
 HM_SELDOM static int is_at_rest(const context *c, int32_t i)
 {
-    return gap_of(c, i) <= gap_that_is_none(c) && fabs(gap_rate(c, i)) <= speed_that_is_none(c);
+    return gap_of(c, i) <= gap_tolerance(c) && fabs(gap_rate(c, i)) <= speed_tolerance(c);
 }
 
 /* Closes an open contact that touches, does not move and would get closer; 0 if none does. */
 HM_SELDOM static int close_worst(context *c)
 {
     int32_t worst = -1;
-    double least = -growth_that_is_none(c);
+    double least = -growth_tolerance(c);
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         if (is_closed(c, i) || !is_at_rest(c, i)) continue;
         const double growth = second_rate_of_row(c, c->m->contact_row[i]);
-        if (contact_of(c, i)[C_PARTED] != 0.0 && growth > -growth_that_is_none(c) * PARTING / NO_GROWTH) continue;
+        if (contact_of(c, i)[C_PARTED] != 0.0 && growth > -growth_tolerance(c) * PARTING / NO_GROWTH) continue;
         if (growth < least) least = growth, worst = i;
     }
     if (worst < 0) return 0;
@@ -230,7 +230,7 @@ HM_SELDOM static double largest_normal(const context *c)
 
 /* Force that is none: of the largest one, or of what the reference energy makes over the size of the mechanism, so that a
    contact which carries nothing does not open and close by round-off.                                            */
-HM_SELDOM static double force_that_is_none(const context *c)
+HM_SELDOM static double force_tolerance(const context *c)
 {
     const double extent = c->number[c->m->extent_at];
     return NO_FORCE * fmax(largest_normal(c), c->s.head[S_ENERGY_REFERENCE] / fmax(extent, 1.0));
@@ -241,7 +241,7 @@ HM_SELDOM static double force_that_is_none(const context *c)
 HM_SELDOM static void guess_modes(context *c)
 {
     const holonom_model *m = c->m;
-    look_at_state(c);
+    evaluate_state(c);
     for (int32_t i = 0; i < m->n_contacts; i++) {
         double *x = contact_of(c, i);
         if (is_at_rest(c, i) && x[C_PARTED] == 0.0) close_contact(c, i);
@@ -256,8 +256,8 @@ static int32_t agree_with_forces(context *c)
 {
     const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
     for (int change = 0; change < most; change++) {
-        const int32_t status = look_at_forces(c);
-        const double none = force_that_is_none(c);
+        const int32_t status = evaluate_forces(c);
+        const double none = force_tolerance(c);
         if (status) return status;
         if (!(open_worst(c, none) || slide_worst(c, none) || turn_back(c) || close_worst(c))) return HOLONOM_OK;
     }

@@ -49,8 +49,8 @@ static double slip_along(const context *c, int32_t f)
 HM_SELDOM static int32_t event_functions(context *c, event_values x)
 {
     const holonom_model *m = c->m;
-    look_at_state(c);
-    const int32_t status = has_forces(c) ? look_at_forces(c) : HOLONOM_OK;
+    evaluate_state(c);
+    const int32_t status = has_forces(c) ? evaluate_forces(c) : HOLONOM_OK;
     for (int32_t i = 0; i < m->n_contacts && !status; i++) {
         x.value[i] = is_closed(c, i) ? normal_of(c, i) : gap_of(c, i);
         x.rate[i] = is_closed(c, i) ? NAN : gap_rate(c, i);
@@ -120,12 +120,12 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
 }
 
 /* Values of function k down to minus this are none. */
-HM_SELDOM static double no_value(const context *c, int32_t k)
+HM_SELDOM static double value_tolerance(const context *c, int32_t k)
 {
     const int32_t f = k - c->m->n_contacts;
-    if (f < 0) return is_closed(c, k) ? force_that_is_none(c) : 1e-15 * c->number[c->m->extent_at];
+    if (f < 0) return is_closed(c, k) ? force_tolerance(c) : 1e-15 * c->number[c->m->extent_at];
     if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
-    return 1e-3 * speed_that_is_none(c);
+    return 1e-3 * speed_tolerance(c);
 }
 
 /* Where in (0, 1] the cubic with these ends and slopes becomes negative, or infinity; a start below 0 counts as 0. */
@@ -158,7 +158,7 @@ HM_SELDOM static double cubic_root(double v0, double r0, double v1, double r1)
 /* Estimate of where in (0, h] function k becomes negative, or infinity. */
 HM_SELDOM static double root_between(const context *c, int32_t k, double h, event_values low, event_values high)
 {
-    const double none = no_value(c, k), v0 = fmax(low.value[k], 0.0), v1 = high.value[k];
+    const double none = value_tolerance(c, k), v0 = fmax(low.value[k], 0.0), v1 = high.value[k];
     double r0 = h * low.rate[k], r1 = h * high.rate[k];
     if (!(v0 < INFINITY && v1 < INFINITY)) return INFINITY;
     if (r0 == r0 && r1 == r1) {
@@ -190,8 +190,8 @@ HM_SELDOM static int32_t short_piece(context *c, double h)
     const holonom_model *m = c->m;
     double *signal = c->s.signal, damping = 0.0, friction = 0.0;
     keep_start(c);
-    look_at_state(c);
-    const int32_t status = look_at_forces(c);
+    evaluate_state(c);
+    const int32_t status = evaluate_forces(c);
     if (status) return status;
     const double before = kinetic_energy(c, c->k.momentum) + potential_change(c);
     for (int32_t j = 0; j < m->n_elements; j++) {
@@ -285,8 +285,8 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
         if (!status) status = event_functions(c, at);
         if (status) return status;
         int is_late = 0;
-        for (int32_t k = 0; k < n; k++) is_late |= at.value[k] < -no_value(c, k);
-        if (at.value[which] <= no_value(c, which) && !is_late) return HOLONOM_OK;
+        for (int32_t k = 0; k < n; k++) is_late |= at.value[k] < -value_tolerance(c, k);
+        if (at.value[which] <= value_tolerance(c, which) && !is_late) return HOLONOM_OK;
         if (width <= 2.0 * least) return HOLONOM_OK;
         copy_values(c, at, is_late ? high : low);
         if (is_late) end = *covered;
@@ -295,14 +295,14 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
 }
 
 /* Whether function k has become 0 at the event. */
-static int has_ended(const context *c, int32_t k) { return k == c->event || values_at(c, AT_TRIAL).value[k] <= no_value(c, k); }
+static int has_ended(const context *c, int32_t k) { return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k); }
 
 /* Lets go what has reached its limit: contacts that no force holds, frictions at their cones or without slip. */
 HM_SELDOM static int32_t change_modes(context *c)
 {
     const holonom_model *m = c->m;
     if (has_forces(c)) {
-        const int32_t status = hold_rows(c, S_IMPACT);
+        const int32_t status = project_velocities(c, S_IMPACT);
         if (status) return status;
     }
     for (int32_t i = 0; i < m->n_contacts; i++)
@@ -313,7 +313,7 @@ HM_SELDOM static int32_t change_modes(context *c)
         if (mode == FRICTION_OFF || !has_ended(c, k)) continue;
         if (mode == FRICTION_SLIDES) {
             let_stick(c, f);
-            const int32_t status = hold_rows(c, S_FRICTION);
+            const int32_t status = project_velocities(c, S_FRICTION);
             if (status) return status;
             continue;
         }
@@ -360,7 +360,7 @@ static int32_t stop_before(context *c, double *length)
 {
     const double whole = *length;
     if (!(length_before_stop(c, whole) < whole)) return HOLONOM_OK;
-    int32_t status = hold_rows(c, S_IMPACT);
+    int32_t status = project_velocities(c, S_IMPACT);
     if (!status) status = event_functions(c, values_at(c, AT_LOW));
     *length = length_before_stop(c, whole);
     return status;
@@ -375,7 +375,7 @@ static int follow_slips(context *c, event_values at)
         if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES) continue;
         at.value[k] = slip_of(c, f, along);
         if (at.value[k] > 0.0) let_slide(c, f, along);
-        if (!(at.rate[k] < 0.0) || at.value[k] > SLIP_LEFT / RESTING * speed_that_is_none(c)) continue;
+        if (!(at.rate[k] < 0.0) || at.value[k] > SLIP_LEFT / RESTING * speed_tolerance(c)) continue;
         at.value[k] = 0.0;
         stops = 1;
     }
@@ -384,7 +384,7 @@ static int follow_slips(context *c, event_values at)
 
 /* Whether friction has given no energy over the piece. It does where rows that hold the same thing twice share a normal
    force at will, and one of them pulls, with a ledger that closes.                                               */
-static int friction_takes(const context *c)
+static int friction_takes_energy(const context *c)
 {
     const double *start = start_of_piece(c), *head = c->s.head;
     return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
@@ -402,7 +402,7 @@ static int32_t end_piece(context *c, double t, double law_time, double h, double
         status = event_functions(c, high);
         if (!status) status = find_event(c, t, law_time, h, covered);
     }
-    if (!status && !friction_takes(c)) status = HOLONOM_CONTACT_UNDECIDED;
+    if (!status && !friction_takes_energy(c)) status = HOLONOM_CONTACT_UNDECIDED;
     if (status) return status;
     if (*covered == h && c->event < 0) {
         const int stops = follow_slips(c, high);

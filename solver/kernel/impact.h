@@ -27,7 +27,7 @@ HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double fa
 }
 
 /* Velocities x (n, overwritten) that impulses in `momentum`, times -sqrt 2, bring about; those of the rows are in mu. */
-HM_SELDOM static void reach_of(const context *c, double *x)
+HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
 {
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
@@ -109,7 +109,7 @@ HM_SELDOM static void add_defect(const context *c, double sign)
 
 /* Lets frictions that slide push nothing, or again what they do: part of the velocities that they bring about would not be
    orthogonal to what rows allow.                                                                                */
-static void spare_sliding(const context *c, int spared)
+static void suspend_sliding(const context *c, int spared)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
@@ -118,13 +118,13 @@ static void spare_sliding(const context *c, int spared)
 }
 
 /* Takes that part off the velocities and books its energy; what the velocities lose beyond that is work of drivers. */
-HM_SELDOM static int32_t hold_rows(context *c, int account)
+HM_SELDOM static int32_t project_velocities(context *c, int account)
 {
-    spare_sliding(c, 1);
+    suspend_sliding(c, 1);
     stand_still(c);
     const int32_t status = factorise_at_state(c, NULL);
     if (!status) find_defect(c);
-    spare_sliding(c, 0);
+    suspend_sliding(c, 0);
     if (status) return status;
     add_defect(c, 1.0);
     /* What was solved for near a singular configuration is not quite orthogonal: its own work is booked. */
@@ -135,7 +135,7 @@ HM_SELDOM static int32_t hold_rows(context *c, int account)
     const double loss = is_driven(c) ? square : -change;
     book(c, account, loss);
     book(c, S_WORK, change + loss);
-    look_at_state(c);
+    evaluate_state(c);
     return HOLONOM_OK;
 }
 
@@ -168,7 +168,7 @@ HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
     for (int32_t r = 0; r < rows && !status; r++) {
         memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
         status = add_row_gradient(c, x->row[r], -AT_STATE);
-        reach_of(c, c->k.hit_reach + n * r);
+        velocities_of_impulses(c, c->k.hit_reach + n * r);
     }
     for (int32_t r = 0; r < rows; r++) x->before[r] = rate_of_row(c, x->row[r]);
     return status ? status : fill_matrix(c, x);
@@ -196,7 +196,7 @@ HM_SELDOM static int closes(const hit *x)
 static int approaches(const context *c, const hit *x)
 {
     for (int32_t k = 0; k < x->law.contacts; k++)
-        if (gap_rate(c, x->contact[k]) < -speed_that_is_none(c)) return 1;
+        if (gap_rate(c, x->contact[k]) < -speed_tolerance(c)) return 1;
     return 0;
 }
 
@@ -212,7 +212,7 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
         status = add_row_gradient(c, x->row[r], -AT_STATE * p);
     }
     if (status) return status;
-    reach_of(c, c->k.w);
+    velocities_of_impulses(c, c->k.w);
     double loss = 0.5 * loss_rate(c, x);
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
     loss += 0.5 * loss_rate(c, x);
@@ -231,21 +231,21 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
         double *own = contact_of(c, x->contact[k]);
         const double p = x->law.impulse[x->law.first[k]];
         if (!(p > 0.0)) continue;
-        own[C_IMPACTS] += x->law.before[x->law.first[k]] < -speed_that_is_none(c) ? 1.0 : 0.0;
+        own[C_IMPACTS] += x->law.before[x->law.first[k]] < -speed_tolerance(c) ? 1.0 : 0.0;
         own[C_IMPULSE] += p;
     }
     return HOLONOM_OK;
 }
 
 /* Contacts that touch and do not part: those that take part in an impact. */
-HM_SELDOM static int takes_part(const context *c, int32_t i) { return gap_of(c, i) <= gap_that_is_none(c) && gap_rate(c, i) <= speed_that_is_none(c); }
+HM_SELDOM static int takes_part(const context *c, int32_t i) { return gap_of(c, i) <= gap_tolerance(c) && gap_rate(c, i) <= speed_tolerance(c); }
 
 /* Restitution of contact i, with the accelerations before the impact in w: 0 if it approaches slowly, or if the flight that
    follows would be short. Neither depends on the step, so that what is lost does not.                             */
 HM_SELDOM static double restitution_of(const context *c, int32_t i)
 {
     const double e = c->number[c->m->restitution_at + i], speed = -gap_rate(c, i);
-    if (!(e > 0.0) || !(speed > fmax(c->s.head[S_REST_SPEED], speed_that_is_none(c)))) return 0.0;
+    if (!(e > 0.0) || !(speed > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) return 0.0;
     const double growth = is_closed(c, i) || c->s.head[S_REST_TIME] == 0.0 ? 0.0 : second_rate_of_row(c, c->m->contact_row[i]);
     return growth < 0.0 && 2.0 * e * speed < c->s.head[S_REST_TIME] * -growth ? 0.0 : e;
 }
@@ -255,7 +255,7 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
 {
     hit x;
     int32_t fastest = -1;
-    double most = -speed_that_is_none(c);
+    double most = -speed_tolerance(c);
     *has_hit = 0;
     map_hit(c, &x);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
@@ -263,7 +263,7 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     if (fastest < 0) return HOLONOM_OK;
     *has_hit = 1;
     blame(c, c->m->contact_row[fastest]);
-    int32_t status = c->s.head[S_REST_TIME] > 0.0 ? look_at_forces(c) : HOLONOM_OK;
+    int32_t status = c->s.head[S_REST_TIME] > 0.0 ? evaluate_forces(c) : HOLONOM_OK;
     if (status) return status;
     /* One that does not rebound takes along what it touches: alone, hits of two would go on and on. */
     const int sequential = c->s.head[S_IMPACT_LAW] != 0.0 && restitution_of(c, fastest) > 0.0;
@@ -287,14 +287,14 @@ HM_SELDOM static int32_t jam(context *c)
     hit x;
     double pushed = 0.0;
     map_hit(c, &x);
-    look_at_state(c);
+    evaluate_state(c);
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_at_rest(c, i) && !add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
     open_all(c);
     const double kinetic = kinetic_energy(c, c->k.momentum);
     const int32_t status = fill_hit(c, &x);
     if (status) return status;
-    for (int32_t k = 0; k < x.law.contacts; k++) x.before[x.law.first[k]] -= speed_that_is_none(c);
+    for (int32_t k = 0; k < x.law.contacts; k++) x.before[x.law.first[k]] -= speed_tolerance(c);
     if (hm_solve_impact(&x.law)) return HOLONOM_CONTACT_UNDECIDED;
     for (int32_t k = 0; k < x.law.contacts; k++) pushed += x.law.impulse[x.law.first[k]];
     return pushed > 0.0 ? apply_hit(c, &x, kinetic) : HOLONOM_CONTACT_UNDECIDED;
@@ -304,23 +304,23 @@ HM_SELDOM static int32_t jam(context *c)
 static int seems_to_part(const context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (!is_closed(c, i) && gap_of(c, i) <= gap_that_is_none(c) && gap_rate(c, i) > speed_that_is_none(c)) return 1;
+        if (!is_closed(c, i) && gap_of(c, i) <= gap_tolerance(c) && gap_rate(c, i) > speed_tolerance(c)) return 1;
     return 0;
 }
 
 /* Impacts at the present state; `hits` counts them. */
 HM_SELDOM static int32_t hit_all(context *c, int *hits)
 {
-    look_at_state(c);
+    evaluate_state(c);
     for (*hits = 0; *hits < MOST_SEQUENTIAL; *hits += 1) {
         int has_hit;
         int32_t status = hit_once(c, &has_hit);
         if (!status && !has_hit && *hits == 0 && seems_to_part(c)) {
-            status = hold_rows(c, S_IMPACT);
+            status = project_velocities(c, S_IMPACT);
             if (!status) status = hit_once(c, &has_hit);
         }
         if (status || !has_hit) return status;
-        look_at_state(c);
+        evaluate_state(c);
     }
     return HOLONOM_IMPACT_UNSOLVED;
 }
@@ -334,7 +334,7 @@ static int32_t add_push(const context *c, int32_t i, double factor)
     const int32_t f = c->m->contact_friction[i];
     double along[3];
     int32_t status = add_row_gradient(c, c->m->contact_row[i], factor);
-    if (f < 0 || !(slip_of(c, f, along) > speed_that_is_none(c))) return status;
+    if (f < 0 || !(slip_of(c, f, along) > speed_tolerance(c))) return status;
     for (int k = 0; k < n_slips(c, f) && !status; k++)
         status = add_row_gradient(c, slip_row(c, f, k), -factor * c->number[c->m->sliding_at + f] * along[k]);
     return status;
@@ -348,12 +348,12 @@ static int32_t guess_by_law(context *c)
     const int64_t n = DIM * c->n_moving;
     hit x;
     map_hit(c, &x);
-    look_at_state(c);
+    evaluate_state(c);
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const int32_t f = m->contact_friction[i];
         open_contact(c, i);
         if (!is_at_rest(c, i)) continue;
-        const int slides = f >= 0 && slip_of(c, f, NULL) > speed_that_is_none(c);
+        const int slides = f >= 0 && slip_of(c, f, NULL) > speed_tolerance(c);
         if (!add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
         const int32_t k = x.law.contacts - 1;
         if (slides) { /* add_push knows its friction */
@@ -364,7 +364,7 @@ static int32_t guess_by_law(context *c)
             x.coefficient[k] = c->number[m->static_at + f];
     }
     const int32_t rows = x.law.rows;
-    int32_t status = look_at_forces(c);
+    int32_t status = evaluate_forces(c);
     for (int32_t r = 0; r < rows && !status; r++) x.before[r] = second_rate_of_row(c, x.row[r]);
     stand_still(c);
     if (!status) status = factorise_at_state(c, NULL);
@@ -372,12 +372,12 @@ static int32_t guess_by_law(context *c)
         for (int32_t r = x.law.first[k]; r <= x.law.first[k] + x.law.tangents[k] && !status; r++) {
             memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
             status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
-            reach_of(c, c->k.hit_reach + n * r);
+            velocities_of_impulses(c, c->k.hit_reach + n * r);
         }
     if (!status) status = fill_matrix(c, &x);
     if (!status && hm_solve_impact(&x.law)) status = HOLONOM_CONTACT_UNDECIDED;
     if (status) return status;
-    look_at_state(c);
+    evaluate_state(c);
     for (int32_t k = 0; k < x.law.contacts; k++) {
         const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.law.first[k] + 1, slips = x.law.tangents[k];
         if (x.law.status[k] == IMPACT_PARTED) continue;

@@ -54,7 +54,7 @@ static double largest_normal_in_step(const context *c)
 }
 
 /* Sum of the slips of friction f (by row) along its direction. */
-static double along_of(const context *c, int32_t f, const double *slip)
+static double along_direction(const context *c, int32_t f, const double *slip)
 {
     double sum = 0.0;
     for (int k = 0; k < n_slips(c, f); k++) sum += friction_of(c, f)[F_ALONG_1 + k] * slip[row_of(c, slip_row(c, f, k))];
@@ -71,7 +71,7 @@ static double largest_acceleration(const context *c)
     return 2.0 * sqrt(fmax(dot(gravity, gravity), largest2));
 }
 
-static void let_close(context *c, int32_t i)
+static void close_at_zero(context *c, int32_t i)
 {
     const int32_t f = c->m->contact_friction[i];
     double *x = contact_of(c, i);
@@ -137,7 +137,7 @@ static void begin_choice(context *c, double h)
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const touch *x = touch_of(c, i);
         if (x->was_closed != 0.0) contact_of(c, i)[C_REFERENCE] = 0.0;
-        else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) let_close(c, i);
+        else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) close_at_zero(c, i);
     }
 }
 
@@ -164,7 +164,7 @@ typedef struct objections {
 enum { NONE_CHANGES = -2, ALL_CHANGE = -1 };
 
 /* Counts one more; whether it changes. */
-static int objects(context *c, objections *x, int32_t k)
+static int add_objection(context *c, objections *x, int32_t k)
 {
     const int changes = x->changing == ALL_CHANGE || x->changing == k;
     x->count++;
@@ -186,7 +186,7 @@ static int32_t close_crossed(context *c, int all, objections *x)
         status = gap_at_end(c, i, &gap);
         if (!(gap < -none)) continue;
         touch_of(c, i)->is_near = 1.0;
-        if (objects(c, x, i)) let_close(c, i);
+        if (add_objection(c, x, i)) close_at_zero(c, i);
     }
     return status;
 }
@@ -205,7 +205,7 @@ static void open_pulling(context *c, objections *x)
     for (int32_t i = 0; i < c->m->n_contacts; i++) {
         const int32_t f = c->m->contact_friction[i];
         double along[3], size2 = 0.0;
-        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)) || !objects(c, x, i)) continue;
+        if (!is_closed(c, i) || !(normal_in_step(c, i) < -none - noise_of_normal(c, i)) || !add_objection(c, x, i)) continue;
         const int jams = f >= 0 && friction_mode(c, f) == FRICTION_STICKS && c->k.flips[f] < 2.0;
         for (int k = 0; jams && k < n_slips(c, f); k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
         if (!(size2 > 0.0)) {
@@ -222,7 +222,7 @@ static void open_pulling(context *c, objections *x)
 /* Frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
 static void change_frictions(context *c, objections *x)
 {
-    const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_that_is_none(c);
+    const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_tolerance(c);
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         const int mode = friction_mode(c, f), n = n_slips(c, f);
         double along[3], size2 = 0.0;
@@ -230,14 +230,14 @@ static void change_frictions(context *c, objections *x)
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_in_cone(c, f, c->k.mu));
             for (int k = 0; k < n; k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
-            if (!(sqrt(size2) > limit + CONE_MARGIN * fabs(limit) + none) || !objects(c, x, c->m->n_contacts + f)) continue;
+            if (!(sqrt(size2) > limit + CONE_MARGIN * fabs(limit) + none) || !add_objection(c, x, c->m->n_contacts + f)) continue;
             for (int k = 0; k < n; k++) along[k] /= sqrt(size2);
             forget_stop(c, f);
             let_slide(c, f, along);
         } else {
-            const double before = along_of(c, f, c->k.slip_before), mean = along_of(c, f, c->k.slip);
+            const double before = along_direction(c, f, c->k.slip_before), mean = along_direction(c, f, c->k.slip);
             const double least = x->at_once ? 0.0 : 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0);
-            if (!(mean < least - still) || !objects(c, x, c->m->n_contacts + f)) continue;
+            if (!(mean < least - still) || !add_objection(c, x, c->m->n_contacts + f)) continue;
             forget_stop(c, f);
             if (before > 0.0 && !x->at_once) let_stop(c, f, 0.5 * before / (before - mean));
             let_stick(c, f);
@@ -317,7 +317,7 @@ static int32_t guess_choice(context *c, int parity)
         if (touch_of(c, i)->is_near == 0.0) continue;
         touch_of(c, i)->normal = at[1];
         c->s.mu[parity][row_of(c, m->contact_row[i])] = -at[1]; /* decides what dependent rows leave open */
-        if (at[1] > 0.0 && !is_closed(c, i)) let_close(c, i);
+        if (at[1] > 0.0 && !is_closed(c, i)) close_at_zero(c, i);
         else if (!(at[1] > 0.0) && is_closed(c, i)) open_contact(c, i);
         at += stride;
     }
@@ -484,7 +484,7 @@ static double rates_of_landing(const context *c)
         if (!is_landing(c, i) || !(speed > 0.0)) continue;
         const double weight = speed * speed / c->number[c->m->row_sigma_at + row];
         taken += weight;
-        if (!(speed > fmax(c->s.head[S_REST_SPEED], speed_that_is_none(c)))) continue;
+        if (!(speed > fmax(c->s.head[S_REST_SPEED], speed_tolerance(c)))) continue;
         given += e * e * weight;
         c->k.phi[row] = -e * speed;
     }
@@ -492,7 +492,7 @@ static double rates_of_landing(const context *c)
 }
 
 /* Lets frictions slide freely in the second stage, or again as they did, other than those of contacts that land. */
-static void spare_resting(const context *c, int spared)
+static void suspend_resting(const context *c, int spared)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
@@ -529,7 +529,7 @@ static int stop_reversed(context *c)
 {
     int stops = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        if (friction_mode(c, f) != FRICTION_SLIDES || !(slip_along(c, f) < -speed_that_is_none(c))) continue;
+        if (friction_mode(c, f) != FRICTION_SLIDES || !(slip_along(c, f) < -speed_tolerance(c))) continue;
         let_stick(c, f);
         stops = 1;
     }
@@ -596,31 +596,31 @@ static int32_t velocities_of_stopping(context *c)
 static int32_t part_contacts(context *c, double taken, int parity)
 {
     const holonom_model *m = c->m;
-    look_at_state(c);
+    evaluate_state(c);
     const int driven = is_driven(c);
     for (int32_t f = 0; f < m->n_frictions; f++) c->k.lands[f] = 0.0;
     for (int32_t i = 0; i < m->n_contacts; i++)
         if (m->contact_friction[i] >= 0) c->k.lands[m->contact_friction[i]] = is_landing(c, i);
-    spare_resting(c, 1);
+    suspend_resting(c, 1);
     int32_t status = velocities_of_parting(c, taken, driven);
     if (!status) add_velocities(c, c->k.hit_defect, driven);
     for (int32_t i = 0; i < m->n_contacts && !status; i++) {
         const int32_t row = row_of(c, m->contact_row[i]);
         double *own = contact_of(c, i);
         if (!is_landing(c, i)) continue;
-        own[C_IMPACTS] += touch_of(c, i)->rate < -speed_that_is_none(c) ? 1.0 : 0.0;
+        own[C_IMPACTS] += touch_of(c, i)->rate < -speed_tolerance(c) ? 1.0 : 0.0;
         own[C_IMPULSE] -= c->h * c->s.mu[parity][row] + c->k.event_mu[row];
         c->s.head[S_EVENTS] += 1.0;
     }
-    spare_resting(c, 0);
+    suspend_resting(c, 0);
     if (!status && stop_reversed(c)) {
-        spare_resting(c, 1);
+        suspend_resting(c, 1);
         status = velocities_of_stopping(c);
         if (!status) add_velocities(c, c->k.hit_defect, driven);
-        spare_resting(c, 0);
+        suspend_resting(c, 0);
     }
     for (int32_t i = 0; i < m->n_contacts && !status; i++)
-        if (is_closed(c, i) && gap_rate(c, i) > speed_that_is_none(c)) open_contact(c, i);
+        if (is_closed(c, i) && gap_rate(c, i) > speed_tolerance(c)) open_contact(c, i);
     return status;
 }
 
