@@ -7,7 +7,7 @@
 #include "function.h"
 #include "row_state.h"
 
-/* Where the nodes' part of row j begins among the slots of its composite. */
+/* Slots of the lower part of row j, the entries of its own line in the tangent. */
 static const int32_t *lower_slots(const context *c, int32_t j)
 {
     const int32_t size = DIM * (c->m->composite_node_ptr[j + 1] - c->m->composite_node_ptr[j]);
@@ -44,7 +44,8 @@ HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const doub
     return HOLONOM_OK;
 }
 
-/* Derivatives of these with respect to mu, epsilon times, added to `value`. */
+/* Adds to the tangent epsilon times the derivatives of the multipliers of sliding frictions: with respect to the multipliers
+   of their normal forces and, of several rows, to the velocities. */
 HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;

@@ -2,9 +2,9 @@
 
    Touching contacts that do not part, and frictions that do not slide, are rows. Which do is a complementarity problem
 
-       0 <= N _|_ gap'' >= 0,     |T| <= mu_s N + preload where there is no slip,
+       0 <= N _|_ gap'' >= 0,     |T| <= c_s N + preload where there is no slip,
 
-   solved by changing one at a time, the worst first. */
+   with the coefficient c_s of sticking, solved by changing one at a time, the worst first. */
 #ifndef HOLONOM_CONTACT_H
 #define HOLONOM_CONTACT_H
 
@@ -15,11 +15,12 @@
 #include "row_state.h"
 #include "start.h"
 
+/* What counts as zero, relative to the scale named. */
 #define TOUCHING 1e-10 /* gap over the size of the mechanism up to which a contact takes part in an impact */
-#define RESTING 1e-10  /* speed, over that of the mechanism, that is none                                */
-#define NO_FORCE 1e-11 /* force, over the largest normal force, that is none                             */
-#define NO_GROWTH 1e-9 /* acceleration, over the largest one, that is none                               */
-#define PARTING 1e-5   /* likewise towards a contact that the event at hand has opened                   */
+#define RESTING 1e-10  /* speed over that of the mechanism                                               */
+#define NO_FORCE 1e-11 /* force over the largest normal force                                            */
+#define NO_GROWTH 1e-9 /* acceleration over the largest one                                              */
+#define PARTING 1e-5   /* likewise, of the gap of a contact that the event at hand has opened            */
 
 static double speed_tolerance(const context *c)
 {
@@ -27,7 +28,7 @@ static double speed_tolerance(const context *c)
     return fmax(RESTING * speed_scale(c) * extent[0] / extent[1], 1e-300);
 }
 
-/* With the accelerations in w. */
+/* Acceleration that counts as zero, with the accelerations in w. */
 HM_SELDOM static double growth_tolerance(const context *c)
 {
     double most2 = dot(c->number + c->m->gravity_at, c->number + c->m->gravity_at);
@@ -38,6 +39,7 @@ HM_SELDOM static double growth_tolerance(const context *c)
 
 HM_SELDOM static double gap_tolerance(const context *c) { return TOUCHING * c->number[c->m->extent_at]; }
 
+/* Gap of contact i at the state. Its quantities, as those of the rates below, are evaluated before. */
 static double gap_of(const context *c, int32_t i) { return value_at_state(c, c->m->contact_row[i]); }
 
 /* Rate of a function row, value of a velocity row at the state. */
@@ -57,6 +59,7 @@ HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
     return function_rate(c, j, c->s.q, c->s.q_low, c->k.w, c->s.signal, none) + bias;
 }
 
+/* Normal force of contact i at the state, after evaluate_forces. */
 static double normal_of(const context *c, int32_t i) { return -c->k.event_mu[row_of(c, c->m->contact_row[i])]; }
 
 /* Size of the multipliers of friction f, and those over it as a direction if wanted. */
@@ -78,7 +81,7 @@ static double slip_of(const context *c, int32_t f, double *along)
     return sqrt(size2);
 }
 
-/* Laws, quantities and rates of signals at the present state. */
+/* Evaluates laws, quantities and rates of signals at the present state. */
 HM_SELDOM static void evaluate_state(context *c)
 {
     if (c->m->sensing) sense(c, 0.0, 0);
@@ -88,7 +91,7 @@ HM_SELDOM static void evaluate_state(context *c)
     c->factors_h = 0.0; /* factors of a step do not outlast what follows */
 }
 
-/* Multipliers (in event_mu) and accelerations (in w) with the modes at hand. */
+/* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand. */
 HM_SELDOM static int32_t evaluate_forces(context *c)
 {
     const int32_t status = accelerations(c, c->k.event_mu);
@@ -108,8 +111,8 @@ HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
     for (int k = 0; k < n_slips(c, f); k++) friction_of(c, f)[F_ALONG_1 + k] = along[k];
 }
 
-/* First guess of a friction's mode: by its slip; without one it sticks, or begins to slide as it was told. One without
-   coefficients is off, since it would be at its cone always.                                                    */
+/* First guess of a friction's mode: with slip it slides; without slip one that was about to slide still is, and others
+   stick. Without coefficient and preload it is off, since it would be at its cone always.                       */
 HM_SELDOM static void guess_friction(context *c, int32_t f)
 {
     double along[3];
@@ -182,7 +185,7 @@ HM_SELDOM static double slip_growth(const context *c, int32_t f)
     return sum;
 }
 
-/* Turns a friction back that would begin to slide against the way it was told; 0 if all go theirs. */
+/* Lets a friction stick whose slip would begin against its own direction; 0 if there is none. */
 HM_SELDOM static int turn_back(context *c)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
@@ -228,8 +231,8 @@ HM_SELDOM static double largest_normal(const context *c)
     return largest;
 }
 
-/* Force that is none: of the largest one, or of what the reference energy makes over the size of the mechanism, so that a
-   contact which carries nothing does not open and close by round-off.                                            */
+/* Force that counts as zero: relative to the largest one or to the reference energy over the size of the mechanism, the
+   larger of both, so that a contact which carries nothing does not open and close by round-off.                  */
 HM_SELDOM static double force_tolerance(const context *c)
 {
     const double extent = c->number[c->m->extent_at];

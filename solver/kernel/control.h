@@ -17,7 +17,7 @@
 enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
-#define SLIVER 1e-3   /* of a step */
+#define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 

@@ -28,6 +28,7 @@ static inline void copy_values(const context *c, event_values from, event_values
     memcpy(to.value, from.value, sizeof(double) * (size_t)(2 * (c->m->n_contacts + c->m->n_frictions)));
 }
 
+/* Whether a contact or friction is on, so that its function needs forces. */
 static int has_forces(const context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
@@ -79,12 +80,13 @@ static double largest_square(const context *c, const double *x)
 /* Speed of the fastest node; no gap grows much faster. */
 static double fastest_node(const context *c) { return sqrt(largest_square(c, c->s.v)); }
 
-/* Parts of forces by which they must be on the safe side, so that their values need not be known better. */
+/* A normal force above this part of its mean, and a friction that leaves this part of its cone, change no mode in the piece:
+   forces at the state need not be evaluated.                                                                    */
 #define SAFE_NORMAL 0.3
 #define SAFE_FRICTION 0.2
 
-/* Likewise at the end of a piece of length h whose start is `low`, from what its steps have left: multipliers are those of
-   their last two means. 0 if that leaves doubt whether an event has passed.                                     */
+/* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
+   two means extrapolate. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
 static int is_quiet(context *c, double h, event_values low, event_values x)
 {
     const holonom_model *m = c->m;
@@ -119,7 +121,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
     return 1;
 }
 
-/* Values of function k down to minus this are none. */
+/* Values of function k from minus this to this count as zero. */
 HM_SELDOM static double value_tolerance(const context *c, int32_t k)
 {
     const int32_t f = k - c->m->n_contacts;
@@ -185,6 +187,7 @@ HM_SELDOM static int has_loads(const context *c)
     return has;
 }
 
+/* A piece of length h by Taylor's series, with what dampers and frictions take; the rest of the change of energy is work. */
 HM_SELDOM static int32_t short_piece(context *c, double h)
 {
     const holonom_model *m = c->m;
@@ -294,10 +297,13 @@ HM_SELDOM static int32_t find_event(context *c, double t, double law_time, doubl
     }
 }
 
-/* Whether function k has become 0 at the event. */
-static int has_ended(const context *c, int32_t k) { return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k); }
+/* Whether function k is 0 at the event, so that its mode has ended. */
+static int has_ended(const context *c, int32_t k)
+{
+    return k == c->event || values_at(c, AT_TRIAL).value[k] <= value_tolerance(c, k);
+}
 
-/* Lets go what has reached its limit: contacts that no force holds, frictions at their cones or without slip. */
+/* Changes the modes that have ended: contacts without force open, frictions at their cones slide, those without slip stick. */
 HM_SELDOM static int32_t change_modes(context *c)
 {
     const holonom_model *m = c->m;
@@ -340,8 +346,8 @@ HM_SELDOM static int32_t settle(context *c)
 }
 
 /* Slip in space turns fast just before it stops, and passes through 0 along no direction known before. A piece ends
-   before the time at which the slip, at its present rate, would: a tenth is left each time, so that pieces are as short as
-   the motion is fast and orders above 2 hold, and a SLIP_LEFT part of the speed of the mechanism counts as none.  */
+   before the time at which the slip would stop at its present rate: a tenth of that time is left, so that pieces are as short
+   as the motion is fast and orders above 2 hold. A SLIP_LEFT part of the speed of the mechanism counts as none.   */
 #define SLIP_LEFT 1e-7
 #define BEFORE_STOP 0.9
 
@@ -382,16 +388,16 @@ static int follow_slips(context *c, event_values at)
     return stops;
 }
 
-/* Whether friction has given no energy over the piece. It does where rows that hold the same thing twice share a normal
-   force at will, and one of them pulls, with a ledger that closes.                                               */
+/* Whether friction has given no energy over the piece. It gives some where rows that hold the same thing twice share a normal
+   force at will and one of them pulls; the ledger closes even then.                                              */
 static int friction_takes_energy(const context *c)
 {
     const double *start = start_of_piece(c), *head = c->s.head;
     return head[S_FRICTION] >= start[S_FRICTION] - 1e-9 * head[S_ENERGY_REFERENCE];
 }
 
-/* Cuts a piece of length h from time t, which has just been stepped over, at its first event, and changes modes there;
-   `covered` is what is left of it. */
+/* Cuts a piece of length h from time t, whose step has just been made, at its first event, and changes modes there;
+   `covered` is the length that it then has. */
 static int32_t end_piece(context *c, double t, double law_time, double h, double *covered)
 {
     const event_values low = values_at(c, AT_LOW), high = values_at(c, AT_HIGH);

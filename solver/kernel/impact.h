@@ -12,7 +12,7 @@
 #include "rigid.h"
 #include "start.h"
 
-/* Momentum += factor times the gradient of row j at the state, or of its rate. */
+/* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
 HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)
 {
     composite_result result = {0.0, 0.0, 0.0};
@@ -107,17 +107,18 @@ HM_SELDOM static void add_defect(const context *c, double sign)
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
 }
 
-/* Lets frictions that slide push nothing, or again what they do: part of the velocities that they bring about would not be
-   orthogonal to what rows allow.                                                                                */
-static void suspend_sliding(const context *c, int spared)
+/* Switches sliding frictions off (their mode changes its sign, which counts as off), or on again: part of the velocities that
+   they bring about would not be orthogonal to what rows allow.                                                  */
+static void suspend_sliding(const context *c, int suspended)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
-        if (x[F_MODE] == (spared ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
+        if (x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
     }
 }
 
-/* Takes that part off the velocities and books its energy; what the velocities lose beyond that is work of drivers. */
+/* Takes from the velocities what rows do not allow and books its energy in `account`; a change beyond it is work of
+   drivers. */
 HM_SELDOM static int32_t project_velocities(context *c, int account)
 {
     suspend_sliding(c, 1);
@@ -184,7 +185,7 @@ HM_SELDOM static double loss_rate(const context *c, const hit *x)
     return sum;
 }
 
-/* Whether a contact stays closed after the impact. */
+/* Whether a contact without restitution has been hit: it is to stay closed. */
 HM_SELDOM static int closes(const hit *x)
 {
     for (int32_t k = 0; k < x->law.contacts; k++)
@@ -237,8 +238,11 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
     return HOLONOM_OK;
 }
 
-/* Contacts that touch and do not part: those that take part in an impact. */
-HM_SELDOM static int takes_part(const context *c, int32_t i) { return gap_of(c, i) <= gap_tolerance(c) && gap_rate(c, i) <= speed_tolerance(c); }
+/* Whether contact i takes part in an impact: it touches and does not part. */
+HM_SELDOM static int takes_part(const context *c, int32_t i)
+{
+    return gap_of(c, i) <= gap_tolerance(c) && gap_rate(c, i) <= speed_tolerance(c);
+}
 
 /* Restitution of contact i, with the accelerations before the impact in w: 0 if it approaches slowly, or if the flight that
    follows would be short. Neither depends on the step, so that what is lost does not.                             */
@@ -278,10 +282,8 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     return apply_hit(c, &x, kinetic);
 }
 
-enum { MOST_SEQUENTIAL = 2000 };
-
 /* Stops slips at once by impulses where no forces agree with strong friction, though nothing approaches (Lecornu 1905, for
-   the rod of Painleve): to the law of impact all that rests approaches a little.                                 */
+   the rod of Painleve): the law of impact is told that all contacts at rest approach a little.                   */
 HM_SELDOM static int32_t jam(context *c)
 {
     hit x;
@@ -307,6 +309,8 @@ static int seems_to_part(const context *c)
         if (!is_closed(c, i) && gap_of(c, i) <= gap_tolerance(c) && gap_rate(c, i) > speed_tolerance(c)) return 1;
     return 0;
 }
+
+enum { MOST_SEQUENTIAL = 2000 };
 
 /* Impacts at the present state; `hits` counts them. */
 HM_SELDOM static int32_t hit_all(context *c, int *hits)
@@ -356,7 +360,7 @@ static int32_t guess_by_law(context *c)
         const int slides = f >= 0 && slip_of(c, f, NULL) > speed_tolerance(c);
         if (!add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
         const int32_t k = x.law.contacts - 1;
-        if (slides) { /* add_push knows its friction */
+        if (slides) { /* its friction follows from its normal force: add_push adds it */
             x.law.rows = x.law.first[k] + 1;
             x.tangents[k] = 0;
             x.coefficient[k] = 0.0;

@@ -183,6 +183,7 @@ static void open_ledger(context *c)
 
 #define DRAWN_INTO 1e-8 /* gap over the size of the mechanism: round-off of drawings and of closing them */
 
+/* Whether contacts and frictions can be run with these settings. */
 static int allows_settings(const context *c)
 {
     const double *head = c->s.head;

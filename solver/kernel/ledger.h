@@ -17,7 +17,8 @@ static void book(context *c, int account, double amount)
     hm_add(c->s.head + account, c->s.head + account + 1, amount); /* high and low part */
 }
 
-/* Account of what row j takes: where contacts change at the ends of half steps, those move that close, and slips that stop. */
+/* Account of what row j takes. In stepped mode rows of closed contacts and of frictions that stick take energy, too: gaps that
+   close and slips that stop move in the half step.                                                              */
 static inline int account_of(const context *c, int32_t j, enum row_state state)
 {
     const int32_t owner = c->stepping ? owner_of(c, j) : -1;

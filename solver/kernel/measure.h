@@ -105,7 +105,8 @@ static void measure_reactions(const context *c, const hm_measured *y)
     extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
-/* Contacts and frictions, and what they take. */
+/* Contacts: gap, force, mode (0 open, 1 closed, 2 sliding), impacts, impulse; frictions: force, slip, mode; losses. A friction
+   of several rows has sizes, of one row signs.                                                                  */
 static void measure_contacts(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;

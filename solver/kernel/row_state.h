@@ -1,16 +1,18 @@
-/* Which rows hold: those of contacts while they are closed, those of frictions while they stick. While a friction slides,
+/* Which rows are on: those of contacts while they are closed, those of frictions while they stick. While a friction slides,
    its rows' multipliers follow the cone
 
-       mu_k = (mu_s N + preload) t_k,      N = sum of |lambda of some rows|,
+       mu_k = (c N + preload) t_k,      N = sum of |lambda of some rows|,
 
-   t the direction of the slip; the friction -mu_k grad psi_k then works -mu_k psi_k <= 0, exactly.              */
+   c the coefficient of sliding, t the direction of the slip psi; the friction -mu_k grad psi_k then works
+   -mu_k psi_k <= 0, exactly.                                                                                     */
 #ifndef HOLONOM_ROW_STATE_H
 #define HOLONOM_ROW_STATE_H
 
 #include "composite.h"
 #include "context.h"
 
-#define FARTHEST 2.0 /* times what is between two means, up to which their line tells a multiplier              */
+/* Multipliers are extrapolated from their last two means no farther than this many times the time between these. */
+#define FARTHEST 2.0
 
 enum row_state { ROW_IS_ON, ROW_IS_OFF, ROW_IS_SLIDING };
 
@@ -18,7 +20,7 @@ static inline double *contact_of(const context *c, int32_t i) { return c->s.cont
 
 static inline double *friction_of(const context *c, int32_t f) { return c->s.frictions + F_SIZE * f; }
 
-/* Says which row keeps a step from being solved. */
+/* Notes composite j, a row, as the one to name if the step fails. */
 static inline void blame(context *c, int32_t j) { c->at_fault = row_of(c, j) + 1; }
 
 static inline int is_closed(const context *c, int32_t i) { return contact_of(c, i)[C_CLOSED] != 0.0; }
@@ -29,7 +31,7 @@ static inline int friction_mode(const context *c, int32_t f)
     return mode == FRICTION_STICKS ? FRICTION_STICKS : mode == FRICTION_SLIDES ? FRICTION_SLIDES : FRICTION_OFF;
 }
 
-/* Contact, or n_contacts + friction, that composite j is a row of; -1: it always holds. */
+/* Contact i, or friction f as n_contacts + f, that composite j is a row of; -1: of neither, it is always on. */
 static inline int32_t owner_of(const context *c, int32_t j)
 {
     return c->m->unilateral && is_row(c, j) ? c->m->row_owner[j - first_function(c)] : -1;
@@ -51,27 +53,28 @@ static inline int32_t composite_of(const context *c, int32_t i)
     return j < 0 ? -1 : j + first_function(c);
 }
 
-/* Likewise of multiplier i. */
+/* State of the row of multiplier i. */
 static inline enum row_state state_of_multiplier(const context *c, int32_t i)
 {
     const int32_t j = c->m->unilateral ? composite_of(c, i) : -1;
     return j < 0 ? ROW_IS_ON : state_of_row(c, j);
 }
 
-/* Gap at which the contact of composite j closed, which its row holds; 0 for others. */
+/* Gap at which the contact of composite j closed and which its row keeps; 0 for other rows. */
 static inline double reference_of(const context *c, int32_t j)
 {
     const int32_t owner = owner_of(c, j);
     return owner >= 0 && owner < c->m->n_contacts ? contact_of(c, owner)[C_REFERENCE] : 0.0;
 }
 
+/* Whether friction f belongs to the islands at hand. */
 static inline int is_at_hand(const context *c, int32_t f)
 {
     const int32_t j = c->m->friction_row[c->m->friction_row_ptr[f]];
     return j >= c->begin[ISLAND_VELOCITY] && j < c->end[ISLAND_VELOCITY];
 }
 
-/* Whether friction f is that of a contact, and off while this is open. */
+/* Whether friction f is that of a contact, off while the contact is open, and not that of a joint. */
 static inline int is_of_contact(const context *c, int32_t f)
 {
     return c->m->normal_row[2 * c->m->normal_ptr[f] + 1] == NORMAL_PUSHES;
@@ -81,7 +84,8 @@ static inline int n_slips(const context *c, int32_t f) { return c->m->friction_r
 
 static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m->friction_row[c->m->friction_row_ptr[f] + k]; }
 
-/* End of the sum of squares that begins at entry `at` of the normal force of friction f; its root. */
+/* Norm (in `root`) of the multipliers whose list begins at entry `at` of the normal force of friction f; the entry behind
+   the list. */
 static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const double *mu, double *root)
 {
     double sum = 0.0;
@@ -93,7 +97,7 @@ static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const dou
     return at;
 }
 
-/* Normal force of friction f with multipliers mu. */
+/* Normal force of friction f with multipliers mu: what gaps push, and norms of the multipliers of joints. */
 static double normal_force(const context *c, int32_t f, const double *mu)
 {
     double sum = 0.0, root;
@@ -107,20 +111,21 @@ static double normal_force(const context *c, int32_t f, const double *mu)
     return sum;
 }
 
-/* Likewise, or that which the cone takes instead. */
+/* Normal force that the cone takes: that of mu, or of an earlier solution where cones lag (stepped.h). */
 static inline double normal_in_cone(const context *c, int32_t f, const double *mu)
 {
     return c->lagged ? c->k.lag[f] : normal_force(c, f, mu);
 }
 
-/* Force up to which friction f sticks, or with which it slides. */
+/* Friction with that normal force: the one with which f slides, or up to which it sticks. */
 static double cone(const context *c, int32_t f, int sliding, double normal)
 {
     const double coefficient = c->number[(sliding ? c->m->sliding_at : c->m->static_at) + f];
     return coefficient * normal + c->number[c->m->preload_at + f];
 }
 
-/* Direction of the slip of friction f: as it was when it began to slide or, with several rows, as in the step at hand. */
+/* Direction of the slip of friction f: of several rows that of the step at hand, else, or without slip, the one with which
+   it began to slide. */
 static void slip_direction(const context *c, int32_t f, double *along)
 {
     const int n = n_slips(c, f);
@@ -130,7 +135,7 @@ static void slip_direction(const context *c, int32_t f, double *along)
         along[k] = n > 1 && size2 > 0.0 ? c->k.slip[row_of(c, slip_row(c, f, k))] / sqrt(size2) : friction_of(c, f)[F_ALONG_1 + k];
 }
 
-/* Multipliers that the rows of sliding frictions are held to: lambda, from mu. */
+/* Sets the multipliers lambda that the rows of sliding frictions are held to, from those of the normal forces in mu. */
 static void follow_cones(const context *c)
 {
     if (!c->sliding) return;

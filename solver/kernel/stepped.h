@@ -2,7 +2,7 @@
 
    A half step h has two stages. The first is a conserving step in which each contact obeys
 
-       0 <= N _|_ g(q_1) >= 0,     |T| <= mu_s N + preload where there is no slip, else T = (mu N + preload) t,
+       0 <= N _|_ g(q_1) >= 0,     |T| <= c_s N + preload where there is no slip, else T = (c N + preload) t,
 
    with the rows of closed contacts and of frictions that stick on; which these are is found by solving the step with a
    choice of them, and changing what fails. Its contacts take -N (g_1 - g_0) >= 0. A friction whose slip s_0 the step would
@@ -23,14 +23,22 @@
 #include "start.h"
 #include "step_halving.h"
 
-enum { MOST_CHOICES = 60, PATIENCE = 5, MOST_LAGS = 6, MOST_DIVISIONS = 7 };
-enum { FEW = 2, FEW_CONTACTS = 8, MOST_GUESSES = 8, MOST_SWEEPS = 10000 }; /* FEW are no reason to guess          */
+enum {
+    MOST_CHOICES = 60,  /* solutions of a half step                                                               */
+    PATIENCE = 5,       /* choices in turn that may not lower the number of objections                            */
+    MOST_LAGS = 6,      /* solutions with the cones of the one before                                             */
+    MOST_DIVISIONS = 7, /* of a half step that fails                                                              */
+    FEW = 2,            /* objections that change the choice without a guess                                      */
+    FEW_CONTACTS = 8,   /* near ones that need no guess                                                           */
+    MOST_GUESSES = 8,
+    MOST_SWEEPS = 10000 /* of a guess                                                                             */
+};
 #define RELAXATION 1.6    /* of these sweeps                                                                    */
 #define BEYOND 10.0       /* times the largest force guessed: contacts contradict each other                    */
-#define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that is none                          */
+#define PENETRATION 1e-13 /* gap below 0, over the size of the mechanism, that counts as zero                   */
 #define ROUND_OFF 1e-15   /* of a coordinate, over the same                                                */
-#define CONE_MARGIN 1e-9  /* of the cone, and of a slip, by which statuses are kept                             */
-#define LAG_TOLERANCE 1e-9
+#define CONE_MARGIN 1e-9  /* part of the cone, or of a slip, beyond its limit at which a mode is kept             */
+#define LAG_TOLERANCE 1e-9 /* change of a normal force over the largest one at which cones no longer lag        */
 
 /* What stepped mode knows of each contact in a half step. */
 typedef struct touch {
@@ -71,6 +79,7 @@ static double largest_acceleration(const context *c)
     return 2.0 * sqrt(fmax(dot(gravity, gravity), largest2));
 }
 
+/* Closes contact i so that its gap is 0 at the end of the half step. */
 static void close_at_zero(context *c, int32_t i)
 {
     const int32_t f = c->m->contact_friction[i];
@@ -163,7 +172,7 @@ typedef struct objections {
 
 enum { NONE_CHANGES = -2, ALL_CHANGE = -1 };
 
-/* Counts one more; whether it changes. */
+/* Counts contact k, or friction k - n_contacts, among the objections; returns whether it is to change. */
 static int add_objection(context *c, objections *x, int32_t k)
 {
     const int changes = x->changing == ALL_CHANGE || x->changing == k;
@@ -173,7 +182,7 @@ static int add_objection(context *c, objections *x, int32_t k)
     return changes;
 }
 
-/* Open contacts that the half step leaves in penetration, of those that are near or of `all`, close. */
+/* Closes open contacts that the half step leaves in penetration, of those that are near or of `all`. */
 static int32_t close_crossed(context *c, int all, objections *x)
 {
     const double none = PENETRATION * c->number[c->m->extent_at], reach = 4.0 * largest_way(c);
@@ -198,7 +207,7 @@ static double noise_of_normal(const context *c, int32_t i)
     return 2.0 * place / (c->h * c->h * number[c->m->row_sigma_at + row_of(c, c->m->contact_row[i])]);
 }
 
-/* Closed contacts that would pull open. A jammed one slides first: it may be its friction that pulls. */
+/* Opens closed contacts that would pull. One whose friction sticks slides first: its friction may be what pulls. */
 static void open_pulling(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal_in_step(c);
@@ -219,7 +228,7 @@ static void open_pulling(context *c, objections *x)
     }
 }
 
-/* Frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
+/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
 static void change_frictions(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_tolerance(c);
@@ -246,8 +255,8 @@ static void change_frictions(context *c, objections *x)
     }
 }
 
-/* Counts those that object to the step that was solved with `status`, and changes what is to change. Rows that contradict
-   each other leave a step unsolved, with forces that pull. */
+/* Counts the objections to the step that was solved with `status`, and changes those of `changing`. Rows that contradict each
+   other leave a step unsolved, with forces that pull. */
 static int32_t look_for_objections(context *c, int32_t status, objections *x)
 {
     x->count = 0;
@@ -401,7 +410,7 @@ static int32_t solve_choices(context *c, int parity, int at_once)
     return HOLONOM_CONTACT_UNDECIDED;
 }
 
-/* Contacts and frictions as they were at the start of the half step. */
+/* Sets contacts and frictions back to what they were at the start of the half step; their sections are neighbours. */
 static void take_modes_back(context *c)
 {
     const size_t bytes = sizeof(double) * (size_t)(C_SIZE * c->m->n_contacts + F_SIZE * c->m->n_frictions);
@@ -491,12 +500,13 @@ static double rates_of_landing(const context *c)
     return taken > 0.0 ? given / taken : 0.0;
 }
 
-/* Lets frictions slide freely in the second stage, or again as they did, other than those of contacts that land. */
-static void suspend_resting(const context *c, int spared)
+/* Switches sliding frictions off for the second stage as suspend_sliding does, or on again, but for those of contacts that
+   land. */
+static void suspend_resting(const context *c, int suspended)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
-        if (c->k.lands[f] == 0.0 && x[F_MODE] == (spared ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
+        if (c->k.lands[f] == 0.0 && x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
     }
 }
 
@@ -577,7 +587,7 @@ static int32_t velocities_of_parting(context *c, double taken, int driven)
     return HOLONOM_OK;
 }
 
-/* Likewise of slips that have just been stopped; what contacts do stays. */
+/* Likewise, the velocities that stop the slips of frictions which stick; contacts keep the rates that they have. */
 static int32_t velocities_of_stopping(context *c)
 {
     stand_still(c);
@@ -708,7 +718,8 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     return status;
 }
 
-/* Likewise where located mode has failed, from where it last had no doubt. If that fails, too, its reason counts. */
+/* Covers the rest after located mode has failed for the reason `why`, from the start of the piece that it could not solve.
+   If that fails, too, the step fails for the same reason.                                                       */
 HM_SELDOM static int32_t step_over(context *c, int32_t why, double start, double done, double step)
 {
     const int32_t at_fault = c->at_fault, status = cover_stepped(c, start, done, step);
