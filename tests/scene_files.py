@@ -20,10 +20,12 @@ ALL = sorted(SCENES.glob("*.toml"))
 
 
 def touches(text: str) -> bool:
-    """Whether a scene has contacts, or friction in a joint."""
+    """Whether a scene has contacts, or friction or backlash in a joint."""
     scene = tomllib.loads(text)
     joints = scene.get("joints", {}).values()
-    return bool(scene.get("contacts")) or any("friction" in joint for joint in joints)
+    return bool(scene.get("contacts")) or any(
+        "friction" in joint or "backlash" in joint for joint in joints
+    )
 
 
 TOUCHING = [path for path in ALL if touches(path.read_text(encoding="utf-8"))]
