@@ -44,7 +44,7 @@ from solver.scene.expression import operate, sqrt
 
 Touching = ContactPart | Gear
 """What has gaps: a contact, or a gear with backlash."""
-DRAWN = 1e-9
+DRAWN_PENETRATION = 1e-9
 """Penetration that rounding of the drawing explains, relative to the size of the mechanism."""
 
 
@@ -264,7 +264,7 @@ def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: st
     value = as_drawn(mechanism, gap.value, gap.leaves)
     if isinstance(contact, ClearanceContact):
         value = contact.radius - sqrt(mechanism.drawn_value(gap.leaves[0].index))
-    rows.rule(value, ">=", text, bound=-DRAWN * size)
+    rows.rule(value, ">=", text, bound=-DRAWN_PENETRATION * size)
 
 
 def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Number:

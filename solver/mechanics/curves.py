@@ -6,7 +6,7 @@
 
 with h(psi) the support function: the distance from the axis of a tangent whose normal has the angle
 psi. Each is a spline through points of the exact curve, among them those at the profile's knots,
-between which it is smooth; pieces are halved until the spline fits.
+between which it is smooth; the pieces are halved until the spline fits.
 """
 
 from __future__ import annotations
@@ -23,9 +23,11 @@ from solver.scene.profiles import table_of
 FITS = 1e-9
 """Distance from the exact curve at which pieces are no longer halved, relative to its size."""
 MOST_HALVINGS = 7
+"""Of the pieces between knots; a curve that does not fit by then is taken as it is."""
 ROUNDING = 1e-15
-"""Of heights, relative to the largest."""
+"""Height, relative to the largest, that is left of a matrix by rounding alone."""
 Place = tuple[float, float]
+"""Of a curve: argument and value."""
 
 
 def centres_above(rows: Rows, profile: Profile, radius: float) -> Curve:
@@ -53,7 +55,7 @@ def centres_around(rows: Rows, profile: Profile, radius: float) -> Curve:
     return _traced(rows, profile, place, text, ".radius") if radius > 0.0 else profile.curve
 
 
-def reach(rows: Rows, profile: Profile) -> Curve:
+def support_function(rows: Rows, profile: Profile) -> Curve:
     """Return the support function h(psi) of a cam r(phi)."""
 
     def place(phi: float) -> Place:

@@ -26,7 +26,7 @@ from collections.abc import Sequence
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.contacts import add_contact, as_drawn, body_of, is_there
-from solver.mechanics.curves import centres_above, centres_around, reach, separated
+from solver.mechanics.curves import centres_above, centres_around, separated, support_function
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, refuse_switches, rewritten
 from solver.mechanics.mechanism import Formula, Leaf
@@ -115,7 +115,7 @@ def _add_flat_face(
     towards = frame.direction(scale(-1.0, normal))
     angle = mechanism.angle((towards, axes[0]), (towards, axes[1]))
     height = mechanism.component(link, frame.direction(normal))
-    curve = reach(rows, parts.scene.profiles[contact.profile])
+    curve = support_function(rows, parts.scene.profiles[contact.profile])
     extent = operate("spline", leaf_symbol(1), curve)
     gap = Formula(leaf_symbol(0) - extent, (mechanism.leaf(height), mechanism.leaf(angle)))
     slips = []
@@ -153,12 +153,7 @@ def add_surface(rows: Rows, contact: SurfaceContact, _: JointParts) -> None:
 
 def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) -> None:
     """Keep a point inside or outside of a superquadric."""
-    parts = rows.parts
-    frame, place = parts.frame(contact.body), parts.place(contact.point)
-    forms = frame.coordinates(place)
-    if contact.position is not None:
-        link = place - frame.place(contact.position)
-        forms = tuple((link, axis) for _, axis in forms)
+    forms = _coordinates(rows, contact)
     p, inside = contact.power, contact.side == "inside"
     total: Number = 0.0
     slopes: list[Number] = []
@@ -177,12 +172,8 @@ def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) ->
 
 def add_height_field(rows: Rows, contact: HeightFieldContact, _: JointParts) -> None:
     """Keep a point above a field of heights, a spline in either direction."""
-    mechanism, parts = rows.mechanism, rows.parts
-    frame, place = parts.frame(contact.body), parts.place(contact.point)
-    forms = frame.coordinates(place)
-    if contact.position is not None:
-        link = place - frame.place(contact.position)
-        forms = tuple((link, axis) for _, axis in forms)
+    mechanism = rows.mechanism
+    forms = _coordinates(rows, contact)
     leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
     x, y, z = (leaf_symbol(k) for k in range(3))
     height: Number = 0.0
@@ -201,6 +192,16 @@ def add_height_field(rows: Rows, contact: HeightFieldContact, _: JointParts) -> 
     normal = (*(-1.0 * slope / steepness for slope in slopes), 1.0 / steepness)
     slips = _slips(rows, contact, contact.point, leaves, normal, forms, contact.ball_radius)
     add_contact(rows, contact, gap, slips=slips)
+
+
+def _coordinates(rows: Rows, contact: SuperquadricContact | HeightFieldContact) -> Coordinates:
+    """Return the coordinates of the point in axes of the body, from `position` or its origin."""
+    frame, place = rows.parts.frame(contact.body), rows.parts.place(contact.point)
+    forms = frame.coordinates(place)
+    if contact.position is None:
+        return forms
+    link = place - frame.place(contact.position)
+    return tuple((link, axis) for _, axis in forms)
 
 
 def _add_implicit(

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Ends: TypeAlias = tuple[PointReference, PointReference]
 
 AT_LEAST_ONE = Rule(lambda x: x >= 1.0, ">= 1", relation=">=")
-"""Likewise: ``solver.mechanics.contacts`` has a rule of the exponent less 1."""
+"""``solver.mechanics.contacts`` checks it again where the exponent is a parameter."""
 LAWS = {
     "rigid": (),
     "hertz": ("stiffness",),
@@ -32,7 +32,7 @@ LAWS = {
     "lankarani-nikravesh": ("stiffness", "impact_speed"),
 }
 """Laws of a contact, and the fields that they need."""
-SOFT = ("stiffness", "exponent", "damping", "impact_speed")
+COMPLIANT_FIELDS = ("stiffness", "exponent", "damping", "impact_speed")
 """Fields of compliant laws."""
 SETTINGS = {
     "formulation": ("conserving-al", 'contacts need formulation = "conserving-al"'),
@@ -47,8 +47,8 @@ class Contact(Part):
     """Two parts that touch and come apart: what all types have."""
 
     offers = CONTACT
-    yields: ClassVar[bool] = True
-    """Whether its law may be compliant: a gap of one quantity may."""
+    may_be_compliant: ClassVar[bool] = True
+    """Whether its law may be compliant: its gap must be one, and of one quantity."""
 
     restitution: Annotated[
         Number,
@@ -84,7 +84,7 @@ class Contact(Part):
         if given.law is BROKEN:
             return
         needed, draft = LAWS[self.law], reader.draft
-        if needed and not self.yields:
+        if needed and not self.may_be_compliant:
             message = f'must be "rigid" for a contact of type "{self.type}"'
             draft.error((*path, "law"), message, "leave it out")
             return
@@ -93,7 +93,7 @@ class Contact(Part):
                 message = f"'{name}' is missing: law = \"{self.law}\" needs it"
                 draft.error(path, message, f"write {name} = ...")
         possible = (*needed, *(("exponent",) if needed else ()))
-        for name in SOFT:
+        for name in COMPLIANT_FIELDS:
             if getattr(given, name) is not None and name not in possible:
                 laws = [f'"{law}"' for law in LAWS if law != "rigid"]
                 if name in ("damping", "impact_speed"):
@@ -151,6 +151,12 @@ class RubbingContact(Contact):
             reader.draft.error((*path, "static_friction"), message)
 
 
+_PLACE_OF_PLANE = kind.Components("m", "a place of the plane as drawn; the origin")
+_SURFACE_VELOCITY = kind.Components(
+    "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
+)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlaneContact(RubbingContact):
     """A point or ball on one side of a plane, in 2-D of a line, that a body carries."""
@@ -164,17 +170,10 @@ class PlaneContact(RubbingContact):
             text="normal of the plane, towards the point", example=[0, 0, 1], required=True
         ),
     ]
-    position: Annotated[
-        Vector | None, kind.Components("m", "a place of the plane as drawn; the origin")
-    ] = None
+    position: Annotated[Vector | None, _PLACE_OF_PLANE] = None
     body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     radius: Annotated[Number, kind.Quantity("m", "of a ball about the point", NOT_NEGATIVE)] = 0.0
-    surface_velocity: Annotated[
-        Vector | None,
-        kind.Components(
-            "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
-        ),
-    ] = None
+    surface_velocity: Annotated[Vector | None, _SURFACE_VELOCITY] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the point is none of the body, and that a moving surface rubs."""
@@ -215,7 +214,7 @@ class CornersContact(RubbingContact):
     """Corners of a body on one side of a plane: of a polygon, a box, a capsule with a radius."""
 
     type = "corners"
-    yields = False
+    may_be_compliant = False
 
     body: Annotated[str, kind.Plain(example="block", reading=_carrier_of_corners)]
     corners: Annotated[
@@ -231,20 +230,13 @@ class CornersContact(RubbingContact):
             text="normal of the plane, towards the body", example=[0, 0, 1], required=True
         ),
     ]
-    position: Annotated[
-        Vector | None, kind.Components("m", "a place of the plane as drawn; the origin")
-    ] = None
+    position: Annotated[Vector | None, _PLACE_OF_PLANE] = None
     on: Annotated[str | None, kind.BODY_OR_GROUND] = None
     """The body that carries the plane."""
     radius: Annotated[
         Number, kind.Quantity("m", "of the corners, as of a capsule", NOT_NEGATIVE)
     ] = 0.0
-    surface_velocity: Annotated[
-        Vector | None,
-        kind.Components(
-            "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
-        ),
-    ] = None
+    surface_velocity: Annotated[Vector | None, _SURFACE_VELOCITY] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the plane is another body's, and that a moving surface rubs."""

@@ -17,7 +17,7 @@ from solver.scene.words import a, did_you_mean
 if TYPE_CHECKING:
     from solver.scene.references import Reader
 
-EXPONENT = Rule(lambda x: x == 2.0 or x >= 3.0, "2 or at least 3, else its curvature has no bounds")
+POWER = Rule(lambda x: x == 2.0 or x >= 3.0, "2 or at least 3, else its curvature has no bounds")
 
 
 def _profile(reader: "Reader", path: Path, name: Any, _: Any) -> str:
@@ -36,6 +36,9 @@ def _profile(reader: "Reader", path: Path, name: Any, _: Any) -> str:
 
 
 _PROFILE = kind.Plain(example="road", reading=_profile)
+_BALL_RADIUS = kind.Quantity(
+    "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
+)
 
 
 def _radius(text: str) -> kind.Quantity:
@@ -46,7 +49,7 @@ def _radius(text: str) -> kind.Quantity:
 class PointContact(RubbingContact):
     """A point against what a body carries."""
 
-    yields = False
+    may_be_compliant = False
 
     point: Annotated[PointReference, kind.ONE_END]
     body: Annotated[str | None, kind.BODY_OR_GROUND] = None
@@ -78,7 +81,7 @@ class CamContact(RubbingContact):
     """A cam r(angle) on the second body of a joint against a point, a roller or a flat face."""
 
     type = "cam"
-    yields = False
+    may_be_compliant = False
     only_in = (2, "in space write 'surface', whose formula may call profiles")
 
     joint: Annotated[str, kind.joint_with("angle", "camshaft")]
@@ -150,12 +153,7 @@ class SurfaceContact(PointContact):
             reading=read_surface,
         ),
     ]
-    ball_radius: Annotated[
-        Number,
-        kind.Quantity(
-            "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
-        ),
-    ] = 0.0
+    ball_radius: Annotated[Number, _BALL_RADIUS] = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -168,19 +166,14 @@ class SuperquadricContact(PointContact):
         Vector, kind.Components("m", "half of its length along each axis", rule=POSITIVE,
                                 example=[1, 0.8, 0.6])
     ]  # fmt: skip
-    power: Annotated[float, kind.setting("", "2 for an ellipsoid", EXPONENT, 2.0)] = 2.0
+    power: Annotated[float, kind.setting("", "2 for an ellipsoid", POWER, 2.0)] = 2.0
     position: Annotated[
         Vector | None, kind.Components("m", "centre as drawn; origin of the body")
     ] = None
     side: Annotated[Literal["inside", "outside"], kind.Choice(words=("inside", "outside"))] = (
         "inside"
     )
-    ball_radius: Annotated[
-        Number,
-        kind.Quantity(
-            "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
-        ),
-    ] = 0.0
+    ball_radius: Annotated[Number, _BALL_RADIUS] = 0.0
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check the lengths."""
@@ -246,18 +239,17 @@ class HeightFieldContact(PointContact):
     position: Annotated[
         Vector | None, kind.Components("m", "origin of the grid as drawn; that of the body")
     ] = None
-    ball_radius: Annotated[
-        Number,
-        kind.Quantity(
-            "m", "of a ball whose centre is the point: the arm of its friction", NOT_NEGATIVE
-        ),
-    ] = 0.0
+    ball_radius: Annotated[Number, _BALL_RADIUS] = 0.0
 
 
 SURFACES: dict[str, type[kind.Part]] = {
     contact.type: contact
     for contact in (
-        *(ProfileContact, CamContact, SurfaceContact, SuperquadricContact, HeightFieldContact),
+        ProfileContact,
+        CamContact,
+        SurfaceContact,
+        SuperquadricContact,
+        HeightFieldContact,
     )
 }
 """Types of contacts with curves and surfaces."""
