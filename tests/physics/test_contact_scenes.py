@@ -233,7 +233,8 @@ def test_a_follower_leaves_its_cam_and_lands_as_in_closed_form():
 
 def test_a_wheel_crosses_the_backlash_when_it_should_and_rattles_on_both_flanks():
     # 0.02/2 sin(40 t) + 0.2/(2 0.05) t^2 of 0.005 rad; the pinion's engine feels no knock.
-    closes = brentq(lambda t: 0.01 * math.sin(40.0 * t) + 2.0 * t**2 - 0.005, 0.0, 0.03)
+    root = brentq(lambda t: 0.01 * math.sin(40.0 * t) + 2.0 * t**2 - 0.005, 0.0, 0.03)
+    closes = float(root)  # pyright: ignore
     integrator = until(begin("gear_pair_with_backlash"), closes - 1e-7)
     assert integrator["teeth.impacts"] == 0.0
     assert until(integrator, closes + 1e-7)["teeth.impacts"] == 1.0
