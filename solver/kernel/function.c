@@ -27,6 +27,7 @@ static double tanh_slope(double x0, double x1, double dx)
 static double log_slope(double x0, double x1, double dx)
 {
     const double sum = x0 + x1, z = dx / sum, z2 = z * z;
+    if (z2 > 0.98) return (hm_log(x1) - hm_log(x0)) / dx; /* nothing cancels where one is far larger; 1 - z would */
     const double ratio = z2 < 1e-4 ? 1.0 + z2 * (1.0 / 3.0 + z2 * (0.2 + z2 / 7.0)) : hm_atanh(z) / z;
     return 2.0 * ratio / sum;
 }

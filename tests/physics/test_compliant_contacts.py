@@ -169,3 +169,21 @@ def test_a_compliant_contact_moves_an_fmu_bit_for_bit():
             integrator.advance(0.01 * i, 0.01)
             assert fmu.outputs() == integrator.get(places)
     assert integrator["energy.dissipated"] > 0.01
+
+
+@pytest.mark.parametrize("pressed", [0.0, 1e-17, 1e-14, 1e-12, 1e-8])
+def test_a_step_that_begins_in_the_least_penetration_closes_its_ledger(pressed):
+    content = mechanism(
+        "ball",
+        3,
+        points={"ball": {"mass": 1.0, "position": [0, 0, -pressed], "velocity": [0, 0, -4.43]}},
+        contacts={
+            "floor": {
+                "type": "plane", "point": "ball", "axis": [0, 0, 1], "law": "hertz",
+                "stiffness": 1e6,
+            }
+        },
+    )  # fmt: skip
+    run = begin(content, 3e-4)
+    run.advance(run.time, 3e-4)
+    assert number(run, "energy.error") <= 1e-15
