@@ -1,4 +1,4 @@
-"""Write the core's picture of a model and a state from their declaration in Python.
+"""Write the core's picture of a model and a state from their declaration in Python, and tables.
 
 `solver/runtime/layout.py` has the fields, ``solver/kernel/scratch.py`` the scratch of a call,
 ``solver/options.py`` and ``solver/runtime/errors.py`` the codes of settings and failures. What
@@ -7,6 +7,7 @@ stands in a comment behind a field there is its comment here.
     model_tables.h      structures and enumerations
     section_tables.h    where sections begin
     check_tables.h      how long tables are, and between what their numbers lie
+    ..._tables.h        of elementary functions
 """
 
 from __future__ import annotations
@@ -20,6 +21,8 @@ from itertools import groupby
 from pathlib import Path
 from threading import Lock
 from typing import Any
+
+from build_kernel import elementary_tables
 
 ONE_AT_A_TIME = Lock()
 """Python up to 3.11 at times refuses a text that it parses while another thread parses as well."""
@@ -84,6 +87,7 @@ def headers(solver: Path) -> dict[str, str]:
         ("model_tables", "<stdint.h>", structures),
         ("section_tables", '"internal.h"', sections),
         ("check_tables", '"model_file.h"', _checks(layout.values)),
+        *((name, '"double_double.h"', x) for name, x in elementary_tables.tables().items()),
     )
     return {f"{name}.h": _header(name, include, parts) for name, include, parts in found}
 

@@ -3,6 +3,14 @@
 #include "elementary.h"
 #include "trigonometric_tables.h"
 
+/* (asin s/s - 1)/s^2 in powers of s^2 up to 1/4, near-minimax */
+static const double ARCSINE[13] = {
+    0x1.5555555555556p-3, 0x1.3333333332ecap-4, 0x1.6db6db6e31f13p-5, 0x1.f1c71c1db0623p-6,
+    0x1.6e8bb1c8209a2p-6, 0x1.1c4d35cf95421p-6, 0x1.c9cf07674736ap-7, 0x1.782651caa6547p-7,
+    0x1.52420b04b37bep-7, 0x1.65a9c4dfcf8b2p-8, 0x1.1d189408314eep-6, -0x1.e6aaa8a0a04ccp-7,
+    0x1.d72b2bc8155f8p-6
+};
+
 /* 32 bits of 2/pi from this bit on, zeros before the first. */
 static uint64_t bits_of_two_over_pi(int first)
 {

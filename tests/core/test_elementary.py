@@ -6,14 +6,17 @@ import itertools
 import math
 import platform
 import random
+import re
 import shutil
 import struct
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
+from mpmath import asin, atan, chebyfit, log, mp, mpf, pi, sqrt
 
-from build_kernel import elementary_tables
 from build_kernel.compiler import system_compiler, zig_compiler
 from tests.elementary_errors import KERNEL, ONE, SOURCES, TWO, argument, core, largest_error
 
@@ -113,6 +116,37 @@ def test_the_bits_are_the_same_from_each_compiler_and_on_each_machine(compiler, 
     assert found.stdout == HASHES.lstrip()
 
 
-def test_the_tables_are_those_of_their_definitions():
-    for path, text in elementary_tables.headers().items():
-        assert path.read_text("utf-8") == text
+def table_of(name: str) -> list[float]:
+    """Numbers of a table, as the core has them."""
+    files = (*KERNEL.glob("exponential*"), *KERNEL.glob("trigonometric*"))
+    text = "".join(path.read_text("utf-8") for path in files)
+    (body,) = re.findall(rf" {name}\[\d+\] = (.*?);", text, re.DOTALL)
+    return [float.fromhex(x) for x in re.findall(r"-?(?:0x1[.0-9a-f]*p[-+]\d+|0\.0)", body)]
+
+
+DEFINITIONS: dict[str, tuple[int, Callable[[int], Any]]] = {
+    "ROOTS_OF_TWO": (2, lambda j: mpf(2) ** (mpf(j) / 64)),
+    "LOGARITHMS": (2, lambda j: -log(table_of("RECIPROCALS")[j])),
+    "LN2": (2, lambda _: log(2)),
+    "LN2_OVER_64": (2, lambda _: log(2) / 64),
+    "ANGLES": (2, lambda j: atan(mpf(j) / 32)),
+    "HALF_PI": (4, lambda _: pi / 2),
+    "PI": (2, lambda j: (j + 1) * pi / 2),
+}
+"""How many doubles add up to an entry of a table, and what that is."""
+
+
+@pytest.mark.parametrize("name", DEFINITIONS)
+def test_the_doubles_of_a_table_add_up_to_its_definition(name):
+    width, meaning = DEFINITIONS[name]
+    numbers = table_of(name)
+    with mp.workprec(300):
+        for j in range(len(numbers) // width):
+            exact, found = meaning(j), sum(map(mpf, numbers[width * j : width * (j + 1)]))
+            assert abs(found - exact) <= 2.0**-84 * max(abs(exact), mpf(2) ** -10), j
+
+
+def test_the_series_of_the_arcsine_is_near_minimax():
+    with mp.workprec(300):
+        terms = lambda q: (asin(sqrt(q)) / sqrt(q) - 1) / q if q else mpf(1) / 6  # noqa: E731
+        assert table_of("ARCSINE") == [float(x) for x in chebyfit(terms, [0, 0.25], 13, asc=True)]
