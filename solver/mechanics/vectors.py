@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from solver.scene import Number
-from solver.scene.expression import sqrt
+from solver.scene.expression import Vector, sqrt
+from solver.scene.numbers import dot as dot
+from solver.scene.numbers import times as times
 
-Vector = tuple[Number, ...]
 Matrix = tuple[Vector, ...]
 """Rows."""
 
@@ -25,14 +26,6 @@ def subtract(a: Sequence[Number], b: Sequence[Number]) -> Vector:
 def scale(factor: Number, a: Sequence[Number]) -> Vector:
     """Return factor a."""
     return tuple([factor * x for x in a])
-
-
-def dot(a: Sequence[Number], b: Sequence[Number]) -> Number:
-    """Return a . b."""
-    total: Number = 0.0
-    for x, y in zip(a, b, strict=True):
-        total = total + x * y
-    return total
 
 
 def cross(a: Sequence[Number], b: Sequence[Number]) -> Vector:
@@ -65,11 +58,6 @@ def unit(a: Sequence[Number]) -> Vector:
 def columns(matrix: Matrix) -> tuple[Vector, ...]:
     """Return the columns of a matrix."""
     return tuple(zip(*matrix, strict=True))
-
-
-def times(matrix: Matrix, a: Sequence[Number]) -> Vector:
-    """Return matrix a."""
-    return tuple(dot(row, a) for row in matrix)
 
 
 def identity(dim: int) -> Matrix:

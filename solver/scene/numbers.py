@@ -7,7 +7,7 @@ them here; a rule such as "mass >= 0" that fails already with the defaults is a 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -360,7 +360,7 @@ def _finite(result: object) -> bool:
     return not isinstance(result, float) or math.isfinite(result)
 
 
-def dot(a: Vector, b: Vector) -> Number:
+def dot(a: Sequence[Number], b: Sequence[Number]) -> Number:
     """Inner product of two vectors."""
     total: Number = 0.0
     for x, y in zip(a, b, strict=True):
@@ -368,6 +368,6 @@ def dot(a: Vector, b: Vector) -> Number:
     return total
 
 
-def applied(matrix: tuple[Vector, ...], vector: Vector) -> Vector:
+def times(matrix: Sequence[Vector], vector: Sequence[Number]) -> Vector:
     """Product of a matrix, given by its rows, and a vector."""
     return tuple(dot(row, vector) for row in matrix)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector, cos, operate, select, sin, sqrt
 from solver.scene.fields import BROKEN, Part
-from solver.scene.numbers import applied, dot
+from solver.scene.numbers import dot, times
 from solver.scene.report import Path
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ def read_spin(
     own = reader.vector((*path, "body"), part.body)
     if len(own) != 3 or not isinstance(orientation, tuple):
         return None
-    return reader.calculated(path, lambda: applied(orientation, own), reader.zero())
+    return reader.calculated(path, lambda: times(orientation, own), reader.zero())
 
 
 def _matrix(reader: "Reader", path: Path, part: Any) -> Matrix:

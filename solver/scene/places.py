@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from solver.scene.expression import ExpressionError, Vector, cos, sin, symbols
-from solver.scene.numbers import Known, NumberChecks, applied
+from solver.scene.numbers import Known, NumberChecks, times
 from solver.scene.report import Path
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ class Places(NumberChecks):
 
         def own() -> Vector:
             arm = tuple(x - y for x, y in zip(place, rigid.position, strict=True))
-            return applied(tuple(zip(*_axes(rigid), strict=True)), arm)
+            return times(tuple(zip(*_axes(rigid), strict=True)), arm)
 
         return Seat(point, self.values(self.calculated(path, own, ())))
 
@@ -163,4 +163,4 @@ def _axes(body: Rigid) -> tuple[Vector, ...]:
 
 def drawn_place(body: Rigid, place: Vector) -> Vector:
     """Global place in m, as drawn, of a place in the axes of a body."""
-    return tuple(x + y for x, y in zip(body.position, applied(_axes(body), place), strict=True))
+    return tuple(x + y for x, y in zip(body.position, times(_axes(body), place), strict=True))
