@@ -15,6 +15,17 @@ from solver.scene.contacts import (
     SphereContact,
     Stop,
 )
+from solver.scene.couplings import (
+    ConstantAngle,
+    Distance,
+    Gear,
+    PointOn,
+    PointOnLine,
+    PointOnPlane,
+    PointOnSurface,
+    Rack,
+    Rolling,
+)
 from solver.scene.drivers import (
     AngleDriver,
     Constraint,
@@ -40,20 +51,11 @@ from solver.scene.friction import JointFriction
 from solver.scene.grammar import parse
 from solver.scene.joints import (
     BodyJoint,
-    ConstantAngle,
     Cylindrical,
-    Distance,
     Fixed,
-    Gear,
     Planar,
-    PointOn,
-    PointOnLine,
-    PointOnPlane,
-    PointOnSurface,
     Prismatic,
-    Rack,
     Revolute,
-    Rolling,
     Screw,
     Spherical,
     Universal,

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeAlias
 
 from solver.scene import fields as kind
+from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
-from solver.scene.joints import check_point_and_body
 from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
 from solver.scene.report import Path
 from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, SHARE, Rule

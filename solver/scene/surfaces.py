@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
 from solver.scene.contacts import RubbingContact
+from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
-from solver.scene.joints import check_point_and_body, read_surface
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 from solver.scene.words import a, did_you_mean
