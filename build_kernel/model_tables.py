@@ -12,15 +12,14 @@ stands in a comment behind a field there is its comment here.
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from itertools import groupby
 from pathlib import Path
+from runpy import run_path
 from threading import Lock
-from typing import Any
+from typing import Any, NamedTuple
 
 from build_kernel import elementary_tables
 
@@ -29,63 +28,45 @@ ONE_AT_A_TIME = Lock()
 INTEGERS = {"i": "int32_t", "I": "uint32_t", "Q": "uint64_t", "B": "uint8_t", "d": "double"}
 
 
-class Declaration:
-    """The values of a Python file, and the comments and lines of the names in them.
-
-    Only statements that define one of the names `wanted` are run, or all of them.
-    """
-
-    def __init__(self, path: Path, *wanted: str) -> None:
-        text = path.read_text("utf-8")
-        self.values: dict[str, Any] = {"__name__": path.stem}
-        self._line: dict[tuple[str, str], int] = {}
-        self._comments = _comments(text.splitlines())
-        for node in ast.parse(text).body:
-            name = getattr(node, "name", "") or _target(node)
-            if not wanted or name in wanted or isinstance(node, ast.ImportFrom):
-                exec(compile(ast.Module([node], []), path, "exec"), self.values)
-            for part in ast.walk(node):
-                if isinstance(part, ast.Constant) and isinstance(part.value, str):
-                    self._line.setdefault((name, part.value), part.lineno)
-                elif isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store):
-                    self._line.setdefault((name, part.id), part.lineno)
-
-    def lines(self, table: str, names: Iterable[str]) -> Iterator[tuple[list[str], str]]:
-        """Yield the names that stand in one line, and the comment behind them."""
-        for line, group in groupby(names, lambda name: self._line.get((table, name), 0)):
-            yield list(group), self._comments.get(line, "")
+Values = Mapping[str, Any]
+"""What a Python file declares, by name."""
 
 
-def _target(node: ast.stmt) -> str:
-    """Return the name that a statement gives a value; "" if there are several."""
-    targets = node.targets if isinstance(node, ast.Assign) else []
-    return "".join(target.id for target in targets if isinstance(target, ast.Name))
+class Declared(NamedTuple):
+    """The values of a Python file, and the comments behind names in its tables and classes."""
+
+    values: Values
+    notes: Mapping[tuple[str, str], str]
+
+    def note(self, table: str, name: str) -> str:
+        """Comment behind a name in a table; empty if there is none."""
+        return self.notes.get((table, name), "")
 
 
-def _comments(lines: list[str]) -> dict[int, str]:
-    """Comments by the lines that they stand in; one on a line of its own goes on."""
-    found, last = {}, 0
-    for number, line in enumerate(lines, start=1):
-        code, _, comment = line.partition("  # ")
-        if comment and code.strip():
-            found[number], last = comment.strip(), number
-        elif line.lstrip().startswith("# ") and last == number - 1:
-            found[last] += " " + line.strip(" #")
-            last = number
-    return found
+def declared(path: Path) -> Declared:
+    """Run a Python file, and read its comments; one on a line of its own belongs to those above."""
+    notes: dict[tuple[str, str], str] = {}
+    table, names = "", []
+    for line in path.read_text("utf-8").splitlines():
+        code, _, comment = line.partition("# ")
+        if begun := re.match(r"(?:class )?(\w+)(?: =|\()", code):
+            table = begun[1]
+        if code.strip():
+            keys = re.findall(r'"(\w+)":', code) or re.findall(r'"([-\w]+)"', code)
+            names = keys or re.findall(r"^ +(\w+) =", code)
+        for name in names if comment else ():
+            notes[table, name] = f"{notes.get((table, name), '')} {comment.strip()}".lstrip()
+    return Declared(run_path(str(path)), notes)
 
 
 def headers(solver: Path) -> dict[str, str]:
     """Return the text of each header by its name; `solver` is the folder of that package."""
-    layout = Declaration(solver / "runtime" / "layout.py")
-    scratch = Declaration(solver / "kernel" / "scratch.py")
-    options = Declaration(solver / "options.py", "FORMULATIONS")
-    errors = Declaration(solver / "runtime" / "errors.py", "Status")
+    layout, scratch = (declared(solver / x) for x in ("runtime/layout.py", "kernel/scratch.py"))
+    options, errors = (declared(solver / x) for x in ("options.py", "runtime/errors.py"))
     structures = *_structures(layout, scratch), *_enumerations(layout, options, errors)
-    sections = _sections(layout.values, scratch.values)
     found = (
         ("model_tables", "<stdint.h>", structures),
-        ("section_tables", '"internal.h"', sections),
+        ("section_tables", '"internal.h"', _sections(layout.values, scratch.values)),
         ("check_tables", '"model_file.h"', _checks(layout.values)),
         *((name, '"double_double.h"', x) for name, x in elementary_tables.tables().items()),
     )
@@ -109,12 +90,10 @@ def _header(name: str, include: str, parts: Iterable[str]) -> str:
     return "\n".join([first, f"#include {include}\n", *parts, "#endif\n"])
 
 
-def _noted(code: str, note: str, width: int = 118) -> str:
-    """Return a line of C and its comment, behind it if there is room."""
-    if not note:
-        return code
-    together = f"{code} /* {note} */"
-    return together if len(together) <= width else f"    /* {note} */\n{code}"
+def _noted(code: str, *notes: str) -> str:
+    """Return a line of C and its comment."""
+    note = ": ".join(filter(None, notes))
+    return f"    {code} /* {note} */" if note else f"    {code}"
 
 
 # ------------------------------------------------------------------------------ structures
@@ -124,7 +103,7 @@ def _structure(name: str, fields: Iterable[str]) -> str:
     return "\n".join([f"typedef struct {name} {{", *fields, f"}} {name};\n"])
 
 
-def _structures(layout: Declaration, scratch: Declaration) -> Iterator[str]:
+def _structures(layout: Declared, scratch: Declared) -> Iterator[str]:
     values = layout.values
     for name in ("ABI", "MOST_SAMPLING"):
         yield f"#define HOLONOM_{name} {values[name]}\n"
@@ -133,16 +112,12 @@ def _structures(layout: Declaration, scratch: Declaration) -> Iterator[str]:
     own = [x for x in values["TABLES"] if x not in values["ELIMINATION"] and x not in lean]
     split = own.index("load_slot_ptr")
     yield _structure("holonom_model", [
-        *(
-            _noted(f"    int32_t {', '.join(names)};", note)
-            for names, note in layout.lines("SIZES", values["SIZES"])
-        ),
+        *(_noted(f"int32_t {name};", layout.note("SIZES", name)) for name in values["SIZES"]),
         *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, lean;",
         *_tables(layout, "TABLES", own[split:]),
         *(
-            _noted("    int32_t " + ", ".join(f"{name}_at" for name in names) + ";",
-                   _lengths(values["OFFSETS"], names, note))
-            for names, note in layout.lines("OFFSETS", values["OFFSETS"])
+            _noted(f"int32_t {name}_at;", length, layout.note("OFFSETS", name))
+            for name, length in values["OFFSETS"].items()
         ),
     ])  # fmt: skip
     yield _structure("hm_registers", ["    double *r0, *r1, *dr, *adjoint, *slope;"])
@@ -155,63 +130,45 @@ def _structures(layout: Declaration, scratch: Declaration) -> Iterator[str]:
         yield f'_Static_assert(sizeof(hm_{name.lower()}) == {size}, "bytes of a model");\n'
 
 
-def _lengths(lengths: Mapping[str, str], names: Iterable[str], note: str) -> str:
-    """Return the lengths of some sections and their comment."""
-    found = list(dict.fromkeys(lengths[name] for name in names))
-    return ": ".join(filter(None, ["; ".join(filter(None, found)), note]))
+def _tables(layout: Declared, table: str, names: Iterable[str] | None = None) -> Iterator[str]:
+    for name in names or layout.values[table]:
+        known = layout.values[table][name]
+        length = known.length if hasattr(known, "length") else f"{known.count} + 1"
+        yield _noted(f"const int32_t *{name};", length, layout.note(table, name))
 
 
-def _tables(layout: Declaration, table: str, names: Iterable[str] | None = None) -> Iterator[str]:
-    tables = layout.values[table]
-    for group, note in layout.lines(table, names or tables):
-        length = getattr(tables[group[0]], "length", None)
-        if length is None:
-            length = f"{tables[group[0]].count} + 1"
-        pointers = ", ".join(f"*{name}" for name in group)
-        yield _noted(f"    const int32_t {pointers};", ": ".join(filter(None, [length, note])))
+def _vectors(declaration: Declared, table: str) -> Iterator[str]:
+    """Yield the vectors; a first and a second one are an array, those of a function a structure."""
+    for name, length in declaration.values[table].items():
+        if name == "r.r0":
+            yield "    hm_registers r;"
+        elif not name.startswith("r.") and not name.endswith("_second"):
+            field = name.replace("_first", "[2]")
+            yield _noted(f"double *{field};", length, declaration.note(table, name))
 
 
-def _vectors(declaration: Declaration, table: str) -> Iterator[str]:
-    lengths = declaration.values[table]
-    for names, note in declaration.lines(table, lengths):
-        fields = [f"*{_field(name)}" for name in names if not name.endswith("_second")]
-        fields = [name.replace("[0]", "[2]") for name in fields]
-        note = _lengths(lengths, names, note)
-        if not names[0].startswith("r."):
-            yield _noted(f"    double {', '.join(fields)};", note)
-        elif names[0] == "r.r0":
-            yield "    hm_registers r; /* of one function */"
-
-
-def _field(name: str) -> str:
-    """Return what a vector is called in C: a first and a second one are an array."""
-    return name.replace("_first", "[0]").replace("_second", "[1]")
-
-
-def _record(layout: Declaration, table: str) -> Iterator[str]:
-    letters = layout.values[table]
-    for names, note in layout.lines(table, letters):
-        for letter, alike in groupby(names, letters.__getitem__):
-            fields = ", ".join(alike)
-            text = letter.endswith("s")
-            kind, size = ("char", f"[{letter[:-1]}]") if text else (INTEGERS[letter], "")
-            yield _noted(f"    {kind} {fields}{size};", note)
+def _record(layout: Declared, table: str) -> Iterator[str]:
+    for name, letter in layout.values[table].items():
+        text = letter.endswith("s")
+        kind, size = ("char", f"[{letter[:-1]}]") if text else (INTEGERS[letter], "")
+        yield _noted(f"{kind} {name}{size};", layout.note(table, name))
 
 
 # ---------------------------------------------------------------------------- enumerations
 
 
 def _enumeration(
-    declaration: Declaration, table: str, prefix: str, names: Iterable[str], last: str = "",
+    declaration: Declared, table: str, prefix: str, names: Iterable[str], last: str = "",
     values: Mapping[str, int] | None = None,
 ) -> str:  # fmt: skip
     """Return an enumeration with the names of a table, upper case, behind a prefix."""
     lines = [
-        _noted("    " + " ".join(
-            f"{prefix}{_constant(name)}{f' = {values[name]}' if values else ''}," for name in group
-        ), note)
-        for group, note in declaration.lines(table, names)
-    ]  # fmt: skip
+        _noted(
+            f"{prefix}{_constant(name)}{f' = {values[name]}' if values else ''},",
+            declaration.note(table, name),
+        )
+        for name in names
+    ]
     return "\n".join(["enum {", *lines, *([f"    {prefix}{last}"] if last else []), "};\n"])
 
 
@@ -219,7 +176,7 @@ def _constant(name: str) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])|-", "_", name).upper()
 
 
-def _enumerations(layout: Declaration, options: Declaration, errors: Declaration) -> Iterator[str]:
+def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iterator[str]:
     values = layout.values
     sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS")}
     yield "enum { " + ", ".join(f"{name} = {size}" for name, size in sizes.items()) + " };\n"
@@ -277,6 +234,11 @@ TAKE = """static double *take(double *block, int64_t *used, int64_t count)
     return start;
 }
 """
+
+
+def _field(name: str) -> str:
+    """Return what a vector is called in C: a first and a second one are an array."""
+    return name.replace("_first", "[0]").replace("_second", "[1]")
 
 
 def _sections(layout: Mapping[str, Any], scratch: Mapping[str, Any]) -> Iterator[str]:

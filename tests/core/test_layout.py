@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from build_kernel.model_tables import Declaration, headers, write_headers
+from build_kernel.model_tables import declared, headers, write_headers
 from solver.options import OPTIONS
 from solver.runtime import Integrator, kernel
 from solver.runtime.layout import ABI, HEAD, SIZES
@@ -24,25 +24,23 @@ def test_the_headers_of_the_kernel_are_made_of_the_present_declaration():
         assert (SOLVER / "kernel" / name).read_text("utf-8") == text, name
 
 
-def test_a_field_has_its_line_and_its_comment_in_c():
+def test_a_field_has_its_length_and_its_comment_in_c():
     text = headers(SOLVER)["model_tables.h"]
     assert "\n    int32_t n_free; /* moving nodes that are unknown */\n" in text
     assert "\n    const int32_t *row_form; /* n_form_rows */\n" in text
-    assert (
-        "\n    double *q, *q_low; /* n: coordinates [m], and what rounding left over */\n" in text
-    )
-    assert "\n    S_KNOWN, S_HALVES, /* see predict.h */\n" in text
-    assert "FORM_TURNED = 4, /* w = u; w constant; quarter turns */\n" in text
+    assert "\n    double *q; /* n: coordinates [m], and what rounding left over */\n" in text
+    assert "\n    S_HALVES, /* see predict.h */\n" in text
+    assert "\n    HOLONOM_BAD_STEP = 6, /* step length is not a finite positive number */\n" in text
 
 
 def test_names_of_one_line_share_its_comment_and_a_comment_goes_on_below(tmp_path):
     path = tmp_path / "fields.py"
     path.write_text(
-        'A = (\n    "a", "b",  # one\n    # line more\n    "c",\n)\nB = ("a",)  # two\n'
+        'A = (\n    "a", "b",  # one\n    # line more\n    "c",\n)\nB = {"a": "c"}  # two\n'
     )
-    declaration = Declaration(path)
-    assert list(declaration.lines("A", "abc")) == [(["a", "b"], "one line more"), (["c"], "")]
-    assert list(declaration.lines("B", "a")) == [(["a"], "two")]
+    values, notes = declared(path)
+    assert values["A"] == ("a", "b", "c")
+    assert notes == {("A", "a"): "one line more", ("A", "b"): "one line more", ("B", "a"): "two"}
 
 
 def test_the_settings_lie_side_by_side_in_the_head_of_a_state():
