@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import glob
 import zipfile
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection
 from pathlib import Path
 
 from build_fmu.errors import UsageError
@@ -17,40 +16,8 @@ from build_fmu.errors import UsageError
 _OURS = b'generationTool="holonom '
 
 
-@dataclass(frozen=True)
-class Room:
-    """A folder with room for the FMUs of a study."""
-
-    folder: Path
-    stem: str
-    names: Collection[str]
-    """Names of the FMUs that the study may write; no file of one of them is another's."""
-    earlier: Mapping[str, tuple[int, int]]
-    """FMUs of an earlier study by name, which are to be replaced or removed; each with its mark."""
-
-    def is_touched(self) -> bool:
-        """Whether an FMU was written since."""
-        there = {path.name: _mark(path) for path in _numbered(self.folder, self.stem, ".fmu")}
-        return any(there.get(n, m) != m for n, m in self.earlier.items()) or any(
-            name in there and name not in self.earlier for name in self.names
-        )
-
-    def clear(self, kept: Collection[str]) -> None:
-        """Remove the FMUs of both studies but for those named, and their parameter sets."""
-        own = {Path(name).stem for name in self.names}
-        going = (own | {Path(name).stem for name in self.earlier}) - {Path(n).stem for n in kept}
-        for kind in (".fmu", ".ssv"):
-            for path in _numbered(self.folder, self.stem, kind):
-                if path.stem in going and (path.stem in own or _is_ours(path)):
-                    path.unlink(missing_ok=True)
-        # Of a process that was ended:
-        for path in self.folder.glob(f".{glob.escape(self.stem)}_*.fmu-*"):
-            if path.name[1:].rpartition(".fmu-")[0] in going:
-                path.unlink(missing_ok=True)
-
-
-def require_room(folder: Path, stem: str, names: Collection[str], fresh: bool) -> Room:
-    """Room for FMUs of these names, which replace those of an earlier study.
+def require_room(folder: Path, stem: str, names: Collection[str], fresh: bool) -> None:
+    """Refuse a folder without room for FMUs of these names, which replace those of a study before.
 
     Raises
     ------
@@ -61,18 +28,27 @@ def require_room(folder: Path, stem: str, names: Collection[str], fresh: bool) -
     if folder.suffix == ".fmu" or (folder.exists() and not folder.is_dir()):
         text = f"{folder}: there will be many FMUs; name a folder for them, not a file"
         raise UsageError(text)
-    there = [path for path in _numbered(folder, stem, ".fmu") if _is_ours(path)]
     for path in (*_numbered(folder, stem, ".fmu"), *_numbered(folder, stem, ".ssv")):
         if path.with_suffix(".fmu").name in names and not _is_ours(path):
             raise UsageError(_not_ours(path, "folder"))
-    left = sorted(path.name for path in there if path.name not in names)
+    there = (path for path in _numbered(folder, stem, ".fmu") if path.name not in names)
+    left = sorted(path.name for path in there if _is_ours(path))
     if left and not fresh:
         count = f"{len(left)} FMU{'s' * (len(left) > 1)} of an earlier study would stay there"
         first = left[0] if len(left) == 1 else f"{left[0]} to {left[-1]}"
         remedy = "name another folder, or remove them with --fresh"
         text = f"{folder}: {count}, {first}; {remedy}"
         raise UsageError(text)
-    return Room(folder, stem, names, {path.name: _mark(path) for path in there})
+
+
+def take_over(scratch: Path, folder: Path, stem: str, kept: Collection[str]) -> None:
+    """Move the FMUs of a study from where they were made, in place of those of the study before."""
+    for path in filter(_is_ours, _numbered(folder, stem, ".fmu")):
+        for each in filter(_is_ours, (path.with_suffix(".ssv"), path)):
+            each.unlink()
+    for path in (*_numbered(scratch, stem, ".fmu"), *_numbered(scratch, stem, ".ssv")):
+        if path.with_suffix(".fmu").name in kept:
+            path.replace(folder / path.name)
 
 
 def require_own_set(fmu: Path) -> None:
@@ -89,12 +65,6 @@ def _not_ours(path: Path, other: str) -> str:
 def _numbered(folder: Path, stem: str, kind: str) -> list[Path]:
     found = folder.glob(f"{glob.escape(stem)}_*{kind}")
     return [path for path in found if path.stem[len(stem) + 1 :].isdecimal()]
-
-
-def _mark(path: Path) -> tuple[int, int]:
-    """What tells a file from one that has replaced it."""
-    status = path.stat()
-    return status.st_ino, status.st_mtime_ns
 
 
 def _is_ours(path: Path) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import shutil
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from build_fmu.errors import UnfinishedError, writing
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
-from build_fmu.study.output_folder import require_room
+from build_fmu.study.output_folder import require_room, take_over
 from build_fmu.study.processes import Task
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.values import Mistake, in_one_text, refuse
@@ -25,6 +26,7 @@ class _Shared:
     scene: str
     overrides: Mapping[str, object]
     folder: str
+    """Where it is made."""
     count: int
 
     def name(self, number: int) -> str:
@@ -93,11 +95,14 @@ def variants(
         scene_overrides(scene, {**entries, **named}, mistakes)
     run_jobs = engine_of(engine, workers)
     target = manifest_path(Path(folder), manifest)
-    shared = _Shared(fspath(scene), scene_overrides(scene, entries), fspath(folder), len(rows))
+    stem = Path(scene).stem
+    scratch = target.parent / f".{stem}.variants"
+    shared = _Shared(fspath(scene), scene_overrides(scene, entries), fspath(scratch), len(rows))
     jobs = list(enumerate(rows, start=1))
     names = {shared.name(number) for number, _ in jobs}
-    room = require_room(target.parent, Path(scene).stem, names, fresh)
-    target.parent.mkdir(parents=True, exist_ok=True)
+    require_room(target.parent, stem, names, fresh)
+    shutil.rmtree(scratch, ignore_errors=True)  # of a study that was killed
+    scratch.mkdir(parents=True)
     made: list[Variant] = []
     try:
         with contextlib.closing(run_jobs(Task(_export, shared, _lost), jobs)) as results:
@@ -107,10 +112,11 @@ def variants(
                     progress(len(made), len(jobs))
     finally:
         made = in_one_form(sorted(made, key=lambda variant: variant.number))
-        if made or room.is_touched():  # an interrupted study says what it has written
-            room.clear({variant.fmu for variant in made})
+        if made:  # an interrupted study says what it has written
+            take_over(scratch, target.parent, stem, {variant.fmu for variant in made})
             with writing(target):
                 target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
+        shutil.rmtree(scratch, ignore_errors=True)
     refuse(mistake for variant in made if not variant.lost for mistake in variant.mistakes)
     if lost := [mistake for variant in made for mistake in variant.mistakes]:
         raise UnfinishedError(in_one_text(lost))

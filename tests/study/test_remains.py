@@ -53,7 +53,9 @@ def test_an_interrupted_study_leaves_what_its_manifest_has_and_no_more(tmp_path,
         return lambda task, jobs: written_ahead(task.shared, jobs)
 
     monkeypatch.setattr(variants_module, "engine_of", run_ahead)
-    (tmp_path / ".double_pendulum_3.fmu-abc_1234").write_bytes(b"of a process that was ended")
+    killed = tmp_path / ".double_pendulum.variants"
+    killed.mkdir()
+    (killed / "double_pendulum_1.ssv").write_bytes(b"of a study that was killed")
     with pytest.raises(KeyboardInterrupt):
         build_fmu.variants(PENDULUM, tmp_path, grid={"mass": [1, 2, 3]})
     assert found(tmp_path, ".fmu") == told(tmp_path) == ["double_pendulum_1.fmu"]
