@@ -33,82 +33,6 @@ BEFORE_CHECKED = struct.calcsize("<8sI")
 DAMAGED = "the model is damaged, or of an earlier version; build it again"
 
 
-class _ModelBytes:
-    """Takes parts off the bytes of a model, from the header on."""
-
-    def __init__(self, data: bytes) -> None:
-        self._data, self._at = data, HEADER.size
-        self._texts = b""
-
-    def numbers(self, code: str, count: int) -> array:
-        """Take numbers, and what fills them to 8 bytes."""
-        values = array(code)
-        values.frombytes(self._part(count * values.itemsize))
-        if sys.byteorder == "big":
-            values.byteswap()
-        return values
-
-    def records(self, record: struct.Struct, count: int) -> list[tuple]:
-        """Take records."""
-        return [*record.iter_unpack(self._part(count * record.size))]
-
-    def texts(self, count: int) -> None:
-        """Take the texts that `text` finds."""
-        self._texts = self._part(count)
-
-    def rest(self) -> dict[str, Any]:
-        """Take what only Python reads."""
-        return json.loads(self._data[self._at :])
-
-    def _part(self, size: int) -> bytes:
-        part = self._data[self._at : self._at + size]
-        self._at += size + -size % 8
-        return part
-
-    def text(self, at: int) -> str:
-        """Return the text that begins at a place."""
-        return self._texts[at : self._texts.index(0, at)].decode()
-
-    def words(self, at: int) -> list[str]:
-        """Return the words that begin at a place."""
-        return self._texts[at : self._texts.index(b"\0\0", at)].decode().split("\0")
-
-    def variable(self, record: tuple, description: str) -> Variable:
-        """Return a variable from its record."""
-        from .model import Variable
-
-        name, unit, *codes, place, start, low, high, _, flags, words = record
-        value_type, causality, variability, kind = (
-            known[code] for known, code in zip(layout.WORDS.values(), codes, strict=True)
-        )
-        given = {flag for flag, bit in layout.FLAGS.items() if flags & bit}
-        if value_type == "String":
-            start = self.words(words)[int(start)]
-        elif value_type == "Boolean":
-            start = bool(start)
-        return Variable(
-            self.text(name), value_type, causality, variability, self.text(unit), description,
-            start if "has_start" in given else None, low if "has_minimum" in given else None,
-            high if "has_maximum" in given else None, kind, 0 if kind == "option" else place,
-            "clips" in given,
-        )  # fmt: skip
-
-    def rule(self, record: tuple, location: str) -> Rule:
-        """Return a rule from its record."""
-        from .model import Rule
-
-        number, relation, bound, name, message = record
-        relation = [*layout.RELATIONS][relation & ~layout.OF_A_LAW]
-        return Rule(number, relation, bound, location, self.text(name), self.text(message))
-
-    def row(self, record: tuple, location: str) -> Row:
-        """Return what a constraint row belongs to from its record."""
-        from .model import Row
-
-        name, detail, kind, _ = record
-        return Row(location, self.text(name), layout.ROW_KINDS[kind], self.text(detail))
-
-
 def fingerprint(data: bytes) -> str:
     """Return the hash of all that a run of a model depends on, from its bytes."""
     return HEADER.unpack_from(data)[-2].decode()
@@ -146,45 +70,86 @@ def _fields(
     data: bytes, n_ints: int, n_numbers: int, n_variables: int, n_rules: int, n_rows: int,
     n_sampled: int, n_text: int,
 ) -> dict[str, Any]:  # fmt: skip
-    from .model import Experiment
+    from .model import Experiment, Row, Rule, Variable
 
-    reader = _ModelBytes(data)
-    ints = reader.numbers("i", n_ints)
-    reader.numbers("d", len(layout.HEAD))  # the core's: a state at the start of a run
-    numbers = reader.numbers("d", n_numbers)
-    variables = reader.records(VARIABLE, n_variables)
-    rules, rows = reader.records(RULE, n_rules), reader.records(ROW, n_rows)
-    sampled = reader.numbers("I", n_sampled)
-    reader.texts(n_text)
-    rest = reader.rest()
-    dimension = ints[layout.SIZES.index("dim")]
-    if dimension not in (2, 3):
+    ints, _, numbers, variables, rules, rows, sampled, texts, rest = _split(
+        data[HEADER.size :], 4 * n_ints, 8 * len(layout.HEAD), 8 * n_numbers,
+        VARIABLE.size * n_variables, RULE.size * n_rules, ROW.size * n_rows, 4 * n_sampled, n_text,
+    )  # fmt: skip
+    told = json.loads(rest)  # what only Python reads
+    groups = map(len, (layout.SIZES, layout.OFFSETS, layout.TABLES))
+    sizes, offsets, lengths, tables = _pieces(_array("i", ints), *groups)
+
+    def text(at: int, end: bytes = b"\0") -> str:
+        return texts[at : texts.index(end, at)].decode()
+
+    def variable(record: tuple, description: str) -> Variable:
+        name, unit, *codes, place, start, low, high, _, flags, words = record
+        value_type, causality, variability, kind = (
+            known[code] for known, code in zip(layout.WORDS.values(), codes, strict=True)
+        )
+        given = {flag for flag, bit in layout.FLAGS.items() if flags & bit}
+        if value_type == "String":
+            start = text(words, b"\0\0").split("\0")[int(start)]
+        elif value_type == "Boolean":
+            start = bool(start)
+        return Variable(
+            text(name), value_type, causality, variability, text(unit), description,
+            start if "has_start" in given else None, low if "has_minimum" in given else None,
+            high if "has_maximum" in given else None, kind, 0 if kind == "option" else place,
+            "clips" in given,
+        )  # fmt: skip
+
+    def rule(record: tuple, location: str) -> Rule:
+        number, relation, bound, name, message = record
+        relation = [*layout.RELATIONS][relation & ~layout.OF_A_LAW]
+        return Rule(number, relation, bound, location, text(name), text(message))
+
+    def row(record: tuple, location: str) -> Row:
+        name, detail, kind, _ = record
+        return Row(location, text(name), layout.ROW_KINDS[kind], text(detail))
+
+    if sizes[layout.SIZES.index("dim")] not in (2, 3):
         raise ValueError(DAMAGED)
-    groups = layout.SIZES, layout.OFFSETS, layout.TABLES
-    sizes, offsets, lengths, tables = _split(ints, *map(len, groups))
-    read = tuple(map(reader.variable, variables, rest["variables"]))
+    read = tuple(map(variable, VARIABLE.iter_unpack(variables), told["variables"]))
     return {
-        "name": rest["name"],
-        "description": rest["description"],
+        "name": told["name"],
+        "description": told["description"],
         "sizes": dict(zip(layout.SIZES, sizes, strict=True)),
-        "tables": dict(zip(layout.TABLES, _split(tables, *lengths)[:-1], strict=True)),
+        "tables": dict(zip(layout.TABLES, _pieces(tables, *lengths)[:-1], strict=True)),
         "offsets": dict(zip(layout.OFFSETS, offsets, strict=True)),
-        "numbers": numbers,
+        "numbers": _array("d", numbers),
         "variables": read,
-        "rules": tuple(map(reader.rule, rules, rest["rules"])),
-        "rows": tuple(map(reader.row, rows, rest["rows"])),
-        "forces": rest["forces"],
-        "sampled": tuple(map(reader.text, sampled)),
+        "rules": tuple(map(rule, RULE.iter_unpack(rules), told["rules"])),
+        "rows": tuple(map(row, ROW.iter_unpack(rows), told["rows"])),
+        "forces": told["forces"],
+        "sampled": tuple(map(text, _array("I", sampled))),
         "settings": {
-            variable.name.removeprefix("solver."): variable.start
-            for variable in read
-            if variable.kind == "option"
+            known.name.removeprefix("solver."): known.start
+            for known in read
+            if known.kind == "option"
         },
-        "experiment": Experiment(*rest["experiment"]),
+        "experiment": Experiment(*told["experiment"]),
     }
 
 
-def _split(values: array, *lengths: int) -> list[array]:
+def _split(data: bytes, *sizes: int) -> list[bytes]:
+    """Return the parts of a model, each filled to 8 bytes, and what is left."""
+    parts, at = [], 0
+    for size in sizes:
+        parts.append(data[at : at + size])
+        at += size + -size % 8
+    return [*parts, data[at:]]
+
+
+def _array(code: str, data: bytes) -> array:
+    values = array(code, data)
+    if sys.byteorder == "big":
+        values.byteswap()
+    return values
+
+
+def _pieces(values: array, *lengths: int) -> list[array]:
     """Return consecutive pieces, and what is left."""
     pieces, at = [], 0
     for length in lengths:
