@@ -58,7 +58,7 @@ static void add_correction(context *c, double *x)
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     gather_momentum(c);
     for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->full.row_position[i]] = -c->k.phi[i];
-    hm_lu_solve(0, DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+    solve_factors(c);
     add_solution(c, x);
 }
 

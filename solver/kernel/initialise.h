@@ -24,7 +24,7 @@ static int32_t seek_increment(context *c, double *increment, double *size)
     const double longest = 0.3 * c->number[m->extent_at + 1];
     double increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
-    hm_lu_solve(0, DIM * m->n_free + m->n_rows, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+    solve_factors(c);
     for (int32_t a = 0; a < m->n_free; a++) {
         const double *x = c->k.rhs + m->full.node_position[a];
         increment2 += c->number[m->node_mass_at + a] * dot(x, x);

@@ -58,6 +58,10 @@ void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);
 
 int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value);
 void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x);
+int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const int32_t *target,
+                          double *value, int32_t *count, int32_t *live);
+void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *live,
+                      const double *value, double *x);
 
 /* Sum with the rounding error kept: (*high + *low) += x to about twice the precision (Dekker 1971, Knuth). */
 static inline void hm_add(double *high, double *low, double x)

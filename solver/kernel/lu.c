@@ -8,6 +8,7 @@
 #include "internal.h"
 
 #include <math.h>
+#include <stddef.h>
 
 /* x[place[i]] -= factor y[i], i = 0 .. m - 1. Most pivots of a chain have one or two neighbours: there a loop costs
    more than what is in it.                                                                                   */
@@ -54,19 +55,59 @@ int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32
     return 0;
 }
 
+/* Likewise of a matrix most of whose stored entries are 0, since few contacts are closed. Those of pivot k that are not go
+   to the front, count[k] of them in U and L each, and their columns to the front of its part of `live`, which begins where
+   that of `column` does. */
+int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const int32_t *target,
+                          double *value, int32_t *count, int32_t *live)
+{
+    column += (ptr[begin] - begin) / 2, live += (ptr[begin] - begin) / 2;
+    for (int32_t k = begin; k < end; k++) {
+        double *diagonal = value + ptr[k];
+        const uint32_t m = neighbours(ptr, k);
+        double *upper = diagonal + 1, *lower = diagonal + 1 + m;
+        int32_t n = 0;
+        if (!(fabs(*diagonal) > 1e-300 && fabs(*diagonal) < 1e300)) return 1;
+        const double inverse = 1.0 / *diagonal;
+        *diagonal = inverse;
+        for (uint32_t i = 0; i < m; i++) {
+            if (upper[i] == 0.0 && lower[i] == 0.0) continue;
+            upper[n] = upper[i], lower[n] = lower[i] * inverse, live[n++] = (int32_t)i;
+        }
+        for (int32_t i = 0; i < n; i++)
+            for (int32_t j = 0; j < n; j++) value[target[(int32_t)m * live[i] + live[j]]] -= lower[i] * upper[j];
+        for (int32_t i = 0; i < n; i++) live[i] = column[live[i]];
+        count[k] = n;
+        column += m, live += m, target += m * m;
+    }
+    return 0;
+}
+
 /* Solves L U x = rhs in place, of pivots begin .. end - 1; x (all) holds the right-hand side, then the solution, in
-   elimination order.                                                                                          */
-void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x)
+   elimination order. `count` is NULL where all entries are stored. */
+static inline void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *column,
+                         const double *value, double *x)
 {
     column += (ptr[begin] - begin) / 2; /* the pivots before have one diagonal and two entries a column each */
     for (int32_t k = begin; k < end; k++) {
         const uint32_t m = neighbours(ptr, k);
-        subtract_products(m, column, x[k], value + ptr[k] + 1 + m, x);
+        subtract_products(count ? (uint32_t)count[k] : m, column, x[k], value + ptr[k] + 1 + m, x);
         column += m;
     }
     for (int32_t k = end - 1; k >= begin; k--) {
         const uint32_t m = neighbours(ptr, k);
         column -= m;
-        x[k] = less_products(x[k], m, column, value + ptr[k] + 1, x) * value[ptr[k]];
+        x[k] = less_products(x[k], count ? (uint32_t)count[k] : m, column, value + ptr[k] + 1, x) * value[ptr[k]];
     }
+}
+
+void hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x)
+{
+    solve(begin, end, ptr, NULL, column, value, x);
+}
+
+void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *live,
+                      const double *value, double *x)
+{
+    solve(begin, end, ptr, count, live, value, x);
 }

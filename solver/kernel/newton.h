@@ -51,7 +51,7 @@ static int32_t newton_update(context *c, newton_record *r)
     const holonom_model *m = c->m;
     double *rhs = c->k.rhs, increment2 = 0.0, size2 = 0.0;
     gather_rhs(c);
-    hm_lu_solve(first_pivot(c), end_pivot(c), c->lu->lu_ptr, c->lu->lu_column, c->k.value, rhs);
+    solve_factors(c);
     EACH_NODE(c, a) {
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;

@@ -32,6 +32,7 @@ WORK = {
     "product": "n_pivots",  # of the tangent and a vector
     "rhs": "n_pivots",  # elimination order
     "value": "n_lu_values",  # tangent and its factors
+    "live": "n_lu_values * unilateral",  # integers, see factorise_matrix
     "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end
     "curve": "n_local_forms * n_local_forms",  # change of the slopes with the forms at the end

@@ -119,7 +119,6 @@ static int32_t derive_scales(context *c)
 static int32_t factorise_at_state(const context *c, const double *weight)
 {
     const holonom_model *m = c->m;
-    const int32_t size = DIM * m->n_free + m->n_rows;
     context rows = *c;
     rows.lu = &m->full;
     rows.h = AT_STATE;
@@ -133,7 +132,7 @@ static int32_t factorise_at_state(const context *c, const double *weight)
         const double both = sqrt(weight[m->mass_node[2 * e]] * weight[m->mass_node[2 * e + 1]]);
         EACH(k) c->k.value[m->full.mass_slot[DIM * e + k]] += AT_STATE * (both - 1.0) * c->number[m->mass_at + e];
     }
-    return hm_lu_factor(0, size, m->full.lu_ptr, m->full.lu_target, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
+    return factorise_matrix(&rows);
 }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the present links; a sliding
@@ -142,7 +141,6 @@ static int32_t factorise_at_state(const context *c, const double *weight)
 static void solve_with_factors(const context *c)
 {
     const holonom_model *m = c->m;
-    const int32_t size = DIM * m->n_free + m->n_rows;
     double largest = 0.0, change = INFINITY;
     for (int repeat = 0; repeat < 40 && (repeat < 4 || change > 1e-14 * largest); repeat++) {
         gather_momentum(c);
@@ -150,7 +148,7 @@ static void solve_with_factors(const context *c)
             c->k.rhs[m->full.row_position[i]] = state_of_multiplier(c, i) == ROW_IS_SLIDING
                                                     ? -c->k.epsilon[i] * c->k.phi[i]
                                                     : -(c->k.phi[i] + c->k.epsilon[i] * c->k.mu[i]);
-        hm_lu_solve(0, size, m->full.lu_ptr, m->full.lu_column, c->k.value, c->k.rhs);
+        solve_factors(c);
         largest = change = 0.0;
         for (int32_t i = 0; i < m->n_rows; i++) {
             const double mu = c->k.rhs[m->full.row_position[i]];

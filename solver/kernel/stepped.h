@@ -29,7 +29,7 @@ enum {
     MOST_LAGS = 6,      /* solutions with the cones of the one before                                             */
     MOST_DIVISIONS = 7, /* of a half step that fails                                                              */
     FEW = 2,            /* objections that change the choice without a guess                                      */
-    FEW_CONTACTS = 8,   /* near ones that need no guess                                                           */
+    FEW_NEAR = 8,       /* contacts near that need no guess                                                       */
     MOST_GUESSES = 8,
     MOST_SWEEPS = 10000 /* of a guess                                                                             */
 };
@@ -382,7 +382,7 @@ static inline int may_choose_anew(int32_t status)
 static int32_t solve_choices(context *c, int parity, int at_once)
 {
     int fewest = INT_MAX, patience = PATIENCE, together = 0, guesses = 0;
-    const int are_many = !at_once && n_near(c) > FEW_CONTACTS;
+    const int are_many = !at_once && n_near(c) > FEW_NEAR;
     for (int choice = 0; choice < MOST_CHOICES; choice++) {
         objections x = {0, 0, NONE_CHANGES, at_once};
         c->factors_h = 0.0;

@@ -320,12 +320,41 @@ static void add_solution(const context *c, double *x)
         EACH(k) x[DIM * a + k] += c->k.rhs[c->lu->node_position[a] + k];
 }
 
+/* Many contacts, of which few are closed at a time, leave most of the pattern empty. */
+enum { FEW_CONTACTS = 8 };
+
+static inline int is_mostly_empty(const context *c) { return c->m->n_contacts > FEW_CONTACTS; }
+
+/* Entries of each pivot that are not 0; behind these counts their columns. */
+static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *)c->k.live; }
+
+static inline int32_t *live_columns(const context *c) { return live_counts(c) + DIM * c->m->n_free + c->m->n_rows; }
+
+/* Makes factors of the matrix in value, of the islands at hand. */
+static inline int32_t factorise_matrix(const context *c)
+{
+    const holonom_elimination *lu = c->lu;
+    const int32_t begin = first_pivot(c), end = end_pivot(c), *target = lu->lu_target + lu->lu_island[2 * c->first_island + 1];
+    const int fails = is_mostly_empty(c) ? hm_lu_factor_live(begin, end, lu->lu_ptr, lu->lu_column, target, c->k.value,
+                                                              live_counts(c), live_columns(c))
+                                         : hm_lu_factor(begin, end, lu->lu_ptr, target, c->k.value);
+    return fails ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
+}
+
 static inline int32_t factorise(const context *c)
 {
-    const int32_t status = assemble_tangent(c), *target = c->lu->lu_target + c->lu->lu_island[2 * c->first_island + 1];
-    if (status) return status;
-    return hm_lu_factor(first_pivot(c), end_pivot(c), c->lu->lu_ptr, target, c->k.value) ? HOLONOM_SINGULAR_TANGENT
-                                                                                         : HOLONOM_OK;
+    const int32_t status = assemble_tangent(c);
+    return status ? status : factorise_matrix(c);
+}
+
+/* Replaces the right-hand side by the solution. */
+static inline void solve_factors(const context *c)
+{
+    const holonom_elimination *lu = c->lu;
+    const int32_t begin = first_pivot(c), end = end_pivot(c);
+    if (is_mostly_empty(c))
+        hm_lu_solve_live(begin, end, lu->lu_ptr, live_counts(c), live_columns(c), c->k.value, c->k.rhs);
+    else hm_lu_solve(begin, end, lu->lu_ptr, lu->lu_column, c->k.value, c->k.rhs);
 }
 
 #endif
