@@ -49,7 +49,7 @@ WORK = {
     "event_backup": "n_state * unilateral",  # before a step that events may cut
     "touch": "5 * n_contacts", "flips": "n_frictions", "lands": "n_frictions",  # see stepped.h
     "share": "n_frictions",  # part of the half step until a slip stops
-    "sweep": "n_contacts * (n_local + 3)",  # gradients and forces of those near
+    "sweep": "n_contacts * (n_local + 4)",  # gradients and forces of those near
     "lag": "n_frictions",  # normal forces of cones, where they lag
     "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
     "slip_before": "n_rows * unilateral",  # slips at its start

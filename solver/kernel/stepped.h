@@ -288,47 +288,43 @@ static int32_t gradient_of_gap(const context *c, int32_t i, double *gradient, do
 static int32_t guess_choice(context *c, int parity)
 {
     const holonom_model *m = c->m;
-    const int32_t stride = DIM * m->n_local_nodes + 3;
+    const int32_t stride = DIM * m->n_local_nodes + 4;
     const double half = 0.5 * c->h * c->h, none = PENETRATION * c->number[m->extent_at];
-    double *way = c->k.ahead, *at = c->k.sweep;
+    double *way = c->k.ahead, *const first = c->k.sweep, *end = first; /* of each near contact: gap, N, W, its index, gradient */
     memset(way, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
         const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         if (touch_of(c, i)->is_near == 0.0) continue;
-        const int32_t status = gradient_of_gap(c, i, at + 3, at);
+        const int32_t status = gradient_of_gap(c, i, end + 4, end);
         if (status) return status;
-        at[1] = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
-        at[2] = 0.0;
-        for (int32_t k = 0; k < size; k++) at[2] += half * hm_square(at[3 + k]) / c->number[m->node_mass_at + node[k / DIM]];
-        at += stride;
+        end[1] = is_closed(c, i) ? normal_in_step(c, i) : 0.0;
+        end[2] = 0.0;
+        end[3] = i;
+        for (int32_t k = 0; k < size; k++) end[2] += half * hm_square(end[4 + k]) / c->number[m->node_mass_at + node[k / DIM]];
+        end += stride;
     }
     for (int sweep = 0; sweep < MOST_SWEEPS; sweep++) {
         double largest = 0.0;
-        at = c->k.sweep;
-        for (int32_t i = 0; i < m->n_contacts; i++) {
-            const int32_t j = m->contact_row[i], *node = m->composite_node + m->composite_node_ptr[j];
+        for (double *at = first; at < end; at += stride) {
+            const int32_t j = m->contact_row[(int32_t)at[3]], *node = m->composite_node + m->composite_node_ptr[j];
             const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
             double gap = at[0];
-            if (touch_of(c, i)->is_near == 0.0) continue;
-            for (int32_t k = 0; k < size; k++) gap += at[3 + k] * way[DIM * node[k / DIM] + k % DIM];
+            for (int32_t k = 0; k < size; k++) gap += at[4 + k] * way[DIM * node[k / DIM] + k % DIM];
             const double normal = at[2] > 0.0 ? fmax(at[1] - RELAXATION * gap / at[2], 0.0) : 0.0, change = normal - at[1];
             for (int32_t k = 0; k < size; k++)
-                way[DIM * node[k / DIM] + k % DIM] += half * change * at[3 + k] / c->number[m->node_mass_at + node[k / DIM]];
+                way[DIM * node[k / DIM] + k % DIM] += half * change * at[4 + k] / c->number[m->node_mass_at + node[k / DIM]];
             at[1] = normal;
             largest = fmax(largest, fabs(change) * at[2]);
-            at += stride;
         }
         if (largest <= none) break;
     }
-    at = c->k.sweep;
-    for (int32_t i = 0; i < m->n_contacts; i++) {
-        if (touch_of(c, i)->is_near == 0.0) continue;
+    for (const double *at = first; at < end; at += stride) {
+        const int32_t i = (int32_t)at[3];
         touch_of(c, i)->normal = at[1];
         c->s.mu[parity][row_of(c, m->contact_row[i])] = -at[1]; /* decides what dependent rows leave open */
         if (at[1] > 0.0 && !is_closed(c, i)) close_at_zero(c, i);
         else if (!(at[1] > 0.0) && is_closed(c, i)) open_contact(c, i);
-        at += stride;
     }
     return HOLONOM_OK;
 }
