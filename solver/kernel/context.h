@@ -51,8 +51,10 @@ typedef struct context {
     int32_t first_island, last_island;
     const int32_t *begin, *end;
     double *island;
-    span node, row[4], composite[4];
+    span node, own_row[4], own_composite[4];
+    const span *row, *composite;
     int rows, composites;
+    int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
 } context;
 
 #define IN_ISLAND(c, i, column) (int32_t i = (c)->begin[column], i##_end = (c)->end[column]; i < i##_end; i++)
@@ -86,14 +88,15 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->begin = begin, c->end = end;
     c->island = c->s.islands + I_SIZE * first;
     c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
-    c->composites = 0;
-    c->rows = add_piece(c->row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
-    c->rows = add_piece(c->row, c->rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
+    c->row = c->own_row, c->composite = c->own_composite;
+    c->composites = c->left_out = 0;
+    c->rows = add_piece(c->own_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
+    c->rows = add_piece(c->own_row, c->rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
                         first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        c->rows = add_piece(c->row, c->rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
+        c->rows = add_piece(c->own_row, c->rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
-        c->composites = add_piece(c->composite, c->composites, begin[k], end[k]);
+        c->composites = add_piece(c->own_composite, c->composites, begin[k], end[k]);
 }
 
 static inline double dot(const double *a, const double *b)

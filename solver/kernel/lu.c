@@ -85,7 +85,7 @@ int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const 
 
 /* Solves L U x = rhs in place, of pivots begin .. end - 1; x (all) holds the right-hand side, then the solution, in
    elimination order. `count` is NULL where all entries are stored. */
-static inline void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *column,
+HM_OFTEN void solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *column,
                          const double *value, double *x)
 {
     column += (ptr[begin] - begin) / 2; /* the pivots before have one diagonal and two entries a column each */

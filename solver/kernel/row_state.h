@@ -60,6 +60,31 @@ static inline enum row_state state_of_multiplier(const context *c, int32_t i)
     return j < 0 ? ROW_IS_ON : state_of_row(c, j);
 }
 
+/* Takes rows that are off out of the pieces at hand, until look_at: a step has no multipliers and residuals of theirs. */
+static void leave_rows_out(context *c)
+{
+    const holonom_model *m = c->m;
+    span *row = (span *)(void *)c->k.pieces, *composite = row + 2 + m->n_function_rows + m->n_velocity_rows;
+    const int32_t first = row_of(c, first_function(c));
+    int rows = 0, composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
+    for (; rows < c->rows && c->row[rows].begin < first; rows++)
+        row[rows] = (span){c->row[rows].begin, c->row[rows].end < first ? c->row[rows].end : first};
+    for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        for IN_ISLAND(c, j, k) {
+            const int32_t i = row_of(c, j);
+            if (state_of_row(c, j) == ROW_IS_OFF) {
+                c->k.mu[i] = c->k.lambda[i] = c->k.phi[i] = 0.0;
+                continue;
+            }
+            rows = add_piece(row, rows, i, i + 1);
+            composites = add_piece(composite, composites, j, j + 1);
+        }
+    c->composites = add_piece(composite, composites, c->begin[ISLAND_POTENTIAL], c->end[ISLAND_POTENTIAL]);
+    c->rows = rows;
+    c->row = row, c->composite = composite;
+    c->left_out = 1;
+}
+
 /* Gap at which the contact of composite j closed and which its row keeps; 0 for other rows. */
 static inline double reference_of(const context *c, int32_t j)
 {

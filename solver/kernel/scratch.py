@@ -32,6 +32,7 @@ WORK = {
     "product": "n_pivots",  # of the tangent and a vector
     "rhs": "n_pivots",  # elimination order
     "value": "n_lu_values",  # tangent and its factors
+    "pieces": "unilateral * (2 * (n_function_rows + n_velocity_rows) + 4)",  # see leave_rows_out
     "live": "n_lu_values * unilateral",  # integers, see factorise_matrix
     "local": "n_local_forms * n_form_numbers",  # links and values of the forms of a composite
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end

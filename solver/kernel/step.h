@@ -131,6 +131,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
 static int32_t solve_island(context *c, int parity, effort *total)
 {
     newton_record r = {.theta = 1.0, .floor = round_off_of_places(c)};
+    if (c->m->unilateral) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
     choose_factors(c);
@@ -155,7 +156,7 @@ static inline void look_at_part(context *c, int32_t part, int32_t parts)
 
 static inline void look_at_all(context *c)
 {
-    if (c->m->n_islands > 1) look_at(c, 0, c->m->n_islands);
+    if (c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
 }
 
 /* One step of all islands, each by itself. The numbers of increments and updates are those of the island that took most. */

@@ -182,6 +182,18 @@ static int32_t law_tangent(const context *c, double *value)
 static inline int32_t first_pivot(const context *c) { return c->lu->lu_island[2 * c->first_island]; }
 static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[2 * c->last_island]; }
 
+/* Rows that are left out: the pivot -1, no couplings, the right-hand side 0. */
+static void set_rows_apart(const context *c, double *value)
+{
+    for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        for IN_ISLAND(c, j, k) {
+            const int32_t place = c->lu->row_position[row_of(c, j)];
+            if (state_of_row(c, j) != ROW_IS_OFF) continue;
+            value[c->lu->lu_ptr[place]] = -1.0;
+            c->k.rhs[place] = 0.0;
+        }
+}
+
 /* Writes the tangent at the present (w, mu) into value. */
 static int32_t assemble_tangent(const context *c)
 {
@@ -214,6 +226,7 @@ static int32_t assemble_tangent(const context *c)
         slot = scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
     }
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
+    if (c->left_out) set_rows_apart(c, value);
     const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
     return status || c->constraints_only || is_lean(c) ? status : law_tangent(c, value);
 }
