@@ -247,8 +247,46 @@ def incline(slope: float, friction: float, velocity: Sequence[float]) -> Content
     ) | {"gravity": down}
 
 
-def belt() -> Content:
-    """Block on a belt of 0.2 m/s, held by a spring of 100 N/m; mu = 0.3, static 0.5; 10 N."""
+def ball_on_a_strut(restitution: float = 0.7) -> Content:
+    """Point of 1 kg below a spring of 20 N/m and a damper of 0.3 N s/m, let go 0.5 m above a floor.
+
+    It would come to rest at 1.1 m - g/(20/s2), 0.11 m above the floor.
+    """
+    return mechanism(
+        "strut",
+        2,
+        points={
+            "o": {"position": [0.0, 2.0], "fixed": True},
+            "p": {"mass": 1.0, "position": [0.0, 1.0]},
+        },
+        forces={
+            "spring": {
+                "type": "spring",
+                "points": ["o", "p"],
+                "stiffness": 20.0,
+                "free_length": 0.9,
+            },
+            "damper": {"type": "damper", "points": ["o", "p"], "damping": 0.3},
+        },
+        contacts={
+            "floor": {
+                "type": "plane",
+                "point": "p",
+                "axis": [0, 1],
+                "position": [0.0, 0.5],
+                "restitution": restitution,
+                "friction": 0.2,
+            }
+        },
+    )
+
+
+def belt(damping: float = 0.0) -> Content:
+    """Block on a belt of 0.2 m/s, held by a spring of 100 N/m; mu = 0.3, static 0.5; 10 N.
+
+    A damper [N s/m] may lie beside the spring.
+    """
+    damper = {"type": "damper", "points": ["o", "p"], "damping": damping}
     return mechanism(
         "belt",
         2,
@@ -262,7 +300,8 @@ def belt() -> Content:
                 "points": ["o", "p"],
                 "stiffness": 100.0,
                 "free_length": 1.0,
-            }
+            },
+            **({"damper": damper} if damping else {}),
         },
         contacts={
             "belt": {

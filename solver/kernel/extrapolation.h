@@ -3,7 +3,9 @@
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
    (Richardson). Each pair conserves, weighted ends do so up to the order: they are put back onto the constraints, onto
-   the momenta that every pair kept, and onto the energy that the weighted ledger asks for. */
+   the momenta that every pair kept, and onto the energy that the weighted ledger asks for. Contacts do not change
+   within a step (event.h): closed ones, and frictions that stick, are rows like others; what slides takes energy as
+   dampers do. */
 #ifndef HOLONOM_EXTRAPOLATION_H
 #define HOLONOM_EXTRAPOLATION_H
 
@@ -23,8 +25,11 @@ enum { MAX_CORRECTIONS = 8 };
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
 
+enum { N_WEIGHTED = 3 };
+static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTION};
+
 typedef struct extrapolation {
-    double work, dissipated;                /* weighted changes in the ledger                             */
+    double booked[N_WEIGHTED];              /* weighted changes in the ledger                             */
     double before[RIGID], momentum[RIGID];  /* momenta at the start, and weighted ones at the end         */
     double scale[RIGID];                    /* sums of their terms' sizes                                 */
     int kept[RIGID];                        /* whether every pair keeps them                              */
@@ -33,8 +38,7 @@ typedef struct extrapolation {
 /* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
 static int may_extrapolate(const context *c)
 {
-    if (c->m->n_islands > 1 || c->m->unilateral) return 0;
-    return hm_conserves_all(c->formulation);
+    return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
 static int is_extrapolating(const context *c)
@@ -166,11 +170,9 @@ static void go_back(context *c, double t, double law_time)
 {
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup;
-    static const int accounts[] = {S_WORK, S_WORK_LOW, S_DISSIPATED, S_DISSIPATED_LOW,
-                                   S_DEFECT, S_DEFECT_LOW, S_RESIDUAL, S_RESIDUAL_LOW};
     memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(6 * DIM * c->n_moving)); /* q, v, imbalances */
     memcpy(s->turns, start + (s->turns - s->head), sizeof(double) * (size_t)(s->derived - s->turns));
-    for (int i = 0; i < 8; i++) s->head[accounts[i]] = start[accounts[i]];
+    for (int i = S_WORK; i <= S_FRICTION_LOW; i++) s->head[i] = start[i];
     if (c->m->time_dependent) set_laws(c, law_time, 0);
     c->t = t;
 }
@@ -184,9 +186,10 @@ static void weigh(context *c, double weight, double less, extrapolation *x)
     double total[RIGID], size[RIGID];
     add_change(c, start, weight, c->k.estimate);
     add_change(c, start, less, c->k.estimate + 2 * DIM * c->n_moving);
-    x->work += weight * ((s->head[S_WORK] - start[S_WORK]) + (s->head[S_WORK_LOW] - start[S_WORK_LOW]));
-    x->dissipated += weight * ((s->head[S_DISSIPATED] - start[S_DISSIPATED]) +
-                               (s->head[S_DISSIPATED_LOW] - start[S_DISSIPATED_LOW]));
+    for (int i = 0; i < N_WEIGHTED; i++) {
+        const int at = WEIGHTED_ACCOUNTS[i];
+        x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
+    }
     momenta(c, c->k.momentum);
     rigid_momenta(c, c->k.momentum, total, size);
     for (int i = 0; i < RIGID; i++) {
@@ -204,16 +207,20 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     const double *start = c->k.pair_backup;
     add_change(c, start, -1.0, dq);
     const double round_off = 1e-15 * head[S_ENERGY_REFERENCE]; /* of losses that the weights take the difference of */
-    if (!(x->dissipated >= -round_off)) return HOLONOM_DAMPING_REVERSED;
+    if (!(x->booked[1] >= -round_off && x->booked[2] >= -round_off)) return HOLONOM_DAMPING_REVERSED;
     if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
     for (int64_t k = 0; k < n; k++) {
         hm_add(s->q + k, s->q_low + k, dq[k]);
         hm_add(s->v + k, s->v_low + k, dv[k]);
     }
-    for (int i = S_WORK; i <= S_DISSIPATED_LOW; i++) head[i] = start[i];
-    book(c, S_WORK, x->work);
-    book(c, S_DISSIPATED, fmax(x->dissipated, 0.0));
+    for (int i = 0; i < N_WEIGHTED; i++) {
+        const int at = WEIGHTED_ACCOUNTS[i];
+        head[at] = start[at], head[at + 1] = start[at + 1];
+        book(c, at, i == 0 ? x->booked[i] : fmax(x->booked[i], 0.0));
+    }
+    suspend_sliding(c, 1); /* no friction answers the corrections */
     const int32_t status = put_back(c, x);
+    suspend_sliding(c, 0);
     follow_angles(c);
     for (int32_t j = 0; j < c->m->n_bodies; j++) follow_orientation(c, j);
     return status;
@@ -225,7 +232,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
     const double t = c->t, law_time = c->number[c->m->time_at];
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    extrapolation x = {.work = 0.0};
+    extrapolation x = {.booked = {0.0}};
     int32_t status = HOLONOM_OK;
     int half = 0;
     memcpy(c->k.pair_backup, c->s.head, bytes);

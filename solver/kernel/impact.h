@@ -107,16 +107,6 @@ HM_SELDOM static void add_defect(const context *c, double sign)
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
 }
 
-/* Switches sliding frictions off (their mode changes its sign, which counts as off), or on again: part of the velocities that
-   they bring about would not be orthogonal to what rows allow.                                                  */
-static void suspend_sliding(const context *c, int suspended)
-{
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        double *x = friction_of(c, f);
-        if (x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
-    }
-}
-
 /* Takes from the velocities what rows do not allow and books its energy in `account`; a change beyond it is work of
    drivers. */
 HM_SELDOM static int32_t project_velocities(context *c, int account)
