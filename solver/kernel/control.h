@@ -89,6 +89,17 @@ static void begin_control(context *c)
     head[S_WANTED] = rate > 0.0 ? part / rate : INFINITY;
 }
 
+/* Error of a pair that no pair before it can judge, since an event lies between, from two pairs of half its length. */
+HM_SELDOM static int judge_first_pair(context *c, double t, double h, double law_time, step_error *e)
+{
+    const double difference = difference_from_halves(c, t, h, law_time);
+    const method *pair = method_of(c, 0);
+    e->mean = 4.0 / 3.0 * difference; /* of order 2: halves leave a quarter of it */
+    e->rate = hm_pow(e->mean / pair->mean, 1.0 / 3.0) / h;
+    e->is_noise = is_noise(c, pair, difference, h);
+    return 1;
+}
+
 /* Takes from the last step, of length h from t, length and order of the next ones; 1 if it is to be repeated with
    shorter ones. */
 static int judge_step(context *c, double t, double h, double law_time, double step)
@@ -96,7 +107,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     double *head = c->s.head;
     step_error e = {0};
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
-    const int judged = estimate_error(c, order, h, &e);
+    const int judged = estimate_error(c, order, h, &e) || (c->m->unilateral && judge_first_pair(c, t, h, law_time, &e));
     const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
     head[S_ACROSS] = defect;
     double share = 0.0;
@@ -122,10 +133,11 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     while (done < step) {
         const double rest = step - done;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
-        const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 ? 2.0 : 1.0;
+        const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !c->m->unilateral ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, head[S_WANTED]));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
+        const double whole = h;
         if (!(half_steps + n * c->halves < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
@@ -151,6 +163,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             continue;
         }
         repeats = 0;
+        if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
         if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) {
             if (!may_step_over(status)) return status;

@@ -72,6 +72,13 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     return 1;
 }
 
+/* Whether round-off explains a difference between steps of length h. Velocities are only known to round-off of places over
+   h: shorter steps would show more of it, not less error.                                                        */
+static int is_noise(const context *c, const method *used, double difference, double h)
+{
+    return difference <= used->round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
+}
+
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(const context *c, int order, double h, step_error *e)
 {
@@ -84,8 +91,7 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     const double turned = used->rate * hm_pow(difference, 1.0 / (used->lower + 1.0));
     e->rate = c->unweighted ? 0.0 : turned / h; /* the end that was not taken tells the error of the one that was */
     e->mean = c->unweighted ? difference : used->mean * hm_pow(turned, order + 1);
-    /* Velocities are only known to round-off of places over h: shorter steps would show more of it, not less error. */
-    e->is_noise = difference <= used->round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
+    e->is_noise = is_noise(c, used, difference, h);
     return 1;
 }
 
