@@ -20,6 +20,7 @@ enum { MAX_REPEATS = 40 };
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
+#define MOMENT 1e4 /* half steps for which steps may be short where a contact changes: till then they foretell nothing */
 
 /* Error of a run that is asked for, relative to size and speed. */
 static double tolerated(const context *c)
@@ -138,12 +139,14 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
-        if (!(half_steps + n * c->halves < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
+        const double ahead = c->m->unilateral && half_steps < MOMENT ? 0.0 : n * c->halves;
+        if (!(half_steps + ahead < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
         c->damped = is_dissipative(c);
         int32_t status = c->m->unilateral ? stop_before(c, &h) : HOLONOM_OK;
         if (status) return status;
+        if (c->m->unilateral && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
         if (c->m->unilateral) keep_start(c);
         const int is_short = c->m->unilateral && h < SHORTEST_PIECE * usual_length(c);
         status = is_short ? short_piece(c, h) : internal_step(c, h);
