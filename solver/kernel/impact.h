@@ -244,6 +244,16 @@ HM_SELDOM static double restitution_of(const context *c, int32_t i)
     return growth < 0.0 && 2.0 * e * speed < c->s.head[S_REST_TIME] * -growth ? 0.0 : e;
 }
 
+/* Closes the contacts of an impact slower than rest_speed that part slower than that, too: a block that rocks from corner to
+   corner would land ever faster, without end. If forces open one of them, they do so from rest.                  */
+HM_SELDOM static int32_t come_to_rest(context *c, const hit *x)
+{
+    evaluate_state(c);
+    for (int32_t k = 0; k < x->law.contacts; k++)
+        if (gap_rate(c, x->contact[k]) <= c->s.head[S_REST_SPEED]) close_contact(c, x->contact[k]);
+    return project_velocities(c, S_IMPACT);
+}
+
 /* One impact of all contacts that touch, or, by the sequential law, of the one that approaches fastest. */
 HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
 {
@@ -269,7 +279,8 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     status = fill_hit(c, &x);
     if (status) return status;
     if (hm_solve_impact(&x.law)) return HOLONOM_IMPACT_UNSOLVED;
-    return apply_hit(c, &x, kinetic);
+    status = apply_hit(c, &x, kinetic);
+    return status || !(-most <= c->s.head[S_REST_SPEED]) ? status : come_to_rest(c, &x);
 }
 
 /* Stops slips at once by impulses where no forces agree with strong friction, though nothing approaches (Lecornu 1905, for

@@ -25,7 +25,7 @@ from tests.contact_scenes import (
     slider_crank_with_clearance,
     sphere_of_clearance,
 )
-from tests.problems import Content
+from tests.problems import GRAVITY, Content
 
 ALL: dict[str, tuple[Callable[[], Content], float, float]] = {
     "ball": (ball, 5.0, 0.05),
@@ -84,6 +84,22 @@ def test_what_a_mass_in_a_circle_loses_does_not_depend_on_step_and_order(h, orde
     integrator = begin(circle(0.5), h, order, rest_speed=1e-2)
     cover(integrator, even(2.0, 0.5))
     assert integrator["energy.impact"] == pytest.approx(6.891693941328, abs=1e-12)
+
+
+@pytest.mark.parametrize(("h", "order"), [(0.01, 2), (0.05, 4), (0.02, 6)])
+def test_a_rocking_block_comes_to_rest_after_landings_that_do_not_depend_on_the_step(h, order):
+    # Its landings follow each other faster and faster, until rest_speed, 0.1 mm/s, ends them at
+    # 2.77 s. All of its height is lost then.
+    integrator = begin(rocking_block(), h, order)
+    for _ in range(60):
+        integrator.advance(integrator.time, 0.05)
+        assert integrator["solver.stepped"] == 0.0
+    height = 0.1 * math.sin(0.2) + 0.3 * (math.cos(0.2) - 1.0)
+    assert integrator["energy.impact"] == pytest.approx(GRAVITY * height, rel=1e-12)
+    assert integrator["energy.kinetic"] < 1e-20
+    for contact in ("A", "B"):
+        assert integrator[f"{contact}.mode"] == 1.0
+        assert integrator[f"{contact}.impacts"] == 25.0
 
 
 @pytest.mark.parametrize("h", [0.001, 0.01, 0.05])
