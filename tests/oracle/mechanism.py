@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +18,12 @@ from numpy.typing import NDArray
 from solver.options import CHOICES
 from solver.runtime import Model
 from solver.runtime.layout import (
+    CONTACT,
     FORM_SQUARE,
     FORM_TURNED,
+    FRICTION,
+    FRICTION_MODES,
+    NORMAL_SUMS,
     OFFSETS,
     QUANTITY_ANGLE,
     QUANTITY_FORM,
@@ -31,6 +36,19 @@ Array = NDArray[np.float64]
 
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 TURN = 2.0 * np.pi
+TINY = 1e-30
+"""Imaginary step of a derivative: neither truncation nor cancellation."""
+OFF, STICKS, SLIDES = map(float, range(len(FRICTION_MODES)))
+"""Modes of frictions, as a state has them."""
+
+
+class Friction(NamedTuple):
+    """Rows of slip, and the multipliers whose norms, or negative, add up to the normal force."""
+
+    rows: list[int]
+    normals: list[list[int]]
+    pushes: bool
+    """The normal force is that of a contact, -mu of its gap."""
 
 
 class Mechanism:
@@ -99,6 +117,31 @@ class Mechanism:
         ends = np.cumsum([0, *kinds]).tolist()
         self.row_kinds = [slice(*piece) for piece in pairwise(ends)]
         """Form rows, coincidences, function rows and velocity rows among all rows."""
+
+        self._read_contacts(self.row_kinds[2].start - count)
+
+    def _read_contacts(self, first: int) -> None:
+        """Rows of contacts and frictions; composite j has the row first + j."""
+        tables = self.model.tables
+        self.contacts = [
+            (first + j, f if f >= 0 else None)
+            for j, f in zip(tables["contact_row"], tables["contact_friction"], strict=True)
+        ]
+        slips, normals = np.array(tables["friction_row"]), self._table("normal_row", 2)
+        continues, pushes = NORMAL_SUMS.index("continues"), NORMAL_SUMS.index("pushes")
+        self.frictions: list[Friction] = []
+        for (a, b), (c, d) in zip(
+            pairwise(tables["friction_row_ptr"]), pairwise(tables["normal_ptr"]), strict=True
+        ):
+            groups: list[list[int]] = []
+            for row, how in normals[c:d].tolist():
+                groups += [] if how == continues else [[]]
+                groups[-1].append(row)
+            rows = (first + slips[a:b]).tolist()
+            self.frictions.append(Friction(rows, groups, bool(normals[c, 1] == pushes)))
+        owned = [row for row, _ in self.contacts] + [r for f in self.frictions for r in f.rows]
+        self.bilateral = np.ones(self.n_rows, dtype=bool)
+        self.bilateral[owned] = False
 
     def _read_forms(self, moving: int) -> None:
         tables, dim = self.model.tables, self.dim
@@ -192,6 +235,66 @@ class Mechanism:
         for f in self.coincidence_form:
             phi.extend(map(float, link(self.u_s[f], self.U[f])))
         return np.array(phi)
+
+    # ------------------------------------------------------------------ what holds
+
+    @property
+    def of_contacts(self) -> Array:
+        """What the state has of each contact, shape (n_contacts, len(CONTACT)), shared."""
+        return self.vectors["contacts"].reshape(-1, len(CONTACT))
+
+    @property
+    def of_frictions(self) -> Array:
+        """What the state has of each friction, shape (n_frictions, len(FRICTION)), shared."""
+        return self.vectors["frictions"].reshape(-1, len(FRICTION))
+
+    def rows_on(self) -> Array:
+        """Rows that hold: of contacts while they are closed, of frictions while they stick."""
+        on = self.bilateral.copy()
+        for (row, _), (closed, *_) in zip(self.contacts, self.of_contacts, strict=True):
+            on[row] = closed != 0.0
+        for friction, (mode, *_) in zip(self.frictions, self.of_frictions, strict=True):
+            on[friction.rows] = mode == STICKS
+        return on
+
+    def references(self) -> Array:
+        """Gaps (r,) at which the contacts of rows closed; 0 of other rows."""
+        values = np.zeros(self.n_rows)
+        values[[row for row, _ in self.contacts]] = self.of_contacts[:, CONTACT.index("reference")]
+        return values
+
+    def cone(self, f: int, mu: Array, coefficient: str = "sliding") -> float:
+        """Friction c N + N_0 of friction f with multipliers mu, as it slides or at most sticks."""
+        friction = self.frictions[f]
+        normal = sum(np.sqrt(np.sum(mu[group] ** 2)) for group in friction.normals)
+        if friction.pushes:
+            normal = -mu[friction.normals[0][0]]
+        return self.section[coefficient][f] * normal + self.section["preload"][f]
+
+    def sliding_multipliers(self, mu: Array, slip: Array | None = None) -> Array:
+        """Multipliers (r,) of the rows that do not hold: (c N + N_0) t where they slide, else 0.
+
+        The direction t is that of the slip (r,) where that has several rates and is not 0, and else
+        the one with which it began.
+        """
+        values = np.zeros(self.n_rows, dtype=np.result_type(mu, 0.0 if slip is None else slip))
+        for f, (friction, (mode, *along)) in enumerate(
+            zip(self.frictions, self.of_frictions, strict=True)
+        ):
+            if mode != SLIDES:
+                continue
+            t, rows = np.array(along[: len(friction.rows)]), friction.rows
+            if len(rows) > 1 and slip is not None and np.any(slip[rows]):
+                t = slip[rows] / np.sqrt(np.sum(slip[rows] ** 2))
+            values[rows] = self.cone(f, mu) * t
+        return values
+
+    def cone_slopes(self, mu: Array, slip: Array | None = None) -> Array:
+        """Derivatives (r, r) of the sliding multipliers with respect to mu."""
+        if not np.any(self.of_frictions[:, 0] == SLIDES):
+            return np.zeros((self.n_rows, self.n_rows))
+        beside = mu + 1j * TINY * np.eye(self.n_rows)
+        return np.array([self.sliding_multipliers(x, slip).imag for x in beside]).T / TINY
 
     # ------------------------------------------------------------------ numbers that change
 

@@ -2,42 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from solver.runtime.layout import LEAF_RATE, LEAF_SIGNAL, NODE_POINT
 from tests.oracle.forces import applied, laws
-from tests.oracle.mechanism import Array, Mechanism
-from tests.oracle.path import Path
+from tests.oracle.mechanism import TINY, Array, Mechanism
+from tests.oracle.path import Path, View
 from tests.oracle.slopes import discrete_gradient, still
 
 RANK = 1e-10
 """Singular values of the scaled equations below this belong to dependent rows."""
-TAU = 1e-3
-"""Step of difference quotients along the motion, over the step size."""
 
 
-def rows_of(mechanism: Mechanism) -> tuple[Array, Array, Array]:
+def rows_of(mechanism: Mechanism, view: View | None = None) -> tuple[Array, Array, Array]:
     """Gradients G (r, n) of the rows, slopes by signals (r, n_signals), and Psi(q, v) (r,).
 
-    Of velocity rows G is dPsi/dv; Psi of other rows is 0.
+    Of velocity rows G is dPsi/dv; Psi of other rows is 0. A view beside the present, by an
+    imaginary step, has derivatives as imaginary parts.
     """
-    view, r = Path(mechanism).over_step(), mechanism.n_rows
+    view, r = view or Path(mechanism).over_step(), mechanism.n_rows
     forms, coincidences, functions, velocities = mechanism.row_kinds
-    G, psi = np.zeros((r, mechanism.n)), np.zeros(r)
-    by_signals = np.zeros((r, len(mechanism.vectors["signal"])))
+    dtype = view.gradients.dtype
+    G, psi = np.zeros((r, mechanism.n), dtype), np.zeros(r, dtype)
+    by_signals = np.zeros((r, len(mechanism.vectors["signal"])), dtype)
     G[forms] = view.gradients[mechanism.row_form]
     G[coincidences] = mechanism.U[mechanism.coincidence_form].reshape(-1, mechanism.n)
     for row, function in enumerate(mechanism.function_rows, functions.start):
         _, G[row], by_signals[row] = view.function(function)
     for row, (leaves, operations) in enumerate(mechanism.velocity_rows, velocities.start):
         gradients = [
-            np.zeros(mechanism.n) if kind == LEAF_SIGNAL else view.quantity(index)[1]
+            np.zeros(mechanism.n, dtype) if kind == LEAF_SIGNAL else view.quantity(index)[1]
             for kind, index in leaves
         ]
         values = [
-            still(mechanism.vectors["signal"][index]) if kind == LEAF_SIGNAL
+            still(view.signal_n[index]) if kind == LEAF_SIGNAL
             else still(gradient @ mechanism.v) if kind == LEAF_RATE
             else view.quantity(index)[0]
             for (kind, index), gradient in zip(leaves, gradients, strict=True)
@@ -48,9 +46,9 @@ def rows_of(mechanism: Mechanism) -> tuple[Array, Array, Array]:
     return G, by_signals, psi
 
 
-def row_rates(mechanism: Mechanism, signal_rates: Array) -> Array:
+def row_rates(mechanism: Mechanism, signal_rates: Array, view: View | None = None) -> Array:
     """Rates dPhi/dt (r,) of the rows; of velocity rows, Psi."""
-    G, by_signals, psi = rows_of(mechanism)
+    G, by_signals, psi = rows_of(mechanism, view)
     rates, velocities = G @ mechanism.v + by_signals @ signal_rates, mechanism.row_kinds[3]
     rates[velocities] = psi[velocities]
     return rates
@@ -75,17 +73,23 @@ def scales(mechanism: Mechanism) -> Array:
 
 
 def constrained(
-    mechanism: Mechanism, M: Array, G: Array, f: Array, g: Array, weight: Array | float = 1.0
+    mechanism: Mechanism, M: Array, G: Array, f: Array, g: Array, weight: Array | float = 1.0,
+    off: Array | None = None,
 ) -> tuple[Array, Array]:
     """Solution x, lam of M x + G' lam = f, G x = g for the free coordinates.
 
     Of dependent rows, the multipliers of least size, scaled with their compliance, are taken.
-    `weight` (n_free,) is that of the coordinates in M.
-    """
-    n, sigma = len(f), mechanism.section["row_sigma"][: len(g)]
+    `weight` (n_free,) is that of the coordinates in M. A line of `off` (r, r) that is not zero
+    takes the place of its row, off lam = g.
+    """  # fmt: skip
+    n, r, sigma = len(f), len(g), mechanism.section["row_sigma"][: len(g)]
+    off = np.zeros((r, r)) if off is None else off
+    is_off = np.any(off, axis=1)
+    G_on = np.where(is_off[:, None], 0.0, G)
     scale = np.concatenate([weight * mechanism.m_node[:n], sigma]) ** -0.5
-    K = scale[:, None] * np.block([[M, G.T], [G, np.zeros((len(g), len(g)))]]) * scale
-    b, inverse = scale * np.concatenate([f, g]), np.linalg.pinv(K, rcond=RANK)
+    left = np.concatenate([scale[:n], np.where(is_off, 1.0 / scale[n:], scale[n:])])
+    K = left[:, None] * np.block([[M, G.T], [G_on, off]]) * scale
+    b, inverse = left * np.concatenate([f, g]), np.linalg.pinv(K, rcond=RANK)
     y = np.zeros(len(b))
     for _ in range(3):  # what rounding leaves is solved for again
         y += inverse @ (b - K @ y)
@@ -118,44 +122,62 @@ def consistent_velocities(mechanism: Mechanism) -> Array:
     return v
 
 
-def along(mechanism: Mechanism, rate: Callable[[Mechanism, float], Array]) -> Array:
-    """Forward difference of `rate` at q, q + tau v and q + 2 tau v, with the signals then.
+def biases(mechanism: Mechanism) -> Array:
+    """Rates (r,) of ``row_rates`` at constant velocities, where the rows ask for G a = -bias."""
+    delta, t = 1e-2 * mechanism.head["step_size"], mechanism.head["time"]
+    rates = mechanism.signal_rates(t)
+    later = [mechanism.signal_rates(t + k * delta) - rates for k in range(1, 5)]
+    bends = np.array([48.0, -36.0, 16.0, -3.0]) @ later / (12.0 * delta)
+    beside = mechanism.vectors["signal"] + 1j * TINY * rates
+    view = Path(mechanism, 1j * TINY * mechanism.vectors["v"], beside).at(1.0)
+    return row_rates(mechanism, rates + 1j * TINY * bends, view).imag / TINY
 
-    Drivers may have a kink at the start, so nothing before it counts.
+
+class Accelerations:
+    """Forces, rows and biases at the present state, where accelerations and multipliers obey
+
+        M a + G' mu = Q,    G a = -bias of rows that hold,    mu_k = (c N + N_0) t_k of the others.
     """
-    tau, t, values = TAU * mechanism.head["step_size"], mechanism.head["time"], []
-    for step in (0.0, tau, 2.0 * tau):
-        there = Mechanism(mechanism.model, mechanism.head, mechanism.vectors)
-        there.vectors["q_low"] += step * mechanism.vectors["v"]
-        there.vectors["signal"][:] = mechanism.signals(t + step)
-        values.append(rate(there, t + step))
-    return (-1.5 * values[0] + 2.0 * values[1] - 0.5 * values[2]) / tau
+
+    def __init__(self, mechanism: Mechanism) -> None:
+        self.mechanism, n, head = mechanism, mechanism.n_free, mechanism.head
+        delta, t = 1e-2 * head["step_size"], head["time"]
+        b = [mechanism.signal_rates(t + k * delta) for k in range(3)]
+        self.driven = ((-1.5 * b[0] + 2.0 * b[1] - 0.5 * b[2]) / delta)[: mechanism.n - n]
+        self.G, _, _ = rows_of(mechanism)
+        self.bias = biases(mechanism)
+        # A step of no length, in which quantities change at their present rates.
+        path = Path(mechanism)
+        here = path.over_step()
+        self.Q = mechanism.weight + applied(mechanism, path) + sum(laws(mechanism, here))
+        for quantity, c in zip(mechanism.elements, mechanism.section["damping"], strict=True):
+            if c:
+                gradient = here.quantity(quantity)[1]
+                self.Q = self.Q - c * (gradient @ mechanism.v) * gradient
+
+    def solve(self) -> tuple[Array, Array]:
+        """Multipliers (r,) and accelerations (n,) with the present modes."""
+        mechanism, n, r = self.mechanism, self.mechanism.n_free, self.mechanism.n_rows
+        free, off = slice(n), ~mechanism.rows_on()
+        a, mu = np.concatenate([np.zeros(n), self.driven]), np.zeros(r)
+        force, M = (self.Q - mechanism.M @ a)[free], mechanism.M[free, free]
+        rates = -(self.bias + self.G @ a)
+        for _ in range(30):  # normal forces of joints are norms of multipliers
+            slope = mechanism.cone_slopes(mu) - np.diag(off.astype(float))
+            g = np.where(off, slope @ mu + mu - mechanism.sliding_multipliers(mu), rates)
+            a[free], found = constrained(mechanism, M, self.G[:, free], force, g, off=slope)
+            moved, mu = np.max(np.abs(found - mu), initial=0.0), found
+            if moved <= 1e-14 * np.max(np.abs(mu), initial=0.0) or not np.any(off):
+                break
+        return mu, a
+
+    def second_rates(self, a: Array) -> Array:
+        """Second derivatives of the rows, of velocity rows their rates (r,)."""
+        return self.G @ a + self.bias
 
 
 def first_multipliers(mechanism: Mechanism) -> tuple[Array, Array, Array]:
     """Multipliers, accelerations and forces on driven nodes: M a + G' lam = Q, G a = -bias."""
-    n, head = mechanism.n_free, mechanism.head
-    free, driven = slice(n), slice(n, None)
-    delta, t = 1e-2 * head["step_size"], head["time"]
-    b = [mechanism.signal_rates(t + k * delta) for k in range(3)]
-    a = np.zeros(mechanism.n)
-    a[driven] = ((-1.5 * b[0] + 2.0 * b[1] - 0.5 * b[2]) / delta)[: mechanism.n - n]
-    G, _, _ = rows_of(mechanism)
-    # A step of no length, in which quantities change at their present rates.
-    path = Path(mechanism)
-    still_here = path.over_step()
-    Q = mechanism.weight + applied(mechanism, path) + sum(laws(mechanism, still_here))
-    for quantity, c in zip(mechanism.elements, mechanism.section["damping"], strict=True):
-        if c:
-            gradient = still_here.quantity(quantity)[1]
-            Q = Q - c * (gradient @ mechanism.v) * gradient
-    forms, coincidences, _, _ = mechanism.row_kinds
-    bias = np.zeros(mechanism.n_rows)
-    if mechanism.function_rows or mechanism.velocity_rows:
-        bias = along(mechanism, lambda m, time: row_rates(m, mechanism.signal_rates(time)))
-    U_v, W_v = mechanism.U @ mechanism.vectors["v"], mechanism.W @ mechanism.vectors["v"]
-    bias[forms] = 2.0 * np.sum(U_v * W_v, axis=1)[mechanism.row_form]
-    bias[coincidences] = 0.0
-    M, force = mechanism.M[free, free], (Q - mechanism.M @ a)[free]
-    a[free], lam = constrained(mechanism, M, G[:, free], force, -(bias + G @ a))
-    return lam, a, (mechanism.M @ a + G.T @ lam - Q)[driven]
+    at_start = Accelerations(mechanism)
+    lam, a = at_start.solve()
+    return lam, a, (mechanism.M @ a + at_start.G.T @ lam - at_start.Q)[mechanism.n_free :]

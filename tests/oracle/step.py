@@ -19,12 +19,10 @@ from __future__ import annotations
 import numpy as np
 
 from tests.oracle.forces import applied, laws, stored_energy
-from tests.oracle.mechanism import TURN, Array, Mechanism
+from tests.oracle.mechanism import TINY, TURN, Array, Mechanism
 from tests.oracle.path import Path
 
 HALVES = ("first", "second")
-TINY = 1e-30
-"""Imaginary step of a derivative: neither truncation nor cancellation."""
 
 
 class Residual:
@@ -38,7 +36,8 @@ class Residual:
         n, driven = mechanism.n_free, mechanism.n - mechanism.n_free
         q, q_low = mechanism.vectors["q"], mechanism.vectors["q_low"]
         self.d_driven = (self.signal_n1[:driven] - q[n:]) - q_low[n:]
-        self.phi_n = rows_now(mechanism)
+        self.on = mechanism.rows_on()
+        self.phi_n = np.where(self.on, rows_now(mechanism) - mechanism.references(), 0.0)
         self.alpha = penalties(mechanism, h)
         self.conserving = mechanism.formulation.startswith("conserving")
         self.augmented = "-al" in mechanism.formulation
@@ -97,16 +96,25 @@ class Residual:
         return 2.0 / h * mechanism.M @ (path.d - self.h_v) + h * (G_bar.T @ mu - Q)
 
     def residual(self, w: Array, mu: Array, lam: Array) -> Array:
-        """Residual (n_free + r,) of momentum balance and rows, C - (mu - lam)/alpha."""
+        """Residual (n_free + r,) of momentum balance and rows, (lam + alpha C - mu)/alpha.
+
+        Rows of open contacts have no multipliers, those of sliding frictions follow their cones.
+        """
         path = self.path(w)
         change, G_bar, _ = self.rows(path)
         R = self.balance(path, G_bar, mu)[: len(w)]
-        return np.concatenate([R, self.measure(path, change, G_bar) - (mu - lam) / self.alpha])
+        C = self.measure(path, change, G_bar)
+        target = lam + self.alpha * C
+        if not np.all(self.on):
+            target = np.where(self.on, target, self.mechanism.sliding_multipliers(mu, change / self.h))
+        return np.concatenate([R, (target - mu) / self.alpha])
 
     def tangent(self, w: Array, mu: Array, lam: Array) -> Array:
         """Derivative of the residual in (w, mu), by complex step in w."""
-        _, G_bar, _ = self.rows(self.path(w))
+        change, G_bar, _ = self.rows(self.path(w))
         by_mu = np.vstack([self.h * G_bar[:, : len(w)].T, -np.diag(1.0 / self.alpha)])
+        if not np.all(self.on):
+            by_mu[len(w) :] += self.mechanism.cone_slopes(mu, change / self.h) / self.alpha[:, None]
         columns = [self.residual(w + 1j * TINY * e, mu, lam).imag / TINY for e in np.eye(len(w))]
         by_w = np.array(columns).reshape(len(w), -1).T
         return np.hstack([by_w, by_mu])
@@ -114,8 +122,8 @@ class Residual:
     def held(self, path: Path, change: Array, G_bar: Array) -> Array:
         """What an Uzawa update drives to zero: "end" Phi_n1, "paper" and midpoint C (theory 3)."""
         if self.conserving and not self.mechanism.head["paper_update"]:
-            return self.phi_n + change
-        return self.measure(path, change, G_bar)
+            return np.where(self.on, self.phi_n + change, 0.0)
+        return np.where(self.on, self.measure(path, change, G_bar), 0.0)
 
 
 def rows_now(mechanism: Mechanism) -> Array:
@@ -197,7 +205,7 @@ class HalfStep:
     def end(self) -> Mechanism:
         """Mechanism after the half step, with work and dissipation booked."""
         mechanism, h, path = self.mechanism, self.h, self.equations.path(self.w)
-        _, G_bar, by_signals = self.equations.rows(path)
+        change, G_bar, by_signals = self.equations.rows(path)
         balance = self.equations.balance(path, G_bar, self.mu)
         _, damping, drives = laws(mechanism, path.over_step())
         n, d, w = mechanism.n_free, path.d, path.d - self.equations.h_v
@@ -211,6 +219,7 @@ class HalfStep:
         head["work"] += float(self.work_of_laws + self.mu @ by_signals)
         head["work"] += float((applied(mechanism, path) + drives) @ d + d[n:] @ balance[n:] / h)
         head["dissipated"] -= float(damping @ d)
+        head["friction"] += float(np.where(self.equations.on, 0.0, self.mu) @ change)
         after = Mechanism(mechanism.model, head, vectors)
         sigma = [path.over_step().quantity(i)[0].n1 for i in range(len(mechanism.quantities))]
         turned = np.round((np.array(sigma) - after.sigma()) / TURN)
