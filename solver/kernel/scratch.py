@@ -29,6 +29,7 @@ WORK = {
     "free": "n",  # part of the velocities that rows leave free
     "slip": "n_rows * unilateral",  # rates of sliding frictions' rows over the step
     "row_rate": "n_rows", "row_bias": "n_rows",  # and second derivatives at constant velocities
+    "drift": "n_rows * unilateral",  # rates of slips by the speeds of surfaces
     "product": "n_pivots",  # of the tangent and a vector
     "rhs": "n_pivots",  # elimination order
     "value": "n_lu_values",  # tangent and its factors

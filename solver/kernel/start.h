@@ -273,7 +273,25 @@ HM_SELDOM static double bias_of_row(const context *c, int32_t j)
     if (!is_velocity_row(c, j)) return bias_of(c, j);
     memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     const double own = function_rate(c, j, c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate);
-    return bias_of(c, j) - own;
+    return bias_of(c, j) - own + c->k.drift[row_of(c, j)];
+}
+
+/* Rates of the slips of frictions by numbers that change with time, such as the speed of a surface (drift).      */
+HM_SELDOM static void find_drifts(context *c)
+{
+    const holonom_model *m = c->m;
+    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5}, t = c->number[m->time_at];
+    memset(c->k.drift, 0, sizeof(double) * (size_t)m->n_rows);
+    if (!m->time_dependent || !m->n_frictions) return;
+    memset(c->k.ahead, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int i = 2; i >= 0; i--) {
+        set_laws(c, t + i * delta, 0);
+        for (int32_t k = 0; k < m->friction_row_ptr[m->n_frictions]; k++) {
+            const int32_t j = m->friction_row[k];
+            const double slip = function_rate(c, j, c->s.q, c->s.q_low, c->k.ahead, c->s.signal, c->k.signal_rate);
+            c->k.drift[row_of(c, j)] += forward[i] * slip / delta;
+        }
+    }
 }
 
 /* Biases of function and velocity rows that are on, from derivatives: contacts need more digits than differences in time
@@ -287,6 +305,7 @@ HM_SELDOM static void exact_biases(context *c)
         signal_rates_at(c, c->t + i * delta, c->k.signal_rate);
         for (int32_t b = 0; b < c->m->n_signals; b++) bend[b] += forward[i] * c->k.signal_rate[b] / delta;
     }
+    find_drifts(c);
     for (int32_t j = first_function(c); j < first_potential(c); j++)
         if (state_of_row(c, j) == ROW_IS_ON) c->k.row_bias[row_of(c, j)] = bias_of_row(c, j);
 }

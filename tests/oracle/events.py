@@ -35,6 +35,7 @@ def piece(mechanism: Mechanism, h: float) -> Mechanism:
         t = mechanism.head["time"] + part * h
         mechanism = internal_step(mechanism, part * h)
         mechanism.head["time"] = t
+        mechanism.forces_at(t, 0.0, 0)
     return mechanism
 
 
@@ -52,7 +53,8 @@ def functions(mechanism: Mechanism) -> tuple[Array, Array]:
         rows, value, small = mechanism.frictions[f].rows, np.inf, 0.0
         if mode == STICKS:
             limit = mechanism.cone(f, mu, "static")
-            value, small = limit - np.sqrt(np.sum(mu[rows] ** 2)), 1e-11 * abs(limit)
+            value = limit - np.sqrt(np.sum(mu[rows] ** 2))
+            small = 1e-11 * max(abs(limit), mechanism.section["static"][f] * max(force, energy))
         elif mode == SLIDES and len(rows) == 1:
             value, small = along[0] * state.rates[rows[0]], 1e-3 * state.speed_tolerance
         elif mode == SLIDES:

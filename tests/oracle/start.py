@@ -130,7 +130,19 @@ def biases(mechanism: Mechanism) -> Array:
     bends = np.array([48.0, -36.0, 16.0, -3.0]) @ later / (12.0 * delta)
     beside = mechanism.vectors["signal"] + 1j * TINY * rates
     view = Path(mechanism, 1j * TINY * mechanism.vectors["v"], beside).at(1.0)
-    return row_rates(mechanism, rates + 1j * TINY * bends, view).imag / TINY
+    return row_rates(mechanism, rates + 1j * TINY * bends, view).imag / TINY + drift(mechanism)
+
+
+def drift(mechanism: Mechanism) -> Array:
+    """Rates (r,) of velocity rows by numbers that change with time, such as a surface's speed."""
+    delta, t = 1e-2 * mechanism.head["step_size"], mechanism.head["time"]
+    if not (mechanism.velocity_rows and mechanism.model.sizes["time_dependent"]):
+        return np.zeros(mechanism.n_rows)
+    psi = []
+    for k in (4, 3, 2, 1, 0):
+        mechanism.forces_at(t + k * delta, 0.0, 0)
+        psi.append(rows_of(mechanism)[2])
+    return np.array([-3.0, 16.0, -36.0, 48.0, -25.0]) @ psi / (12.0 * delta)
 
 
 class Accelerations:

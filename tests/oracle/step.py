@@ -187,18 +187,23 @@ class HalfStep:
         raise ArithmeticError(message)
 
     def newton(self, lam: Array) -> None:
-        """Add increments to w and mu until they are round-off, and no longer shrink."""
+        """Add increments to w and mu until they are round-off, and no longer shrink.
+
+        The tangent stays as it is while increments shrink by a factor of ten.
+        """
         last, n, norm = np.inf, len(self.w), np.sqrt(self.mechanism.m_node[: len(self.w)])
+        size, before, floor = 1.0, 0.0, 0.0
         for _ in range(60):
-            residual = self.equations.residual(self.w, self.mu, lam)
-            x = np.linalg.solve(self.equations.tangent(self.w, self.mu, lam), -residual)
+            if not (size < 0.1 * before or size <= floor):
+                tangent = self.equations.tangent(self.w, self.mu, lam)
+            x = np.linalg.solve(tangent, -self.equations.residual(self.w, self.mu, lam))
             self.w, self.mu = self.w + x[:n], self.mu + x[n:]
             size = np.linalg.norm(norm * x[:n])
             moved = np.linalg.norm(norm * self.equations.d(self.w)[:n])
             floor = 1e-10 * moved + 1e-13 * self.mechanism.section["extent"][1]
-            if size == 0.0 or 0.5 * last < size <= floor:
+            if size <= 1e-9 * floor or 0.5 * last < size <= floor:
                 return
-            last = size
+            before, last = last, size
         message = f"Newton's iteration does not converge: {size:.1e}"
         raise ArithmeticError(message)
 
