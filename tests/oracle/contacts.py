@@ -159,6 +159,8 @@ def agreeing(mechanism: Mechanism, ended: Ended) -> Iterator[tuple[Array, Array,
 def settle(mechanism: Mechanism, ended: Ended) -> None:
     """Let contacts and frictions do what the forces allow; multipliers begin with those here."""
     found = next(agreeing(mechanism, ended), None)
+    if found is None:  # what has been opened has to close again
+        found = next(agreeing(mechanism, Ended(sliding=ended.sliding)), None)
     if found is None:
         message = "no choice of closed contacts agrees with the forces"
         raise ArithmeticError(message)

@@ -162,9 +162,8 @@ class Located:
             first = 0.0
             if low[0][k] <= low[1][k]:  # a mode that has just begun
                 first = next((s for s in end * 0.5 ** np.arange(1, 30) if value(s, k) > none[k]), 0.0)
-                if first == 0.0:
-                    message = "a mode ends where it begins"
-                    raise ArithmeticError(message)
+                if first == 0.0:  # a contact that carries nothing
+                    return 0.0, begin, [k]
             end = float(brentq(value, first, end, args=(k,), xtol=1e-16, rtol=1e-15))
             value(end, k)
         values, none = functions(trials[end])

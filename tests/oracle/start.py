@@ -83,6 +83,8 @@ def constrained(
     takes the place of its row, off lam = g.
     """  # fmt: skip
     n, r, sigma = len(f), len(g), mechanism.section["row_sigma"][: len(g)]
+    here = np.sum(G**2 / mechanism.m_node[:n], axis=1)  # the gradient of a gap may begin with 0
+    sigma = np.where(mechanism.bilateral | (here == 0.0), sigma, here)
     off = np.zeros((r, r)) if off is None else off
     is_off = np.any(off, axis=1)
     G_on = np.where(is_off[:, None], 0.0, G)
@@ -110,15 +112,16 @@ def consistent_velocities(mechanism: Mechanism) -> Array:
     v[:] = section["initial_velocity"]
     v[mechanism.n_free :] = rates[: len(v) - mechanism.n_free]
     given = np.repeat(weight, mechanism.dim)[free] > 1.0
-    G = rows_of(at_start)[0][:, free]
+    G, off = rows_of(at_start)[0][:, free], -np.diag(1.0 - mechanism.bilateral)
     for weights in (weight, weight, weight, np.ones_like(weight)):
         if weights is weight:
             v[free][given] = section["initial_velocity"][free][given]
         a, b = np.array(mechanism.model.tables["mass_node"]).reshape(-1, 2).T
         M = mechanism.mass_matrix(section["mass"] * np.sqrt(weights[a] * weights[b]))[free, free]
         heavy = np.repeat(weights, mechanism.dim)[free]
-        rate = row_rates(at_start, rates)
-        v[free] += constrained(mechanism, M, G, np.zeros(mechanism.n_free), -rate, heavy)[0]
+        rate = np.where(mechanism.bilateral, row_rates(at_start, rates), 0.0)
+        nothing = np.zeros(mechanism.n_free)
+        v[free] += constrained(mechanism, M, G, nothing, -rate, heavy, off)[0]
     return v
 
 

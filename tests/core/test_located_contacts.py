@@ -1,0 +1,191 @@
+"""The core's runs with contacts, through impacts, releases and slips, against the oracle's.
+
+Each communication step of both starts from the same state, against chaos. The oracle tries all
+choices of what may be closed and stick, and finds events by SciPy's `brentq` on whole steps.
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import warnings
+
+import numpy as np
+import pytest
+
+import solver
+from solver.runtime import Integrator
+from solver.runtime.layout import CONTACT, FRICTION
+from tests.contact_scenes import painleve_rod, rocking_block
+from tests.oracle import Mechanism
+from tests.oracle.contacts import State
+from tests.oracle.events import Located
+from tests.oracle.start import consistent_velocities, rows_of
+from tests.problems import assemble
+from tests.random_contacts import Content, RandomContacts
+from tests.scene_files import SCENES
+
+NEAR = 1e-9
+"""Of size, speed and energy: steps are solved to 1e-11, and impacts multiply what differs."""
+NEAR_FORCES = 1e-7
+"""Of forces in steps of a usual length, which divide the rounding of rows by its square."""
+
+SHORT = {
+    "cam_and_follower", "gear_pair_with_backlash", "ratchet", "slider_crank_with_clearance",
+    "tippe_top",
+}  # fmt: skip
+"""Scenes that are compared in steps of order 2, for the sake of time."""
+EVENTS = {
+    "ball_on_hills": 0.285, "belt_and_block": 0.26, "bouncing_ball": 0.46, "bowling_ball": 1.17,
+    "cam_and_follower": 0.0305, "falling_chain": 0.198, "falling_rod": 0.43,
+    "four_bar_with_clearance": 0.0095, "gear_pair_with_backlash": 0.013,
+    "jansen_with_clearance": 0.022, "mass_in_a_circle": 0.5, "newtons_cradle": 0.37,
+    "pendulum_with_stop": 0.64, "quarter_car": 0.392, "ratchet": 0.21, "rocking_block": 0.34,
+    "slider_crank_with_clearance": 0.0015, "slider_crank_with_play_in_the_guide": 0.0027,
+    "thrown_block": 0.35, "woodpecker_toy": 0.027,
+}  # fmt: skip
+"""Ends of steps within which something hits, opens, slips or sticks [s]."""
+
+
+def begun(model, **settings: float) -> Integrator:
+    """Return the mechanism of a model at its start, in steps of one length."""
+    run = Integrator(model, log=lambda _: None)
+    run.initialise()
+    run.state.head["tolerance"] = 0.0
+    for name, value in settings.items():
+        run.state.head[name] = value
+    return run
+
+
+def vector(run: Integrator, name: str) -> np.ndarray:
+    """Vector of the state, as a copy."""
+    return np.array(run.state.vectors[name])
+
+
+def modes(run: Integrator) -> tuple[np.ndarray, np.ndarray]:
+    """Whether contacts are closed, and modes of frictions."""
+    contacts = vector(run, "contacts").reshape(-1, len(CONTACT))
+    return contacts[:, 0], vector(run, "frictions").reshape(-1, len(FRICTION))[:, 0]
+
+
+def has_dependent_rows(mechanism: Mechanism) -> bool:
+    """Whether rows that hold depend on each other, so that their forces are not unique."""
+    G, on = rows_of(mechanism)[0][:, : mechanism.n_free], mechanism.rows_on()
+    scaled = G[on] / np.sqrt(mechanism.m_node[: mechanism.n_free])
+    sizes = np.sqrt(np.sum(scaled**2, axis=1, keepdims=True))
+    return int(np.linalg.matrix_rank(scaled / np.where(sizes > 0.0, sizes, 1.0), tol=1e-6)) < sum(on)
+
+
+def compare(run: Integrator, oracle: Mechanism, last: float) -> None:
+    """Demand that both are in the same state; `last` is the length of the last piece."""
+    extent, reference = oracle.section["extent"], run.state.head["energy_reference"]
+    speed = np.sqrt(2.0 * reference) * extent[0] / extent[1] + np.max(np.abs(oracle.v))
+    q, v = (vector(run, x) + vector(run, f"{x}_low") for x in "qv")
+    assert q == pytest.approx(oracle.x, abs=NEAR * extent[0])
+    assert v == pytest.approx(oracle.v, abs=NEAR * speed)
+    for account in ("impact", "friction", "dissipated", "work"):
+        theirs = pytest.approx(oracle.head[account], abs=10.0 * NEAR * reference)
+        assert run.state.head[account] == theirs, account
+    if has_dependent_rows(oracle):
+        return
+    contacts = vector(run, "contacts").reshape(-1, len(CONTACT))
+    assert np.array_equal(contacts[:, 3], oracle.of_contacts[:, 3])
+    assert contacts[:, 4] == pytest.approx(oracle.of_contacts[:, 4], rel=1e-8, abs=NEAR)
+    for ours, theirs in zip(modes(run), (oracle.of_contacts, oracle.of_frictions), strict=True):
+        assert np.array_equal(ours, theirs[:, 0])
+    if last < 0.1 * run.state.head["step_size"]:
+        return
+    for half in ("first", "second"):
+        mu, its = vector(run, f"mu_{half}"), oracle.vectors[f"mu_{half}"]
+        size = np.max(np.abs(its), initial=0.0) + reference / extent[0]
+        assert mu == pytest.approx(its, abs=NEAR_FORCES * size)
+
+
+def step_both(run: Integrator, h: float) -> list[float]:
+    """Cover a step by core and oracle, compare them, and return the times of the events."""
+    oracle, kept = Located(Mechanism.of(run.model, run.state)), run.save()
+    unsettled = run.state.head["unsettled"]
+    oracle.advance(h)
+    near = NEAR * run.state.head["step_size"]
+    for n, t in enumerate(oracle.events):
+        for end, least, most in ((t - near, 0, n + unsettled), (t + near, n + 1, np.inf)):
+            if 0.0 < end - run.time < h:
+                begin = run.time
+                run.advance(begin, end - begin)
+                assert least <= run.state.head["events"] <= most, t
+                run.restore(kept)
+    begin = run.time
+    run.advance(begin, h)
+    assert run.state.head["events"] == len(oracle.events) + unsettled
+    compare(run, oracle.mechanism, begin + h - max([begin, *oracle.events]))
+    return oracle.events
+
+
+@pytest.mark.parametrize("name", EVENTS)
+def test_a_step_with_events_is_that_of_the_equations(name):
+    model = solver.assemble(solver.load(SCENES / f"{name}.toml"))
+    run = begun(model)
+    order = run.state.head["order"]
+    run.state.head["order"] = 2.0 if name in SHORT else min(order, 4.0)
+    h = run.state.head["step_size"]
+    while run.time + 1.5 * h < EVENTS[name]:
+        run.advance(run.time, h)
+    assert step_both(run, h)
+
+
+def random_scene(seed: int) -> Content:
+    """Return a random scene in steps of one length and of order 2 or 4."""
+    content = RandomContacts(random.Random(seed)).content
+    settings = content["solver"]
+    settings.pop("tolerance", None)
+    settings["order"] = 4 if settings.get("order") == 4 else 2
+    for value in content.get("inputs", {}).values():
+        value.clear()  # held: the oracle does not ramp
+    return content
+
+
+def random_run(seed: int) -> Integrator:
+    """Return a random mechanism at its start."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", solver.SceneWarning)
+        scene = solver.loads(json.dumps(random_scene(seed)), format="json")
+    return begun(solver.assemble(scene))
+
+
+@pytest.mark.parametrize("seed", [22])
+def test_random_mechanisms_touch_by_the_equations(seed):
+    run, events = random_run(seed), 0
+    for _ in range(4):
+        events += len(step_both(run, run.model.experiment.step_size))
+    assert events > 0
+
+
+@pytest.mark.parametrize("seed", [27])
+def test_random_mechanisms_begin_by_the_equations(seed):
+    run = random_run(seed)
+    oracle = Mechanism.of(run.model, run.state)
+    begin_anew(oracle)
+    compare(run, oracle, 1.0)
+
+
+@pytest.mark.parametrize(
+    "content", [rocking_block(), painleve_rod(0.3, 1.0)], ids=["rocking block", "rod"]
+)
+def test_contacts_begin_by_the_equations(content):
+    run = begun(assemble(content))
+    oracle = Mechanism.of(run.model, run.state)
+    begin_anew(oracle)
+    compare(run, oracle, 1.0)
+
+
+def begin_anew(oracle: Mechanism) -> None:
+    """Start as drawn, with nothing closed yet, and let impacts and forces decide what is."""
+    oracle.vectors["contacts"][:] = oracle.vectors["frictions"][:] = 0.0
+    oracle.head["impact"] = oracle.head["work"] = 0.0
+    oracle.vectors["v"], oracle.vectors["v_low"][:] = oracle.section["initial_velocity"], 0.0
+    if oracle.head["assemble"] or len(oracle.vectors["signal"]):
+        oracle.vectors["v"] = consistent_velocities(oracle)
+    assert np.all(State(oracle).gaps > -1e-8)
+    located = Located(oracle)
+    located.settle()
+    assert located.unique
