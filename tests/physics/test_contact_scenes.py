@@ -288,3 +288,72 @@ def test_a_ratchet_gives_way_by_less_than_a_tooth_and_advances():
     back = angle - np.minimum.accumulate(angle)
     assert 0.1 < back.max() < math.pi / 6.0
     assert angle[-1] < -8.0 * math.pi / 6.0
+
+
+def deviation_of_geneva_wheel(
+    turn: NDArray[np.float64], angle: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Turn of the wheel beyond that of a drive without play [rad].
+
+    `turn` is that of the pin from the line of both axes; it is in a slot for less than pi/4.
+    """
+    turns = np.round(turn / (2.0 * math.pi))
+    in_slot = np.clip(turn - 2.0 * math.pi * turns, -math.pi / 4.0, math.pi / 4.0)
+    closed = np.arctan2(np.sin(in_slot), math.sqrt(2.0) - np.cos(in_slot))
+    return angle + math.pi / 4.0 + closed + 0.5 * math.pi * turns
+
+
+def test_a_geneva_wheel_turns_by_a_quarter_in_each_turn_and_dwells():
+    # As in a drive without play, up to the play of 0.1 mm: of the pin in a slot at its distance
+    # from the axis, and of the tips, at 40 mm.
+    found = played("geneva_drive")
+    turn = found["shaft.angle"] - 0.5 * math.pi
+    beyond = deviation_of_geneva_wheel(turn, found["bearing.angle"])
+    distance = 0.04 * np.sqrt(3.0 - 2.0 * math.sqrt(2.0) * np.cos(turn))
+    engaged = np.cos(turn) > math.sqrt(0.5)
+    assert np.abs(distance * beyond)[engaged].max() <= 1.03e-4  # it is slightly more at the mouth
+    assert np.abs(0.04 * beyond)[~engaged].max() <= 1.03e-4
+    assert found["bearing.angle"][-1] == pytest.approx(-math.pi, abs=3e-3)
+    assert found["pin.impacts"][-1] >= 4.0  # both walls of two slots
+
+
+@pytest.mark.parametrize("load", [-0.02, 0.02])
+def test_the_lock_of_a_geneva_wheel_holds_a_load_either_way(load):
+    # From 97 to 263 degrees, where two tips are at the disc: the wheel turns until one of them is
+    # 33 mm from the axis instead of 33.1 mm, and a little further where the disc's edge is near.
+    axes, radius = 0.04 * math.sqrt(2.0), 0.04
+    reach = [
+        math.acos((axes**2 + radius**2 - disc**2) / (2.0 * axes * radius))
+        for disc in (0.033, 0.0331)
+    ]
+    play = reach[1] - reach[0]
+    integrator = until(begin("geneva_drive", load=load), 0.5)
+    for time in np.linspace(0.52, 0.98, 24):
+        until(integrator, time)
+        turn = np.array([number(integrator, "shaft.angle") - 0.5 * math.pi])
+        angle = number(integrator, "bearing.angle")
+        (beyond,) = deviation_of_geneva_wheel(turn, np.array([angle]))
+        assert beyond == pytest.approx(math.copysign(play, load), rel=0.025)
+
+
+def test_a_disc_rolls_with_two_thirds_of_its_speed():
+    # From 0.50968 s on; it has lost a third of its energy.
+    found = played("bowling_disc")
+    assert (found["floor.mode"][25], found["floor.mode"][26]) == (2.0, 1.0)
+    assert found["disc.vx"][-1] == pytest.approx(2.0, abs=1e-12)
+    assert found["disc.angular_velocity"][-1] == pytest.approx(-8.0, abs=1e-11)
+    lost = found["energy.friction"][-1] + found["energy.impact"][-1]
+    assert lost == pytest.approx(1.5, rel=1e-12)
+
+
+def test_a_ball_on_a_green_slides_until_it_rolls_and_then_keeps_its_energy():
+    found = played("putting_green")
+    modes = found["green.mode"]
+    rolls = np.flatnonzero(modes == 1.0)
+    assert set(modes[: rolls[0]]) == {2.0}
+    assert set(modes[rolls[0] :]) == {1.0}
+    assert np.ptp(found["energy.friction"][rolls]) <= 1e-15
+    speed2 = sum(found[f"ball.v{axis}"][rolls] ** 2 for axis in "xyz")
+    rolling = 0.0459 * (0.7 * speed2 + 9.81 * found["ball.z"][rolls])
+    assert rolling == pytest.approx(found["energy.total"][rolls], rel=3e-4)  # of order 2
+    assert np.ptp(found["ball.z"]) > 0.03
