@@ -32,6 +32,7 @@ SECTIONS = {
     "stress": "benchmarks.stress",
     "skips": "benchmarks.skips",
     "contact": "benchmarks.contact.section",
+    "contact-scenes": "benchmarks.contact.scenes",
 }
 """Module of each benchmark; its function `measure` takes an effort and returns a section."""
 

@@ -1,4 +1,4 @@
-"""Microseconds per inner step and per communication step of every mechanism in `scenes/`."""
+"""Microseconds per inner and per communication step of every scene without contacts."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from benchmarks.mechanisms import start_scene
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.stepping import Repeated
 from benchmarks.timing import Entry, Times, interleave
+from tests.scene_files import SMOOTH
 
-SCENES = Path(__file__).resolve().parents[1] / "scenes"
 LONGEST = 500
 """Internal steps of a repetition, or those of the scene's experiment."""
 GOALS = {"andrews": 12.0, "bricard": 40.0}
@@ -74,7 +74,7 @@ class Case:
 
 
 def measure(effort: Effort) -> Section:
-    cases = {path.stem: _case(path, effort) for path in sorted(SCENES.glob("*.toml"))}
+    cases = {path.stem: _case(path, effort) for path in SMOOTH}
     entries = {
         f"{name} {kind}": entry
         for name, case in cases.items()
@@ -94,10 +94,10 @@ def measure(effort: Effort) -> Section:
         name="mechanisms",
         title="Mechanisms",
         method=(
-            "Every scene of `scenes/` from its start, with its own settings; a repetition is its "
-            f"whole experiment, or its first {LONGEST} internal steps. Energy and constraint at "
-            "the end of a repetition. The communication step is that of the scene's experiment, "
-            f"without reading outputs. {METHOD}"
+            "Every scene of `scenes/` without contacts from its start, with its own settings; a "
+            f"repetition is its whole experiment, or its first {LONGEST} internal steps. Energy "
+            "and constraint at the end of a repetition. The communication step is that of the "
+            f"scene's experiment, without reading outputs. {METHOD}"
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=[_goal(row, GOALS[key]) for row in rows if (key := str(row["mechanism"])) in GOALS],

@@ -8,8 +8,9 @@ from importlib import import_module
 import numpy as np
 import pytest
 
-from benchmarks.contact import methods, scipy_events, section
+from benchmarks.contact import methods, scenes, scipy_events, section
 from benchmarks.contact.problems import CRANK, PROBLEMS, damping_ratio, score, touches
+from tests.scene_files import TOUCHING
 
 SHARP = {"method": "DOP853", "tolerance": 1e-12}
 
@@ -96,3 +97,7 @@ def test_the_elastic_contact_of_a_peer_bounces(peer):
     problem = PROBLEMS["circle_elastic"]
     settings = [s for family in method.families(problem) for s in family if s["h"] == 1e-3]
     assert min(method.score(problem, setting).energy for setting in settings) < 2e-3
+
+
+def test_what_is_known_is_known_of_scenes_that_exist():
+    assert set(scenes.KNOWN) <= {path.stem for path in TOUCHING}
