@@ -93,7 +93,9 @@ class Kernel:
 
     def set_inputs(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
         """Change inputs and tunable parameters; a jump of stored energy is booked as work."""
-        self._library.holonom_set_inputs(*self._pointers, doubles(inputs), doubles(parameters))
+        self._library.holonom_set_inputs(
+            *self._pointers, doubles(inputs), doubles(parameters), doubles([0.0])
+        )
 
     def residuals(self) -> tuple[list[float], list[float]]:
         """Return the residuals of the rows and their rates, each in the unit of its row."""

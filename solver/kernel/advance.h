@@ -2,9 +2,11 @@
 #ifndef HOLONOM_ADVANCE_H
 #define HOLONOM_ADVANCE_H
 
+#include "contact.h"
 #include "context.h"
 #include "control.h"
 #include "energy.h"
+#include "event.h"
 #include "inputs_signals.h"
 #include "ledger.h"
 #include "predict.h"
@@ -26,13 +28,17 @@ static int has_jumped(const context *c, const double *before, const double *inpu
     return 0;
 }
 
-void holonom_set_inputs(const holonom_model *m, double *number, double *state, double *work, const double *inputs,
-                        const double *parameters)
+int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state, double *work, const double *inputs,
+                           const double *parameters, double *gap)
 {
     context c;
+    int32_t pressed = -1;
     open_context(&c, m, number, state, work);
     set_laws(&c, c.t, 0);
     const int has_new_parameters = memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0;
+    double *before = values_at(&c, AT_LOW).value;
+    if (has_new_parameters && m->n_contacts) quantities_at_state(&c);
+    for (int32_t i = 0; i < m->n_contacts && has_new_parameters; i++) before[i] = gap_of(&c, i);
     const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
     if (has_new_parameters) start_anew(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
@@ -40,6 +46,11 @@ void holonom_set_inputs(const holonom_model *m, double *number, double *state, d
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
+    for (int32_t i = 0; i < m->n_contacts && has_new_parameters; i++) {
+        const double now = gap_of(&c, i);
+        if (now < before[i] && now < -gap_tolerance(&c)) *gap = now, pressed = row_of(&c, m->contact_row[i]);
+    }
+    return pressed;
 }
 
 /* How fast input i goes to its new value over a communication step; a held one does not. */

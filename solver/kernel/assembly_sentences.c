@@ -61,6 +61,12 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
     return broken;
 }
 
+void hm_say_pressed(hm_text *text, const hm_model_file *f, int32_t row, double gap, int others)
+{
+    hm_say(text, "%s%s: its gap would be %6g%s; a stop may be moved as far as there is room", others ? "\n" : "",
+           f->text + f->row[row].name, gap, KIND[f->row[row].kind].unit);
+}
+
 /* Names of the sampled loads, each once. */
 static void say_sampled(hm_text *text, const hm_model_file *f)
 {

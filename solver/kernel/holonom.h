@@ -66,9 +66,10 @@ HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers,
                                     double step);
 
 /* Changes inputs and tunable parameters; a jump of stored energy is booked as work. `inputs` (n_inputs),
-   `parameters` (n_parameters). */
-HOLONOM_API void holonom_set_inputs(const holonom_model *model, double *numbers, double *state, double *work,
-                                    const double *inputs, const double *parameters);
+   `parameters` (n_parameters). Returns the row of a contact whose sides they press into each other, with its `gap` (1,
+   written then alone), or -1; such a state cannot be advanced. */
+HOLONOM_API int32_t holonom_set_inputs(const holonom_model *model, double *numbers, double *state, double *work,
+                                       const double *inputs, const double *parameters, double *gap);
 
 /* Fills the section `measured` of `numbers`, hm_measured, from `state` (not modified) and runs the fourth tape. */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work);

@@ -194,15 +194,17 @@ static int32_t change_in_motion(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
     const size_t state = sizeof(double) * (size_t)i->state_size, numbers = sizeof(double) * (size_t)m->n_numbers;
-    const int may_break = i->has_rules_of_laws || m->variable_potential;
+    const int may_break = i->has_rules_of_laws || m->variable_potential || m->n_contacts;
     if (may_break) {
         memcpy(i->before, i->state, state);
         memcpy(i->before + i->state_size, i->numbers, numbers);
     }
-    holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters);
+    double gap;
+    const int32_t pressed = holonom_set_inputs(m, i->numbers, i->state, i->work, i->inputs, i->parameters, &gap);
     if (!may_break) return HOLONOM_DONE;
     hm_clear(&i->message);
     int problems = hm_broken_rules(&i->message, &i->file, i->numbers, 1);
+    if (pressed >= 0) hm_say_pressed(&i->message, &i->file, pressed, gap, problems++);
     if (!(fabs(i->s.head[S_WORK]) < INFINITY))
         hm_say(&i->message, "%swith these values a spring or potential has no finite energy", problems++ ? "\n" : "");
     if (!problems) return HOLONOM_DONE;

@@ -29,6 +29,10 @@ const char *hm_formulation_word(const hm_model_file *file, double value);
 /* Says a sentence for each rule that the numbers break, and returns how many. */
 int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
 
+/* Says that new values would press the sides of a contact, this row, into each other by -gap; `others` is whether there are
+   sentences before. */
+void hm_say_pressed(hm_text *text, const hm_model_file *file, int32_t row, double gap, int others);
+
 /* Says what the formulation or the search for an equilibrium does not know of this mechanism; returns how many sentences. */
 int hm_unknown_to_method(hm_text *text, const hm_model_file *file, const double *head);
 

@@ -264,7 +264,7 @@ def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: st
     value = as_drawn(mechanism, gap.value, gap.leaves)
     if isinstance(contact, ClearanceContact):
         value = contact.radius - sqrt(mechanism.drawn_value(gap.leaves[0].index))
-    rows.rule(value, ">=", text, bound=-DRAWN_PENETRATION * size)
+    rows.rule(value, "drawn", text, bound=-DRAWN_PENETRATION * size)
 
 
 def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Number:

@@ -40,8 +40,9 @@ class Rows:
     # --------------------------------------------------------------------------------- demands
 
     def rule(
-        self, number: Number, relation: Literal[">", ">=", "finite"], text: str, bound: float = 0.0
-    ) -> None:
+        self, number: Number, relation: Literal[">", ">=", "finite", "drawn"], text: str,
+        bound: float = 0.0,
+    ) -> None:  # fmt: skip
         """Demand that a number is `relation` to a bound (or finite); `text` has its value."""
         message = intern(text if "{value" in text else f"{text}, got {{value!r}}")
         self.mechanism.rule_numbers.append(number)

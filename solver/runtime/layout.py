@@ -16,7 +16,7 @@ from functools import cache
 from types import CodeType
 from zlib import crc32
 
-ENTRY_POINTS = 18
+ENTRY_POINTS = 19
 """To be raised when functions that the core exports change, or the order of a model's bytes."""
 
 
@@ -373,7 +373,8 @@ WORDS = {
 """What a record of a variable has numbers for."""
 
 FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "even": 32}
-RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least"}
+RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least", "drawn": "is_drawn"}
+"""Of a number and its bound; `drawn` is >= of the mechanism as drawn, whatever it does later."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
 MOST_SAMPLING = 1.0

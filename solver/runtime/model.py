@@ -57,8 +57,8 @@ class Rule(namedtuple("Rule", "number relation bound location name message")):
     ----------
     number : int
         Place in the vector of numbers.
-    relation : {">", ">=", "finite"}
-        Against `bound`.
+    relation : {">", ">=", "finite", "drawn"}
+        Against `bound`; "drawn" is >= at the start alone.
     bound : float
     location, name : str
         Where it stands in the scene, ``bodies.rod``, and what it is called in a sentence.

@@ -51,7 +51,7 @@ def rules_of_laws(model: Model) -> set[Rule]:
     for variable in model.variables:
         if variable.kind == "parameter" and variable.variability == "tunable":
             moved.add(offsets["parameter"] + variable.place)
-    return {rule for rule in model.rules if rule.number in moved and rule.relation != "finite"}
+    return {r for r in model.rules if r.number in moved and r.relation in (">", ">=")}
 
 
 def stored(option: Option, value: object) -> float:

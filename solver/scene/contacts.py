@@ -325,10 +325,12 @@ class Stop(Contact):
     """None where `points` is given; else what of the joint is limited."""
     points: Annotated[Ends | None, kind.TWO_ENDS] = None
     min: Annotated[
-        Number | None, kind.Quantity("rad or m", "least angle, displacement or distance")
+        Number | None,
+        kind.Quantity("rad or m", "least angle, displacement or distance", place=PROPERTY),
     ] = None
     max: Annotated[
-        Number | None, kind.Quantity("rad or m", "largest angle, displacement or distance")
+        Number | None,
+        kind.Quantity("rad or m", "largest angle, displacement or distance", place=PROPERTY),
     ] = None
 
     @property

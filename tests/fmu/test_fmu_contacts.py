@@ -15,7 +15,7 @@ import solver
 from tests.commands import run
 from tests.contact_scenes import ball, belt, slider_crank_with_clearance, toml_of
 from tests.fmu_instance import instance, text_fmu
-from tests.problems import GRAVITY, Content
+from tests.problems import GRAVITY, Content, mechanism
 
 HITS = [0.451523640985731, 1.1739614665629, 1.75191172702464]
 
@@ -143,3 +143,32 @@ def test_friction_and_belts_reach_the_fmu():
         assert np.array_equal(result[each], trajectory[each])
     assert set(result["belt.mode"]) == {1.0, 2.0}
     assert result["energy.friction"][-1] > 0.0
+
+
+def falling_on_a_stop() -> Content:
+    """Mass that falls along a guide onto a stop, 0.5 m below."""
+    return mechanism(
+        "falling",
+        2,
+        parameters={"low": {"value": -0.5, "unit": "m", "variability": "tunable"}},
+        bodies={"b": {"position": [0.0, 0.0], "mass": 1.0, "inertia": 1.0}},
+        joints={"guide": {"type": "prismatic", "bodies": ["ground", "b"], "axis": [0, 1]}},
+        contacts={"stop": {"type": "stop", "joint": "guide", "min": "low"}},
+    )
+
+
+def test_a_stop_is_where_the_start_sets_it_and_where_it_is_moved_to():
+    with instance(text_fmu(text_of(falling_on_a_stop(), 1.0, 0.1, 0.01))) as fmu:
+        fmu.initialise(low=-0.3)
+        fmu.run(0.0, 0.1, 5)
+        assert fmu.get("b.y") == pytest.approx(-0.3, abs=1e-14)
+        fmu.set(low=-0.9)
+        fmu.run(0.5, 0.1, 5)
+        assert fmu.get("b.y") == pytest.approx(-0.9, abs=1e-14)
+        assert fmu.get("energy.impact") == pytest.approx(0.9 * GRAVITY, rel=1e-13)
+        assert fmu.get("energy.work") == 0.0
+        fmu.set(low=-0.8)
+        assert "contact 'stop': its gap would be -0.1 m" in fmu.log[-1][2]
+        assert not fmu.step(1.0, 0.1)
+        fmu.set(low=-1.0)
+        assert fmu.step(1.0, 0.1)
