@@ -115,6 +115,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {
+        if (!c.at_fault) blame_hardest(&c);
         memcpy(head, c.k.step_backup, sizeof(double) * (size_t)c.state_size);
         head[S_STATUS] = status;
         head[S_AT_FAULT] = c.at_fault;

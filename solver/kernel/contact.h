@@ -100,6 +100,18 @@ HM_SELDOM static int32_t evaluate_forces(context *c)
     return status;
 }
 
+/* Blames the closed contact that is pressed most, by the means of the last half step; none if all are open. */
+HM_SELDOM static void blame_hardest(context *c)
+{
+    double most = -INFINITY;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) {
+        const int32_t j = c->m->contact_row[i];
+        if (!is_closed(c, i) || !(-c->s.mean[row_of(c, j)] > most)) continue;
+        most = -c->s.mean[row_of(c, j)];
+        blame(c, j);
+    }
+}
+
 /* ------------------------------------------------------------------------------------------ modes */
 
 HM_SELDOM static void let_stick(const context *c, int32_t f) { friction_of(c, f)[F_MODE] = FRICTION_STICKS; }

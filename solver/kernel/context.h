@@ -38,7 +38,7 @@ typedef struct context {
     int lagged;         /* whether cones take the normal forces `lag`                                        */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
-    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved, and 1; else 0            */
+    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */

@@ -285,13 +285,15 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
-/* The contact that a step or the start fails at and a colon; empty if it is none. */
+/* The contact that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
 static const char *name_at_fault(holonom_instance *i, int32_t status)
 {
-    const int32_t row = status < HOLONOM_CONTACT_UNDECIDED ? -1 : (int32_t)i->s.head[S_AT_FAULT] - 1;
+    const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
+    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED;
+    const int32_t row = is_sure || is_unsolved ? (int32_t)i->s.head[S_AT_FAULT] - 1 : -1;
     hm_text text = {i->at_fault, sizeof i->at_fault, 0};
     hm_clear(&text);
-    if (row >= 0 && row < (int32_t)i->file.header->n_rows) hm_say(&text, "%s: ", text_of(i, i->file.row[row].name));
+    if (row >= 0 && row < (int32_t)i->file.header->n_rows) hm_say(&text, "%s%s: ", is_sure ? "" : "near ", text_of(i, i->file.row[row].name));
     return i->at_fault;
 }
 
@@ -311,7 +313,7 @@ int32_t holonom_assemble(holonom_instance *i)
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
     if (status) {
-        const char *at_fault = name_at_fault(i, status);
+        const char *at_fault = status < HOLONOM_CONTACT_UNDECIDED ? "" : name_at_fault(i, status);
         hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
