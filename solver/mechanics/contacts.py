@@ -8,9 +8,10 @@ stop       g = sigma - min, g = max - sigma    (an angle, a displacement, a dist
 
 with u from the first centre to the second (of a clearance: from the hole to the pin), n_i = c_i . n
 components of the normal along the directors c_i of the body that carries the ball, w angular
-velocities. The gradient of a gap has size 1 where the surfaces touch, so that its multiplier is a
-force. A slip rate is that of the materials that touch. The gap of a clearance is smooth where |u|
-vanishes, too.
+velocities. In space balls slip by ((r_1 + r_2) u'/|u| - (r_1 w_1 + r_2 w_2) x n) . t along each of
+two tangents t of the normal n = u/|u| (``solver.mechanics.slips``). The gradient of a gap has size
+1 where the surfaces touch, so that its multiplier is a force. A slip rate is that of the materials
+that touch. The gap of a clearance is smooth where |u| vanishes, too.
 """
 
 from __future__ import annotations
@@ -23,12 +24,12 @@ from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechanism, Scale
 from solver.mechanics.parts import CompliantContact, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
-from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned
+from solver.mechanics.slips import body_of, dot_of_pairs, is_there, sliding, tangents, turning
+from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned, unit
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     ClearanceContact,
     CornersContact,
-    Expr,
     Gear,
     Number,
     PlaneContact,
@@ -46,6 +47,8 @@ Touching = ContactPart | Gear
 """What has gaps: a contact, or a gear with backlash."""
 DRAWN_PENETRATION = 1e-9
 """Penetration that rounding of the drawing explains, relative to the size of the mechanism."""
+SKEW = unit((0.61, 0.53, 0.71))
+"""Normal of balls in space where their tangents begin: no axis of a drawing points against it."""
 
 
 def add_plane(rows: Rows, contact: PlaneContact, _: JointParts) -> None:
@@ -83,10 +86,10 @@ def _add_ball_on_plane(
             slide = mechanism.leaf(mechanism.component(link, along), LEAF_RATE)
             value, leaves = leaf_symbol(0) - speed, [slide]
             if ball is not None:
-                turning, size2 = dot_of_pairs(
+                pairs, size2 = dot_of_pairs(
                     mechanism, leaves, [(x, upward, along) for x in map(ball.direction, ball.axes)]
                 )
-                value = value - radius * turning / size2
+                value = value - radius * pairs / size2
             slips.append(Formula(value, tuple(leaves)))
     gap = Formula(leaf_symbol(0) - radius, (height,))
     add_contact(rows, contact, gap, end=end, slips=slips)
@@ -131,42 +134,37 @@ def _add_between(
     The arms are what the angular velocities of the first and second body add to the slip rate.
     """
     mechanism, parts = rows.mechanism, rows.parts
-    link = parts.link(ends)
+    link, axes = parts.link(ends), [parts.axis(k) for k in range(rows.mechanism.dim)]
+    spinning = [
+        (body, arm)
+        for body, arm in zip([body_of(rows, end) for end in ends], arms, strict=True)
+        if body is not None and is_there(arm)
+    ]
     slips = []
-    if contact.friction is not None:
+    if contact.friction is not None and mechanism.dim == 2:
         leaves: list[Leaf] = []
-        x, y = (parts.axis(k) for k in range(2))
-        turning, size2 = dot_of_pairs(mechanism, leaves, [(link, x, y), (link.turned(), x, y)])
-        slip = reach * turning / operate("max", size2, 0.25 * reach * reach)  # not where u vanishes
-        for end, arm in zip(ends, arms, strict=True):
-            body = body_of(rows, end)
-            if body is not None and is_there(arm):
-                spokes = [(d, x, y) for d in map(body.direction, body.axes)]
-                turning, size2 = dot_of_pairs(mechanism, leaves, spokes)
-                slip = slip + arm * turning / size2
+        x, y = axes
+        pairs, size2 = dot_of_pairs(mechanism, leaves, [(link, x, y), (link.turned(), x, y)])
+        slip = reach * pairs / operate("max", size2, 0.25 * reach * reach)  # not where u vanishes
+        for body, arm in spinning:
+            spokes = [(d, x, y) for d in map(body.direction, body.axes)]
+            pairs, size2 = dot_of_pairs(mechanism, leaves, spokes)
+            slip = slip + arm * pairs / size2
         slips.append(Formula(slip, tuple(leaves)))
+    elif contact.friction is not None:
+        forms = [(link, axis) for axis in axes]
+        u = [mechanism.leaf(mechanism.component(*form)) for form in forms]
+        place = tuple(leaf_symbol(k) for k in range(3))
+        length = sqrt(operate("max", dot(place, place), 0.25 * reach * reach))
+        normal = tuple(x / length for x in place)
+        for tangent in tangents(mechanism, normal, SKEW):
+            leaves = list(u)
+            slip = reach / length * sliding(mechanism, leaves, forms, tangent)
+            for body, arm in spinning:
+                spokes = map(body.direction, body.axes)
+                slip = slip + arm * turning(mechanism, leaves, spokes, axes, normal, tangent)
+            slips.append(Formula(slip, tuple(leaves)))
     add_contact(rows, contact, gap, slips=slips)
-
-
-def dot_of_pairs(
-    mechanism: Mechanism, leaves: list[Leaf],
-    pairs: list[tuple[Combination, Combination, Combination]],
-) -> tuple[Number, Number]:  # fmt: skip
-    """Return sum (d . n) (d . t)' and sum (d . n)^2 of triples d, n, t; their leaves are added.
-
-    With d along all axes of a body the ratio is (w x n) . t. Over a step, where values are means,
-    it is then 2 tan(phi/2)/h for a turn phi about n x t, which is what velocities have: a ball that
-    rolls rolls without slip at any step. The rate of the angle itself would be phi/h.
-    """
-    total: Number = 0.0
-    size2: Number = 0.0
-    for d, n, t in pairs:
-        k = len(leaves)
-        leaves.append(mechanism.leaf(mechanism.component(d, n)))
-        leaves.append(mechanism.leaf(mechanism.component(d, t), LEAF_RATE))
-        total = total + leaf_symbol(k) * leaf_symbol(k + 1)
-        size2 = size2 + leaf_symbol(k) * leaf_symbol(k)
-    return total, size2
 
 
 def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
@@ -271,17 +269,6 @@ def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Num
     """Return a number over leaves for what these are as drawn."""
     drawn = {leaf_symbol(k): mechanism.drawn_value(leaf.index) for k, leaf in enumerate(leaves)}
     return rewritten(value, lambda part: drawn.get(part, part) if part.op == "symbol" else None)
-
-
-def body_of(rows: Rows, reference: PointReference) -> RigidFrame | None:
-    """Rigid body that a place belongs to; None for the ground and for points, which do not turn."""
-    frame = rows.parts.frames.get((reference.point or "").partition(".")[0])
-    return frame if isinstance(frame, RigidFrame) else None
-
-
-def is_there(number: Number) -> bool:
-    """Whether a number may be other than 0."""
-    return isinstance(number, Expr) or number != 0.0
 
 
 CONTACTS = {

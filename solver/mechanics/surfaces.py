@@ -15,9 +15,8 @@ the body,
 
 slip          s = xi' . t - R (w x n) . t,               n . t = 0
 
-xi the coordinates there and w the angular velocity of the ball against the body. In space the
-tangents turn with n from those as drawn by the smallest turn, which is smooth until n points
-against the drawn one.
+xi the coordinates there and w the angular velocity of the ball against the body
+(``solver.mechanics.slips``); in space the tangents turn with n from those as drawn.
 """
 
 from __future__ import annotations
@@ -25,14 +24,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import add_contact, as_drawn, body_of, is_there
+from solver.mechanics.contacts import add_contact, as_drawn
 from solver.mechanics.curves import centres_above, centres_around, separated, support_function
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, refuse_switches, rewritten
 from solver.mechanics.mechanism import Formula, Leaf
 from solver.mechanics.parts import AXES, JointParts
 from solver.mechanics.rows import Rows
-from solver.mechanics.vectors import Vector, dot, perpendicular, scale, turned
+from solver.mechanics.slips import body_of, is_there, sliding, tangents, turning
+from solver.mechanics.vectors import Vector, dot, scale, turned
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     CamContact,
@@ -237,60 +237,18 @@ def _slips(
     ball = body_of(rows, point) if is_there(radius) else None
     spokes = [*map(ball.direction, ball.axes)] if ball is not None else []
     axes = [axis for _, axis in forms]
-    slips = []
-    for tangent in _tangents(rows, normal, leaves):
-        used = list(leaves)
-        value: Number = 0.0
-        for t, form in zip(tangent, forms, strict=True):
-            value = value + t * leaf_symbol(len(used))
-            used.append(mechanism.leaf(mechanism.component(*form), LEAF_RATE))
-        if spokes:
-            value = value - radius * _turning(rows, used, spokes, axes, normal, tangent)
-        slips.append(Formula(value, tuple(used)))
-    return slips
-
-
-def _turning(
-    rows: Rows, leaves: list[Leaf], spokes: Sequence[Combination], axes: Sequence[Combination],
-    normal: Vector, tangent: Vector,
-) -> Number:  # fmt: skip
-    """Return (w x n) . t of a body with these axes, as ``dot_of_pairs``; its leaves are added.
-
-    Normal and tangent are given by their components along axes of the other body.
-    """
-    mechanism = rows.mechanism
-    total: Number = 0.0
-    size2: Number = 0.0
-    for spoke in spokes:
-        along: Number = 0.0
-        rate: Number = 0.0
-        for axis, n, t in zip(axes, normal, tangent, strict=True):
-            component = mechanism.component(spoke, axis)
-            along = along + n * leaf_symbol(len(leaves))
-            rate = rate + t * leaf_symbol(len(leaves) + 1)
-            leaves += mechanism.leaf(component), mechanism.leaf(component, LEAF_RATE)
-        total = total + along * rate
-        size2 = size2 + along * along
-    return total / size2
-
-
-def _tangents(rows: Rows, normal: Vector, leaves: Sequence[Leaf]) -> tuple[Vector, ...]:
-    """Return unit tangents; in 2-D the one to the right of the normal."""
-    if len(normal) == 2:
-        return ((normal[1], -1.0 * normal[0]),)
-    default = rows.mechanism.default
     try:
-        drawn = tuple(default(as_drawn(rows.mechanism, x, leaves)) for x in normal)
+        drawn = tuple(mechanism.default(as_drawn(mechanism, x, leaves)) for x in normal)
     except ExpressionError:  # there is no normal where the point is drawn
         drawn = (0.0, 0.0, 1.0)
-    first, second = perpendicular(drawn, default)
-    x, y, z = dot(normal, first), dot(normal, second), 1.0 + dot(normal, drawn)
-    mixed = -1.0 * x * y / z
-    components = (1.0 - x * x / z, mixed, -1.0 * x), (mixed, 1.0 - y * y / z, -1.0 * y)
-    return tuple(
-        tuple(dot(parts, column) for column in zip(first, second, drawn, strict=True))
-        for parts in components
-    )
+    slips = []
+    for tangent in tangents(mechanism, normal, drawn):
+        used = list(leaves)
+        value = sliding(mechanism, used, forms, tangent)
+        if spokes:
+            value = value - radius * turning(mechanism, used, spokes, axes, normal, tangent)
+        slips.append(Formula(value, tuple(used)))
+    return slips
 
 
 SURFACES = {

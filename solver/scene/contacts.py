@@ -271,11 +271,6 @@ class SphereContact(RubbingContact):
         kind.ListOf("m", "of each", example=[0.1, 0.1], size=kind.TWO, reading=_radii),
     ]
 
-    def check(self, reader: "Reader", path: Path, given: Any) -> None:
-        """Check that it does not rub in space."""
-        RubbingContact.check(self, reader, path, given)
-        _no_friction_in_space(reader, path, given)
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ClearanceContact(RubbingContact):
@@ -292,18 +287,6 @@ class ClearanceContact(RubbingContact):
     pin_radius: Annotated[
         Number, kind.Quantity("m", "of the pin, the arm of the friction", NOT_NEGATIVE)
     ] = 0.0
-
-    def check(self, reader: "Reader", path: Path, given: Any) -> None:
-        """Check that it does not rub in space."""
-        RubbingContact.check(self, reader, path, given)
-        _no_friction_in_space(reader, path, given)
-
-
-def _no_friction_in_space(reader: "Reader", path: Path, given: Any) -> None:
-    if reader.dimension == 3 and given.friction is not None:
-        message = "friction between balls is available only in dimension 2"
-        help = 'leave it out; in space the type "plane" has friction'
-        reader.draft.error((*path, "friction"), message, help)
 
 
 def _joint(reader: "Reader", path: Path, name: Any, _: Any) -> str:

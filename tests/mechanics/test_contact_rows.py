@@ -160,9 +160,11 @@ def on_a_plane(random: np.random.Generator, dim: int, *, carried: bool) -> tuple
     return content, poses, base, n, p, np.array(tip)
 
 
-def between(random: np.random.Generator, kind: str, *, touching: bool) -> tuple[Any, ...]:
-    """Circles of bodies a and b in the plane; the second is moved to where they touch."""
-    tips = random.normal(size=(2, 2))
+def between(
+    random: np.random.Generator, kind: str, *, touching: bool, dim: int = 2
+) -> tuple[Any, ...]:  # fmt: skip
+    """Circles or balls of bodies a and b; the second is moved to where they touch."""
+    tips = random.normal(size=(2, dim))
     contact: dict[str, Any] = {"type": kind, "points": ["a.tip", "b.tip"], "friction": 0.1}
     if kind == "sphere":
         contact |= {"radii": [RADIUS, PIN]}
@@ -170,16 +172,17 @@ def between(random: np.random.Generator, kind: str, *, touching: bool) -> tuple[
     else:
         contact |= {"radius": CLEARANCE, "pin_radius": PIN}
         reach = CLEARANCE
-    drawn = bodies(2, a={"tip": tips[0].tolist()}, b={"tip": tips[1].tolist()})
-    drawn["b"]["position"] = (tips[0] - tips[1] + [2.0 if kind == "sphere" else 0.0, 0.0]).tolist()
-    poses = {name: posed(random, 2) for name in "ab"}
+    drawn = bodies(dim, a={"tip": tips[0].tolist()}, b={"tip": tips[1].tolist()})
+    apart = 2.0 * np.eye(dim)[0] if kind == "sphere" else np.zeros(dim)
+    drawn["b"]["position"] = (tips[0] - tips[1] + apart).tolist()
+    poses = {name: posed(random, dim) for name in "ab"}
     places = [poses[name].x + poses[name].R @ tip for name, tip in zip("ab", tips, strict=True)]
-    angle = random.uniform(0.0, 2.0 * np.pi)
-    n = np.array([np.cos(angle), np.sin(angle)])
+    n = random.normal(size=dim)
+    n /= np.linalg.norm(n)
     if touching:
         poses["b"].x = poses["b"].x + places[0] + reach * n - places[1]
         places[1] = places[0] + reach * n
-    content = {"dimension": 2, "bodies": drawn, "contacts": {"c": contact}}
+    content = {"dimension": dim, "bodies": drawn, "contacts": {"c": contact}}
     return content, poses, places, n
 
 
@@ -266,11 +269,12 @@ def test_the_gap_of_circles_is_the_distance_of_their_surfaces(kind, seed):
         assert rate == pytest.approx(-growing * apart / CLEARANCE, abs=1e-7)
 
 
+@pytest.mark.parametrize("dim", [2, 3])
 @pytest.mark.parametrize("kind", ["sphere", "clearance"])
 @given(seed=SEEDS)
-def test_slip_of_circles_is_that_of_the_materials_where_they_touch(kind, seed):
+def test_slip_of_circles_and_balls_is_that_of_the_materials_where_they_touch(dim, kind, seed):
     """Of a clearance the first point is the pin: it touches the hole beyond its own centre."""
-    content, poses, places, n = between(np.random.default_rng(seed), kind, touching=True)
+    content, poses, places, n = between(np.random.default_rng(seed), kind, touching=True, dim=dim)
     moved = Moved(content, poses)
     a, b = poses["a"], poses["b"]
     if kind == "sphere":
@@ -279,8 +283,12 @@ def test_slip_of_circles_is_that_of_the_materials_where_they_touch(kind, seed):
         n = -n  # from the hole, the second point, to the pin
         touch, first, second = places[0] + PIN * n, b, a
     slip = second.velocity(touch) - first.velocity(touch)
-    (found,) = (moved.value(formula) for formula in moved.slips)
-    assert found == pytest.approx(slip @ [-n[1], n[0]], abs=1e-8)
+    found = [moved.value(formula) for formula in moved.slips]
+    if dim == 2:
+        assert found == pytest.approx([slip @ [-n[1], n[0]]], abs=1e-8)
+    else:  # along two tangents at right angles, which are steep only near one direction
+        along = slip - (slip @ n) * n
+        assert np.hypot(*found) == pytest.approx(np.linalg.norm(along), abs=1e-7)
 
 
 STOP = {
@@ -312,10 +320,14 @@ def test_forces_and_moments_of_a_contact_add_up_to_nothing(kind, seed):
         assert moved.value(formula) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.parametrize("kind", ["plane", "sphere", "clearance"])
 @given(seed=SEEDS)
-def test_forces_and_moments_of_a_ball_on_a_moving_plane_in_space_add_up_to_nothing(seed):
+def test_forces_and_moments_of_a_contact_in_space_add_up_to_nothing(kind, seed):
     random = np.random.default_rng(seed)
-    content, poses, *_ = on_a_plane(random, 3, carried=True)
+    if kind == "plane":
+        content, poses, *_ = on_a_plane(random, 3, carried=True)
+    else:
+        content, poses, *_ = between(random, kind, touching=True, dim=3)
     velocity, w = random.normal(size=(2, 3))
     for pose in poses.values():
         pose.w, pose.v = w, velocity + np.cross(w, pose.x)
