@@ -14,13 +14,12 @@ static const int32_t *lower_slots(const context *c, int32_t j)
     return c->lu->composite_slot + c->lu->composite_slot_ptr[j] + size + (is_lean(c) ? 0 : size * size);
 }
 
-/* Adds to the tangent how friction f, of several rows, turns with its slip: epsilon d lambda_k/d psi_l d psi_l/d w. */
+/* Adds to the tangent how friction f, of several rows or smooth, turns with its slip: epsilon d lambda_k/d psi_l d psi_l/d w. */
 HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const double *along, double *value)
 {
     const holonom_model *m = c->m;
-    double slip2 = 0.0;
-    for (int k = 0; k < n_slips(c, f); k++) slip2 += hm_square(c->k.slip[row_of(c, slip_row(c, f, k))]);
-    const double per_slip = slip2 > 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / sqrt(slip2) : 0.0;
+    const double slip = slip_in_step(c, f);
+    const double per_slip = slip > 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
     for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
         const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         const int32_t nodes = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
@@ -63,7 +62,7 @@ HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
                 const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
                 value[*slot++] += c->lagged ? 0.0 : epsilon * c->number[m->sliding_at + f] * slope * along[k];
             }
-        if (n_slips(c, f) > 1 && !c->constraints_only) status = turning_tangent(c, f, along, value);
+        if ((n_slips(c, f) > 1 || is_smooth(c, f)) && !c->at_state) status = turning_tangent(c, f, along, value);
         if (status) return status;
     }
     return status;

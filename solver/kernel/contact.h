@@ -81,6 +81,14 @@ static double slip_of(const context *c, int32_t f, double *along)
     return sqrt(size2);
 }
 
+/* Likewise; of a smooth friction the direction is less than 1, as its law makes it. */
+HM_SELDOM static double slip_at_state(const context *c, int32_t f, double *along)
+{
+    const double slip = slip_of(c, f, along);
+    for (int k = 0; k < n_slips(c, f) && is_smooth(c, f); k++) along[k] *= slip / hm_hypot(slip, c->number[c->m->smooth_speed_at + f]);
+    return slip;
+}
+
 /* Evaluates laws, quantities and rates of signals at the present state. */
 HM_SELDOM static void evaluate_state(context *c)
 {
@@ -89,15 +97,6 @@ HM_SELDOM static void evaluate_state(context *c)
     quantities_at_state(c);
     signal_rates_at(c, c->t, c->k.signal_rate);
     c->factors_h = 0.0; /* factors of a step do not outlast what follows */
-}
-
-/* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand. */
-HM_SELDOM static int32_t evaluate_forces(context *c)
-{
-    const int32_t status = accelerations(c, c->k.event_mu);
-    signal_rates_at(c, c->t, c->k.signal_rate);
-    quantities_at_state(c);
-    return status;
 }
 
 /* Blames the closed contact that is pressed most, by the means of the last half step; none if all are open. */
@@ -124,13 +123,25 @@ HM_SELDOM static void let_slide(context *c, int32_t f, const double *along)
 }
 
 /* First guess of a friction's mode: with slip it slides; without slip one that was about to slide still is, and others
-   stick. Without coefficient and preload it is off, since it would be at its cone always.                       */
+   stick. Without coefficient and preload it is off, since it would be at its cone always. A smooth one slides.   */
 HM_SELDOM static void guess_friction(context *c, int32_t f)
 {
     double along[3];
     if (!(cone(c, f, 0, 1.0) > 0.0)) friction_of(c, f)[F_MODE] = FRICTION_OFF;
-    else if (slip_of(c, f, along) > speed_tolerance(c)) let_slide(c, f, along);
+    else if (slip_at_state(c, f, along) > speed_tolerance(c) || is_smooth(c, f)) let_slide(c, f, along);
     else if (friction_mode(c, f) != FRICTION_SLIDES) let_stick(c, f);
+}
+
+/* Evaluates multipliers (in event_mu) and accelerations (in w) at the state, with the modes at hand; signal_rate is that
+   of the state. */
+HM_SELDOM static int32_t evaluate_forces(context *c)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (is_smooth(c, f) && friction_mode(c, f) == FRICTION_SLIDES) guess_friction(c, f);
+    const int32_t status = accelerations(c, c->k.event_mu);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    quantities_at_state(c);
+    return status;
 }
 
 HM_SELDOM static void open_contact(const context *c, int32_t i)
@@ -202,7 +213,7 @@ HM_SELDOM static int turn_back(context *c)
 {
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         double *x = friction_of(c, f);
-        if (x[F_MODE] != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_tolerance(c) ||
+        if (x[F_MODE] != FRICTION_SLIDES || is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c) ||
             !(slip_growth(c, f) < -growth_tolerance(c)))
             continue;
         x[F_MODE] = FRICTION_STICKS;

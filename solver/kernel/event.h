@@ -34,7 +34,7 @@ static int has_forces(const context *c)
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (is_closed(c, i)) return 1;
     for (int32_t f = 0; f < c->m->n_frictions; f++)
-        if (friction_mode(c, f) != FRICTION_OFF) return 1;
+        if (friction_mode(c, f) != FRICTION_OFF && !is_smooth(c, f)) return 1;
     return 0;
 }
 
@@ -60,7 +60,7 @@ HM_SELDOM static int32_t event_functions(context *c, event_values x)
         const int mode = friction_mode(c, f);
         x.value[k] = INFINITY, x.rate[k] = NAN;
         if (mode == FRICTION_STICKS) x.value[k] = cone(c, f, 0, normal_force(c, f, c->k.event_mu)) - friction_force(c, f, NULL);
-        if (mode == FRICTION_SLIDES) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
+        if (mode == FRICTION_SLIDES && !is_smooth(c, f)) x.value[k] = slip_along(c, f), x.rate[k] = slip_growth(c, f);
     }
     return status;
 }
@@ -111,7 +111,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
             const double limit = cone(c, f, 0, normal_force(c, f, c->k.event_mu));
             x.value[k] = limit - friction_force(c, f, NULL);
             if (!(x.value[k] > SAFE_FRICTION * limit)) return 0;
-        } else if (mode == FRICTION_SLIDES) {
+        } else if (mode == FRICTION_SLIDES && !is_smooth(c, f)) {
             x.value[k] = slip_along(c, f);
             x.rate[k] = (x.value[k] - low.value[k]) / h;
             const double change = 4.0 * h * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
@@ -378,7 +378,7 @@ static int follow_slips(context *c, event_values at)
     int stops = 0;
     for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
         double along[3];
-        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES) continue;
+        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f)) continue;
         at.value[k] = slip_of(c, f, along);
         if (at.value[k] > 0.0) let_slide(c, f, along);
         if (!(at.rate[k] < 0.0) || at.value[k] > SLIP_LEFT / RESTING * speed_tolerance(c)) continue;

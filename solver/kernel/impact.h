@@ -339,7 +339,7 @@ static int32_t add_push(const context *c, int32_t i, double factor)
     const int32_t f = c->m->contact_friction[i];
     double along[3];
     int32_t status = add_row_gradient(c, c->m->contact_row[i], factor);
-    if (f < 0 || !(slip_of(c, f, along) > speed_tolerance(c))) return status;
+    if (f < 0 || !(slip_at_state(c, f, along) > speed_tolerance(c) || is_smooth(c, f))) return status;
     for (int k = 0; k < n_slips(c, f) && !status; k++)
         status = add_row_gradient(c, slip_row(c, f, k), -factor * c->number[c->m->sliding_at + f] * along[k]);
     return status;
@@ -358,7 +358,7 @@ static int32_t guess_by_law(context *c)
         const int32_t f = m->contact_friction[i];
         open_contact(c, i);
         if (!is_at_rest(c, i)) continue;
-        const int slides = f >= 0 && slip_of(c, f, NULL) > speed_tolerance(c);
+        const int slides = f >= 0 && (is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c));
         if (!add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
         const int32_t k = x.law.contacts - 1;
         if (slides) { /* its friction follows from its normal force: add_push adds it */

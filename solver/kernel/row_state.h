@@ -4,7 +4,7 @@
        mu_k = (c N + preload) t_k,      N = sum of |lambda of some rows|,
 
    c the coefficient of sliding, t the direction of the slip psi; the friction -mu_k grad psi_k then works
-   -mu_k psi_k <= 0, exactly.                                                                                     */
+   -mu_k psi_k <= 0, exactly. Smooth friction always slides, with t = psi/sqrt(psi^2 + smooth_speed^2).             */
 #ifndef HOLONOM_ROW_STATE_H
 #define HOLONOM_ROW_STATE_H
 
@@ -149,15 +149,25 @@ static double cone(const context *c, int32_t f, int sliding, double normal)
     return coefficient * normal + c->number[c->m->preload_at + f];
 }
 
-/* Direction of the slip of friction f: of several rows that of the step at hand, else, or without slip, the one with which
-   it began to slide. */
+/* Whether friction f is smooth: it always slides, and no event begins or ends with it. */
+static inline int is_smooth(const context *c, int32_t f) { return c->number[c->m->smooth_speed_at + f] > 0.0; }
+
+/* Size of the slip of friction f in the step at hand; of a smooth one sqrt(size^2 + smooth_speed^2). */
+static double slip_in_step(const context *c, int32_t f)
+{
+    double size2 = hm_square(c->number[c->m->smooth_speed_at + f]);
+    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(c->k.slip[row_of(c, slip_row(c, f, k))]);
+    return sqrt(size2);
+}
+
+/* Direction of the slip of friction f, of a smooth one less than 1: of several rows or of a smooth one that of the step at
+   hand, else, at a state, or without slip, the one with which it began to slide. */
 static void slip_direction(const context *c, int32_t f, double *along)
 {
     const int n = n_slips(c, f);
-    double size2 = 0.0;
-    for (int k = 0; k < n; k++) size2 += hm_square(c->k.slip[row_of(c, slip_row(c, f, k))]);
+    const double size = (n > 1 || is_smooth(c, f)) && !c->at_state ? slip_in_step(c, f) : 0.0;
     for (int k = 0; k < n; k++)
-        along[k] = n > 1 && size2 > 0.0 ? c->k.slip[row_of(c, slip_row(c, f, k))] / sqrt(size2) : friction_of(c, f)[F_ALONG_1 + k];
+        along[k] = size > 0.0 ? c->k.slip[row_of(c, slip_row(c, f, k))] / size : friction_of(c, f)[F_ALONG_1 + k];
 }
 
 /* Sets the multipliers lambda that the rows of sliding frictions are held to, from those of the normal forces in mu. */

@@ -110,7 +110,8 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     if (!lasting) hm_say(&reason, "the motion changes too much in a step of this length, or not at all");
     if (chosen) hm_say(text, "solver.tolerance chooses the order");
     else hm_say(text, "solver.order is %6g", head[S_ORDER]);
-    hm_say(text, ", but steps are of order 2: dampers take energy out, and %s%s", room,
+    hm_say(text, ", but steps are of order 2: %s energy out, and %s%s",
+           is_damped(f, numbers) ? "dampers take" : "friction with smooth_speed takes", room,
            tight ? "; a tight solver.tolerance takes many steps of order 2" : "");
     return lasting;
 }

@@ -122,7 +122,7 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     context rows = *c;
     rows.lu = &m->full;
     rows.h = AT_STATE;
-    rows.constraints_only = 1;
+    rows.constraints_only = rows.at_state = 1;
     use_formulation(&rows, HOLONOM_CONSERVING_AL);
     memset(c->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
     for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * c->number[m->row_sigma_at + i];
@@ -173,6 +173,7 @@ static int32_t forces_at_state(const context *c)
     const holonom_model *m = c->m;
     context still = *c;
     still.h = AT_STATE;
+    still.at_state = 1;
     int32_t status = evaluate_residual(&still);
     for (int32_t j = 0; j < m->n_elements && !status; j++) {
         const double damping = c->number[m->damping_at + j];

@@ -235,7 +235,7 @@ static void change_frictions(context *c, objections *x)
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         const int mode = friction_mode(c, f), n = n_slips(c, f);
         double along[3], size2 = 0.0;
-        if (mode == FRICTION_OFF) continue;
+        if (mode == FRICTION_OFF || is_smooth(c, f)) continue;
         if (mode == FRICTION_STICKS) {
             const double limit = cone(c, f, 0, normal_in_cone(c, f, c->k.mu));
             for (int k = 0; k < n; k++) size2 += hm_square(along[k] = c->k.mu[row_of(c, slip_row(c, f, k))]);
@@ -535,7 +535,7 @@ static int stop_reversed(context *c)
 {
     int stops = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
-        if (friction_mode(c, f) != FRICTION_SLIDES || !(slip_along(c, f) < -speed_tolerance(c))) continue;
+        if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || !(slip_along(c, f) < -speed_tolerance(c))) continue;
         let_stick(c, f);
         stops = 1;
     }

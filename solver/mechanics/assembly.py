@@ -170,6 +170,7 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
         "sliding": [friction.sliding for friction in frictions],
         "static": [friction.static for friction in frictions],
         "preload": [friction.preload for friction in frictions],
+        "smooth_speed": [friction.smooth_speed for friction in frictions],
         "gravity": list(scene.gravity),
         "support": _flat(node.position for node in structure.nodes[structure.n_moving :]),
         "initial_position": _flat(node.position for node in moving),

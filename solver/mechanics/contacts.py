@@ -215,7 +215,9 @@ def add_contact(
             rows.rule(static - sliding, ">=", "static_friction - friction must be >= 0")
         slip_rows = tuple(rows.velocity(slip, METRES)[1] for slip in slips)
         friction = len(mechanism.frictions)
-        mechanism.frictions.append(Friction(slip_rows, ((row,),), sliding, static))
+        smooth = contact.smooth_speed or 0.0
+        found = Friction(slip_rows, ((row,),), sliding, static, smooth_speed=smooth)
+        mechanism.frictions.append(found)
     rows.parts.contacts.setdefault(rows.name, []).append(len(mechanism.contacts))
     mechanism.contacts.append(Contact(row[1], contact.restitution, friction))
 

@@ -194,8 +194,7 @@ class _Search:
             row = mechanism.function_rows[contact.row]
             yield forced, (contact.restitution,), joined, row
         for friction in mechanism.frictions:
-            numbers = friction.sliding, friction.static, friction.preload
-            yield forced, numbers, joined, mechanism.velocity_rows[friction.rows[0]]
+            yield forced, friction.numbers, joined, mechanism.velocity_rows[friction.rows[0]]
         for potential in mechanism.potentials:
             numbers = potential.value, potential.damping or 0.0
             yield forced, numbers, joined, potential

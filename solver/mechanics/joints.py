@@ -188,10 +188,9 @@ def _add_friction(pair: Pair, friction: JointFriction) -> None:
         static = friction.static
         rows.rule(static - friction.coefficient, ">=", "static - coefficient must be >= 0")
     found.friction = len(mechanism.frictions)
-    sliding = arm * friction.coefficient
-    mechanism.frictions.append(
-        Friction(slip_rows, (tuple(across),), sliding, arm * static, friction.preload)
-    )
+    cones = arm * friction.coefficient, arm * static, friction.preload
+    smooth = friction.smooth_speed or 0.0
+    mechanism.frictions.append(Friction(slip_rows, (tuple(across),), *cones, smooth))
 
 
 def _turning_rates(pair: Pair) -> list[Formula]:

@@ -160,6 +160,13 @@ class Friction(NamedTuple):
     sliding: Number
     static: Number
     preload: Number = 0.0
+    smooth_speed: Number = 0.0
+    """Slip over which the cone is smoothed; 0: it is not."""
+
+    @property
+    def numbers(self) -> tuple[Number, ...]:
+        """All that its law contains."""
+        return self.sliding, self.static, self.preload, self.smooth_speed
 
 
 class Contact(NamedTuple):

@@ -219,6 +219,7 @@ OFFSETS = {
     "restitution": "n_contacts",
     "sliding": "n_frictions", "static": "n_frictions",  # coefficients
     "preload": "n_frictions",  # [N, N m] that friction has without a normal force
+    "smooth_speed": "n_frictions",  # [m/s, rad/s] over which the cone is smoothed; 0: it is not
     "gravity": "dim",  # [m/s^2]
     "support": "dim * n_support",
     "initial_position": "n", "initial_velocity": "n",

@@ -11,6 +11,7 @@ from solver.scene import fields as kind
 from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.friction import SMOOTH_SPEED, check_smooth
 from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
 from solver.scene.report import Path
 from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, SHARE, Rule
@@ -126,6 +127,9 @@ class RubbingContact(Contact):
             "", "coefficient while it sticks; `friction` unless given", NOT_NEGATIVE, PROPERTY
         ),
     ] = None
+    smooth_speed: Annotated[
+        Number | None, kind.Quantity("m/s", SMOOTH_SPEED, POSITIVE, PROPERTY, example=0.001)
+    ] = None
 
     @classmethod
     def offered(cls, given: "Collection[str]") -> tuple[Offer, ...]:
@@ -137,6 +141,11 @@ class RubbingContact(Contact):
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that friction has a coefficient while it slides, and none larger than at rest."""
         Contact.check(self, reader, path, given)
+        if given.smooth_speed is not None and given.friction is None:
+            message = "has no effect without friction"
+            help = "write friction = ..., or leave it out"
+            reader.draft.error((*path, "smooth_speed"), message, help)
+        check_smooth(reader, path, given.smooth_speed, given.static_friction, "static_friction")
         if given.static_friction is None:
             return
         if given.friction is None:

@@ -21,6 +21,14 @@ ALONG = (
 """Of a joint that slides; of a cylindrical one the sizes."""
 ABOUT = turning(ALONG)
 """Of a joint that turns; of a spherical one the sizes."""
+SMOOTH_SPEED = "slip s over which friction is smoothed, s/sqrt(s^2 + smooth_speed^2): no stick"
+
+
+def check_smooth(reader: "Reader", path: Path, smooth: Any, static: Any, field: str) -> None:
+    """Check that smooth friction, which never sticks, has no coefficient of sticking."""
+    if smooth is not None and static is not None:
+        message = "has no effect with smooth_speed: smooth friction never sticks"
+        reader.draft.error((*path, field), message, "leave out one of the two")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +50,9 @@ class JointFriction(Part):
         Number,
         kind.Quantity("", "N.m where the joint turns, N where it slides", NOT_NEGATIVE, PROPERTY),
     ] = 0.0
+    smooth_speed: Annotated[
+        Number | None, kind.Quantity("rad/s or m/s", SMOOTH_SPEED, POSITIVE, PROPERTY, example=0.01)
+    ] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that there is some friction, and none larger while it slides than at rest."""
@@ -49,6 +60,7 @@ class JointFriction(Part):
         if given.coefficient is None and given.preload is None:
             help = "write coefficient = ..., preload = ... or both"
             draft.error(path, "neither 'coefficient' nor 'preload' is given", help)
+        check_smooth(reader, path, given.smooth_speed, given.static, "static")
         if self.static is not None and given.static is not BROKEN:
             sliding, static = map(reader.value, (self.coefficient, self.static))
             if sliding is not None and static is not None and 0.0 <= static < sliding:
@@ -72,7 +84,7 @@ def _with_radius(needed: bool) -> kind.Reading:
     return read
 
 
-_TEXT = "{ coefficient, radius, preload, static } of Coulomb's friction"
+_TEXT = "{ coefficient, radius, preload, static, smooth_speed } of Coulomb's friction"
 FRICTION = kind.Table(text=_TEXT, parts=(JointFriction,), reading=_with_radius(True))
 FRICTION_ALONG = kind.Table(
     text=_TEXT.replace(" radius,", ""), parts=(JointFriction,), reading=_with_radius(False)
