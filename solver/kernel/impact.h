@@ -1,7 +1,10 @@
 /* Impacts at a fixed configuration: what touches and approaches parts with the restitution asked for, or stays closed.
 
    With x_r = M^-1 (g_r + G_B' p_B), G_B x_r = 0, the velocities that a unit impulse along row r brings about while all
-   bilateral rows hold, W = g_r . x_s is what impact_law.h works on, and v+ = v- + sum p_r x_r.                    */
+   bilateral rows hold, W = g_r . x_s is what impact_law.h works on, and v+ = v- + sum p_r x_r.
+
+   A joint that rubs takes part as a contact of its own: its tangents are its slips, and the equation of its normal row is
+   p_N = d . P, with P the impulses of the rows that it rubs by, linear in all p, and d their direction, found by iteration. */
 #ifndef HOLONOM_IMPACT_H
 #define HOLONOM_IMPACT_H
 
@@ -41,8 +44,9 @@ typedef struct hit {
     hm_impact law;
     double *W, *coefficient, *before; /* what law reads, to be filled                                          */
     int32_t *first, *tangents;        /* likewise                                                              */
-    int32_t *contact;                 /* number of each contact that takes part                                */
-    int32_t *row;                     /* composite of each row                                                 */
+    int32_t *contact;                 /* number of each contact that takes part; of joint friction f -1 - f     */
+    int32_t *row;                     /* composite of each row; -1: of the normal force of a joint             */
+    double *given;                    /* restitution of each                                                   */
 } hit;
 
 /* Lays the vectors of an impact over the scratch. */
@@ -61,21 +65,115 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
                          .first = x->first, .tangents = x->tangents, .status = i + 2 * n};
     x->contact = i + 3 * n;
     x->row = i + 4 * n;
+    x->given = d + 8 * n;
+}
+
+/* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no room. */
+HM_SELDOM static int add_rows_to_hit(const context *c, hit *x, int32_t contact, int32_t row, int32_t f, double restitution)
+{
+    const int32_t k = x->law.contacts, slips = f < 0 ? 0 : n_slips(c, f);
+    if (x->law.rows + 1 + slips > c->m->n_hit_rows) return 0;
+    x->first[k] = x->law.rows;
+    x->tangents[k] = slips;
+    x->coefficient[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
+    x->law.restitution[k] = x->given[k] = restitution;
+    x->contact[k] = contact;
+    x->row[x->law.rows++] = row;
+    for (int s = 0; s < slips; s++) x->row[x->law.rows++] = slip_row(c, f, s);
+    x->law.contacts++;
+    return 1;
 }
 
 /* Adds contact i with its friction; 0 if there is no room. */
 HM_SELDOM static int add_to_hit(const context *c, hit *x, int32_t i, double restitution)
 {
-    const int32_t f = c->m->contact_friction[i], k = x->law.contacts, slips = f < 0 ? 0 : n_slips(c, f);
-    if (x->law.rows + 1 + slips > c->m->n_hit_rows) return 0;
-    x->first[k] = x->law.rows;
-    x->tangents[k] = slips;
-    x->coefficient[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
-    x->law.restitution[k] = restitution;
-    x->contact[k] = i;
-    x->row[x->law.rows++] = c->m->contact_row[i];
-    for (int s = 0; s < slips; s++) x->row[x->law.rows++] = slip_row(c, f, s);
-    x->law.contacts++;
+    return add_rows_to_hit(c, x, i, c->m->contact_row[i], c->m->contact_friction[i], restitution);
+}
+
+/* Whether a contact that takes part is of the island of composite j. */
+HM_SELDOM static int reaches(const context *c, const hit *x, int32_t j)
+{
+    const int32_t *end = c->m->island_begin + ISLAND_COLUMNS;
+    while (j >= end[ISLAND_VELOCITY]) end += ISLAND_COLUMNS;
+    const int32_t *begin = end - ISLAND_COLUMNS;
+    for (int32_t k = 0; k < x->law.contacts; k++)
+        if (x->contact[k] >= 0 && x->row[x->first[k]] >= begin[ISLAND_FUNCTION] && x->row[x->first[k]] < end[ISLAND_FUNCTION])
+            return 1;
+    return 0;
+}
+
+/* Adds the joints that rub and that impulses of the contacts may reach; 0 if there is no room. */
+HM_SELDOM static int add_joints_to_hit(const context *c, hit *x)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        if (is_of_contact(c, f) || !(c->number[c->m->sliding_at + f] > 0.0) || !reaches(c, x, slip_row(c, f, 0))) continue;
+        if (!add_rows_to_hit(c, x, -1 - f, -1, f, 0.0)) return 0;
+    }
+    return 1;
+}
+
+/* Keeps the impulses that row r brings about in the joints that rub (in mu). */
+static void keep_joint_impulses(const context *c, int32_t r)
+{
+    const holonom_model *m = c->m;
+    double *force = c->k.hit_force + (int64_t)m->n_hit_forces * r;
+    for (int32_t f = 0; f < m->n_frictions; f++)
+        for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1] && !is_of_contact(c, f); at++)
+            *force++ = c->k.mu[m->normal_row[2 * at]];
+}
+
+/* Equations p_N = d . P of the joints that rub, with the directions d of the present impulses P: rows of W, scaled as those
+   of their slips. Returns the largest |p_N - |P|| over the largest |P|.                                          */
+static double press_joints(const context *c, const hit *x)
+{
+    const holonom_model *m = c->m;
+    const int32_t rows = x->law.rows;
+    double error = 0.0, largest = 0.0;
+    for (int32_t k = 0; k < x->law.contacts; k++) {
+        const int32_t joint = -1 - x->contact[k], normal = x->first[k];
+        double *line = x->W + (int64_t)rows * normal, pressed = 0.0;
+        const double *force = c->k.hit_force;
+        if (joint < 0) continue;
+        const double slip = x->W[(int64_t)rows * (normal + 1) + normal + 1], scale = slip > 0.0 ? slip : 1.0;
+        for (int32_t f = 0; f < joint; f++)
+            if (!is_of_contact(c, f)) force += m->normal_ptr[f + 1] - m->normal_ptr[f];
+        memset(line, 0, sizeof(double) * (size_t)rows);
+        for (int32_t at = m->normal_ptr[joint]; at < m->normal_ptr[joint + 1];) {
+            const double *first = force;
+            double sum = 0.0;
+            do {
+                double impulse = 0.0;
+                for (int32_t s = 0; s < rows; s++) impulse += x->law.impulse[s] * force[(int64_t)m->n_hit_forces * s];
+                c->k.row_rate[m->normal_row[2 * at]] = impulse;
+                sum += hm_square(impulse);
+                at++, force++;
+            } while (at < m->normal_ptr[joint + 1] && m->normal_row[2 * at + 1] == NORMAL_CONTINUES);
+            const double root = sqrt(sum);
+            const int32_t begin = at - (int32_t)(force - first);
+            for (int32_t e = 0; e < at - begin && root > 0.0; e++)
+                for (int32_t s = 0; s < rows; s++)
+                    line[s] -= scale * c->k.row_rate[m->normal_row[2 * (begin + e)]] / root * first[e + (int64_t)m->n_hit_forces * s];
+            pressed += root;
+        }
+        line[normal] += scale;
+        error = fmax(error, fabs(x->law.impulse[normal] - pressed));
+        largest = fmax(largest, pressed);
+    }
+    return largest > 0.0 ? error / largest : 0.0;
+}
+
+enum { MOST_PRESSES = 100 };
+
+/* Solves the law of impact; returns 0, or 1 if no impulses were found. */
+static int solve_hit(const context *c, hit *x)
+{
+    memset(x->law.impulse, 0, sizeof(double) * (size_t)x->law.rows);
+    for (int turn = 0; turn < MOST_PRESSES; turn++) {
+        const double error = press_joints(c, x);
+        if (turn > 0 && error <= IMPACT_TOLERANCE) return 0;
+        memcpy(x->law.restitution, x->given, sizeof(double) * (size_t)x->law.contacts);
+        if (hm_solve_impact(&x->law)) return 1;
+    }
     return 1;
 }
 
@@ -137,7 +235,7 @@ static int32_t fill_matrix(const context *c, const hit *x)
     int32_t status = HOLONOM_OK;
     for (int32_t r = 0; r < rows && !status; r++) {
         memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-        status = add_row_gradient(c, x->row[r], 1.0);
+        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], 1.0);
         for (int32_t s = 0; s < rows; s++) {
             double sum = 0.0;
             for (int64_t k = 0; k < n; k++) sum += c->k.momentum[k] * c->k.hit_reach[n * s + k];
@@ -158,10 +256,11 @@ HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
     add_defect(c, 1.0);
     for (int32_t r = 0; r < rows && !status; r++) {
         memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
-        status = add_row_gradient(c, x->row[r], -AT_STATE);
+        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], -AT_STATE);
         velocities_of_impulses(c, c->k.hit_reach + n * r);
+        keep_joint_impulses(c, r);
     }
-    for (int32_t r = 0; r < rows; r++) x->before[r] = rate_of_row(c, x->row[r]);
+    for (int32_t r = 0; r < rows; r++) x->before[r] = x->row[r] < 0 ? 0.0 : rate_of_row(c, x->row[r]);
     return status ? status : fill_matrix(c, x);
 }
 
@@ -171,7 +270,8 @@ HM_SELDOM static double loss_rate(const context *c, const hit *x)
     double sum = 0.0;
     row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.row_rate);
     for (int32_t i = 0; i < c->m->n_rows; i++) sum += c->k.mu[i] * c->k.row_rate[i];
-    for (int32_t r = 0; r < x->law.rows; r++) sum -= x->law.impulse[r] * rate_of_row(c, x->row[r]);
+    for (int32_t r = 0; r < x->law.rows; r++)
+        if (x->row[r] >= 0) sum -= x->law.impulse[r] * rate_of_row(c, x->row[r]);
     return sum;
 }
 
@@ -179,7 +279,7 @@ HM_SELDOM static double loss_rate(const context *c, const hit *x)
 HM_SELDOM static int closes(const hit *x)
 {
     for (int32_t k = 0; k < x->law.contacts; k++)
-        if (x->law.restitution[k] == 0.0 && x->law.impulse[x->law.first[k]] > 0.0) return 1;
+        if (x->contact[k] >= 0 && x->law.restitution[k] == 0.0 && x->law.impulse[x->law.first[k]] > 0.0) return 1;
     return 0;
 }
 
@@ -187,7 +287,7 @@ HM_SELDOM static int closes(const hit *x)
 static int approaches(const context *c, const hit *x)
 {
     for (int32_t k = 0; k < x->law.contacts; k++)
-        if (gap_rate(c, x->contact[k]) < -speed_tolerance(c)) return 1;
+        if (x->contact[k] >= 0 && gap_rate(c, x->contact[k]) < -speed_tolerance(c)) return 1;
     return 0;
 }
 
@@ -200,7 +300,7 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
     memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t r = 0; r < x->law.rows && !status; r++) {
         const double p = x->law.impulse[r];
-        status = add_row_gradient(c, x->row[r], -AT_STATE * p);
+        if (x->row[r] >= 0) status = add_row_gradient(c, x->row[r], -AT_STATE * p);
     }
     if (status) return status;
     velocities_of_impulses(c, c->k.w);
@@ -219,9 +319,9 @@ HM_SELDOM static int32_t apply_hit(context *c, const hit *x, double kinetic)
     book(c, S_IMPACT, loss);
     if (driven) book(c, S_WORK, change + loss);
     for (int32_t k = 0; k < x->law.contacts; k++) {
-        double *own = contact_of(c, x->contact[k]);
         const double p = x->law.impulse[x->law.first[k]];
-        if (!(p > 0.0)) continue;
+        if (x->contact[k] < 0 || !(p > 0.0)) continue;
+        double *own = contact_of(c, x->contact[k]);
         own[C_IMPACTS] += x->law.before[x->law.first[k]] < -speed_tolerance(c) ? 1.0 : 0.0;
         own[C_IMPULSE] += p;
     }
@@ -250,7 +350,7 @@ HM_SELDOM static int32_t come_to_rest(context *c, const hit *x)
 {
     evaluate_state(c);
     for (int32_t k = 0; k < x->law.contacts; k++)
-        if (gap_rate(c, x->contact[k]) <= c->s.head[S_REST_SPEED]) close_contact(c, x->contact[k]);
+        if (x->contact[k] >= 0 && gap_rate(c, x->contact[k]) <= c->s.head[S_REST_SPEED]) close_contact(c, x->contact[k]);
     return project_velocities(c, S_IMPACT);
 }
 
@@ -274,11 +374,12 @@ HM_SELDOM static int32_t hit_once(context *c, int *has_hit)
     for (int32_t i = 0; i < c->m->n_contacts; i++)
         if (takes_part(c, i) && (!sequential || i == fastest) && !add_to_hit(c, &x, i, restitution_of(c, i)))
             return HOLONOM_IMPACT_UNSOLVED;
+    if (!add_joints_to_hit(c, &x)) return HOLONOM_IMPACT_UNSOLVED;
     open_all(c);
     const double kinetic = kinetic_energy(c, c->k.momentum);
     status = fill_hit(c, &x);
     if (status) return status;
-    if (hm_solve_impact(&x.law)) return HOLONOM_IMPACT_UNSOLVED;
+    if (solve_hit(c, &x)) return HOLONOM_IMPACT_UNSOLVED;
     status = apply_hit(c, &x, kinetic);
     return status || !(-most <= c->s.head[S_REST_SPEED]) ? status : come_to_rest(c, &x);
 }

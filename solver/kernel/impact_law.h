@@ -17,7 +17,7 @@ enum impact_status { IMPACT_PARTED, IMPACT_CLOSED, IMPACT_STICKS };
 /* Rows are rates [m/s or rad/s], and impulses of the same contacts [N s or N m s]. */
 typedef struct hm_impact {
     int32_t contacts, rows;
-    const int32_t *first, *tangents; /* per contact: its normal row; rows of slip that follow it: 0, 1 or 2     */
+    const int32_t *first, *tangents; /* per contact: its normal row; rows of slip that follow it: 0 to 3        */
     const double *coefficient;       /* per contact, >= 0                                                       */
     double *restitution;             /* per contact, 0 .. 1; all are halved, and 0 below 1e-3, where the law would create
                                         energy (Kane and Levinson 1985) or no impulses obey it                  */
@@ -28,11 +28,11 @@ typedef struct hm_impact {
     double *scratch;                 /* IMPACT_SCRATCH(rows) doubles                                            */
 } hm_impact;
 
-#define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 11))
+#define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))
 #define IMPACT_TOLERANCE 1e-12 /* of the sum of a row's terms: what is called 0 when inequalities are checked  */
 #define IMPACT_DEPENDENT 1e-11 /* pivot of a matrix with diagonal 1: a smaller one is that of a dependent row   */
 
-/* Scratch by its parts; rows each, the matrix rows x rows, equation and unknown 3 a row. */
+/* Scratch by its parts; rows each, the matrix rows x rows, equation and unknown 4 a row. */
 typedef struct impact_parts {
     double *matrix, *rhs, *change, *order;
     double *size;               /* sum of the sizes of the terms of gamma+ = gamma- + W p                        */
@@ -44,7 +44,7 @@ static inline impact_parts impact_map(const hm_impact *x)
 {
     const int64_t n = (int64_t)x->rows;
     double *s = x->scratch;
-    return (impact_parts){s + 11 * n, s, s + n, s + 2 * n, s + 3 * n, s + 4 * n, s + 5 * n, s + 8 * n};
+    return (impact_parts){s + 13 * n, s, s + n, s + 2 * n, s + 3 * n, s + 4 * n, s + 5 * n, s + 9 * n};
 }
 
 static inline int32_t impact_slips(const hm_impact *x, int32_t i) { return x->coefficient[i] > 0.0 ? x->tangents[i] : 0; }
@@ -53,7 +53,17 @@ static inline double impact_cone(const hm_impact *x, int32_t i) { return x->coef
 
 static inline double impact_length(int32_t n, const double *u)
 {
-    return n == 1 ? fabs(u[0]) : sqrt(u[0] * u[0] + u[1] * u[1]);
+    return n == 1 ? fabs(u[0]) : sqrt(u[0] * u[0] + u[1] * u[1] + (n == 3 ? u[2] * u[2] : 0.0));
+}
+
+/* n - 1 unit vectors across the unit vector u (n), at right angles to each other. */
+HM_SELDOM static void impact_across(int32_t n, const double *u, double across[2][3])
+{
+    across[0][0] = -u[1], across[0][1] = u[0], across[0][2] = 0.0;
+    if (n < 3) return;
+    const double side = u[2] < 0.0 ? -1.0 : 1.0, a = -1.0 / (side + u[2]), b = u[0] * u[1] * a; /* Duff et al. 2017 */
+    across[0][0] = 1.0 + side * u[0] * u[0] * a, across[0][1] = side * b, across[0][2] = -side * u[0];
+    across[1][0] = b, across[1][1] = side + u[1] * u[1] * a, across[1][2] = -u[1];
 }
 
 /* gamma_N+ + e gamma_N- of contact i. */
@@ -92,14 +102,15 @@ HM_SELDOM static int impact_relax(hm_impact *x, int32_t i)
 {
     const int32_t k = x->first[i], n = impact_slips(x, i), m = x->rows;
     const double *w = x->W + k * m + k, *v = w + m + 1;
-    double *p = x->impulse + k, pull[2], size;
+    double *p = x->impulse + k, pull[3], size;
     const double old = p[0];
     x->after[k] = impact_rate(x, k, &size);
     const double brake = n == 0 ? 0.0 : x->coefficient[i] * impact_length(n, w + 1);
     p[0] = w[0] > 0.0 ? fmax(0.0, old - impact_gap_rate(x, i) / (w[0] + brake)) : 0.0;
     int moved = fabs(p[0] - old) > DBL_EPSILON * old;
     if (n == 0) return moved;
-    const double stiffness = n == 1 ? v[0] : 0.5 * (v[0] + v[m + 1] + sqrt(hm_square(v[0] - v[m + 1]) + 4.0 * v[1] * v[m]));
+    double stiffness = n == 1 ? v[0] : 0.5 * (v[0] + v[m + 1] + sqrt(hm_square(v[0] - v[m + 1]) + 4.0 * v[1] * v[m]));
+    if (n == 3) stiffness = v[0] + v[m + 1] + v[2 * m + 2]; /* no less than the largest eigenvalue */
     for (int32_t a = 0; a < n; a++)
         pull[a] = stiffness > 0.0 ? p[1 + a] - impact_rate(x, k + 1 + a, &size) / stiffness : 0.0;
     const double length = impact_length(n, pull), cone = impact_cone(x, i);
@@ -168,23 +179,30 @@ HM_SELDOM static void impact_eliminate(int32_t n, double *A, double *b, double *
 HM_SELDOM static void impact_weigh(const hm_impact *x, const impact_parts *s, int32_t i)
 {
     const int32_t k = x->first[i], n = impact_slips(x, i), t = k + 1, m = x->rows;
-    for (int32_t r = 3 * k; r < 3 * (t + x->tangents[i]); r++) s->equation[r] = s->unknown[r] = 0.0;
+    for (int32_t r = 4 * k; r < 4 * (t + x->tangents[i]); r++) s->equation[r] = s->unknown[r] = 0.0;
     if (x->status[i] == IMPACT_PARTED) return;
     for (int32_t a = 0; a <= (x->status[i] == IMPACT_STICKS ? n : 0); a++) {
         const double stiffness = x->W[(k + a) * m + k + a];
-        s->unknown[3 * (k + a) + a] = stiffness > 0.0 ? 1.0 / sqrt(stiffness) : 0.0;
-        s->equation[3 * (k + a) + a] = stiffness > 0.0 ? 1.0 / sqrt(stiffness) : 1.0;
+        s->unknown[4 * (k + a) + a] = stiffness > 0.0 ? 1.0 / sqrt(stiffness) : 0.0;
+        s->equation[4 * (k + a) + a] = stiffness > 0.0 ? 1.0 / sqrt(stiffness) : 1.0;
     }
     if (x->status[i] == IMPACT_STICKS) return;
     const double *u = s->direction + t, *v = x->W + t * m + t, cone = impact_cone(x, i);
-    for (int32_t a = 0; a < n; a++) s->unknown[3 * k + 1 + a] = -x->coefficient[i] * u[a] * s->unknown[3 * k];
+    for (int32_t a = 0; a < n; a++) s->unknown[4 * k + 1 + a] = -x->coefficient[i] * u[a] * s->unknown[4 * k];
     if (n < 2 || !(cone > 0.0)) return;
-    const double turning = fmax(0.0, u[0] * x->after[t] + u[1] * x->after[t + 1]) / cone;
-    const double stiffness = u[1] * u[1] * v[0] - u[0] * u[1] * (v[1] + v[m]) + u[0] * u[0] * v[m + 1] + turning;
-    const double scale = stiffness > 0.0 ? 1.0 / sqrt(stiffness) : 0.0;
-    s->equation[3 * t + 1] = s->unknown[3 * t + 1] = -u[1] * scale;
-    s->equation[3 * t + 2] = s->unknown[3 * t + 2] = u[0] * scale;
-    s->matrix[t * m + t] = turning * scale * scale;
+    double across[2][3], along = 0.0;
+    for (int32_t a = 0; a < n; a++) along += u[a] * x->after[t + a];
+    const double turning = fmax(0.0, along) / cone;
+    impact_across(n, u, across);
+    for (int32_t e = 0; e < n - 1; e++) {
+        double stiffness = turning;
+        for (int32_t a = 0; a < n; a++)
+            for (int32_t b = 0; b < n; b++) stiffness += across[e][a] * v[a * m + b] * across[e][b];
+        const double scale = stiffness > 0.0 ? 1.0 / sqrt(stiffness) : 0.0;
+        for (int32_t a = 0; a < n; a++)
+            s->equation[4 * (t + e) + 1 + a] = s->unknown[4 * (t + e) + 1 + a] = across[e][a] * scale;
+        s->matrix[(t + e) * m + t + e] = turning * scale * scale;
+    }
 }
 
 /* Right-hand side of the equations of contact i; returns the largest over the sizes of its terms. */
@@ -192,7 +210,7 @@ HM_SELDOM static double impact_defect(const hm_impact *x, const impact_parts *s,
 {
     double largest = 0.0;
     for (int32_t k = x->first[i], r = k; r <= k + x->tangents[i]; r++) {
-        const double *weight = s->equation + 3 * r;
+        const double *weight = s->equation + 4 * r;
         double size = 0.0;
         s->rhs[r] = -weight[0] * impact_gap_rate(x, i);
         for (int32_t a = 0; a <= x->tangents[i]; a++) {
@@ -213,7 +231,7 @@ HM_SELDOM static void impact_couple(const hm_impact *x, const impact_parts *s, i
             for (int32_t a = 0; a <= x->tangents[i]; a++)
                 for (int32_t b = 0; b <= x->tangents[j]; b++)
                     s->matrix[(k + r) * m + l + c] +=
-                        s->equation[3 * (k + r) + a] * x->W[(k + a) * m + l + b] * s->unknown[3 * (l + c) + b];
+                        s->equation[4 * (k + r) + a] * x->W[(k + a) * m + l + b] * s->unknown[4 * (l + c) + b];
 }
 
 /* The impulses of contact i after a change of its unknowns. */
@@ -221,16 +239,17 @@ HM_SELDOM static void impact_move(const hm_impact *x, const impact_parts *s, int
 {
     const int32_t k = x->first[i], n = impact_slips(x, i);
     const double cone = impact_cone(x, i);
-    double u[2] = {0.0, 0.0};
+    double u[3] = {0.0, 0.0, 0.0};
     if (x->status[i] == IMPACT_PARTED) return;
     for (int32_t a = 0; a < n; a++) {
-        const double across = s->unknown[3 * (k + 1) + 1 + a] * s->change[k + 1];
+        double across = 0.0;
+        for (int32_t e = 1; e < n || e == 1; e++) across += s->unknown[4 * (k + e) + 1 + a] * s->change[k + e];
         u[a] = s->direction[k + 1 + a] - (cone > 0.0 ? across / cone : 0.0);
     }
-    x->impulse[k] += s->unknown[3 * k] * s->change[k];
+    x->impulse[k] += s->unknown[4 * k] * s->change[k];
     if (x->status[i] == IMPACT_CLOSED) impact_slide(x, i, 1.0, u, s->direction);
     else
-        for (int32_t a = 1; a <= n; a++) x->impulse[k + a] += s->unknown[3 * (k + a) + a] * s->change[k + a];
+        for (int32_t a = 1; a <= n; a++) x->impulse[k + a] += s->unknown[4 * (k + a) + a] * s->change[k + a];
 }
 
 /* Newton's iteration for the statuses at hand; returns the largest defect over the sizes of its terms. */
@@ -285,7 +304,9 @@ HM_SELDOM static int impact_revise(const hm_impact *x, const impact_parts *s, in
         impact_slide(x, i, holds ? 1.0 : -1.0, holds ? rate + 1 : p + 1, s->direction);
         return 1;
     }
-    if (n == 0 || impact_rests(x, s, i) || u[1] * rate[1] + (n == 2 ? u[2] * rate[2] : 0.0) > 0.0) return 0;
+    double along = 0.0;
+    for (int32_t a = 1; a <= n; a++) along += u[a] * rate[a];
+    if (n == 0 || impact_rests(x, s, i) || along > 0.0) return 0;
     x->status[i] = IMPACT_STICKS;
     return 1;
 }

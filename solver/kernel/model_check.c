@@ -233,6 +233,7 @@ static int has_contacts(const checker *c)
 {
     const holonom_model *m = c->m;
     const int64_t slips = c->length[TABLE(friction_row)], normals = c->length[TABLE(normal_row)] / 2;
+    int64_t forces = 0;
     if (m->unilateral > 1 || (!m->unilateral && (m->n_contacts || m->n_frictions)) || m->n_hit_rows > m->n_rows) return 0;
     if (!within(m->contact_row, m->n_contacts, m->n_elements, c->count.first_velocity) ||
         !within(m->friction_row, slips, c->count.first_velocity, c->count.first_potential))
@@ -241,6 +242,9 @@ static int has_contacts(const checker *c)
         if (m->friction_row_ptr[f] == m->friction_row_ptr[f + 1] || m->normal_ptr[f] == m->normal_ptr[f + 1]) return 0;
     for (int64_t i = 0; i < normals; i++)
         if (!within(m->normal_row + 2 * i, 1, 0, m->n_rows) || !within(m->normal_row + 2 * i + 1, 1, 0, NORMAL_SUMS)) return 0;
+    for (int32_t f = 0; f < m->n_frictions && m->n_contacts; f++) /* those of joints take part in impacts */
+        if (m->normal_row[2 * m->normal_ptr[f] + 1] != NORMAL_PUSHES) forces += m->normal_ptr[f + 1] - m->normal_ptr[f];
+    if (forces != m->n_hit_forces) return 0;
     for (int32_t j = 0; j < c->count.n_owned; j++) { /* the owner of a row has it */
         const int32_t owner = m->row_owner[j], row = m->n_elements + j, f = owner - m->n_contacts;
         if (owner < 0) continue;

@@ -59,7 +59,8 @@ WORK = {
     "hit_defect": "n * unilateral",  # velocities across the rows, see impact.h
     "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h
     "hit_matrix": "n_hit_rows * n_hit_rows",
-    "hit": "12 * n_hit_rows", "hit_scratch": "n_hit_rows * (n_hit_rows + 11)",
+    "hit_force": "n_hit_forces * n_hit_rows",  # impulses in joints that rub, of unit impulses
+    "hit": "12 * n_hit_rows", "hit_scratch": "n_hit_rows * (n_hit_rows + 13)",
     "whole_backup": "2 * n_state",  # after a step and before it, while it is checked
 }
 # fmt: on

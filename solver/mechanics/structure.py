@@ -214,7 +214,8 @@ class Structure:
             "n_local_forms": max([1, *(len(c.forms) for c in composites)]),
             "n_local_nodes": max([1, *(len(c.nodes) for c in composites)]),
             "n_islands": self.islands.count,
-            "n_hit_rows": min(MOST_HIT_ROWS, self._rows_of_contacts),
+            "n_hit_rows": min(MOST_HIT_ROWS, self._rows_of_impacts),
+            "n_hit_forces": sum(len(self.normal_rows[f]) for f in self._joints_in_impacts),
             "unilateral": int(bool(mechanism.contacts or mechanism.frictions)),
             "n_sampled": len(self.sampled),
             "sensing": int(mechanism.sensing),
@@ -295,13 +296,18 @@ class Structure:
         }
 
     @property
-    def _rows_of_contacts(self) -> int:
-        """Rows of all contacts, those of their frictions included."""
+    def _joints_in_impacts(self) -> list[int]:
+        """Frictions of joints, where there are impacts."""
+        own = {contact.friction for contact in self.mechanism.contacts}
+        return [f for f in range(len(self.mechanism.frictions)) if own and f not in own]
+
+    @property
+    def _rows_of_impacts(self) -> int:
+        """Rows of all contacts and frictions; a joint that rubs has one for its normal force."""
         mechanism = self.mechanism
-        slips = [
-            mechanism.frictions[x.friction].rows for x in mechanism.contacts if x.friction >= 0
-        ]
-        return len(mechanism.contacts) + sum(map(len, slips))
+        slips = sum(len(friction.rows) for friction in mechanism.frictions)
+        rows = len(mechanism.contacts) + slips + len(self._joints_in_impacts)
+        return rows if mechanism.contacts else 0
 
     @cached_property
     def normal_rows(self) -> list[list[tuple[int, int]]]:

@@ -84,6 +84,7 @@ SIZES = (
     "n_contacts",  # gaps, each a function row that is on while it is closed
     "n_frictions",  # each of 1 to 3 velocity rows that are on while it sticks
     "n_hit_rows",  # most rows of an impact
+    "n_hit_forces",  # multipliers by which joints rub in impacts
     "unilateral",  # 1: there are contacts or frictions
 )
 """Integers of a model."""
