@@ -4,6 +4,7 @@ plane      g = (x - p) . n - R                 s = d/dt (x - p) . t - R sum n_i 
 corners    the same of each corner x of a body
 sphere     g = |u| - (r_1 + r_2),              s = (r_1 + r_2) u' . J u/|u|^2 - r_1 w_1 - r_2 w_2
 clearance  g = (c^2 - |u|^2)/2c,               s = c u' . J u/|u|^2 + r w_2 - (c + r) w_1
+journal    g = (c^2 - x^2 - y^2)/2c of both ends, in axes of the bearing; slips around and along it
 stop       g = sigma - min, g = max - sigma    (an angle, a displacement, a distance)
 
 with u from the first centre to the second (of a clearance: from the hole to the pin), n_i = c_i . n
@@ -25,12 +26,13 @@ from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechani
 from solver.mechanics.parts import CompliantContact, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.slips import body_of, dot_of_pairs, is_there, sliding, tangents, turning
-from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned, unit
+from solver.mechanics.vectors import Vector, add, cross, dot, perpendicular, scale, turned, unit
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     ClearanceContact,
     CornersContact,
     Gear,
+    JournalContact,
     Number,
     PlaneContact,
     PointReference,
@@ -167,6 +169,42 @@ def _add_between(
     add_contact(rows, contact, gap, slips=slips)
 
 
+def add_journal(rows: Rows, contact: JournalContact, _: JointParts) -> None:
+    """Keep both ends of a journal in its bearing, and its middle between stops along the axis."""
+    mechanism = rows.mechanism
+    bearing, journal = (rows.parts.frame(name) for name in contact.bodies)
+    axis = rows.unit(contact.axis)
+    axes = [bearing.direction(x) for x in (*mechanism.normals(axis), axis)]
+    centre, c = bearing.place(contact.position), contact.radius
+    spokes = [journal.direction(x) for x in journal.axes]
+    x, y = leaf_symbol(0), leaf_symbol(1)
+    square = x * x + y * y
+    out = sqrt(operate("max", square, 0.25 * c * c))  # not where the centres meet
+    normal = (x / out, y / out, 0.0)
+    around, along = (-1.0 * y / out, x / out, 0.0), (0.0, 0.0, 1.0)
+    for half, end in ((-0.5, " at its first end"), (0.5, " at its second end")):
+        place = journal.place(add(contact.position, scale(half * contact.length, axis)))
+        forms = [(place - centre, a) for a in axes]
+        u = [mechanism.leaf(mechanism.component(*form)) for form in forms[:2]]
+        slips = []
+        for tangent, stretch in ((around, c / out), (along, 1.0)):
+            if contact.friction is None:
+                break
+            leaves = list(u)
+            slip = stretch * sliding(mechanism, leaves, forms, tangent)
+            if is_there(contact.pin_radius):
+                spin = turning(mechanism, leaves, spokes, axes, normal, tangent)
+                slip = slip + contact.pin_radius * spin
+            slips.append(Formula(slip, tuple(leaves)))
+        gap = Formula(0.5 * (c - square / c), tuple(u))
+        add_contact(rows, contact, gap, end=end, slips=slips)
+    if contact.axial_play is not None:
+        middle = journal.place(contact.position) - centre
+        s = mechanism.leaf(mechanism.component(middle, axes[2]))
+        for sign in (1.0, -1.0):
+            add_contact(rows, contact, Formula(contact.axial_play + sign * leaf_symbol(0), (s,)))
+
+
 def add_stop(rows: Rows, stop: Stop, _: JointParts) -> None:
     """Limit an angle, a displacement or a distance, at one or both ends."""
     mechanism, parts = rows.mechanism, rows.parts
@@ -275,5 +313,5 @@ def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Num
 
 CONTACTS = {
     PlaneContact: add_plane, CornersContact: add_corners, SphereContact: add_balls,
-    ClearanceContact: add_clearance, Stop: add_stop,
+    ClearanceContact: add_clearance, JournalContact: add_journal, Stop: add_stop,
 }  # fmt: skip

@@ -8,6 +8,7 @@ is an expression over those.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import reduce
 from itertools import count
 from math import pi
 from typing import Any, TypeAlias
@@ -29,6 +30,7 @@ from solver.scene import (
     Gear,
     Gravitation,
     JointTorque,
+    JournalContact,
     Number,
     Part,
     PositionDriver,
@@ -225,8 +227,8 @@ def _tension(
 def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
     """State of a contact, and the friction in it.
 
-    Of a stop with two ends or a body with corners the gap is the least one; force, impacts and
-    impulses are the sums, and so are friction forces, in space those of their sizes.
+    Of a stop with two ends, a journal or a body with corners the gap is the least one; force,
+    impacts and impulses are the sums, and so are friction forces, in space those of their sizes.
     """
     if name in sensors.parts.compliant:
         return _of_a_compliant_contact(sensors, name)
@@ -236,14 +238,18 @@ def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
         word: _joined(sensors, word, [Ref("contact", index, k) for index in contacts])
         for k, word in enumerate(words)
     }
-    if isinstance(contact, ClearanceContact):
-        values["gap"] = play(sensors.value(values["gap"]), contact.radius)
+    if isinstance(contact, (ClearanceContact, JournalContact)):
+        gaps = [sensors.value(Ref("contact", index, 0)) for index in contacts]
+        holes = 1 if isinstance(contact, ClearanceContact) else 2
+        plays = [play(gap, contact.radius) for gap in gaps[:holes]]
+        values["gap"] = reduce(lambda x, y: _both("gap", x, y), [*plays, *gaps[holes:]])
     frictions = [sensors.parts.mechanism.contacts[index].friction for index in contacts]
-    if frictions[0] >= 0:
+    frictions = [friction for friction in frictions if friction >= 0]
+    if frictions:
         for k, offer in enumerate(FRICTION):
             refs = [Ref("friction", friction, k) for friction in frictions]
             values[offer.word] = _joined(sensors, offer.word, refs)
-        if len(contacts) > 1:
+        if len(frictions) > 1:
             values["slip"] = _largest_slip(sensors, contacts, frictions)
     return values
 
@@ -272,7 +278,7 @@ def _of_a_compliant_contact(sensors: Sensors, name: str) -> Found:
 def _largest_slip(sensors: Sensors, contacts: list[int], frictions: list[int]) -> Number:
     """Return the slip of the closed corner that slips most."""
     largest: Number = 0.0
-    for index, friction in zip(contacts, frictions, strict=True):
+    for index, friction in zip(contacts, frictions, strict=False):  # stops do not rub
         mode = sensors.value(Ref("contact", index, MODE))
         slip = select(mode, sensors.value(Ref("friction", friction, SLIP)), 0.0)
         larger = operate("gt", operate("abs", slip), operate("abs", largest))

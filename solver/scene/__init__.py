@@ -10,6 +10,7 @@ from solver.scene.contacts import (
     ClearanceContact,
     Contact,
     CornersContact,
+    JournalContact,
     PlaneContact,
     RubbingContact,
     SphereContact,

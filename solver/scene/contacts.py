@@ -12,6 +12,7 @@ from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.friction import SMOOTH_SPEED, check_smooth
+from solver.scene.joints import Pair as BodyPair
 from solver.scene.quantities import COMPLIANT, CONTACT, FRICTION, Offer
 from solver.scene.report import Path
 from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY, SHARE, Rule
@@ -298,6 +299,34 @@ class ClearanceContact(RubbingContact):
     ] = 0.0
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JournalContact(RubbingContact):
+    """A journal in a bearing with play: its two ends stay in the clearance, and it may tilt."""
+
+    type = "journal"
+    may_be_compliant = False
+    only_in = (3, "in the plane write 'clearance'")
+
+    bodies: Annotated[BodyPair, kind.TWO_BODIES]
+    """That of the bearing, and that of the journal."""
+    position: Annotated[Vector, kind.Components("m", "middle of both as drawn")]
+    axis: Annotated[Vector, kind.Direction(text="of both as drawn", example=[0, 0, 1])]
+    length: Annotated[Number, kind.Quantity("m", "of the bearing", POSITIVE, example=0.1)]
+    radius: Annotated[
+        Number,
+        kind.Quantity("m", "the clearance: of the hole less of the journal", POSITIVE,
+                      example=1e-4),
+    ]  # fmt: skip
+    pin_radius: Annotated[
+        Number, kind.Quantity("m", "of the journal, the arm of the friction", NOT_NEGATIVE)
+    ] = 0.0
+    axial_play: Annotated[
+        Number | None,
+        kind.Quantity("m", "way to the stop along the axis, either way", POSITIVE, example=1e-4),
+    ] = None
+    """None: it slides along its axis without end."""
+
+
 def _joint(reader: "Reader", path: Path, name: Any, _: Any) -> str:
     reader.joint(path, name, "angle", "displacement")
     return "" if name is BROKEN else name
@@ -389,6 +418,13 @@ def check_settings(reader: "Reader", settings: "SolverSettings") -> None:
 
 CONTACTS: dict[str, type[Part]] = {
     contact.type: contact
-    for contact in (PlaneContact, CornersContact, SphereContact, ClearanceContact, Stop)
+    for contact in (
+        PlaneContact,
+        CornersContact,
+        SphereContact,
+        ClearanceContact,
+        JournalContact,
+        Stop,
+    )
 }
 """Types of contacts."""

@@ -172,7 +172,8 @@ class Reader(Places):
             message, help = "the ground does not move: name a body", None
         elif kind == "bar":
             message = f"the bar '{name}' has no axes in space"
-            help = 'join one of its points: type = "spherical" with points = [...]'
+            meets = "clearance" if path[0] == "contacts" else "spherical"
+            help = f'join one of its points: type = "{meets}" with points = [...]'
         elif name in self.known.ends and "." in name:
             body = name.partition(".")[0]
             message, help = f"'{name}' is a point of a body, not a body", f"write '{body}'"

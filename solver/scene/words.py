@@ -57,7 +57,8 @@ _WORDS = {
         plane: floor ground wall line halfspace half_space
         corners: box block polygon capsule cube
         sphere: ball balls disc discs circle
-        clearance: play backlash journal bearing
+        clearance: play backlash
+        journal: journal_bearing bearing sleeve bush bushing
         stop: limit end_stop endstop rope bound
         profile: road rail track curve
         cam: lobe
@@ -116,8 +117,8 @@ _NOT_A_WORD = {
         'write the motion that it makes: type = "angle" or "displacement" with value = "2*t"'
     ),
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
-        'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", "stop", '
-        '"profile", "cam", "surface", "height_field" or "superquadric"'
+        'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", '
+        '"journal", "stop", "profile", "cam", "surface", "height_field" or "superquadric"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""

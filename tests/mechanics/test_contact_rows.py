@@ -291,6 +291,51 @@ def test_slip_of_circles_and_balls_is_that_of_the_materials_where_they_touch(dim
         assert np.hypot(*found) == pytest.approx(np.linalg.norm(along), abs=1e-7)
 
 
+def in_a_bearing(random: np.random.Generator, length: float = 0.4) -> tuple[Any, ...]:
+    """A journal of body b in a bearing of body a, whose second end touches the hole."""
+    axis = random.normal(size=3)
+    axis /= np.linalg.norm(axis)
+    drawn = bodies(3)
+    drawn["b"]["position"] = [0.3, 0.1, -0.2]
+    contact = {
+        "type": "journal", "bodies": ["a", "b"], "position": [0.1, 0.2, 0.3],
+        "axis": axis.tolist(), "length": length, "radius": CLEARANCE, "pin_radius": PIN,
+        "friction": 0.1,
+    }  # fmt: skip
+    poses = {name: posed(random, 3) for name in "ab"}
+    a, b = poses["a"], poses["b"]
+    middle = np.array(contact["position"])
+    end = middle + 0.5 * length * axis - drawn["b"]["position"]
+    n = np.cross(axis, random.normal(size=3))
+    n = a.R @ (n / np.linalg.norm(n))
+    along = a.R @ axis
+    b.x = a.x + a.R @ middle + CLEARANCE * n + random.normal() * along - b.R @ end
+    content = {"dimension": 3, "bodies": drawn, "contacts": {"c": contact}}
+    return content, poses, b.x + b.R @ end + PIN * n, n, along
+
+
+@given(seed=SEEDS)
+def test_slip_of_a_journal_is_that_of_the_materials_around_and_along_its_bearing(seed):
+    content, poses, touch, n, along = in_a_bearing(np.random.default_rng(seed))
+    moved = Moved(content, poses)
+    slip = poses["b"].velocity(touch) - poses["a"].velocity(touch)
+    found = [moved.value(formula) for formula in moved.slips[2:]]
+    assert found == pytest.approx([slip @ np.cross(along, n), slip @ along], abs=1e-8)
+    gap = moved.value(moved.mechanism.function_rows[1].formula)
+    assert gap == pytest.approx(0.0, abs=1e-12)
+
+
+@given(seed=SEEDS)
+def test_forces_and_moments_of_a_journal_add_up_to_nothing(seed):
+    random = np.random.default_rng(seed)
+    content, poses, *_ = in_a_bearing(random)
+    velocity, w = random.normal(size=(2, 3))
+    for pose in poses.values():
+        pose.w, pose.v = w, velocity + np.cross(w, pose.x)
+    moved = Moved(content, poses)
+    assert [moved.value(x) for x in moved.slips] == pytest.approx([0.0] * 4, abs=1e-8)
+
+
 STOP = {
     "type": "stop",
     "points": ["a.tip", "b.tip"],
