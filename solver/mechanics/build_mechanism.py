@@ -16,6 +16,7 @@ from solver.mechanics.joints import JOINTS, add_joint
 from solver.mechanics.mechanism import FREE, Mechanism
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import Rows
+from solver.mechanics.shapes import SHAPES
 from solver.mechanics.surfaces import SURFACES
 from solver.mechanics.vectors import Vector
 from solver.scene import (
@@ -31,7 +32,7 @@ from solver.scene import (
 )
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
-    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **FORCES,
+    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **FORCES,
 }  # fmt: skip
 
 

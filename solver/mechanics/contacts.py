@@ -18,6 +18,7 @@ that touch. The gap of a clearance is smooth where |u| vanishes, too.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 
 from solver.mechanics.combination import Combination
 from solver.mechanics.formulas import leaf_symbol, rewritten
@@ -63,9 +64,24 @@ def add_corners(rows: Rows, contact: CornersContact, _: JointParts) -> None:
     """Keep the corners of a body on one side of a plane."""
     frame = rows.parts.frames[contact.body]
     assert isinstance(frame, RigidFrame)
-    for k, corner in enumerate(contact.corners):
+    corners = contact.corners
+    if contact.size is not None:
+        corners = box_corners(rows, contact.size, contact.radius)
+    for k, corner in enumerate(corners):
         end = f" at corner {k + 1}"
         _add_ball_on_plane(rows, contact, contact.on, frame.at(corner), frame, end)
+
+
+def box_corners(rows: Rows, size: Vector, radius: Number, title: str = "") -> tuple[Vector, ...]:
+    """Return the centres of the rounded corners of a box; in the plane they go round it."""
+    half = tuple(0.5 * x - radius for x in size)
+    for x in half:
+        text = f"half of each length{title} must be larger than the radius, by {{value!r}} m"
+        rows.rule(x, ">", text)
+    if len(half) == 2:
+        x, y = half
+        return (-1.0 * x, -1.0 * y), (x, -1.0 * y), half, (-1.0 * x, y)
+    return tuple(product(*((-1.0 * x, x) for x in half)))
 
 
 def _add_ball_on_plane(
@@ -82,7 +98,7 @@ def _add_ball_on_plane(
     slips: list[Formula] = []
     if contact.friction is not None:
         ball = body if is_there(radius) else None
-        for tangent in _tangents(mechanism, normal):
+        for tangent in tangents(mechanism, normal):
             along = frame.direction(tangent)
             speed = dot(contact.surface_velocity or zero, tangent)
             slide = mechanism.leaf(mechanism.component(link, along), LEAF_RATE)
@@ -97,7 +113,7 @@ def _add_ball_on_plane(
     add_contact(rows, contact, gap, end=end, slips=slips)
 
 
-def _tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
+def tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
     """Unit vectors along a plane; in 2-D the one to the right of the normal."""
     if mechanism.dim == 2:
         return (scale(-1.0, turned(normal)),)

@@ -28,6 +28,7 @@ from solver.mechanics.contacts import add_contact, as_drawn
 from solver.mechanics.curves import centres_above, centres_around, separated, support_function
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, refuse_switches, rewritten
+from solver.mechanics.frames import Ground, RigidFrame
 from solver.mechanics.mechanism import Formula, Leaf
 from solver.mechanics.parts import AXES, JointParts
 from solver.mechanics.rows import Rows
@@ -227,16 +228,25 @@ def _slips(
     rows: Rows, contact: RubbingContact, point: PointReference, leaves: Sequence[Leaf],
     normal: Vector, forms: Coordinates, radius: Number,
 ) -> list[Formula]:  # fmt: skip
-    """Return the slip rates of a ball about a place with these coordinates in axes of a body.
+    """Return the slip rates of a ball about a point with these coordinates in axes of a body."""
+    ball = body_of(rows, point) if is_there(radius) else None
+    return slip_rates(rows, contact, ball, leaves, normal, [forms], radius)
 
-    The normal is a function of the leaves, in the same axes.
+
+def slip_rates(
+    rows: Rows, contact: RubbingContact, ball: Ground | RigidFrame | None, leaves: Sequence[Leaf],
+    normal: Vector, places: Sequence[Coordinates], radius: Number, shares: Vector = (1.0,),
+) -> list[Formula]:  # fmt: skip
+    """Return the slip rates of a ball about a place, by its coordinates in axes of a body.
+
+    The place has these shares of others of the body of the ball; shares and normal, in the same
+    axes, are functions of the leaves.
     """
     if contact.friction is None:
         return []
     mechanism = rows.mechanism
-    ball = body_of(rows, point) if is_there(radius) else None
     spokes = [*map(ball.direction, ball.axes)] if ball is not None else []
-    axes = [axis for _, axis in forms]
+    axes = [axis for _, axis in places[0]]
     try:
         drawn = tuple(mechanism.default(as_drawn(mechanism, x, leaves)) for x in normal)
     except ExpressionError:  # there is no normal where the point is drawn
@@ -244,7 +254,9 @@ def _slips(
     slips = []
     for tangent in tangents(mechanism, normal, drawn):
         used = list(leaves)
-        value = sliding(mechanism, used, forms, tangent)
+        value: Number = 0.0
+        for share, forms in zip(shares, places, strict=True):
+            value = value + share * sliding(mechanism, used, forms, tangent)
         if spokes:
             value = value - radius * turning(mechanism, used, spokes, axes, normal, tangent)
         slips.append(Formula(value, tuple(used)))

@@ -67,6 +67,13 @@ from solver.scene.reader import load, loads
 from solver.scene.report import Given, Problem, SceneError, SceneWarning, Source
 from solver.scene.scene import Output, Scene, json_schema
 from solver.scene.settings import Experiment, SolverSettings
+from solver.scene.shapes import (
+    BoxContact,
+    CapsuleContact,
+    CylinderContact,
+    PairContact,
+    PolygonContact,
+)
 from solver.scene.surfaces import (
     CamContact,
     HeightFieldContact,

@@ -161,8 +161,8 @@ class RubbingContact(Contact):
             reader.draft.error((*path, "static_friction"), message)
 
 
-_PLACE_OF_PLANE = kind.Components("m", "a place of the plane as drawn; the origin")
-_SURFACE_VELOCITY = kind.Components(
+PLACE_OF_PLANE = kind.Components("m", "a place of the plane as drawn; the origin")
+SURFACE_VELOCITY = kind.Components(
     "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
 )
 
@@ -180,26 +180,27 @@ class PlaneContact(RubbingContact):
             text="normal of the plane, towards the point", example=[0, 0, 1], required=True
         ),
     ]
-    position: Annotated[Vector | None, _PLACE_OF_PLANE] = None
+    position: Annotated[Vector | None, PLACE_OF_PLANE] = None
     body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     radius: Annotated[Number, kind.Quantity("m", "of a ball about the point", NOT_NEGATIVE)] = 0.0
-    surface_velocity: Annotated[Vector | None, _SURFACE_VELOCITY] = None
+    surface_velocity: Annotated[Vector | None, SURFACE_VELOCITY] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the point is none of the body, and that a moving surface rubs."""
         RubbingContact.check(self, reader, path, given)
         check_point_and_body(reader, path, self.point, self.body, given.body)
-        _check_surface_velocity(reader, path, given)
+        check_surface_velocity(reader, path, given)
 
 
-def _check_surface_velocity(reader: "Reader", path: Path, given: Any) -> None:
+def check_surface_velocity(reader: "Reader", path: Path, given: Any) -> None:
+    """Report a moving surface that does not rub."""
     if given.surface_velocity is not None and given.friction is None:
         message = "has no effect without friction"
         help = "write friction = ..., or leave it out"
         reader.draft.error((*path, "surface_velocity"), message, help)
 
 
-def _corners(reader: "Reader", path: Path, corners: Any, _: Any) -> tuple[Vector, ...]:
+def read_corners(reader: "Reader", path: Path, corners: Any, _: Any) -> tuple[Vector, ...]:
     """Check that each corner is a place, and that there are some."""
     if corners is BROKEN:
         return ()
@@ -208,7 +209,8 @@ def _corners(reader: "Reader", path: Path, corners: Any, _: Any) -> tuple[Vector
     return tuple(reader.vector((*path, i), corner) for i, corner in enumerate(corners))
 
 
-def _carrier_of_corners(reader: "Reader", path: Path, name: Any, _: Any) -> str:
+def read_carrier(reader: "Reader", path: Path, name: Any, _: Any) -> str:
+    """Check that what has corners or rims is a rigid body."""
     if name is BROKEN:
         return ""
     if reader.known.parts.get(name) == "bar":
@@ -226,37 +228,58 @@ class CornersContact(RubbingContact):
     type = "corners"
     may_be_compliant = False
 
-    body: Annotated[str, kind.Plain(example="block", reading=_carrier_of_corners)]
+    body: Annotated[str, kind.Plain(example="block", reading=read_carrier)]
     corners: Annotated[
         tuple[Vector, ...],
         kind.ListOf(
             "m", "in axes of the body, from its origin", item=kind.COMPONENTS,
-            example=[[0, 0, 0], [1, 0, 0]], reading=_corners,
+            example=[[0, 0, 0], [1, 0, 0]], reading=read_corners,
         ),
-    ]  # fmt: skip
+    ] = ()  # fmt: skip
+    size: Annotated[
+        Vector | None,
+        kind.Components(
+            "m", "instead of corners: lengths of a box about the origin of the body", rule=POSITIVE
+        ),
+    ] = None
     axis: Annotated[
         Vector,
         kind.Direction(
             text="normal of the plane, towards the body", example=[0, 0, 1], required=True
         ),
     ]
-    position: Annotated[Vector | None, _PLACE_OF_PLANE] = None
+    position: Annotated[Vector | None, PLACE_OF_PLANE] = None
     on: Annotated[str | None, kind.BODY_OR_GROUND] = None
     """The body that carries the plane."""
     radius: Annotated[
         Number, kind.Quantity("m", "of the corners, as of a capsule", NOT_NEGATIVE)
     ] = 0.0
-    surface_velocity: Annotated[Vector | None, _SURFACE_VELOCITY] = None
+    surface_velocity: Annotated[Vector | None, SURFACE_VELOCITY] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the plane is another body's, and that a moving surface rubs."""
         RubbingContact.check(self, reader, path, given)
+        if (given.corners is None) == (given.size is None):
+            message = "neither 'corners' nor 'size' is given"
+            if given.size is not None:
+                message = "either 'corners' or 'size' is possible, not both"
+            reader.draft.error(path, message, "write size = [...] for a box, or its corners")
+        if self.size is not None and given.size is not BROKEN:
+            check_size(reader, (*path, "size"), self.size)
         if self.on is not None and self.on == self.body:
             reader.draft.error((*path, "on"), f"the corners are those of '{self.on}' itself")
-        _check_surface_velocity(reader, path, given)
+        check_surface_velocity(reader, path, given)
 
 
-def _radii(reader: "Reader", path: Path, radii: Any, _: Any) -> tuple[Number, ...]:
+def check_size(reader: "Reader", path: Path, size: Vector) -> None:
+    """Report lengths that are not positive."""
+    for i, length in enumerate(size):
+        value = reader.value(length)
+        if value is not None and not value > 0.0:
+            reader.draft.error((*path, i), f"must be > 0 m, got {value:.15g}")
+
+
+def read_radii(reader: "Reader", path: Path, radii: Any, _: Any) -> tuple[Number, ...]:
     """Check the radii of both balls, of which one may be a point."""
     if radii is BROKEN:
         return 1.0, 1.0
@@ -278,7 +301,7 @@ class SphereContact(RubbingContact):
     points: Annotated[Ends, kind.TWO_ENDS]
     radii: Annotated[
         tuple[Number, Number],
-        kind.ListOf("m", "of each", example=[0.1, 0.1], size=kind.TWO, reading=_radii),
+        kind.ListOf("m", "of each", example=[0.1, 0.1], size=kind.TWO, reading=read_radii),
     ]
 
 

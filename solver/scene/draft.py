@@ -6,6 +6,7 @@ as ``BROKEN``, so that the rest of the part can still be checked in the same run
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from types import SimpleNamespace
@@ -201,7 +202,8 @@ class Draft:
             example = (found or two)[-1] if isinstance(example, str) else two
         text = shown(example).replace("'", '"')
         if self.dimension == 2:
-            text = text.replace("[0, ", "[", 1)
+            text = re.sub(r"\[0, ([^][,]+), ([^][,]+)\]", r"[\1, \2]", text)
+            text = re.sub(r"\[([^][,]+), ([^][,]+), [^][,]+\]", r"[\1, \2]", text)
         return f"write {name} = {text}"
 
 

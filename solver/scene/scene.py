@@ -23,6 +23,7 @@ from solver.scene.profiles import Profile
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
 from solver.scene.settings import Experiment, SolverSettings
+from solver.scene.shapes import SHAPES
 from solver.scene.surfaces import SURFACES
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
@@ -82,7 +83,7 @@ class Scene(Part):
     constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
         default_factory=dict
     )
-    contacts: Annotated[dict[str, Part], _table("contact", CONTACTS | SURFACES)] = field(
+    contacts: Annotated[dict[str, Part], _table("contact", CONTACTS | SURFACES | SHAPES)] = field(
         default_factory=dict
     )
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)

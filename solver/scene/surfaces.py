@@ -6,7 +6,7 @@ from math import isclose, pi
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
-from solver.scene.contacts import RubbingContact
+from solver.scene.contacts import RubbingContact, check_size
 from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
@@ -178,11 +178,8 @@ class SuperquadricContact(PointContact):
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check the lengths."""
         PointContact.check(self, reader, path, given)
-        for i, length in enumerate(self.semi_axes):
-            value = None if given.semi_axes is BROKEN else reader.value(length)
-            if value is not None and not value > 0.0:
-                message = f"must be > 0 m, got {value:.15g}"
-                reader.draft.error((*path, "semi_axes", i), message)
+        if given.semi_axes is not BROKEN:
+            check_size(reader, (*path, "semi_axes"), self.semi_axes)
 
 
 def _rising(reader: "Reader", path: Path, numbers: Any, _: Any) -> tuple[float, ...]:

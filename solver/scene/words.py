@@ -55,7 +55,11 @@ _WORDS = {
         """,
     "contacts": """
         plane: floor ground wall line halfspace half_space
-        corners: box block polygon capsule cube
+        corners: vertices feet
+        capsule: segment stick pill rods
+        polygon: convex hull polygons
+        box: block cube cuboid rectangle boxes
+        cylinder: coin drum rim barrel
         sphere: ball balls disc discs circle
         clearance: play backlash
         journal: journal_bearing bearing sleeve bush bushing
@@ -118,7 +122,8 @@ _NOT_A_WORD = {
     ),
     ("joints.contact", "forces.contact", "drivers.contact", "fields.contact"): (
         'write a contact in [contacts]: type = "plane", "corners", "sphere", "clearance", '
-        '"journal", "stop", "profile", "cam", "surface", "height_field" or "superquadric"'
+        '"journal", "stop", "profile", "cam", "surface", "height_field", "superquadric", '
+        '"capsule", "polygon", "box" or "cylinder"'
     ),
 }
 """What is written instead of a word that is none of a scene, wherever it stands."""

@@ -8,11 +8,14 @@ import pytest
 
 from solver.scene import (
     AngleDriver,
+    BoxContact,
     CamContact,
+    CapsuleContact,
     ClearanceContact,
     ConstantAngle,
     Constraint,
     CornersContact,
+    CylinderContact,
     DisplacementDriver,
     DistanceDriver,
     Force,
@@ -26,6 +29,7 @@ from solver.scene import (
     PointOnPlane,
     PointOnSurface,
     PointReference,
+    PolygonContact,
     PositionDriver,
     Potential,
     Prismatic,
@@ -161,6 +165,14 @@ def test_forces_arrive_as_written(name, force):
         ("n12", CornersContact(body="b4", corners=((1.0, 0.5), (1.0, -0.5)), axis=(0.0, 1.0),
                                position=(0.0, -3.0), on="link", radius=0.1, friction=0.3,
                                surface_velocity=(parse("sin(t)"), 0.0))),
+        ("n13", PolygonContact(bodies=("b1", "b4"), friction=0.2, radii=(0.0, 0.1), corners=(
+            ((-5.0, 0.0), (-4.0, 0.0), (-4.0, 2.0)), ((1.0, 0.0),)))),
+        ("n14", CapsuleContact(bodies=("b1", None), radii=(0.1, pytest.approx(0.2)), segments=(
+            ((0.0, 0.0), (1.0, 0.0)), ((9.0, 9.0),)))),
+        ("n15", BoxContact(bodies=(None, "b4"), sizes=((0.1, 0.1), (1.0, 1.0)),
+                           radii=(0.0, 0.1))),
+        ("n16", CornersContact(body="b4", size=(2.0, 1.0), axis=(0.0, 1.0),
+                               position=(0.0, -3.0))),
         ("n11", SuperquadricContact(point=POINT_A, semi_axes=(3.0, 2.0), power=4.0,
                                    position=(0.0, 1.0))),
     ],
@@ -174,6 +186,13 @@ def test_a_height_field_arrives_as_written():
         point=POINT_A, body="b1", x=(0.0, 1.0), y=(0.0, 1.0, 2.0),
         z=((0.0, 0.1, 0.0), (0.0, 0.0, 1.0)), position=(0.0, 0.0, 1.0), friction=0.1,
         ball_radius=parse("a"),
+    )  # fmt: skip
+
+
+def test_a_cylinder_arrives_as_written():
+    assert loads(ROUGH).contacts["n2"] == CylinderContact(
+        body="b1", radius=parse("a"), length=0.2, along=(1.0, 0.0, 0.0), axis=(0.0, 0.0, 1.0),
+        position=(0.0, 0.0, -1.0), friction=0.1, surface_velocity=(parse("sin(t)"), 0.0, 0.0),
     )  # fmt: skip
 
 
