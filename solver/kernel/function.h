@@ -343,7 +343,7 @@ static double value_at_state(const context *c, int32_t j)
         double argument[3];
         for (int i = 0; i < 3; i++) argument[i] = op[1 + i] < 0 ? c->number[-1 - op[1 + i]] : x[op[1 + i]];
         x[l] = op[0] < T_SPLINE ? hm_operate(op[0], argument[0], argument[1], argument[2])
-                                : hm_spline(op[0] - T_SPLINE, argument[0], c->number - 1 - op[2], c->number - 1 - op[3]);
+                                : hm_look_up(op[0], op[1] < 0 ? argument : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
     }
     return x[l - 1];
 }

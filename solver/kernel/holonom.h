@@ -44,7 +44,7 @@ HOLONOM_API int64_t holonom_measured_size(const holonom_model *model);
 
 /* Result of one operation of the tape, by its code; of these alone, so that constants folded when a model is made have
    the bits of what is calculated in a run. Of its `count` values, 3 at least, those behind the first are the table of a
-   spline. */
+   spline, and those behind the third that of a grid. */
 HOLONOM_API double holonom_operate(int32_t code, const double *value, int32_t count);
 
 /* Runs tape `segment` on `numbers` (modified): 0 parameters, 1 laws, 2 signals, 3 measurements.               */

@@ -107,17 +107,28 @@ static inline double hm_angle_over_bend(double x, double y, double angle_over)
    in the two ends and exact, f_1 - f_0 = sum slope dx, so that the slopes of the whole give a discrete gradient.
    r0, r1, dr hold the leaves at both ends and their differences on entry, all registers on return; adjoint
    (overwritten) the slopes of the value with respect to every register. All as long as leaves + operations;
-   slope twice that. Returns the register of the value.                                                      */
+   slope thrice that. Returns the register of the value.                                                      */
 int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t n_operations, const double *numbers,
                              const hm_registers *r);
 
-/* One operation of the tape, other than splines. */
+/* One operation of the tape, other than those with a table. */
 double hm_operate(int32_t code, double a, double b, double c);
 
 /* A spline, or its derivative of that order, 1 or 2, at x; and its slope (f(x1) - f(x0))/(x1 - x0), without a difference of
    values. Its table lies from `first` to `last`, one row at least behind its first number; see spline.c.       */
 double hm_spline(int order, double x, const double *first, const double *last);
 double hm_spline_slope(int order, double x0, double x1, const double *first, const double *last);
+
+/* A spline of three coordinates x, or one of its three derivatives; NaN if the table is none. And its mean gradient between
+   two places, with sum slope dx the difference of its values; see grid.c.                                      */
+double hm_grid(int derivative, const double *x, const double *first, const double *last);
+void hm_grid_slopes(int derivative, const double *x0, const double *x1, const double *first, const double *last, double *slope);
+
+/* An operation with a table, by its code. */
+static inline double hm_look_up(int32_t code, const double *x, const double *first, const double *last)
+{
+    return code < T_GRID ? hm_spline(code - T_SPLINE, *x, first, last) : hm_grid(code - T_GRID, x, first, last);
+}
 
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);

@@ -104,17 +104,19 @@ static int is_leaf(const checker *c, const int32_t *entry, int32_t forms)
     return (m->quantity_kind[entry[1]] == QUANTITY_ANGLE) == (entry[3] >= 0);
 }
 
-/* Whether an operation needs no table, or has one of whole rows between these places. */
-static int has_table(int32_t code, int64_t first, int64_t last)
+/* Whether an operation needs no table, or has one between these places: of whole rows, or of a grid with its `coordinates`. */
+static int has_table(int32_t code, int64_t first, int64_t last, int coordinates)
 {
-    return code < T_SPLINE || (code < T_END && first >= 0 && last >= first + 6 && (last - first) % 6 == 0);
+    if (code >= T_GRID) return code < T_END && coordinates && first >= 0 && last >= first + 7;
+    return code < T_SPLINE || (first >= 0 && last >= first + 6 && (last - first) % 6 == 0);
 }
 
 /* Whether the operations of a function read what comes before them. */
 static int is_function(const checker *c, const int32_t *operation, int32_t n_leaves, int32_t count)
 {
     for (const int32_t *op = operation; op < operation + 4 * (int64_t)count; op += 4, n_leaves++)
-        if (!within(op + 1, 3, -(int64_t)c->m->n_numbers, n_leaves) || !has_table(op[0], -1 - (int64_t)op[2], -1 - (int64_t)op[3]))
+        if (!within(op + 1, 3, -(int64_t)c->m->n_numbers, n_leaves) ||
+            !has_table(op[0], -1 - (int64_t)op[2], -1 - (int64_t)op[3], op[1] >= 0 && op[1] <= n_leaves - 3))
             return 0;
     return n_leaves > 0 && n_leaves <= c->m->n_registers;
 }
@@ -172,7 +174,7 @@ static int has_loads(const checker *c)
 static int has_tape(const checker *c)
 {
     for (const int32_t *op = c->m->tape; op < c->m->tape + 5 * c->count.n_tape; op += 5)
-        if (!within(op + 1, 4, 0, c->m->n_numbers) || !has_table(op[0], op[3], op[4])) return 0;
+        if (!within(op + 1, 4, 0, c->m->n_numbers) || !has_table(op[0], op[3], op[4], hm_holds(c->m, op[2], 3))) return 0;
     return within(c->m->mass_node, 2 * (int64_t)c->m->n_mass_free, 0, c->m->n_free);
 }
 

@@ -42,7 +42,7 @@ WORK = {
     "block": "n_local * n_local",
     "leaves": "n_registers * n_leaf_numbers",  # end slopes and changes of a composite's leaves
     "r.r0": "n_registers", "r.r1": "n_registers", "r.dr": "n_registers",  # of one function
-    "r.adjoint": "n_registers", "r.slope": "2 * n_registers",
+    "r.adjoint": "n_registers", "r.slope": "3 * n_registers",
     "estimate": "4 * n",  # in q and v, difference from lower order; of weighted covers: change
     # from the finest one, and behind it that difference
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",

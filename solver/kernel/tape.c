@@ -64,5 +64,5 @@ void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment)
     for (int32_t before = 0; before < segment; before++) op += 5 * (int64_t)length[before];
     for (int32_t i = 0; i < length[segment]; i++, op += 5)
         numbers[op[1]] = op[0] < T_SPLINE ? hm_operate(op[0], numbers[op[2]], numbers[op[3]], numbers[op[4]])
-                                          : hm_spline(op[0] - T_SPLINE, numbers[op[2]], numbers + op[3], numbers + op[4]);
+                                          : hm_look_up(op[0], numbers + op[2], numbers + op[3], numbers + op[4]);
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from solver.scene import Expr, ExpressionError, Number, symbols
@@ -31,6 +32,7 @@ SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
     "abs": (sign,),
     "spline": (lambda x, table: operate("spline_slope", x, table),),
     "spline_slope": (lambda x, table: operate("spline_curvature", x, table),),
+    "grid": tuple(partial(operate, f"grid_{axis}") for axis in "xyz"),
     "min": (lambda x, y: operate("le", x, y), lambda x, y: operate("gt", x, y)),
     "max": (lambda x, y: operate("ge", x, y), lambda x, y: operate("lt", x, y)),
 }  # fmt: skip
@@ -56,8 +58,10 @@ def derivative(number: Number, name: str) -> Number:
         args: list[Any] = [arg for arg in part.args if not isinstance(arg, str)]
         if part.op == "select":
             return select(args[0], walk(args[1]), walk(args[2]))
-        if part.op == "spline_curvature":
+        if part.op == "spline_curvature" or part.op.startswith("grid_"):
             message = "the curvature of a profile has no derivative: it has kinks at the points"
+            if part.op.startswith("grid_"):
+                message = "the slope of a grid has no derivative"
             raise ExpressionError(message)
         total: Number = 0.0
         for arg, slope in zip(args, SLOPES.get(part.op, ()), strict=False):

@@ -14,7 +14,7 @@ from enum import IntEnum
 
 from solver.runtime.layout import CODES, OFFSETS
 from solver.scene import Expr, Number
-from solver.scene.expression import Curve, Operand
+from solver.scene.expression import Curve, Grid, Operand
 
 CODE = {name: code for code, name in enumerate(CODES)}
 
@@ -115,6 +115,11 @@ class Tape:
             return found if found[1] is Segment.PARAMETERS else (found[0], wanted)
         segment = max(segment for _, segment in arguments)
         places = [place for place, _ in arguments]
+        if isinstance(number.args[-1], Grid):  # its coordinates stand one behind the other
+            copies = [self._new() for _ in places[:-1]]
+            for copied, place in zip(copies, places, strict=False):
+                self._emit(segment, "copy", copied, [place] * 3)
+            places = [copies[0], places[-1]]
         target = self._new()
         self._emit(segment, number.op, target, padded(places, number))
         return target, segment
@@ -213,7 +218,15 @@ class Numbers:
         """
         register = {f"#{k}": k for k in range(n_leaves)}
         known: dict[Expr, int] = {}
+        triples: dict[tuple[int, ...], int] = {}
         operations: list[int] = []
+
+        def copied(arguments: list[int]) -> int:
+            """First of the registers, one behind the other, of the coordinates of a grid."""
+            first = triples.setdefault(tuple(arguments), n_leaves + len(operations) // 4)
+            if first == n_leaves + len(operations) // 4:
+                operations.extend(x for at in arguments for x in (CODE["copy"], at, at, at))
+            return first
 
         def compiled(part: Operand | str) -> int | None:
             """Register of a part; None for one without leaves."""
@@ -230,6 +243,8 @@ class Numbers:
                 -1 - self._constant(arg) if at is None else at
                 for arg, at in zip(part.args, found, strict=True)
             ]
+            if isinstance(part.args[-1], Grid):
+                arguments = [copied(arguments[:-1]), arguments[-1]]
             operations.extend((CODE[part.op], *padded(arguments, part)))
             known[part] = n_leaves + len(operations) // 4 - 1
             return known[part]

@@ -132,7 +132,7 @@ def in_core(name: str) -> Callable[..., float]:
     """Return an operation of the core on floats, with the bits of one in a run.
 
     Its value is NaN where there is no real one, and an infinity where the result is too large. A
-    spline takes x, then the numbers of its table.
+    spline takes x, then the numbers of its table. One array may stand for all floats.
 
     Raises
     ------
@@ -141,8 +141,10 @@ def in_core(name: str) -> Callable[..., float]:
     """
     operate, code = shared_library(2).holonom_operate, CODES.index(name)
 
-    def value(*arguments: float) -> float:
-        numbers = array("d", arguments if len(arguments) > 2 else (*arguments, 0.0, 0.0))
+    def value(*arguments) -> float:
+        numbers = arguments[0]
+        if not isinstance(numbers, array):
+            numbers = array("d", arguments if len(arguments) > 2 else (*arguments, 0.0, 0.0))
         return operate(code, *numbers.buffer_info())
 
     return value

@@ -401,6 +401,7 @@ CODES = (
     "atan2", "sqrt", "exp", "log", "abs", "min", "max", "sign", "lt", "le", "gt", "ge", "eq", "ne",
     "and", "or", "not", "sinh", "cosh", "tanh", "floor", "ceil", "mod", "select",
     "spline", "spline_slope", "spline_curvature",  # of x, first and last place of a table
+    "grid", "grid_x", "grid_y", "grid_z",  # of the first of three numbers x, y, z, and a table
 )
 """Operations of the tape and of functions, by their codes."""
 # fmt: on

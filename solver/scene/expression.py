@@ -12,7 +12,8 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable, Mapping
+from array import array
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple, NoReturn, TypeAlias
 
@@ -59,7 +60,7 @@ class Curve(NamedTuple):
     """Numbers of a profile, in the form of ``solver/kernel/spline.c``: operand of a spline."""
 
     name: str
-    numbers: tuple[float, ...]
+    numbers: Sequence[float]
 
     def __format__(self, _: str) -> str:
         return self.name
@@ -68,11 +69,34 @@ class Curve(NamedTuple):
         return self.name
 
 
+class Grid(Curve):
+    """Numbers of a spline of three coordinates, in the form of ``solver/kernel/grid.c``.
+
+    They are an array, of up to a million; two grids are equal if they share it.
+    """
+
+    __slots__ = ()
+
+    def __hash__(self) -> int:
+        return id(self.numbers)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Grid) and self.numbers is other.numbers
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+
 _SPLINES = ("spline", "spline_slope", "spline_curvature")
+_GRIDS = ("grid", "grid_x", "grid_y", "grid_z")
 
 
 def _spline(name: str) -> Callable[..., float]:
     return lambda x, table: in_core(name)(x, *table.numbers)
+
+
+def _grid(name: str) -> Callable[..., float]:
+    return lambda x, y, z, table: in_core(name)(array("d", (x, y, z)) + table.numbers)
 
 
 _ELEMENTARY = (
@@ -101,10 +125,11 @@ OPERATIONS: dict[str, Callable[..., float]] = {
     "not": _truth(lambda x: x == 0.0),
     "select": lambda condition, x, y: x if condition != 0.0 else y,
     **{name: _spline(name) for name in _SPLINES},
+    **{name: _grid(name) for name in _GRIDS},
 }
 """Operation by name. ``select(condition, x, y)`` is x where the condition is true, else y;
 ``mod(x, y)`` is what x exceeds a multiple of y by, with the sign of y; ``spline(x, table)`` and its
-two derivatives are those of a profile."""
+two derivatives are those of a profile, ``grid(x, y, z, table)`` and its three those of a grid."""
 
 FUNCTIONS: dict[str, int] = {
     "sin": 1, "cos": 1, "tan": 1, "asin": 1, "acos": 1, "atan": 1, "atan2": 2,
@@ -136,6 +161,8 @@ def written(op: str, args: tuple[str, ...]) -> str:
         return f"({args[1]} if {args[0]} else {args[2]})"
     if op in _SPLINES:
         return args[1] + "'" * _SPLINES.index(op) + f"({args[0]})"
+    if op in _GRIDS:
+        return f"{args[-1]}{op.removeprefix('grid')}({', '.join(args[:-1])})"
     return f"{op}({', '.join(args)})"
 
 

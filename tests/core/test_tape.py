@@ -15,6 +15,7 @@ from solver.scene.expression import (
     Curve,
     Expr,
     ExpressionError,
+    Grid,
     apply,
     evaluate,
     operate,
@@ -34,15 +35,22 @@ ARITY = {
     **dict.fromkeys(("sinh", "cosh", "tanh", "floor", "ceil"), 1),
     "select": 3,
     **dict.fromkeys(("spline", "spline_slope", "spline_curvature"), 1),
+    **dict.fromkeys(("grid", "grid_x", "grid_y", "grid_z"), 3),
 }
-"""Operations by name and number of operands: all that an expression can hold. Of splines, besides
-their tables."""
+"""Operations by name and number of operands: all that an expression can hold. Of splines and grids,
+besides their tables."""
 
 TABLES = [
     Curve("lobe", table_of([-5.0, -1.0, 0.0, 2.0, 3.0], [0.0, 1.0, 3.0, -1.0, 0.0], periodic=True)),
     Curve("road", table_of([-9.0, 0.5, 2.0], [1.0, -2.0, 4.0], integrate=True)),
 ]
-TABLE = {name: TABLES[:1] if name.startswith("spline") else [] for name in ARITY}
+GRID = Grid(
+    "bowl", array("d", [-3.0, -2.0, -1.0, 0.75, 6, 5, 7, *(math.sin(k * k) for k in range(210))])
+)
+TABLE = {
+    name: TABLES[:1] if name.startswith("spline") else [GRID] if name.startswith("grid") else []
+    for name in ARITY
+}
 
 
 def on_tape(engine, number, values):
@@ -75,7 +83,7 @@ def same_bits(x, y):
 def _operations(draw, operands):
     name = draw(st.sampled_from(sorted(ARITY)))
     arguments = [draw(operands) for _ in range(ARITY[name])]
-    tables = [draw(st.sampled_from(TABLES))] if TABLE[name] else []
+    tables = [draw(st.sampled_from(TABLES))] if TABLE[name][:1] == TABLES[:1] else TABLE[name]
     return Expr(name, (*arguments, *tables))
 
 
