@@ -58,6 +58,8 @@ def write_fmu(
     The scene of its parts travels along, as text and as a picture. `tell` is called
     with what the trial run has to say, which stands on the page of the FMU as well.
     """
+    from solver.mechanics.meshes import accuracy
+
     target = fmu_path(path, identifier(model.name))
     beside = target.with_suffix(".ssv")
     require_own_set(target)
@@ -66,7 +68,8 @@ def write_fmu(
     with writing(beside):
         beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
-    for sentence in (*seen.remarks, *([failed] if seen.reason else ())):
+    rough = (s for name, mesh in model.meshes.items() for s in accuracy(name, mesh))
+    for sentence in (*rough, *seen.remarks, *([failed] if seen.reason else ())):
         if tell:
             tell(sentence)
     return target

@@ -89,6 +89,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
             table: list(dict.fromkeys(name for kind, _, name in places if kind == table))
             for table in ("bodies", "joints", "constraints", "contacts")
         },
+        "meshes": model.meshes,
         **asdict(counts),
         "drivers": driver_names(model),
         "prescribed_motions": counts.drivers,
@@ -119,6 +120,7 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("joints", _names(document["joints"])),
         ("constraint formulas", _names(document["constraints"])),
         *([("contacts", _names(document["contacts"]))] if document["contacts"] else []),
+        *((f"mesh of {name}", _mesh(mesh)) for name, mesh in document["meshes"].items()),
         ("drivers", _names(document["drivers"])),
         ("points", f"{moving}, {counts.supports} fixed{note}"),
         *((kind, _names(names)) for kind, names in forces.items()),
@@ -135,6 +137,16 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
 def _names(names: Sequence[str], most: int = 8) -> str:
     shown = ", ".join(names[:most]) + (", ..." if len(names) > most else "")
     return f"{len(names)}  {shown}".rstrip()
+
+
+def _mesh(mesh: Mapping[str, Any]) -> str:
+    """Grid of a mesh, how exact its distances are, and what touches it."""
+    cells = " x ".join(map(str, mesh["cells"]))
+    text = f"{mesh['file']}, {mesh['triangles']} triangles; {cells} cells of "
+    text += f"{mesh['resolution']:.4g} m; distances to {mesh['largest_error']:.1e} m, "
+    text += f"{mesh['mean_error']:.1e} m in the mean; {mesh['points']} points touch it"
+    left = mesh["corners_left"]
+    return text + (f", up to {left:.1e} m from a corner" if left else "")
 
 
 def _redundancy(counts: Survey) -> str:

@@ -102,6 +102,7 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
         rows=tuple(row.row for row in structure.multipliers),
         sampled=tuple(name for _, _, name in structure.sampled),
         forces={name: force.type for name, force in scene.forces.items()},
+        meshes=parts.meshes,
         settings=_settings(scene, unilateral=bool(structure.sizes["unilateral"])),
         experiment=Experiment(
             start_time=scene.experiment.start_time,

@@ -14,6 +14,7 @@ from solver.mechanics.couplings import COUPLINGS, driven_points
 from solver.mechanics.forces import FORCES
 from solver.mechanics.joints import JOINTS, add_joint
 from solver.mechanics.mechanism import FREE, Mechanism
+from solver.mechanics.meshes import MESHES
 from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import Rows
 from solver.mechanics.shapes import SHAPES
@@ -32,7 +33,8 @@ from solver.scene import (
 )
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
-    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **FORCES,
+    **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **MESHES,
+    **FORCES,
 }  # fmt: skip
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from solver.mechanics.combination import Combination, node
 from solver.mechanics.frames import Frame, Ground, RigidFrame
@@ -78,6 +78,8 @@ class Parts:
     """Index among the mechanism's contacts; a stop with both ends has two."""
     compliant: dict[str, list[CompliantContact]] = field(default_factory=dict)
     """Likewise of contacts that are forces."""
+    meshes: dict[str, dict[str, Any]] = field(default_factory=dict)
+    """What `info` tells of the grid of a contact with a mesh."""
     problems: list[tuple[str, str]] = field(default_factory=list)
     """Location and sentence of what is wrong with the scene."""
 

@@ -40,6 +40,7 @@ from solver.scene import (
     Expr,
     ExpressionError,
     HeightFieldContact,
+    MeshContact,
     Number,
     PointReference,
     ProfileContact,
@@ -149,12 +150,13 @@ def add_surface(rows: Rows, contact: SurfaceContact, _: JointParts) -> None:
             message = "the surface must be smooth: write it without conditions, abs, min, max, mod "
             message += "and rounding of the coordinates"
             raise ExpressionError(message) from None
-    _add_implicit(rows, contact, forms, value, slopes)
+    gap = _nearby(rows, value, slopes)
+    add_implicit(rows, contact, contact.point, forms, gap, slopes)
 
 
 def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) -> None:
     """Keep a point inside or outside of a superquadric."""
-    forms = _coordinates(rows, contact)
+    forms = coordinates(rows, contact, rows.parts.place(contact.point))
     p, inside = contact.power, contact.side == "inside"
     total: Number = 0.0
     slopes: list[Number] = []
@@ -168,13 +170,15 @@ def add_superquadric(rows: Rows, contact: SuperquadricContact, _: JointParts) ->
     sign, total = (-1.0 if inside else 1.0), total + CENTRE
     value = sign * (total ** (1.0 / p) - (1.0 + CENTRE) ** (1.0 / p))
     factor = sign * total ** (1.0 / p - 1.0)
-    _add_implicit(rows, contact, forms, value, [factor * x for x in slopes])
+    slopes = [factor * x for x in slopes]
+    gap = _nearby(rows, value, slopes)
+    add_implicit(rows, contact, contact.point, forms, gap, slopes)
 
 
 def add_height_field(rows: Rows, contact: HeightFieldContact, _: JointParts) -> None:
     """Keep a point above a field of heights, a spline in either direction."""
     mechanism = rows.mechanism
-    forms = _coordinates(rows, contact)
+    forms = coordinates(rows, contact, rows.parts.place(contact.point))
     leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
     x, y, z = (leaf_symbol(k) for k in range(3))
     height: Number = 0.0
@@ -195,9 +199,11 @@ def add_height_field(rows: Rows, contact: HeightFieldContact, _: JointParts) -> 
     add_contact(rows, contact, gap, slips=slips)
 
 
-def _coordinates(rows: Rows, contact: SuperquadricContact | HeightFieldContact) -> Coordinates:
-    """Return the coordinates of the point in axes of the body, from `position` or its origin."""
-    frame, place = rows.parts.frame(contact.body), rows.parts.place(contact.point)
+def coordinates(
+    rows: Rows, contact: SuperquadricContact | HeightFieldContact | MeshContact, place: Combination
+) -> Coordinates:
+    """Return the coordinates of a place in axes of the body, from `position` or its origin."""
+    frame = rows.parts.frame(contact.body)
     forms = frame.coordinates(place)
     if contact.position is None:
         return forms
@@ -205,20 +211,26 @@ def _coordinates(rows: Rows, contact: SuperquadricContact | HeightFieldContact) 
     return tuple((link, axis) for _, axis in forms)
 
 
-def _add_implicit(
-    rows: Rows, contact: SurfaceContact | SuperquadricContact, forms: Coordinates, value: Number,
-    slopes: list[Number],
+def _nearby(rows: Rows, value: Number, slopes: list[Number]) -> Number:
+    """Return the distance to F = 0, to first order near it and finite everywhere."""
+    far = value / rows.mechanism.extent
+    return value / sqrt(dot(slopes, slopes) + far * far)
+
+
+def add_implicit(
+    rows: Rows, contact: SurfaceContact | SuperquadricContact | MeshContact, point: PointReference,
+    forms: Coordinates, gap: Number, slopes: list[Number], end: str = "", up: Vector = (),
 ) -> None:  # fmt: skip
-    """Keep a point where F > 0, a function of its coordinates with these slopes."""
+    """Keep a point off a surface with this normal, of any size; both are functions of coordinates.
+
+    Tangents are smooth until the normal points against `up`, that as drawn unless given.
+    """
     mechanism = rows.mechanism
     leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
-    square, far = dot(slopes, slopes), value / mechanism.extent
-    gap = Formula(value / sqrt(square + far * far), tuple(leaves))
-    steepness = sqrt(square)
+    steepness = sqrt(dot(slopes, slopes))
     normal = tuple(slope / steepness for slope in slopes)
-    radius = contact.ball_radius
-    slips = _slips(rows, contact, contact.point, leaves, normal, forms, radius)
-    add_contact(rows, contact, gap, slips=slips)
+    slips = _slips(rows, contact, point, leaves, normal, forms, contact.ball_radius, up)
+    add_contact(rows, contact, Formula(gap, tuple(leaves)), end=end, slips=slips)
 
 
 # ------------------------------------------------------------------------------------- slip rates
@@ -226,21 +238,23 @@ def _add_implicit(
 
 def _slips(
     rows: Rows, contact: RubbingContact, point: PointReference, leaves: Sequence[Leaf],
-    normal: Vector, forms: Coordinates, radius: Number,
+    normal: Vector, forms: Coordinates, radius: Number, up: Vector = (),
 ) -> list[Formula]:  # fmt: skip
     """Return the slip rates of a ball about a point with these coordinates in axes of a body."""
     ball = body_of(rows, point) if is_there(radius) else None
-    return slip_rates(rows, contact, ball, leaves, normal, [forms], radius)
+    return slip_rates(rows, contact, ball, leaves, normal, [forms], radius, up=up)
 
 
 def slip_rates(
     rows: Rows, contact: RubbingContact, ball: Ground | RigidFrame | None, leaves: Sequence[Leaf],
     normal: Vector, places: Sequence[Coordinates], radius: Number, shares: Vector = (1.0,),
+    up: Vector = (),
 ) -> list[Formula]:  # fmt: skip
     """Return the slip rates of a ball about a place, by its coordinates in axes of a body.
 
     The place has these shares of others of the body of the ball; shares and normal, in the same
-    axes, are functions of the leaves.
+    axes, are functions of the leaves. Tangents turn with the normal from those of `up`, or of the
+    normal as drawn.
     """
     if contact.friction is None:
         return []
@@ -248,7 +262,7 @@ def slip_rates(
     spokes = [*map(ball.direction, ball.axes)] if ball is not None else []
     axes = [axis for _, axis in places[0]]
     try:
-        drawn = tuple(mechanism.default(as_drawn(mechanism, x, leaves)) for x in normal)
+        drawn = up or tuple(mechanism.default(as_drawn(mechanism, x, leaves)) for x in normal)
     except ExpressionError:  # there is no normal where the point is drawn
         drawn = (0.0, 0.0, 1.0)
     slips = []

@@ -97,8 +97,8 @@ class Experiment(
 class Model(
     namedtuple(
         "Model",
-        "name description sizes tables offsets numbers variables rules rows forces sampled "
-        "settings experiment",
+        "name description sizes tables offsets numbers variables rules rows forces meshes "
+        "sampled settings experiment",
     )
 ):
     """Structure and numbers of a mechanism; never modified.
@@ -119,6 +119,8 @@ class Model(
         What each constraint row belongs to, in the order of the multipliers.
     forces : mapping of str to str
         Type of each force of the scene, by name, such as "torsion_damper".
+    meshes : mapping of str to dict
+        The grid of each contact with a mesh, by name, and how exact its distances are.
     sampled : tuple of str
         What each load that reads the mechanism is called in a sentence.
     settings : mapping of str to float, str or bool

@@ -123,6 +123,7 @@ def _fields(
         "rules": tuple(map(rule, RULE.iter_unpack(rules), told["rules"])),
         "rows": tuple(map(row, ROW.iter_unpack(rows), told["rows"])),
         "forces": told["forces"],
+        "meshes": told["meshes"],
         "sampled": tuple(map(text, _array("I", sampled))),
         "settings": {
             known.name.removeprefix("solver."): known.start

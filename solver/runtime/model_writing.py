@@ -106,7 +106,7 @@ def _rest(model: Model) -> dict[str, object]:
     """Return what only Python reads."""
     return {
         "name": model.name, "description": model.description, "forces": model.forces,
-        "experiment": model.experiment,
+        "meshes": model.meshes, "experiment": model.experiment,
         "variables": [variable.description for variable in model.variables],
         "rules": [rule.location for rule in model.rules],
         "rows": [row.location for row in model.rows],

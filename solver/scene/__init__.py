@@ -61,6 +61,7 @@ from solver.scene.joints import (
     Spherical,
     Universal,
 )
+from solver.scene.meshes import MeshContact
 from solver.scene.parameters import Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.reader import load, loads

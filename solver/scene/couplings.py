@@ -84,10 +84,11 @@ class Distance(Part):
 
 
 def check_point_and_body(
-    reader: "Reader", path: Path, reference: PointReference, body: str | None, given: Any
-) -> None:
+    reader: "Reader", path: Path, reference: PointReference, body: str | None, given: Any,
+    field: str = "point",
+) -> None:  # fmt: skip
     """Check that a point is none of a body, `given` in the file, and that one of them can move."""
-    point, where = reference.point, (*path, "point")
+    point, where = reference.point, (*path, field)
     if point in reader.fixed and given in (None, "ground"):
         reader.draft.error(where, f"the point '{point}' is fixed, and so is the ground")
     if body is not None and point and reader.owner(point) == body:

@@ -20,13 +20,21 @@ from solver.scene.bodies import Bar
 from solver.scene.contacts import check_settings
 from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
-from solver.scene.fields import BROKEN, fields_of
+from solver.scene.fields import BROKEN, Part, fields_of
+from solver.scene.meshes import MeshContact
 from solver.scene.names import check_body_points, check_name, check_names, known_names
 from solver.scene.overrides import apply_overrides
 from solver.scene.parameters import read_parameters
 from solver.scene.profiles import Profile, read_profiles
 from solver.scene.references import Reader
-from solver.scene.report import SceneError, SceneWarning, Source, in_order
+from solver.scene.report import (
+    Path,
+    SceneError,
+    SceneWarning,
+    Source,
+    in_order,
+    location_of,
+)
 from solver.scene.scene import HEADING, Scene
 from solver.scene.settings import read_settings
 from solver.scene.tables import tables_of, text_of
@@ -153,19 +161,23 @@ def _build(draft: Draft) -> Scene:
         **reader.parts,
         solver=solver,
         experiment=experiment,
-        source=_without_files(draft.source, profiles),
+        source=_without_files(draft.source, profiles, reader.parts["contacts"]),
         warnings=in_order(draft.warnings),
     )
 
 
-def _without_files(source: Source, profiles: Mapping[str, Profile]) -> Source:
-    """Return the source with the points of files as overrides: it is to be read elsewhere too."""
-    read = {
-        ("profiles", name): f"profiles.{name}={profile.text}"
-        for name, profile in profiles.items()
-        if profile.file
+def _without_files(
+    source: Source, profiles: Mapping[str, Profile], contacts: Mapping[str, Part]
+) -> Source:
+    """Return the source with what files hold as overrides: it is to be read elsewhere too."""
+    read: dict[Path, str] = {
+        ("profiles", name): profile.text for name, profile in profiles.items() if profile.file
     }
-    return replace(source, overrides={**source.overrides, **read}) if read else source
+    for name, contact in contacts.items():
+        if isinstance(contact, MeshContact):
+            read |= {("contacts", name, word): mesh.text for word, mesh in contact.files.items()}
+    texts = {path: f"{location_of(path)}={text}" for path, text in read.items()}
+    return replace(source, overrides={**source.overrides, **texts}) if texts else source
 
 
 def _heading(draft: Draft) -> Any:

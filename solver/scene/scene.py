@@ -18,6 +18,7 @@ from solver.scene.expression import Number, Vector
 from solver.scene.fields import Part, fields_of, schema_of
 from solver.scene.forces import FORCES
 from solver.scene.joints import JOINTS
+from solver.scene.meshes import MESHES
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.report import Problem, SceneError, Source
@@ -83,7 +84,9 @@ class Scene(Part):
     constraints: Annotated[dict[str, Constraint], _table("constraint", Constraint)] = field(
         default_factory=dict
     )
-    contacts: Annotated[dict[str, Part], _table("contact", CONTACTS | SURFACES | SHAPES)] = field(
+    contacts: Annotated[
+        dict[str, Part], _table("contact", CONTACTS | SURFACES | SHAPES | MESHES)
+    ] = field(
         default_factory=dict
     )
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)

@@ -68,6 +68,7 @@ _WORDS = {
         cam: lobe
         height_field: terrain heightfield heightmap height_map grid
         superquadric: ellipsoid superellipsoid ellipse
+        mesh: stl obj trimesh triangles
         """,
     "fields": """
         stiffness: k spring_constant spring_rate rate

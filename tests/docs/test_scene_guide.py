@@ -24,6 +24,11 @@ FIRST, *PIECES = EXAMPLES
 SPATIAL = next(example for example in PIECES if example.startswith("name"))
 
 
+@pytest.fixture(autouse=True)
+def _among_the_meshes(monkeypatch):
+    monkeypatch.chdir(ROOT / "scenes")
+
+
 def test_the_first_scene_is_complete():
     assert loads(FIRST).name == "pendulum"
 
