@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.scene.expression import Grid
-from solver.scene.meshes import Mesh, triangles_of
+from solver.scene.files import DataFile
+from solver.scene.meshes import triangles_of
 
 Array = NDArray[np.float64]
 CELLS = 32
@@ -61,12 +62,14 @@ class DistanceGrid(NamedTuple):
 
 
 @lru_cache(maxsize=8)
-def distance_grid(mesh: Mesh, scale: float, spacing: float | None, radius: float) -> DistanceGrid:
+def distance_grid(
+    mesh: DataFile, scale: float, spacing: float | None, radius: float
+) -> DistanceGrid:
     """Return the distances to a mesh.
 
     Parameters
     ----------
-    mesh : Mesh
+    mesh : DataFile
     scale : float
         Unit of its file [m].
     spacing : float or None
@@ -108,7 +111,7 @@ def distance_grid(mesh: Mesh, scale: float, spacing: float | None, radius: float
     )  # fmt: skip
 
 
-def scaled(mesh: Mesh, scale: float) -> tuple[Array, NDArray[np.int64]]:
+def scaled(mesh: DataFile, scale: float) -> tuple[Array, NDArray[np.int64]]:
     """Return the corners of a mesh in m, and the three of each triangle."""
     found = triangles_of(mesh)
     return scale * np.asarray(found.vertices, float), np.asarray(found.faces, np.int64)
@@ -142,7 +145,7 @@ def _interpolating(samples: Array, spacing: float) -> Array:
 
 
 def _errors(
-    mesh: Mesh, scale: float, radius: float, origin: Array, spacing: float, coefficients: Array
+    mesh: DataFile, scale: float, radius: float, origin: Array, spacing: float, coefficients: Array
 ) -> Array:  # fmt: skip
     """Differences from exact distances at random places near where something touches."""
     from scipy.ndimage import map_coordinates

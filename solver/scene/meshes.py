@@ -4,21 +4,19 @@ A mesh must be watertight, as it has an inside then. ``trimesh`` reads it, which
 meshes need.
 """
 
-import base64
-import binascii
 import io
 import re
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.util import find_spec
-from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
 from solver.scene.contacts import RubbingContact, read_corners
 from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
+from solver.scene.files import DataFile, read_file
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 
@@ -27,29 +25,14 @@ if TYPE_CHECKING:
 
 LIBRARIES = ("trimesh", "igl", "scipy")
 """What meshes need besides: their modules."""
-_DATA = re.compile(r"data:model/(stl|obj);base64,")
 
 
-class Mesh(NamedTuple):
-    """A file of triangles."""
-
-    name: str
-    form: str
-    """"stl" or "obj"."""
-    content: bytes
-
-    @property
-    def text(self) -> str:
-        """The file itself as a text that may stand for its name (RFC 2397)."""
-        return f"data:model/{self.form};base64,{base64.b64encode(self.content).decode()}"
-
-
-NO_MESH = Mesh("", "stl", b"")
+NO_MESH = DataFile("", "stl", b"")
 """Stands for one that has been reported."""
 
 
 @lru_cache(maxsize=8)
-def triangles_of(mesh: Mesh) -> Any:
+def triangles_of(mesh: DataFile) -> Any:
     """Return the ``trimesh.Trimesh`` of a file, each corner once, its triangles facing outwards."""
     import trimesh
 
@@ -63,7 +46,7 @@ def triangles_of(mesh: Mesh) -> Any:
     return found
 
 
-def _read_mesh(reader: "Reader", path: Path, file: Any, _: Any) -> Mesh:
+def _read_mesh(reader: "Reader", path: Path, file: Any, _: Any) -> DataFile:
     """Read a file of triangles that have an inside; report one that has not."""
     if file is BROKEN:
         return NO_MESH
@@ -72,9 +55,10 @@ def _read_mesh(reader: "Reader", path: Path, file: Any, _: Any) -> Mesh:
         message = f"meshes need Python packages that are not installed: {', '.join(missing)}"
         error(path, message, help)
         return NO_MESH
-    mesh = _content(reader, path, file)
-    if mesh is NO_MESH:
-        return mesh
+    help = "export the surface as STL or OBJ"
+    mesh = read_file(reader.draft, path, file, ("stl", "obj"), help)
+    if mesh is None:
+        return NO_MESH
     try:
         found = triangles_of(mesh)
         flaw = _flaw(found)
@@ -85,30 +69,6 @@ def _read_mesh(reader: "Reader", path: Path, file: Any, _: Any) -> Mesh:
         error(path, f"the mesh '{mesh.name}' {flaw}", help)
         return NO_MESH
     return mesh
-
-
-def _content(reader: "Reader", path: Path, file: str) -> Mesh:
-    """Read the bytes of a file, or of a text that stands for it."""
-    if given := _DATA.match(file):
-        try:
-            content = base64.b64decode(file[given.end() :], validate=True)
-        except binascii.Error:
-            reader.draft.error(path, "holds no data in base64", "name a file .stl or .obj")
-            return NO_MESH
-        return Mesh(f"{path[-2]}.{given[1]}", given[1], content)
-    where = FilePath(reader.draft.source.name).parent / file
-    form = where.suffix.lower().removeprefix(".")
-    if form not in ("stl", "obj"):
-        message = f"a mesh is a file .stl or .obj, got '{file}'"
-        reader.draft.error(path, message, "export the surface as STL or OBJ")
-        return NO_MESH
-    try:
-        return Mesh(file, form, where.read_bytes())
-    except OSError as problem:
-        message = f"file '{where.as_posix()}' cannot be read: {(problem.strerror or '').lower()}"
-        help = "name an STL or OBJ file, by its path from the folder of the scene"
-        reader.draft.error(path, message, help)
-        return NO_MESH
 
 
 def _flaw(found: Any) -> str:
@@ -156,7 +116,7 @@ class MeshContact(RubbingContact):
     only_in = (3, "in the plane write 'profile' or 'surface'")
 
     file: Annotated[
-        Mesh, kind.Plain(text=f"STL or OBJ, {_FILE}", example="bowl.stl", reading=_read_mesh)
+        DataFile, kind.Plain(text=f"STL or OBJ, {_FILE}", example="bowl.stl", reading=_read_mesh)
     ]
     body: Annotated[str | None, kind.BODY_OR_GROUND] = None
     position: Annotated[
@@ -187,7 +147,7 @@ class MeshContact(RubbingContact):
         ),
     ] = ()  # fmt: skip
     corner_file: Annotated[
-        Mesh | None,
+        DataFile | None,
         kind.Plain(
             text=f"STL or OBJ of the part, with the same scale, {_FILE}: its corners",
             example="cube.stl", reading=_read_mesh,
@@ -199,8 +159,8 @@ class MeshContact(RubbingContact):
     ] = 0.0
 
     @property
-    def files(self) -> dict[str, Mesh]:
-        """Meshes by the fields that name them."""
+    def files(self) -> dict[str, DataFile]:
+        """Files by the fields that name them."""
         both = {"file": self.file, "corner_file": self.corner_file}
         return {name: mesh for name, mesh in both.items() if mesh is not None}
 

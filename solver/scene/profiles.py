@@ -116,10 +116,10 @@ def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:
         help = "name a CSV file in UTF-8, by its path from the folder of the scene"
         return draft.error(path, message, help)
     rows = [(n, re.split("[,;\t]", line)) for n, line in enumerate(lines, 1) if line.strip(" ,;\t")]
-    if rows and all(_number(cell) is None for cell in rows[0][1]):
+    if rows and all(number(cell) is None for cell in rows[0][1]):
         del rows[0]
     for n, cells in rows:
-        row, numbers = f"'{file}', row {n}", [_number(cell) for cell in cells]
+        row, numbers = f"'{file}', row {n}", [number(cell) for cell in cells]
         if len(cells) != 2:
             help = "write x and y with decimal points, and one comma between them"
             draft.error(path, f"{row}: must have two cells, got {len(cells)}", help)
@@ -133,7 +133,8 @@ def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:
     return None
 
 
-def _number(cell: str) -> float | None:
+def number(cell: str) -> float | None:
+    """Return the finite number in a cell of a CSV file; None for anything else."""
     try:
         value = float(cell)
     except ValueError:

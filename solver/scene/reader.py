@@ -21,7 +21,6 @@ from solver.scene.contacts import check_settings
 from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, Part, fields_of
-from solver.scene.meshes import MeshContact
 from solver.scene.names import check_body_points, check_name, check_names, known_names
 from solver.scene.overrides import apply_overrides
 from solver.scene.parameters import read_parameters
@@ -174,8 +173,8 @@ def _without_files(
         ("profiles", name): profile.text for name, profile in profiles.items() if profile.file
     }
     for name, contact in contacts.items():
-        if isinstance(contact, MeshContact):
-            read |= {("contacts", name, word): mesh.text for word, mesh in contact.files.items()}
+        files = getattr(contact, "files", {})
+        read |= {("contacts", name, word): file.text for word, file in files.items()}
     texts = {path: f"{location_of(path)}={text}" for path, text in read.items()}
     return replace(source, overrides={**source.overrides, **texts}) if texts else source
 

@@ -1,5 +1,6 @@
 """Contacts of a point, wheel or roller with curves and surfaces."""
 
+import re
 from dataclasses import dataclass
 from itertools import pairwise
 from math import isclose, pi
@@ -10,6 +11,8 @@ from solver.scene.contacts import RubbingContact, check_size
 from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
+from solver.scene.files import DataFile, read_file
+from solver.scene.profiles import number
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 from solver.scene.words import a, did_you_mean
@@ -199,7 +202,7 @@ def _rising(reader: "Reader", path: Path, numbers: Any, _: Any) -> tuple[float, 
 
 def _heights(reader: "Reader", path: Path, rows: Any, given: Any) -> tuple[tuple[float, ...], ...]:
     """Check that there is a height at each place of a grid."""
-    if BROKEN in (rows, given.x, given.y):
+    if any(part in (None, BROKEN) for part in (rows, given.x, given.y)):
         return ()
     if len(rows) != len(given.x):
         message = f"must have as many lists as x has numbers, {len(given.x)}, got {len(rows)}"
@@ -214,6 +217,42 @@ def _heights(reader: "Reader", path: Path, rows: Any, given: Any) -> tuple[tuple
     )
 
 
+def _grid_file(reader: "Reader", path: Path, file: Any, _: Any) -> DataFile | None:
+    help = "name a table of heights, with places y in its first row and x in its first column"
+    return None if file is BROKEN else read_file(reader.draft, path, file, ("csv",), help)
+
+
+def _grid_of(reader: "Reader", path: Path, file: DataFile) -> dict[str, Any]:
+    """Read x, y and z from a table; report what is no grid."""
+    error = reader.draft.error
+    lines = file.content.decode("utf-8-sig", "replace").splitlines()
+    rows = [(n, re.split("[,;\t]", line)) for n, line in enumerate(lines, 1) if line.strip(" ,;\t")]
+    table: list[list[float]] = []
+    for n, cells in rows:
+        numbers = [number(cell) for cell in cells]
+        if not table:
+            numbers[0] = 0.0  # the corner, which may have a text
+        row = f"'{file.name}', row {n}"
+        if len(cells) != len(rows[0][1]):
+            message = f"{row}: must have as many cells as the first, {len(rows[0][1])}"
+            error(path, f"{message}, got {len(cells)}")
+        if None in numbers:
+            column = numbers.index(None)
+            message = f"{row}, column {column + 1}: must be a finite number"
+            error(path, f"{message}, got '{cells[column].strip()}'")
+        table.append([x or 0.0 for x in numbers])
+    if min(len(table), len(rows[0][1]) if rows else 0) < 3:
+        error(path, f"'{file.name}' must have at least 3 rows and 3 columns")
+        return {}
+    x, y = tuple(row[0] for row in table[1:]), tuple(table[0][1:])
+    for axis, places in (("x", x), ("y", y)):
+        for before, place in pairwise(places):
+            if not place > before:
+                message = f"'{file.name}': {axis} must rise, got {place:.15g} behind {before:.15g}"
+                error(path, message)
+    return {"x": x, "y": y, "z": tuple(tuple(row[1:]) for row in table[1:])}
+
+
 _PLACES = kind.ListOf("m", "places of the grid, rising", example=[0, 1, 2], reading=_rising)
 
 
@@ -224,19 +263,49 @@ class HeightFieldContact(PointContact):
     type = "height_field"
     only_in = (3, "in the plane write 'profile'")
 
-    x: Annotated[tuple[float, ...], _PLACES]
-    y: Annotated[tuple[float, ...], _PLACES]
+    file: Annotated[
+        DataFile | None,
+        kind.Plain(
+            text="CSV of the grid instead of x, y, z: places y in the first row, x in the first "
+            "column; found from the scene's folder", example="hills.csv", reading=_grid_file,
+        ),
+    ] = None  # fmt: skip
+    x: Annotated[tuple[float, ...], _PLACES] = ()
+    y: Annotated[tuple[float, ...], _PLACES] = ()
     z: Annotated[
         tuple[tuple[float, ...], ...],
         kind.ListOf(
             "m", "a list for each x, with a height for each y", item=kind.ListOf(),
             example=[[0, 0.1], [0.2, 0]], reading=_heights,
         ),
-    ]  # fmt: skip
+    ] = ()  # fmt: skip
     position: Annotated[
         Vector | None, kind.Components("m", "origin of the grid as drawn; that of the body")
     ] = None
     ball_radius: Annotated[Number, _BALL_RADIUS] = 0.0
+
+    @property
+    def files(self) -> dict[str, DataFile]:
+        """Files by the fields that name them."""
+        return {} if self.file is None else {"file": self.file}
+
+    @classmethod
+    def read(cls, reader: "Reader", path: Path, given: Any) -> Any:
+        """Take the grid from its file, if that is given."""
+        values, grid = reader.fields(cls, path, given), (given.x, given.y, given.z)
+        if (given.file is None) == any(x is None for x in grid) or (
+            given.file is not None and any(x is not None for x in grid)
+        ):
+            message = "must have either 'file', or 'x', 'y' and 'z'"
+            help = (
+                'write file = "hills.csv", or x = [0, 1], y = [0, 1] and z = [[0, 0.1], [0.2, 0]]'
+            )
+            reader.draft.error(path, message, help)
+        elif values.get("file") is not None:
+            values |= _grid_of(reader, (*path, "file"), values["file"])
+        contact = cls(**values)
+        contact.check(reader, path, given)
+        return contact
 
 
 SURFACES: dict[str, type[kind.Part]] = {
