@@ -6,6 +6,7 @@ gap        g = F sqrt((F^2 + a^2)/(F^2 + a^2 |grad d|^2)),
 with the distance d of ``distance_grid``, s = 1 outside of the mesh and -1 inside, the place c of
 the grid's box that is next to x, and its cells a: beyond the box the way to it adds to the
 distance. Where g = 0 its gradient has size 1, also where edges are rounded off; elsewhere g is F.
+A point that is drawn beyond the surface by less than the error of the grid begins with F = 0.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from solver.mechanics.combination import Combination
+from solver.mechanics.contacts import as_drawn
 from solver.mechanics.distance_grid import MeshError, distance_grid, scaled, spread
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import RigidFrame
@@ -51,11 +53,15 @@ def add_mesh(rows: Rows, contact: MeshContact, _: JointParts) -> None:
     way = sqrt(dot(beyond, beyond) + found.spacing**2) - found.spacing
     value = sign * (operate("grid", *inside, found.grid) + way) - radius
     slopes: list[Number] = [sign * operate(f"grid_{axis}", *inside, found.grid) for axis in "xyz"]
-    square, cell = value * value, found.spacing**2
-    gap = value * sqrt((square + cell) / (square + cell * dot(slopes, slopes)))
+    steepness2, cell2 = dot(slopes, slopes), found.spacing**2
     places, left = _places(rows, contact)
     for place, reference, end in places:
         forms = coordinates(rows, contact, place)
+        leaves = [mechanism.leaf(mechanism.component(*form)) for form in forms]
+        drawn = mechanism.default(as_drawn(mechanism, value, leaves))
+        # What is drawn to touch the mesh is not refused for the error of the grid.
+        free = value - drawn if -found.largest_error <= drawn < 0.0 else value
+        gap = free * sqrt((free * free + cell2) / (free * free + cell2 * steepness2))
         add_implicit(rows, contact, reference, forms, gap, slopes, end, _up(rows, contact))
     size = max(high - low for low, high in zip(found.low, found.high, strict=True))
     rows.parts.meshes[rows.name] = {
