@@ -20,11 +20,13 @@ from scipy.interpolate import CubicSpline
 import solver
 from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.derivative import derivative
+from solver.mechanics.distance_grid import distance_grid
 from solver.mechanics.mechanism import Formula
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import ExpressionError, SceneError, evaluate, parse
-from solver.scene.expression import Curve, operate, symbol
+from solver.scene.expression import Curve, apply, operate, symbol
 from tests.mechanics.test_contact_rows import Moved, Pose, bodies, posed
+from tests.meshes import ellipsoid
 from tests.reduced_models import Array
 
 SEEDS = st.integers(0, 2**32 - 1)
@@ -186,7 +188,33 @@ def on_a_height_field(random: np.random.Generator) -> Touch:
     return touching(random, 3, contact, centre - RADIUS * n, normal, RADIUS)
 
 
+MESH = ellipsoid(2)
+
+
+def on_a_mesh(random: np.random.Generator, side: str) -> Touch:
+    """A ball whose centre is where the spline of distances has its radius; along a random ray."""
+    sign = 1.0 if side == "outside" else -1.0
+    grid = distance_grid(MESH, 1.0, 0.15, sign * RADIUS).grid
+    ray = random.normal(size=3)
+    ray /= np.linalg.norm(ray)
+    low, high = 0.0, 1.9 / np.abs(ray).max() * 0.7
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        outside = apply("grid", *(middle * ray), grid) > sign * RADIUS
+        low, high = (low, middle) if outside else (middle, high)
+    centre = low * ray
+    normal = sign * np.array([apply(f"grid_{axis}", *centre, grid) for axis in "xyz"])
+    contact = {
+        "type": "mesh", "file": MESH.text, "resolution": 0.15, "side": side,
+        "point": "a.tip", "body": "b", "ball_radius": RADIUS,
+    }  # fmt: skip
+    n = normal / np.linalg.norm(normal)
+    return touching(random, 3, contact, centre - RADIUS * n, normal, RADIUS)
+
+
 CASES = {
+    "mesh outside": lambda random: on_a_mesh(random, "outside"),
+    "mesh inside": lambda random: on_a_mesh(random, "inside"),
     "height field": on_a_height_field,
     "profile": on_a_profile,
     "cam with a roller": on_a_cam,
