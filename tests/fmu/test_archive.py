@@ -272,10 +272,12 @@ def test_importing_the_slave_takes_a_part_of_the_standard_library(tmp_path):
     assert not heavy & modules
 
 
-def test_it_runs_on_a_bare_python_to_the_same_bits(tmp_path):
-    resources(scene_fmu("four_bar"), tmp_path)
-    bare = bare_python(BARE_HOST, tmp_path, "four_bar", "20", "0.05").stdout
-    with instance(scene_fmu("four_bar")) as fmu:
+@pytest.mark.parametrize("name", ["four_bar", "die_in_a_bowl"])
+def test_it_runs_on_a_bare_python_to_the_same_bits(tmp_path, name):
+    """Without NumPy, and with a mesh without the libraries that read it."""
+    resources(scene_fmu(name), tmp_path)
+    bare = bare_python(BARE_HOST, tmp_path, name, "20", "0.05").stdout
+    with instance(scene_fmu(name)) as fmu:
         fmu.initialise()
         rows = fmu.run(0.0, 0.05, 20)
     digest = hashlib.sha256(repr(rows[-1]).encode()).hexdigest()

@@ -104,6 +104,23 @@ def test_contacts_are_named_and_take_no_freedom(capsys, tmp_path):
     assert "contacts" not in lines(capsys, SCENES / "four_bar.toml")
 
 
+def test_the_grid_of_a_mesh_and_its_errors_are_told_of_a_scene_and_its_fmu(capsys, tmp_path):
+    """The same by both, which needs no library for an FMU; large errors are told at the build."""
+    target = SCENES / "die_in_a_bowl.toml"
+    found = info(capsys, target)["meshes"]["bowl"]
+    assert found == info(capsys, scene_fmu("die_in_a_bowl"))["meshes"]["bowl"]
+    assert (found["file"], found["triangles"], found["points"]) == ("bowl.obj", 800, 12)
+    assert (found["cells"], found["resolution"]) == ([34, 34, 12], 0.024)
+    assert 0.0 < found["mean_error"] < found["largest_error"] < 0.3 * found["resolution"]
+    row = lines(capsys, target)["mesh of bowl"]
+    assert row.startswith(
+        "bowl.obj, 800 triangles; 34 x 34 x 12 cells of 0.024 m; distances to 5.9e"
+    )
+    settings = "--set", "contacts.bowl.resolution=0.06", "--set", "experiment.stop_time=0.02"
+    _, _, err = run(capsys, "build", target, "-o", tmp_path / "a.fmu", *settings)
+    assert "contact 'bowl': distances to the mesh 'bowl.obj' are up to" in err
+
+
 @pytest.mark.parametrize(
     ("name", "drivers", "motions"),
     [("stewart", [f"drive{i}" for i in range(1, 7)], 6), ("double_wishbone", ["profile"], 3)],

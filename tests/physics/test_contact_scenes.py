@@ -274,6 +274,15 @@ def test_a_ball_leaves_two_hills_and_lands_behind_them():
     assert integrator["energy.impact"] == pytest.approx(0.03812644165997, abs=1e-9)
 
 
+def test_a_die_tumbles_into_a_bowl_and_rests_on_a_face():
+    """Three corners carry it; the normals there lean a little, and friction has a part of it."""
+    found = played("die_in_a_bowl")
+    assert found["bowl.impacts"][-1] >= 20.0
+    assert found["energy.kinetic"][-1] <= 1e-12
+    assert found["bowl.force"][-1] == pytest.approx(0.2 * 9.81, rel=0.02)
+    assert found["energy.friction"][-1] > 0.005
+
+
 def test_a_pile_of_discs_rests_at_a_known_height():
     found = played("pile_of_discs")
     assert found["energy.kinetic"][-1] <= 1e-20
