@@ -305,8 +305,8 @@ def _add_compliant(rows: Rows, contact: ContactPart, gap: Formula) -> None:
     rows.parts.compliant.setdefault(rows.name, []).append(found)
 
 
-def play(gap: Number, clearance: Number) -> Number:
-    """Return c - |u| from the gap (c^2 - |u|^2)/2c of a clearance c."""
+def distance_left(gap: Number, clearance: Number) -> Number:
+    """Return the distance left in a clearance, c - |u|, from its gap (c^2 - |u|^2)/2c."""
     return 2.0 * gap / (1.0 + sqrt(operate("max", 1.0 - 2.0 * gap / clearance, 0.0)))
 
 

@@ -14,7 +14,7 @@ from math import pi
 from typing import Any, TypeAlias
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import play
+from solver.mechanics.contacts import distance_left
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol, rewritten
 from solver.mechanics.frames import RigidFrame
@@ -241,7 +241,7 @@ def _of_a_contact(sensors: Sensors, name: str, contact: Part) -> Found:
     if isinstance(contact, (ClearanceContact, JournalContact)):
         gaps = [sensors.value(Ref("contact", index, 0)) for index in contacts]
         holes = 1 if isinstance(contact, ClearanceContact) else 2
-        plays = [play(gap, contact.radius) for gap in gaps[:holes]]
+        plays = [distance_left(gap, contact.radius) for gap in gaps[:holes]]
         values["gap"] = reduce(lambda x, y: _both("gap", x, y), [*plays, *gaps[holes:]])
     frictions = [sensors.parts.mechanism.contacts[index].friction for index in contacts]
     frictions = [friction for friction in frictions if friction >= 0]

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 import solver
 from solver.mechanics.build_mechanism import build_mechanism
 from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import play
+from solver.mechanics.contacts import distance_left
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Formula, FunctionRow, Mechanism
 from solver.mechanics.parts import Parts
@@ -265,7 +265,7 @@ def test_the_gap_of_circles_is_the_distance_of_their_surfaces(kind, seed):
         assert gap == pytest.approx(apart - RADIUS - PIN, abs=1e-9)
         assert rate == pytest.approx(growing, abs=1e-9)
     else:  # a polynomial, with the right slope where they touch
-        assert play(gap, CLEARANCE) == pytest.approx(CLEARANCE - apart, abs=1e-9)
+        assert distance_left(gap, CLEARANCE) == pytest.approx(CLEARANCE - apart, abs=1e-9)
         assert rate == pytest.approx(-growing * apart / CLEARANCE, abs=1e-7)
 
 
