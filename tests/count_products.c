@@ -8,6 +8,13 @@ __attribute__((visibility("default")))
 #endif
 int holonom_without; /* bits of the skips that are left out */
 
+#ifdef _WIN32
+__declspec(dllexport)
+#else
+__attribute__((visibility("default")))
+#endif
+int holonom_energy_decides = 1; /* whether a step must close its ledger to count */
+
 #ifndef UNWRAPPED
 
 void __real_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *column, const double *value, double *x);

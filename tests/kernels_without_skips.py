@@ -57,6 +57,7 @@ def _compiled(dimension: int) -> Path:
             pytest.skip("no C compiler to compile kernels with")
         mine = folder / f"{os.getpid()}-{target.name}"  # another process may compile it as well
         options = [OPTIMISATION, "-DHOLONOM_WITHOUT=holonom_without", "-include", str(CHOICE)]
+        options += ["-DHOLONOM_ENERGY_DECIDES=holonom_energy_decides"]
         options += [*(WRAPPED if sys.platform == "linux" else ["-DUNWRAPPED"]), str(COUNTER)]
         options += [f"-I{FOLDER}", str(PROBE)]
         compile_library(compiler, FOLDER, dimension, mine, *options)
@@ -65,13 +66,17 @@ def _compiled(dimension: int) -> Path:
 
 
 @functools.cache
-def kernel_without(bits: int, dimension: int) -> ctypes.CDLL:
-    """Kernel of a dimension without the skips of these bits (`enum skip` of internal.h)."""
+def kernel_without(bits: int, dimension: int, *, energy_decides: bool = True) -> ctypes.CDLL:
+    """Kernel of a dimension without the skips of these bits (`enum skip` of internal.h).
+
+    Or one whose steps count though their energy does not.
+    """
     # A library that is loaded cannot be deleted on every system.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         copy = shutil.copy(_compiled(dimension), Path(folder, f"without{bits}.library"))
         library = load_library(dimension, str(copy))
     ctypes.c_int.in_dll(library, "holonom_without").value = bits
+    ctypes.c_int.in_dll(library, "holonom_energy_decides").value = energy_decides
     return library
 
 
@@ -89,11 +94,17 @@ def counted(bits: int, dimension: int) -> Counts:
     return Counts(*(ctypes.c_int64 * 4).in_dll(kernel_without(bits, dimension), "counted"))
 
 
-def integrator_without(bits: int, model: Model, **settings: float | str | bool) -> Integrator:
-    """Integrator without the skips of these bits, at the start of its run."""
-    library = kernel_without(bits, model.sizes["dim"])
+def integrator_with(
+    library: ctypes.CDLL, model: Model, **settings: float | str | bool
+) -> Integrator:
+    """Integrator of one of these kernels, at the start of its run."""
     integrator = Integrator(model, log=lambda _: None, library=library)
     for name, value in settings.items():
         integrator[f"solver.{name}"] = value
     integrator.initialise()
     return integrator
+
+
+def integrator_without(bits: int, model: Model, **settings: float | str | bool) -> Integrator:
+    """Integrator without the skips of these bits, at the start of its run."""
+    return integrator_with(kernel_without(bits, model.sizes["dim"]), model, **settings)

@@ -660,7 +660,7 @@ static int32_t try_half(context *c, double h, int half)
     if (status) return status;
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
     const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];
-    if (!(fabs(after - before) <= allowed)) return HOLONOM_NEWTON_DIVERGED;
+    if (HOLONOM_ENERGY_DECIDES && !(fabs(after - before) <= allowed)) return HOLONOM_NEWTON_DIVERGED;
     return booked(c, S_IMPACT) - impact + booked(c, S_FRICTION) - friction >= -allowed ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
 }
 
