@@ -139,7 +139,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
-        const double ahead = c->m->unilateral && half_steps < MOMENT ? 0.0 : n * c->halves;
+        const double ahead = c->m->unilateral && !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
         if (!(half_steps + ahead < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
         c->unweighted = 0;
