@@ -30,17 +30,22 @@ NEAR = 1e-9
 NEAR_FORCES = 1e-7
 """Of forces in steps of a usual length, which divide the rounding of rows by its square."""
 
+NEAR_EVENTS = 1e-6
+"""Of times, over the step: releases of what is driven are known no better, from differences."""
+
 SHORT = {
     "cam_and_follower", "gear_pair_with_backlash", "ratchet", "slider_crank_with_clearance",
     "tippe_top",
 }  # fmt: skip
 """Scenes that are compared in steps of order 2, for the sake of time."""
+STEPS = {"ratchet": 0.005}
+"""Steps where those of the scene are divided, since they are too long to be solved."""
 EVENTS = {
     "ball_on_hills": 0.285, "belt_and_block": 0.26, "bouncing_ball": 0.46, "bowling_ball": 1.17,
     "cam_and_follower": 0.0305, "falling_chain": 0.198, "falling_rod": 0.43,
     "four_bar_with_clearance": 0.0095, "gear_pair_with_backlash": 0.013,
     "jansen_with_clearance": 0.022, "mass_in_a_circle": 0.5, "newtons_cradle": 0.37,
-    "pendulum_with_stop": 0.64, "quarter_car": 0.392, "ratchet": 0.21, "rocking_block": 0.34,
+    "pendulum_with_stop": 0.64, "quarter_car": 0.392, "ratchet": 0.23, "rocking_block": 0.34,
     "slider_crank_with_clearance": 0.0015, "slider_crank_with_play_in_the_guide": 0.0027,
     "thrown_block": 0.35, "woodpecker_toy": 0.027,
 }  # fmt: skip
@@ -106,7 +111,8 @@ def step_both(run: Integrator, h: float) -> list[float]:
     oracle, kept = Located(Mechanism.of(run.model, run.state)), run.save()
     unsettled = run.state.head["unsettled"]
     oracle.advance(h)
-    near = NEAR * run.state.head["step_size"]
+    near = NEAR_EVENTS * run.state.head["step_size"]
+    near *= 100.0 if run.model.sizes["dim"] == 3 else 1.0  # 1e-7 of the speed counts as no slip
     for n, t in enumerate(oracle.events):
         for end, least, most in ((t - near, 0, n + unsettled), (t + near, n + 1, np.inf)):
             if 0.0 < end - run.time < h:
@@ -127,7 +133,7 @@ def test_a_step_with_events_is_that_of_the_equations(name):
     run = begun(model)
     order = run.state.head["order"]
     run.state.head["order"] = 2.0 if name in SHORT else min(order, 4.0)
-    h = run.state.head["step_size"]
+    run.state.head["step_size"] = h = STEPS.get(name, run.state.head["step_size"])
     while run.time + 1.5 * h < EVENTS[name]:
         run.advance(run.time, h)
     assert step_both(run, h)

@@ -59,7 +59,8 @@ class Law:
                 A[t], b[t] = self.W[t], -self.before[t]
             elif isinstance(way, float):
                 A[t[0], k] = way * c
-        scale = np.sqrt(np.diag(self.W)) + 1e-300
+        stiffness = np.diag(self.W)
+        scale = np.sqrt(np.maximum(stiffness, 1e-12 * np.max(stiffness)))
         y = np.linalg.lstsq(A / scale[:, None] / scale, b / scale, rcond=1e-11)[0]
         p = y / scale
         rate, push = np.max(np.abs(self.before)), np.max(np.abs(p), initial=0.0)
