@@ -15,6 +15,8 @@
 #include "rigid.h"
 #include "start.h"
 
+#define HELD 1e-10 /* of W without bilateral rows: what these leave of a row that depends on them */
+
 /* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
 HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)
 {
@@ -245,6 +247,27 @@ static int32_t fill_matrix(const context *c, const hit *x)
     return status;
 }
 
+/* Whether the bilateral rows hold row r of an impact at rest, since it depends on them. */
+HM_SELDOM static int is_held(const context *c, const hit *x, int32_t r)
+{
+    double alone = 0.0; /* what W would be without bilateral rows */
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    add_row_gradient(c, x->row[r], 1.0);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++)
+        alone += hm_square(c->k.momentum[k]) / c->number[c->m->node_mass_at + k / DIM];
+    return fabs(x->before[r]) <= speed_tolerance(c) && x->W[(int64_t)(x->law.rows + 1) * r] <= HELD * alone;
+}
+
+/* Takes out of the law the rows that others hold: nothing but round-off is left of them, at which no law is. */
+HM_SELDOM static void leave_out_held(const context *c, const hit *x)
+{
+    for (int32_t r = 0; r < x->law.rows; r++) {
+        if (x->row[r] < 0 || !is_held(c, x, r)) continue;
+        x->before[r] = 0.0;
+        for (int64_t s = 0; s < x->law.rows; s++) x->W[x->law.rows * r + s] = x->W[x->law.rows * s + r] = 0.0;
+    }
+}
+
 /* Fills W and the rates before. All contacts are open, so that factors are those of the bilateral rows. */
 HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
 {
@@ -261,7 +284,9 @@ HM_SELDOM static int32_t fill_hit(context *c, const hit *x)
         keep_joint_impulses(c, r);
     }
     for (int32_t r = 0; r < rows; r++) x->before[r] = x->row[r] < 0 ? 0.0 : rate_of_row(c, x->row[r]);
-    return status ? status : fill_matrix(c, x);
+    if (!status) status = fill_matrix(c, x);
+    if (!status) leave_out_held(c, x);
+    return status;
 }
 
 /* What the impulses, those of the rows in mu, take with the velocities at hand: the mean of both ends is exact. */

@@ -18,6 +18,8 @@ from tests.oracle.start import Accelerations, constrained, row_rates, rows_of
 
 SMALL = 1e-11
 """Of the largest rate or impulse: what counts as zero in an inequality."""
+HELD = 1e-10
+"""Of W without bilateral rows: what these leave of a row that depends on them."""
 SWEEPS = 300
 
 
@@ -86,7 +88,8 @@ class Law:
             excess = self.before[k] + W[k] @ p + e * self.before[k]
             p[k] = max(0.0, p[k] - excess / W[k, k]) if W[k, k] > 0.0 else 0.0
             if t and c > 0.0:
-                pull = p[t] - (self.before[t] + W[t] @ p) / np.linalg.norm(W[np.ix_(t, t)], 2)
+                stiffness = np.linalg.norm(W[np.ix_(t, t)], 2) or 1.0
+                pull = p[t] - (self.before[t] + W[t] @ p) / stiffness
                 size = np.sqrt(pull @ pull)
                 p[t] = pull * min(1.0, c * p[k] / size) if size > 0.0 else 0.0
         return p
@@ -203,7 +206,11 @@ def hit(mechanism: Mechanism) -> tuple[bool, bool]:
     M, off = mechanism.M[:n, :n], np.diag(np.where(mechanism.bilateral, 0.0, -1.0))
     nothing = np.zeros(mechanism.n_rows)
     reach = [constrained(mechanism, M, G, G[row], nothing, off=off)[0] for row in rows]
-    law = Law(G[rows] @ np.array(reach).T, here[rows], places, e[taking], np.array(c))
+    W, before = G[rows] @ np.array(reach).T, here[rows]
+    held = np.diag(W) <= HELD * np.sum(G[rows] ** 2 / mechanism.m_node[:n], axis=1)
+    held &= np.abs(before) <= state.speed_tolerance
+    W[held, :] = W[:, held] = before[held] = 0.0
+    law = Law(W, before, places, e[taking], np.array(c))
     p, unique = law.solve()
     loss = law.loss(p)
     change = add_velocities(mechanism, p @ np.array(reach))

@@ -18,6 +18,7 @@ from tests.contact_scenes import (
     cradle,
     pendulum_at_a_stop,
     rocking_block,
+    rod_that_falls,
     slider_crank_with_clearance,
     sphere_of_clearance,
 )
@@ -237,3 +238,22 @@ def test_a_cam_throws_its_follower_and_catches_it_where_the_closed_form_says():
     passed = cover(integrator, even(0.08, 5e-4))
     assert integrator["energy.impact"] == pytest.approx(0.0557996132142155, abs=1e-8)
     assert passed.error < 1e-11
+
+
+def test_a_rope_along_a_bar_takes_no_part_in_the_impacts_of_the_bar():
+    # Its rate is that of a row that holds, so that no impulse along it changes anything.
+    loose = rod_that_falls(1.0)
+    loose["contacts"]["A"].pop("friction")
+    loose["contacts"]["B"] |= {"friction": 0.0, "restitution": 1.0}
+    length = math.dist(*(loose["points"][end]["position"] for end in "ab"))
+    rope = {"rope": {"type": "stop", "points": ["a", "b"], "max": length}}
+    tied = loose | {"contacts": loose["contacts"] | rope}
+    runs = [begin(content, 0.01) for content in (loose, tied)]
+    for _ in range(12):
+        for run in runs:
+            run.advance(run.time, 0.05)
+            assert run["solver.stepped"] == 0.0
+            assert run["energy.impact"] == pytest.approx(0.0, abs=1e-13)
+        for name in ("a.x", "a.y", "b.x", "b.y"):
+            assert runs[0][name] == pytest.approx(runs[1][name], abs=1e-11)
+    assert number(runs[1], "A.impacts") + number(runs[1], "B.impacts") > 2.0

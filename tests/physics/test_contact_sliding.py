@@ -19,6 +19,7 @@ from tests.contact_scenes import (
     rod_that_falls,
     slider,
 )
+from tests.problems import GRAVITY
 
 SLIDER_STOP, SLIDER_PLACE, SLIDER_LOSS = 0.509683995922528, 0.382262996941896, 1.125
 INCLINE_TURN, INCLINE_PLACE = 0.311284942023868, -3.93975673279302
@@ -150,6 +151,17 @@ def test_a_block_thrown_across_an_incline_curves_down_and_stops():
     loss = 0.5 + 9.81 * math.sin(0.3) * THROWN_DOWN
     assert integrator["energy.friction"] == pytest.approx(loss, abs=5e-12)
     assert passed.error < 1e-13
+
+
+@pytest.mark.parametrize("order", [2, 4])
+def test_an_accelerating_belt_leaves_behind_what_friction_cannot_carry_along(order):
+    # The belt goes with 2 t^2 m/s: it accelerates by more than c g from t = c g/4 on. The rate of
+    # its speed is a difference over 5e-4 s.
+    content = slider(0.0, 0.5)
+    content["contacts"]["floor"]["surface_velocity"] = ["2*t**2", 0.0]
+    events = events_of(content, 1.5, 0.05, order=order)
+    assert [event.kind for event in events] == ["slip"]
+    assert events[0].time == pytest.approx(0.125 * GRAVITY, abs=1e-10)
 
 
 def test_a_rod_that_falls_hits_slides_turns_and_lands():
