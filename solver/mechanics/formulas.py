@@ -9,7 +9,6 @@ signals; in potentials and velocity rows, which act in its middle, numbers of th
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from random import Random
 from typing import Any
 
 from solver.mechanics.mechanism import Formula, Leaf, Mechanism, Scale
@@ -174,26 +173,3 @@ def _drawn(mechanism: Mechanism, leaf: Leaf) -> float:
     if leaf.kind == LEAF_SIGNAL:
         return mechanism.default(mechanism.signals[leaf.index])
     return 0.0 if leaf.kind == LEAF_RATE else mechanism.default(mechanism.drawn_value(leaf.index))
-
-
-def is_linear_in_rates(mechanism: Mechanism, formula: Formula) -> bool:
-    """Whether psi(sigma, a + b) = psi(sigma, a) + psi(sigma, b), at points near the drawn one.
-
-    Rounding of the sum against a difference that a product of rates would make.
-    """
-    random = Random(1)
-    rates = [leaf.kind == LEAF_RATE for leaf in formula.leaves]
-    if not any(rates):
-        return False
-    for _ in range(3):
-        at = [_drawn(mechanism, leaf) + random.uniform(0.0, 0.1) for leaf in formula.leaves]
-        a, b = ([random.uniform(-1.0, 1.0) for _ in rates] for _ in range(2))
-        both = [x + 3.0 * y for x, y in zip(a, b, strict=True)]
-        mixed = (
-            [x if rate else s for rate, x, s in zip(rates, v, at, strict=True)]
-            for v in (a, b, both)
-        )
-        psi = [_value(mechanism, formula, leaves) for leaves in mixed]
-        if abs(psi[0] + 3.0 * psi[1] - psi[2]) > 1e-9 * max(abs(x) for x in psi):
-            return False
-    return True

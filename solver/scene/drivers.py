@@ -118,8 +118,9 @@ def _row(place: Place, level: Level) -> kind.Reading:
         if level not in levels and not (level == "position" and calls):
             what = "position" if level == "position" else "velocity"
             reader.draft.error(path, f"mentions no {what} of the mechanism: it constrains nothing")
-        elif level == "rate" and _degree(number, reader.known.quantities) > 1:
+        elif level == "rate" and (degrees := _degrees(number, reader.known.quantities)) != {1}:
             message = "must be linear in the velocities"
+            message += "" if 2 in degrees else ", without a part that contains none"
             reader.draft.error(path, message, 'such as "A.vx*sin(b) - A.vy*cos(b)"')
         return number
 
@@ -150,22 +151,22 @@ class Constraint(Part):
             reader.draft.error(path, message, help)
 
 
-def _degree(number: Any, levels: Mapping[str, Level]) -> int:
-    """Degree of an expression in the velocities; 2 stands for everything but linear."""
-    if not isinstance(number, Expr) or number.op == "call":
-        return 0
-    if number.op == "symbol":
-        return int(levels.get(str(number.args[0])) == "rate")
-    degrees = [_degree(arg, levels) for arg in number.args]
+def _degrees(number: Any, levels: Mapping[str, Level]) -> set[int]:
+    """Degrees in the velocities of the terms of an expression; 2 stands for all but 0 and 1."""
+    if not isinstance(number, Expr):
+        return {0} if number else set()
+    if number.op in ("symbol", "call"):
+        return {int(levels.get(str(number)) == "rate")}
+    first, *others = (_degrees(arg, levels) for arg in number.args)
+    rest = set().union(*others)
     if number.op in ("add", "sub", "neg"):
-        return max(degrees)
+        return first | rest
     if number.op == "mul":
-        return min(2, sum(degrees))
-    if number.op == "div":
-        return degrees[0] if degrees[1] == 0 else 2
-    if number.op == "select":
-        return max(degrees[1:]) if degrees[0] == 0 else 2
-    return 2 if any(degrees) else 0
+        return {min(2, a + b) for a in first for b in rest}
+    if number.op in ("div", "select"):  # what divides or decides comes last or first
+        free, terms = (rest, first) if number.op == "div" else (first, rest)
+        return terms if free <= {0} else {2}
+    return {0} if first | rest <= {0} else {2}
 
 
 DRIVERS: dict[str, type[Part]] = {

@@ -116,7 +116,7 @@ def test_a_spring_with_an_energy_pulls_as_its_slope():
     assert moved["s.force"] == pytest.approx(3 * 5.0, rel=1e-14)
 
 
-@pytest.mark.parametrize("value", ["A.vx**2 - A.vy", "A.vx - 0.5", "A.vx*B.vy"])
+@pytest.mark.parametrize("value", ["A.vx**2 - A.vy", "A.vx - 0.5", "A.vx*B.vy", "A.vx - u"])
 def test_a_velocity_row_must_be_linear_in_the_velocities(value):
     text = report(f'[constraints]\nc = {{ velocity = "{value}" }}\n')
     assert "constraints.c" in text

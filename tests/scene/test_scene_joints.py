@@ -304,8 +304,11 @@ def test_a_joint_of_unknown_type_is_reported_alone():
     ("expression", "linear"),
     [
         ("A.vx*sin(A.x) - A.vy", True),
-        ("(A.vx - 2*t)/(1 + A.x**2) + 3", True),
+        ("2*t*A.vx/(1 + A.x**2) - sin(t)*A.vy", True),
         ("A.vx if A.x > 0 else A.vy", True),
+        ("A.vx if A.x > 0 else 0", True),
+        ("A.vx - 2*t", False),
+        ("A.vx/(1 + A.x**2) + 3", False),
         ("A.vx*A.vy", False),
         ("1/A.vx", False),
         ("A.vx**2", False),
