@@ -148,6 +148,9 @@ KNOWN = {
     "slider_crank_with_clearance": Known(
         "tenth hit", SLIDER_CRANK[9], _when("wrist_pin.impacts", 10.0, 0.021)
     ),
+    "slider_crank_with_play_in_the_guide": Known(
+        "first hit", 0.0026925027520213, _when("upper_left.impacts", 1.0, 0.002)
+    ),
     "thrown_block": Known("stops", 0.34573831175214, _when("incline.mode", 1.0, 0.34)),
     "tippe_top": Known("Jellett's integral over its start", 1.0, _ratio("jellett", 4.0)),
 }  # fmt: skip

@@ -7,16 +7,18 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import solver
 from solver.runtime import Integrator, Model
 from tests.contact_events import contacts_of, number
-from tests.problems import observed_order
+from tests.problems import GRAVITY, observed_order
 from tests.scene_files import SCENES, TOUCHING
 
 LOSSES = ("energy.friction", "energy.impact")
@@ -107,6 +109,32 @@ def test_a_slider_with_play_stays_within_it_and_meets_both_walls():
         assert found[f"{corner}.impacts"][-1] >= 5.0
         assert found[f"{corner}.gap"].max() <= 0.002 + 1e-4  # a tilted corner is no higher
     assert np.abs(found["slider.y"]).max() <= 0.001 + 1e-10
+
+
+def test_a_slider_with_play_meets_its_wall_when_two_free_bars_carry_it_there():
+    # Until then the slider, which hangs at its centre of mass, is a mass at the end of the rod.
+    crank, rod, slider = 0.038, 0.038, 0.076
+    a, b = 0.153, 0.306
+    own = 7.4e-5 + crank * a**2 / 4.0 + (rod + slider) * a**2
+    far, mixed = 5.9e-4 + rod * b**2 / 4.0 + slider * b**2, (rod / 2.0 + slider) * a * b
+    torque = GRAVITY * np.array([a * (crank / 2.0 + rod + slider), b * (rod / 2.0 + slider)])
+
+    def rates(_: float, x: NDArray[np.float64]) -> NDArray[Any]:
+        c, s = mixed * math.cos(x[0] - x[1]), mixed * math.sin(x[0] - x[1])
+        force = np.array([-s * x[3] ** 2, s * x[2] ** 2]) - torque * np.cos(x[:2])
+        return np.concatenate([x[2:], np.linalg.solve([[own, c], [c, far]], force)])
+
+    def room(_: float, x: NDArray[np.float64]) -> float:
+        return 1e-3 - abs(a * math.sin(x[0]) + b * math.sin(x[1]))
+
+    room.terminal = True  # pyright: ignore
+    start = [0.0, 0.0, 150.0, -75.0]
+    ran = solve_ivp(rates, (0.0, 0.01), start, "DOP853", events=room, rtol=1e-12, atol=1e-12)
+    hit = ran.t_events[0][0]
+    integrator = until(begin(PLAY), hit - 1e-6)
+    assert integrator["energy.impact"] == 0.0
+    until(integrator, hit + 1e-6)
+    assert (integrator["upper_left.impacts"], integrator["upper_right.impacts"]) == (1.0, 1.0)
 
 
 def test_a_worn_pin_lets_the_foot_of_a_leg_miss_its_path_by_millimetres():
