@@ -16,7 +16,6 @@ from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, m
 from solver.mechanics.mechanism import DRIVEN, FIXED, FREE, GIVEN, Node, Scale
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import (
-    Matrix,
     Vector,
     add,
     columns,
@@ -30,7 +29,7 @@ from solver.mechanics.vectors import (
 )
 from solver.runtime.layout import NODE_DIRECTION, NODE_POINT
 from solver.scene import Bar, Number, Point, Rigid
-from solver.scene.expression import cos, sin, sqrt
+from solver.scene.expression import sqrt
 
 
 def add_point(rows: Rows, point: Point, path: Vector | None) -> int:
@@ -75,13 +74,6 @@ def _spun(spin: Number | Vector | None, arm: Vector) -> Vector:
     return cross(spin, arm) if isinstance(spin, tuple) else scale(spin, turned(arm))
 
 
-def _rotation(body: Rigid) -> Matrix:
-    angle = body.orientation
-    if isinstance(angle, tuple):
-        return angle
-    return ((cos(angle), -sin(angle)), (sin(angle), cos(angle)))
-
-
 def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
     """Add a rigid body; return its frame.
 
@@ -89,7 +81,7 @@ def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
     body its size.
     """
     mechanism = rows.mechanism
-    rotation = _rotation(body)
+    rotation = body.rotation
     arm = times(rotation, body.center_of_mass)
     rows.finite(body.position, "position")
     rows.finite(body.velocity or (), "velocity")

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from solver.scene import fields as kind
-from solver.scene.expression import Number, Vector
+from solver.scene.expression import Number, Vector, cos, sin
 from solver.scene.fields import BROKEN, Part, shown
 from solver.scene.inertia import SHAPES, read_inertia
 from solver.scene.orientation import InBodyAxes, Orientation, read_orientation, read_spin
@@ -175,6 +175,14 @@ class Rigid(Part):
     ] = None  # fmt: skip
     """A number in 2-D, a vector in global axes in 3-D; None: not given, at rest."""
     points: Annotated[dict[str, Vector], _NAMED_PLACES] = field(default_factory=dict)
+
+    @property
+    def rotation(self) -> tuple[Vector, ...]:
+        """Rotation matrix as drawn, whose columns are the body's axes."""
+        if isinstance(self.orientation, tuple):
+            return self.orientation
+        c, s = cos(self.orientation), sin(self.orientation)
+        return (c, -s), (s, c)
 
     @classmethod
     def read(cls, reader: "Reader", path: Path, given: Any) -> Any:

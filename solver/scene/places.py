@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from solver.scene.expression import ExpressionError, Vector, cos, sin, symbols
+from solver.scene.expression import ExpressionError, Vector, symbols
 from solver.scene.numbers import Known, NumberChecks, times
 from solver.scene.report import Path
 
@@ -104,7 +104,7 @@ class Places(NumberChecks):
 
         def own() -> Vector:
             arm = tuple(x - y for x, y in zip(place, rigid.position, strict=True))
-            return times(tuple(zip(*_axes(rigid), strict=True)), arm)
+            return times(tuple(zip(*rigid.rotation, strict=True)), arm)
 
         return Seat(point, self.values(self.calculated(path, own, ())))
 
@@ -152,15 +152,6 @@ def same(a: list[float], b: list[float]) -> bool:
     return all(abs(x - y) <= SAME * size for x, y in zip(a, b, strict=True))
 
 
-def _axes(body: Rigid) -> tuple[Vector, ...]:
-    """Rotation matrix of a body."""
-    axes = body.orientation
-    if isinstance(axes, tuple):
-        return axes
-    c, s = cos(axes), sin(axes)
-    return (c, -s), (s, c)
-
-
 def drawn_place(body: Rigid, place: Vector) -> Vector:
     """Global place in m, as drawn, of a place in the axes of a body."""
-    return tuple(x + y for x, y in zip(body.position, times(_axes(body), place), strict=True))
+    return tuple(x + y for x, y in zip(body.position, times(body.rotation, place), strict=True))
