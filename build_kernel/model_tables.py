@@ -108,12 +108,11 @@ def _structures(layout: Declared, scratch: Declared) -> Iterator[str]:
     for name in ("ABI", "MOST_SAMPLING"):
         yield f"#define HOLONOM_{name} {values[name]}\n"
     yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
-    lean = [name for name in values["TABLES"] if name.startswith("lean_")]
-    own = [x for x in values["TABLES"] if x not in values["ELIMINATION"] and x not in lean]
+    own = _own_tables(values)
     split = own.index("load_slot_ptr")
     yield _structure("holonom_model", [
         *(_noted(f"int32_t {name};", layout.note("SIZES", name)) for name in values["SIZES"]),
-        *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, lean;",
+        *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, lean, open, bare;",
         *_tables(layout, "TABLES", own[split:]),
         *(
             _noted(f"int32_t {name}_at;", length, layout.note("OFFSETS", name))
@@ -280,13 +279,13 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
     ])  # fmt: skip
 
     def of_factors(formula: str) -> str:
-        # Full and lean factors are checked alike: how many values they store is an argument.
+        # All kinds of factors are checked alike: how many values they store is an argument.
         return "n_values" if formula == "n_lu_values" else in_c(formula)
 
     rules = _rules(layout["ELIMINATION"], "e->", _places(layout["ELIMINATION"]), of_factors)
     arguments = ", const holonom_elimination *e, const int32_t *length, int64_t n_values"
     yield FUNCTION.format("has_factors", arguments, rules)
-    own = {x: y for x, y in tables.items() if x.removeprefix("lean_") not in layout["ELIMINATION"]}
+    own = {name: tables[name] for name in _own_tables(layout)}
     rules = _rules(own, "m->", _places(tables), in_c)
     yield FUNCTION.format("has_tables", ", const int32_t *length", rules)
     sections = {name: in_c(length) for name, length in layout["OFFSETS"].items() if length}
@@ -298,6 +297,12 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
     ]
     array = "    const int64_t bound[ISLAND_COLUMNS][2] = {\n" + "".join(bounds) + "    };\n"
     yield FUNCTION.format("has_islands", "", f"{array}    return hm_divides(m, bound);\n")
+
+
+def _own_tables(layout: Mapping[str, Any]) -> list[str]:
+    """Return the tables that are of no elimination."""
+    names = "|".join(layout["ELIMINATION"])
+    return [x for x in layout["TABLES"] if not re.fullmatch(f"((lean|open|bare)_)?({names})", x)]
 
 
 def _places(tables: Iterable[str]) -> dict[str, str]:

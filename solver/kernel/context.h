@@ -55,6 +55,7 @@ typedef struct context {
     span node, own_row[4], own_composite[4];
     const span *row, *composite;
     int rows, composites;
+    int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
 } context;
 
@@ -90,7 +91,7 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->island = c->s.islands + I_SIZE * first;
     c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
     c->row = c->own_row, c->composite = c->own_composite;
-    c->composites = c->left_out = 0;
+    c->composites = c->left_out = c->asleep = 0;
     c->rows = add_piece(c->own_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
     c->rows = add_piece(c->own_row, c->rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
                         first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
@@ -117,7 +118,21 @@ static inline void cross_product(const double *a, const double *b, double *x)
 #endif
 }
 
-static inline int is_lean(const context *c) { return c->lu == &c->m->lean; }
+static inline int is_lean(const context *c) { return c->lu == &c->m->lean || c->lu == &c->m->bare; }
+
+/* Factors without rows of contacts and frictions. */
+static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }
+
+/* Factors of the whole tangent, and lean ones, that serve. */
+static inline const holonom_elimination *full_factors(const context *c)
+{
+    return c->asleep && c->m->n_open_values ? &c->m->open : &c->m->full;
+}
+
+static inline const holonom_elimination *lean_factors(const context *c)
+{
+    return c->asleep && c->m->n_bare_values ? &c->m->bare : &c->m->lean;
+}
 
 static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 

@@ -258,12 +258,12 @@ static int has_contacts(const checker *c)
 }
 
 /* Whether an elimination is one of this model. */
-static int has_elimination(const checker *c, int lean)
+static int has_elimination(const checker *c, const holonom_elimination *e, size_t first)
 {
     const holonom_model *m = c->m;
-    const holonom_elimination *e = lean ? &m->lean : &m->full;
     const int64_t n = c->count.n_pivots;
-#define OWN(name) (lean ? TABLE(lean.name) : TABLE(full.name))
+    const int lean = e == &m->lean || e == &m->bare;
+#define OWN(name) (first + TABLE(full.name) - TABLE(full))
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
     for (int32_t k = 0; k <= n; k++) { /* where islands begin: a pivot, and the targets before it */
@@ -277,7 +277,7 @@ static int has_elimination(const checker *c, int lean)
         columns += neighbours;
         targets += neighbours * neighbours;
     }
-    return island == m->n_islands + 1 && e->lu_island[2 * m->n_islands] == n && c->length[OWN(lu_column)] == columns &&
+    return island == m->n_islands + 1 && (e->lu_island[2 * m->n_islands] == n || e == &m->open || e == &m->bare) && c->length[OWN(lu_column)] == columns &&
            c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots, lean) &&
            has_slots(c, OWN(coincidence_slot_ptr), coincidence_slots, lean) &&
            has_slots(c, OWN(composite_slot_ptr), composite_slots, lean) && has_slots(c, OWN(cone_slot_ptr), cone_slots, lean);
@@ -291,10 +291,17 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     if (!has_sizes(c)) return 0;
     const hm_counts *count = &checked.count;
     checked.count = counts_of(m);
-    return has_tables(m, count, table_length) &&
-           has_factors(m, count, &m->full, table_length + TABLE(full), m->n_lu_values) &&
-           (!m->n_lean_values || has_factors(m, count, &m->lean, table_length + TABLE(lean), m->n_lean_values)) && has_forms(c) &&
-           has_sections(m, count) && has_turns_and_derived(c) && has_quantities(c) && has_composites(c) && has_loads(c) && has_contacts(c) &&
-           has_tape(c) && has_islands(m, count) && has_elimination(c, 0) && (!m->n_lean_values || has_elimination(c, 1)) &&
-           has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
+    if (!has_tables(m, count, table_length) || !has_forms(c) || !has_sections(m, count) || !has_turns_and_derived(c) ||
+        !has_quantities(c) || !has_composites(c) || !has_loads(c) || !has_contacts(c) || !has_tape(c) || !has_islands(m, count))
+        return 0;
+    const holonom_elimination *factors[] = {&m->full, &m->lean, &m->open, &m->bare};
+    const size_t place[] = {TABLE(full), TABLE(lean), TABLE(open), TABLE(bare)};
+    const int32_t n_values[] = {m->n_lu_values, m->n_lean_values, m->n_open_values, m->n_bare_values};
+    for (int i = 0; i < 4; i++) {
+        if (i && !n_values[i]) continue;
+        if (n_values[i] > m->n_lu_values || !has_factors(m, count, factors[i], table_length + place[i], n_values[i]) ||
+            !has_elimination(c, factors[i], place[i]))
+            return 0;
+    }
+    return has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
 }

@@ -26,7 +26,7 @@ static void choose_factors(context *c)
     double *island = c->island;
     const int is_tried = c->m->n_lean_values && is_conserving(c) && !is_penalty(c) && island[I_DEPENDENT] == 0.0 &&
                          hm_skips(SKIP_STIFFNESS);
-    c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? &c->m->lean : &c->m->full;
+    c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? lean_factors(c) : full_factors(c);
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
@@ -73,7 +73,7 @@ static void replace_factors(context *c, newton_record *r)
 {
     if (!r->taken_over) {
         pause_lean(c->island);
-        c->lu = &c->m->full;
+        c->lu = full_factors(c);
     }
     r->factorised = r->taken_over = 0;
     r->theta = 1.0;

@@ -66,6 +66,7 @@ static void leave_rows_out(context *c)
     const holonom_model *m = c->m;
     span *row = (span *)(void *)c->k.pieces, *composite = row + 2 + m->n_function_rows + m->n_velocity_rows;
     const int32_t first = row_of(c, first_function(c));
+    c->asleep = 1;
     int rows = 0, composites = add_piece(composite, 0, c->begin[ISLAND_ELEMENT], c->end[ISLAND_ELEMENT]);
     for (; rows < c->rows && c->row[rows].begin < first; rows++)
         row[rows] = (span){c->row[rows].begin, c->row[rows].end < first ? c->row[rows].end : first};
@@ -76,6 +77,7 @@ static void leave_rows_out(context *c)
                 c->k.mu[i] = c->k.lambda[i] = c->k.phi[i] = 0.0;
                 continue;
             }
+            c->asleep &= owner_of(c, j) < 0;
             rows = add_piece(row, rows, i, i + 1);
             composites = add_piece(composite, composites, j, j + 1);
         }

@@ -226,7 +226,7 @@ static int32_t assemble_tangent(const context *c)
         slot = scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
     }
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
-    if (c->left_out) set_rows_apart(c, value);
+    if (c->left_out && !is_open(c)) set_rows_apart(c, value);
     const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
     return status || c->constraints_only || is_lean(c) ? status : law_tangent(c, value);
 }
@@ -336,7 +336,7 @@ static void add_solution(const context *c, double *x)
 /* Many contacts, of which few are closed at a time, leave most of the pattern empty. */
 enum { FEW_CONTACTS = 8 };
 
-static inline int is_mostly_empty(const context *c) { return c->m->n_contacts > FEW_CONTACTS; }
+static inline int is_mostly_empty(const context *c) { return c->m->n_contacts > FEW_CONTACTS && !is_open(c); }
 
 /* Entries of each pivot that are not 0; behind these counts their columns. */
 static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *)c->k.live; }

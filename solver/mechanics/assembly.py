@@ -216,7 +216,7 @@ def sizes_of(
         "variable_potential": int(Segment.LAWS in stored or numbers.formulas_vary),
         "n_registers": max([1, *registers]),
         "n_lu_values": tables["lu_ptr"][-1],
-        "n_lean_values": (tables["lean_lu_ptr"] or (0,))[-1],
+        **{f"n_{x}_values": (tables[f"{x}_lu_ptr"] or (0,))[-1] for x in ("lean", "open", "bare")},
         "n_slots": SLOTS[scene.solver.order or (8 if scene.solver.tolerance > 0.0 else 2)],
     }
     return {name: known[name] for name in SIZES}

@@ -204,6 +204,7 @@ def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
             neighbours[a].add(b)
             neighbours[b].add(a)
     most = left = max(MOST_PRODUCTS, MOST_OF_A_NET * sum(weight) ** 1.5)
+    loose |= {row for row in range(graph.n_nodes, len(weight)) if not neighbours[row]}
     degree = [sum([weight[b] for b in near]) for near in neighbours]
     done = [False] * len(weight)
     carriers, waiting = Carriers(graph), set()

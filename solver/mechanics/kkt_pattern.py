@@ -102,13 +102,16 @@ Piece = tuple[Nodes, Nodes, int]
 class TangentPattern:
     """Blocks of a mechanism's tangent, and the contributions to it by their names in the tables.
 
-    A lean one has no stiffness: only masses couple nodes.
+    A lean one (or a bare one) has no stiffness: only masses couple nodes. An open or bare one has
+    no rows of contacts and frictions: they come last, coupled to nothing, with their diagonals for
+    all their slots.
     """
 
     def __init__(
-        self, structure: Structure, anchors: Sequence[Nodes], *, lean: bool = False
+        self, structure: Structure, anchors: Sequence[Nodes], kind: str = ""
     ) -> None:  # fmt: skip
-        self.structure, self.lean = structure, lean
+        self.structure, self.kind = structure, kind
+        self.lean = lean = kind in ("lean_", "bare_")
         self.n_nodes, dim = structure.n_free, structure.mechanism.dim
         self.kinds = (
             (dim, structure.free_nodes), (1, structure.form_rows), (dim, structure.coincidences),
@@ -140,10 +143,19 @@ class TangentPattern:
                 "moment": [[(nodes, nodes, BLOCKS)] for nodes in moved],
                 "body_moment": [[(nodes, nodes, ROWS)] for nodes in turned],
             }
+        loose, asleep = self._loose(ends), frozenset[int]()
+        if kind in ("open_", "bare_"):
+            frictions = [row for x in structure.mechanism.frictions for row in x.rows]
+            asleep = loose | {ends[3] + structure.velocity_rows.place[row] for row in frictions}
+        for pieces in (*self.contributions["composite"], *self.contributions["cone"]):
+            row = pieces[-1][0] if pieces else ()
+            if asleep.issuperset(row):
+                pieces[:] = [(row, row, BLOCKS)] * self._n_elements(pieces)
+        self.islands = self._islands(asleep)
         self.pattern = eliminate(
             Graph(
                 self.sizes, self.n_nodes, self._couplings(),
-                dict(enumerate(anchors, self.n_nodes)), self._islands(), self._loose(ends),
+                dict(enumerate(anchors, self.n_nodes)), self.islands, loose,
             )
         )  # fmt: skip
 
@@ -229,10 +241,16 @@ class TangentPattern:
                         couplings[a, b] = couplings.get((a, b), False) or how != EQUAL
         return couplings
 
-    def _islands(self) -> list[int]:
-        """Islands of the blocks."""
+    def _islands(self, last: frozenset[int]) -> list[int]:
+        """Islands of the blocks; some come last, behind those of all islands."""
         ends = [pairwise(part.begin) for _, part in self.kinds]
-        return [island for x in ends for island, (a, b) in enumerate(x) for _ in range(a, b)]
+        found = [island for x in ends for island, (a, b) in enumerate(x) for _ in range(a, b)]
+        return [len(self.kinds[0][1].begin) if k in last else x for k, x in enumerate(found)]
+
+    def _n_elements(self, pieces: Sequence[Piece]) -> int:
+        """Elements of the pieces of a composite or a cone."""
+        sizes = self.sizes
+        return sum([sizes[a] * sizes[b] for x, y, _ in pieces for a in x for b in y])
 
     # ------------------------------------------------------------------------------- the slots
 
@@ -262,16 +280,14 @@ class TangentPattern:
         ends = np.cumsum([sum(map(len, each)) for each in listed.values()])
         for (name, each), part in zip(listed.items(), np.split(slots, ends[:-1]), strict=True):
             tables[f"{name}_slot_ptr"], tables[f"{name}_slot"] = pointers(each), _table(part)
-        named = {f"lean_{x}" if self.lean else x: table for x, table in tables.items()}
+        named = {f"{self.kind}{x}": table for x, table in tables.items()}
         return {name: table for name, table in named.items() if name in TABLES}
 
     def _pieces_of_islands(self) -> array:
         """Of each island, and the end: its first pivot, and where the targets of this begin."""
         targets = [0, *np.cumsum(self.pattern.counts**2).tolist()]
-        pivots = [
-            sum([width * part.begin[island] for width, part in self.kinds])
-            for island in range(self.structure.islands.count + 1)
-        ]
+        sizes = np.bincount(self.islands, self.sizes, self.structure.islands.count)
+        pivots = [0, *np.cumsum(sizes).astype(int).tolist()][: self.structure.islands.count + 1]
         return flat((pivot, targets[pivot]) for pivot in pivots)
 
     def _elements(self, firsts: Nodes, seconds: Nodes, how: int) -> list[int]:
@@ -291,16 +307,25 @@ def _border(nodes: Nodes, row: int) -> list[Piece]:
 
 
 def eliminations(structure: Structure) -> dict[str, array]:
-    """Return the tables of the full tangent's elimination, and of the lean one's if it is cheaper.
+    """Return the tables of the full tangent's elimination, and of others where they are cheaper.
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
+    Open ones are made where no forces need slots of their own.
     """
     anchors = RowOrder(structure).of_rows()
-    full, lean = TangentPattern(structure, anchors), TangentPattern(structure, anchors, lean=True)
-    fits = lean.pattern.n_entries <= full.pattern.n_entries  # both live in the same memory
-    worth = fits and 2 * lean.pattern.n_products <= full.pattern.n_products
-    empty = {name: array("i") for name in TABLES if name.startswith("lean_")}
-    return full.tables() | (lean.tables() if worth else empty)
+    full, lean = TangentPattern(structure, anchors), TangentPattern(structure, anchors, "lean_")
+    used = {"": full}
+    if 2 * lean.pattern.n_products <= full.pattern.n_products:
+        used["lean_"] = lean
+    if structure.mechanism.contacts:
+        forces = (*structure.moments.items, *structure.body_moments.items, *structure.loads.items)
+        kinds = [x for x, of in (("open_", ""), ("bare_", "lean_")) if of in used]
+        used |= {x: TangentPattern(structure, anchors, x) for x in kinds if x == "bare_" or not forces}
+    found = {name: array("i") for name in TABLES if name.startswith(("lean_", "open_", "bare_"))}
+    for pattern in used.values():
+        if pattern.pattern.n_entries <= full.pattern.n_entries:  # all live in the same memory
+            found |= pattern.tables()
+    return found
 
 
 def _table(integers: Integers) -> array:

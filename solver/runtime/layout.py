@@ -78,6 +78,7 @@ SIZES = (
     "n_local_nodes",  # most free nodes of a composite
     "n_lu_values",  # stored entries of the factors
     "n_lean_values",  # likewise of those without stiffness; 0 where these are not worth while
+    "n_open_values", "n_bare_values",  # likewise of full and of lean ones without contacts
     "n_slots",  # half steps of an internal one whose changes a state keeps, see predict.h
     "n_islands",  # parts that no mass, row or force joins: each is solved by itself
     "n_sampled",  # loads that read quantities
@@ -131,6 +132,9 @@ ELIMINATION = {
 Lean factors leave stiffness out: G and what M couples remain, a Schur complement G M^-1 G' in
 disguise, cheap where M is diagonal, and good for short steps. A row has k k dim stiffnesses; turned
 k k dim dim; linear or lean none.
+
+Open factors are those of the whole tangent while all contacts and frictions are off, bare ones the
+lean factors then: rows of contacts and frictions lie behind all pivots, and have no slots to use.
 """
 
 ISLAND_PARTS = {
@@ -190,7 +194,10 @@ TABLES = {
     # or n_contacts + its friction; -1: it always holds
     "tape": Table("5 * n_tape"),  # of an operation: code, target, three arguments
     **ELIMINATION,
-    **{f"lean_{name}": table for name, table in ELIMINATION.items()},
+    **{
+        f"{kind}_{name}": table
+        for kind in ("lean", "open", "bare") for name, table in ELIMINATION.items()
+    },
     "load_slot_ptr": Pointers("n_loads", "load_slot"),
     "load_slot": Table("", 0, "n_lu_values"),  # follower load: free entries directors dim dim
     "moment_slot_ptr": Pointers("n_moments", "moment_slot"),
