@@ -99,9 +99,9 @@ class Kernel:
 
     def residuals(self) -> tuple[list[float], list[float]]:
         """Return the residuals of the rows and their rates, each in the unit of its row."""
-        phi, phi_dot = (doubles([0.0] * len(self.model.row_names)) for _ in range(2))
+        phi, phi_dot = (doubles([0.0] * len(self.model.rows)) for _ in range(2))
         self._library.holonom_residuals(*self._pointers, phi, phi_dot)
-        count = len(self.model.row_names)
+        count = len(self.model.rows)
         return list(phi)[:count], list(phi_dot)[:count]
 
     def probe(

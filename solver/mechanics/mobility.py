@@ -116,7 +116,7 @@ def survey(model: Model) -> Survey:
     lasting = np.array(is_lasting(model), dtype=bool)
     velocity = np.arange(sizes["n_rows"]) >= sizes["n_rows"] - sizes["n_velocity_rows"]
     driver, velocity = driver[lasting], velocity[lasting]
-    names = [name for name, lasts in zip(model.row_names, lasting, strict=True) if lasts]
+    names = [row.name for row, lasts in zip(model.rows, lasting, strict=True) if lasts]
     drivers = int(driver.sum()) + dim * n_driven
     n_joint_rows = int((~driver & ~velocity).sum())
     redundant = parts = mobility = freedom = velocity_freedom = None

@@ -139,11 +139,6 @@ class Model(
         """Hash of all that a run depends on."""
         return fingerprint(self.file)
 
-    @property
-    def row_names(self) -> tuple[str, ...]:
-        """What each constraint row is called in a sentence, ``joint 'bearing'``."""
-        return tuple(row.name for row in self.rows)
-
     @cached_property
     def _places(self) -> dict[str, int]:
         return {variable.name: index for index, variable in enumerate(self.variables)}
