@@ -112,7 +112,7 @@ def _structures(layout: Declared, scratch: Declared) -> Iterator[str]:
     split = own.index("load_slot_ptr")
     yield _structure("holonom_model", [
         *(_noted(f"int32_t {name};", layout.note("SIZES", name)) for name in values["SIZES"]),
-        *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, lean, open, bare;",
+        *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, open, lean, bare;",
         *_tables(layout, "TABLES", own[split:]),
         *(
             _noted(f"int32_t {name}_at;", length, layout.note("OFFSETS", name))

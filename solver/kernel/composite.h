@@ -223,17 +223,15 @@ static double quantity_at(const context *c, int32_t j, const double *x, const do
     return value;
 }
 
-/* Links of all forms at the state, which is the beginning of the step, and the quantities they make. */
-static void links_at_start(const context *c)
+/* Links of some forms at the state, which is the beginning of the step, and the quantities they make. */
+HM_OFTEN void links_of_parts(const context *c, int linked, int active)
 {
     const holonom_model *m = c->m;
-    for IN_ISLAND(c, i, ISLAND_LINKED) {
+    for IN_ISLAND(c, i, linked) {
         const int32_t f = m->linked_form[i];
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
-    for (int32_t f = 0; f < m->n_forms && !hm_skips(SKIP_MEASURED_FORMS); f++) /* what is only measured, too */
-        link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
-    for IN_ISLAND(c, j, ISLAND_ACTIVE) {
+    for IN_ISLAND(c, j, active) {
         double s[2] = {0.0, 0.0};
         for (int i = 0; i < (m->quantity_kind[j] == QUANTITY_ANGLE ? 2 : 1); i++) {
             const int32_t f = m->quantity_form[2 * j + i];
@@ -241,6 +239,15 @@ static void links_at_start(const context *c)
         }
         c->k.sigma0[j] = quantity_of(c, j, s);
     }
+}
+
+/* Likewise of all that the step needs. */
+static void links_at_start(const context *c)
+{
+    for (int32_t f = 0; f < c->m->n_forms && !hm_skips(SKIP_MEASURED_FORMS); f++) /* what is only measured, too */
+        link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    links_of_parts(c, ISLAND_LINKED, ISLAND_ACTIVE);
+    if (!c->asleep || c->stepping) links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
 }
 
 #endif

@@ -52,9 +52,9 @@ typedef struct context {
     int32_t first_island, last_island;
     const int32_t *begin, *end;
     double *island;
-    span node, own_row[4], own_composite[4];
+    span node, all_row[4], all_composite[4];
     const span *row, *composite;
-    int rows, composites;
+    int rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
 } context;
@@ -80,6 +80,14 @@ static int add_piece(span *piece, int count, int32_t begin, int32_t end)
     return count + 1;
 }
 
+/* Lets rows that are off be at hand, too. */
+static inline void take_all_rows(context *c)
+{
+    c->row = c->all_row, c->composite = c->all_composite;
+    c->rows = c->all_rows, c->composites = c->all_composites;
+    c->left_out = c->asleep = 0;
+}
+
 /* Lets islands first .. last - 1 be those at hand. */
 static void look_at(context *c, int32_t first, int32_t last)
 {
@@ -90,15 +98,15 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->begin = begin, c->end = end;
     c->island = c->s.islands + I_SIZE * first;
     c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
-    c->row = c->own_row, c->composite = c->own_composite;
-    c->composites = c->left_out = c->asleep = 0;
-    c->rows = add_piece(c->own_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
-    c->rows = add_piece(c->own_row, c->rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
+    c->all_composites = 0;
+    c->all_rows = add_piece(c->all_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
+    c->all_rows = add_piece(c->all_row, c->all_rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
                         first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
-        c->rows = add_piece(c->own_row, c->rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
+        c->all_rows = add_piece(c->all_row, c->all_rows, first_function + begin[k] - m->n_elements, first_function + end[k] - m->n_elements);
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
-        c->composites = add_piece(c->own_composite, c->composites, begin[k], end[k]);
+        c->all_composites = add_piece(c->all_composite, c->all_composites, begin[k], end[k]);
+    take_all_rows(c);
 }
 
 static inline double dot(const double *a, const double *b)
@@ -118,7 +126,7 @@ static inline void cross_product(const double *a, const double *b, double *x)
 #endif
 }
 
-static inline int is_lean(const context *c) { return c->lu == &c->m->lean || c->lu == &c->m->bare; }
+static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; } /* or bare */
 
 /* Factors without rows of contacts and frictions. */
 static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }

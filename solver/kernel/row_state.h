@@ -60,7 +60,7 @@ static inline enum row_state state_of_multiplier(const context *c, int32_t i)
     return j < 0 ? ROW_IS_ON : state_of_row(c, j);
 }
 
-/* Takes rows that are off out of the pieces at hand, until look_at: a step has no multipliers and residuals of theirs. */
+/* Takes rows that are off out of the pieces at hand, until take_all_rows: a step has no multipliers and residuals of theirs. */
 static void leave_rows_out(context *c)
 {
     const holonom_model *m = c->m;

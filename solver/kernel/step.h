@@ -156,7 +156,7 @@ static inline void look_at_part(context *c, int32_t part, int32_t parts)
 
 static inline void look_at_all(context *c)
 {
-    if (c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
+    if (c->m->n_islands > 1) look_at(c, 0, c->m->n_islands);
 }
 
 /* One step of all islands, each by itself. The numbers of increments and updates are those of the island that took most. */
@@ -169,6 +169,7 @@ static int32_t solve_step(context *c, int parity)
         effort own = {0, 0};
         look_at_part(c, part, parts);
         status = solve_island(c, parity, &own);
+        take_all_rows(c);
         if (own.increments > most.increments) most.increments = own.increments;
         if (own.updates > most.updates) most.updates = own.updates;
     }

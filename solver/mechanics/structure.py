@@ -98,10 +98,32 @@ class Structure:
         pairs = dict.fromkeys((*self.free_masses.items, *mechanism.masses))
         self.masses = [(self.node_of[a], self.node_of[b], mechanism.masses[a, b]) for a, b in pairs]
         forms_of = [quantity.forms for quantity in mechanism.quantities]
-        self.active = ordered(mechanism.active, lambda q: mechanism.moving(*forms_of[q]))
+        touching = self._quantities_of_contacts()
+        self.active, self.touching = (
+            ordered(
+                [q for q in mechanism.active if (q in touching) == touches],
+                lambda q: mechanism.moving(*forms_of[q]),
+            )
+            for touches in (False, True)
+        )
         rest = (q for q in range(len(forms_of)) if q not in mechanism.active)
-        self.quantities = [*self.active.items, *rest]
+        self.quantities = [*self.active.items, *self.touching.items, *rest]
         self.quantity_of = {q: k for k, q in enumerate(self.quantities)}
+
+    def _quantities_of_contacts(self) -> set[int]:
+        """Quantities that a step needs only while a contact or friction is on."""
+        mechanism = self.mechanism
+        gaps = {contact.row for contact in mechanism.contacts}
+        slips = {row for friction in mechanism.frictions for row in friction.rows}
+        found: dict[bool, set[int]] = {True: set(), False: {e.quantity for e in mechanism.elements}}
+        formulas = [
+            *((k in gaps, row.formula) for k, row in enumerate(mechanism.function_rows)),
+            *((k in slips, row.formula) for k, row in enumerate(mechanism.velocity_rows)),
+            *((False, potential) for potential in mechanism.potentials),
+        ]
+        for of_contact, formula in formulas:
+            found[of_contact] |= {x.index for x in formula.leaves if x.kind != layout.LEAF_SIGNAL}
+        return found[True] - found[False]
 
     def _entries(self, form: Form) -> list[Entry]:
         nothing: tuple[Number, Number] = (0.0, 0.0)
@@ -184,13 +206,19 @@ class Structure:
         return Composite(tuple(found), tuple(forms), tuple(nodes), local_nodes)
 
     @cached_property
-    def linked(self) -> Ordered[int]:
-        """Forms that a step needs at its beginning: all but those that are only measured."""
+    def linked(self) -> tuple[Ordered[int], Ordered[int]]:
+        """Forms that a step needs at its beginning: always, and for contacts and frictions alone.
+
+        Others are only measured.
+        """
         mechanism = self.mechanism
         needed = {row.form for row in (*mechanism.form_rows, *mechanism.moments)}
-        needed.update(form for composite in self.composites for form in composite.forms)
-        needed.update(f for q in mechanism.active for f in mechanism.quantities[q].forms)
-        return self.islands.ordered(sorted(needed), mechanism.moving)
+        needed.update(f for q in self.active.items for f in mechanism.quantities[q].forms)
+        others = {f for q in self.touching.items for f in mechanism.quantities[q].forms} - needed
+        always, touching = (
+            self.islands.ordered(sorted(forms), mechanism.moving) for forms in (needed, others)
+        )
+        return always, touching
 
     # ----------------------------------------------------------------------- sizes and tables
 
@@ -205,7 +233,9 @@ class Structure:
             "n_driven": self.n_driven,
             "n_support": self.n_support,
             "n_entries": sum(map(len, self.entries)),
-            "n_linked": len(self.linked),
+            "n_linked": sum(map(len, self.linked)),
+            "n_always_linked": len(self.linked[0]),
+            "n_always_active": len(self.active),
             "n_rows": len(self.multipliers),
             "n_mass": len(self.masses),
             "n_mass_free": len(self.free_masses),
@@ -247,7 +277,7 @@ class Structure:
             "form_kind": array("i", self.kinds),
             "quantity_kind": array("i", (q.kind for q in quantities)),
             "quantity_form": flat(pairs),
-            "linked_form": array("i", self.linked.items),
+            "linked_form": flat(part.items for part in self.linked),
             "row_form": array("i", (row.form for row in self.form_rows.items)),
             "row_power": array("i", (row.scale.power for row in self.multipliers)),
             "coincidence_form": array("i", (row.form for row in self.coincidences.items)),
@@ -346,10 +376,11 @@ class Structure:
         composites = self.elements, self.function_rows, self.velocity_rows, self.potentials
         others = (
             self.form_rows, self.coincidences, self.loads, self.moments, self.body_moments,
-            self.free_masses, self.linked, self.active, self.bodies,
+            self.free_masses, self.bodies, self.linked[0], self.linked[1], self.active, self.touching,
         )  # fmt: skip
         parts = self.free_nodes, self.driven_nodes, *composites, *others
         shifts = [0, self.n_free, 0, *accumulate(map(len, composites[:-1]))] + [0] * len(others)
+        shifts[-3], shifts[-1] = len(self.linked[0]), len(self.active)
         windows = [
             [shift + k for k in part.begin] for part, shift in zip(parts, shifts, strict=True)
         ]

@@ -45,7 +45,9 @@ SIZES = (
     "n_entries",  # entries of all forms
     "n_quantities",  # the first n_active take part in the motion, the others are measured
     "n_active",
+    "n_always_active",  # of these the first, others for contacts and frictions alone
     "n_linked",  # forms that a step needs at its beginning
+    "n_always_linked",  # likewise
     "n_form_rows",  # s - c = 0
     "n_coincidences",  # u = 0, dim rows each
     "n_function_rows",  # phi = 0
@@ -144,8 +146,9 @@ ISLAND_PARTS = {
     "potential": ("first_potential", "n_composites"),
     "form_row": ("0", "n_form_rows"), "coincidence": ("0", "n_coincidences"),
     "load": ("0", "n_loads"), "moment": ("0", "n_moments"),
-    "body_moment": ("0", "n_body_moments"), "mass": ("0", "n_mass"), "linked": ("0", "n_linked"),
-    "active": ("0", "n_active"), "body": ("0", "n_bodies"),
+    "body_moment": ("0", "n_body_moments"), "mass": ("0", "n_mass"), "body": ("0", "n_bodies"),
+    "linked": ("0", "n_always_linked"), "touching_linked": ("n_always_linked", "n_linked"),
+    "active": ("0", "n_always_active"), "touching_active": ("n_always_active", "n_active"),
 }
 """What islands divide, each into consecutive pieces from the first place to the last."""
 
@@ -196,7 +199,7 @@ TABLES = {
     **ELIMINATION,
     **{
         f"{kind}_{name}": table
-        for kind in ("lean", "open", "bare") for name, table in ELIMINATION.items()
+        for kind in ("open", "lean", "bare") for name, table in ELIMINATION.items()
     },
     "load_slot_ptr": Pointers("n_loads", "load_slot"),
     "load_slot": Table("", 0, "n_lu_values"),  # follower load: free entries directors dim dim
