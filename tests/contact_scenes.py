@@ -424,6 +424,31 @@ def point_on_a_ball(angle: float = 0.1, rate: float = 0.3) -> Content:
     )
 
 
+def two_on_a_spring(stiffness: float, friction: float, height: float) -> Content:
+    """Two points that a spring joins fall on a plane in space, one of which rubs on it."""
+    plane = {"type": "plane", "axis": [0, 0, 1]}
+    return mechanism(
+        "two",
+        3,
+        points={
+            "a": {"mass": 0.6, "position": [0.2, 0.1, 0.27], "velocity": [0.7, 1.0, 0.0]},
+            "b": {"mass": 1.6, "position": [0.07, 0.39, height], "velocity": [-0.9, 0.1, 0.3]},
+        },
+        forces={
+            "spring": {
+                "type": "spring",
+                "points": ["a", "b"],
+                "stiffness": stiffness,
+                "free_length": 0.41,
+            }
+        },
+        contacts={
+            "A": plane | {"point": "a"},
+            "B": plane | {"point": "b", "restitution": 0.5, "friction": friction},
+        },
+    )
+
+
 def pile_of_discs(n: int, restitution: float = 0.3) -> Content:
     """Discs that fall into a box three of them wide, each of which may touch each other one."""
     radius, width, draw = 0.05, 0.31, np.random.default_rng(1)

@@ -140,17 +140,20 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         double h = rest / n;
         const double whole = h;
         const double ahead = c->m->unilateral && !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
-        if (!(half_steps + ahead < MOST_HALF_STEPS)) return failed ? failed : HOLONOM_STEP_COLLAPSED;
         c->t = start + done;
+        if (!(half_steps + ahead < MOST_HALF_STEPS)) {
+            if (c->m->unilateral && may_step_over(failed)) return step_over(c, failed, start, done, step);
+            return failed ? failed : HOLONOM_STEP_COLLAPSED;
+        }
         c->unweighted = 0;
         c->damped = is_dissipative(c);
         int32_t status = c->m->unilateral ? stop_before(c, &h) : HOLONOM_OK;
         if (status) return status;
         if (c->m->unilateral && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
         if (c->m->unilateral) keep_start(c);
-        const int is_short = c->m->unilateral && h < SHORTEST_PIECE * usual_length(c);
-        status = is_short ? short_piece(c, h) : internal_step(c, h);
-        const int rejected = status ? 1 : is_short ? 0 : judge_step(c, start + done, h, law_time, step);
+        const int tiny = c->m->unilateral && is_short(c, h);
+        status = tiny ? short_piece(c, h) : internal_step(c, h);
+        const int rejected = status ? 1 : tiny ? 0 : judge_step(c, start + done, h, law_time, step);
         half_steps += c->halves;
         failed = status;
         if (status || (rejected && repeats < MAX_REPEATS)) {
@@ -184,16 +187,22 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
    than a thousandth of it belongs to the next one, since round-off of rows enters velocities over the length.   */
 static int32_t cover_between_events(context *c, double start, double step, double h)
 {
-    double done = 0.0;
+    double done = 0.0, cut = INFINITY;
     while (done < step) {
         const double law_time = c->number[c->m->time_at], grid = (floor(done / h + SLIVER) + 1.0) * h;
         const double next = grid > step - SLIVER * h ? step : grid;
-        double length = next - done, covered;
+        double length = fmin(next - done, cut), covered;
         c->t = start + done;
         c->unweighted = 0;
         int32_t status = stop_before(c, &length);
         covered = length;
         if (!status) status = step_piece(c, length);
+        if (status && slides_in_space(c) && !is_short(c, length)) { /* it may stop sooner than its rate says */
+            undo_piece(c, start + done, law_time);
+            cut = 0.5 * length;
+            continue;
+        }
+        cut = INFINITY;
         if (!status) status = end_piece(c, start + done, law_time, length, &covered);
         if (may_step_over(status)) {
             undo_piece(c, start + done, law_time);

@@ -178,6 +178,8 @@ HM_SELDOM static double root_between(const context *c, int32_t k, double h, even
    errors of rows and signals by their length. What it leaves out is of the third order.                         */
 #define SHORTEST_PIECE 1e-6
 
+static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * usual_length(c); }
+
 /* Whether loads, drivers or moving surfaces may do work. */
 HM_SELDOM static int has_loads(const context *c)
 {
@@ -232,7 +234,7 @@ HM_SELDOM static int32_t short_piece(context *c, double h)
 /* A piece of length h. */
 static int32_t step_piece(context *c, double h)
 {
-    return h < SHORTEST_PIECE * usual_length(c) ? short_piece(c, h) : step_halving(c, h, 0);
+    return is_short(c, h) ? short_piece(c, h) : step_halving(c, h, 0);
 }
 
 /* Goes back to the state `backup` of time t, with laws of law_time. What the step has cost stays counted. */

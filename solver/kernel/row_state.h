@@ -111,6 +111,14 @@ static inline int n_slips(const context *c, int32_t f) { return c->m->friction_r
 
 static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m->friction_row[c->m->friction_row_ptr[f] + k]; }
 
+/* Whether a friction in space slides. Its direction turns the faster the slower it is. */
+static int slides_in_space(const context *c)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES) return 1;
+    return 0;
+}
+
 /* Norm (in `root`) of the multipliers whose list begins at entry `at` of the normal force of friction f; the entry behind
    the list. */
 static int32_t sum_of_squares(const context *c, int32_t f, int32_t at, const double *mu, double *root)

@@ -680,10 +680,13 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
 
 static inline int is_stepped(const context *c) { return c->m->unilateral && c->s.head[S_CONTACT_MODE] != 0.0; }
 
-/* Whether stepped mode may go on where located mode has failed so. */
+/* Whether stepped mode may go on where located mode has failed so: no modes, no impulses, too many events, or equations that
+   contacts and frictions as they are leave without solution.                                                    */
 static inline int may_step_over(int32_t status)
 {
-    return status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED || status == HOLONOM_CONTACT_UNDECIDED;
+    const int is_unsolved = status >= HOLONOM_NEWTON_DIVERGED && status <= HOLONOM_NOT_FINITE;
+    return is_unsolved || status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED ||
+           status == HOLONOM_CONTACT_UNDECIDED;
 }
 
 /* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are those of the last pair:

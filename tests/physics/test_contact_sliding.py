@@ -18,6 +18,7 @@ from tests.contact_scenes import (
     incline,
     rod_that_falls,
     slider,
+    two_on_a_spring,
 )
 from tests.problems import GRAVITY
 
@@ -199,3 +200,17 @@ def test_a_flat_rod_comes_to_rest_with_all_its_energy_lost():
     assert passed.error < 1e-13
     assert passed.gap > -1e-14
     assert passed.loss >= 0.0
+
+
+@pytest.mark.parametrize("stiffness", [1000.0, 5000.0, 8000.0])
+@pytest.mark.parametrize("friction", [0.8, 1.2, 1.5])
+def test_a_slip_in_space_may_stop_sooner_than_its_rate_says(stiffness, friction):
+    # The spring swings in a piece, so that slip stops before the time that its rate at the start
+    # of the piece leaves to it: the piece is cut, until it is solved.
+    integrator = begin(two_on_a_spring(stiffness, friction, 0.02), 0.01)
+    events = 0.0
+    for _ in range(60):
+        assert cover(integrator, [integrator.time + 0.01]).error < 1e-13
+        assert integrator["solver.stepped"] == 0.0
+        events += number(integrator, "solver.events")
+    assert events >= 6.0  # landings and stops
