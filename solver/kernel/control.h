@@ -174,6 +174,8 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) {
             if (!may_step_over(status)) return status;
             undo_piece(c, start + done, law_time);
+            head[S_WANTED] = 0.5 * h;
+            if (is_to_be_cut(c, status, h)) continue;
             return step_over(c, status, start, done, step);
         }
         done = covered == rest ? step : done + covered;
@@ -197,18 +199,15 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         int32_t status = stop_before(c, &length);
         covered = length;
         if (!status) status = step_piece(c, length);
-        if (status && slides_in_space(c) && !is_short(c, length)) { /* it may stop sooner than its rate says */
+        if (!status) status = end_piece(c, start + done, law_time, length, &covered);
+        if (status) {
+            if (!may_step_over(status)) return status;
             undo_piece(c, start + done, law_time);
             cut = 0.5 * length;
-            continue;
-        }
-        cut = INFINITY;
-        if (!status) status = end_piece(c, start + done, law_time, length, &covered);
-        if (may_step_over(status)) {
-            undo_piece(c, start + done, law_time);
+            if (is_to_be_cut(c, status, length)) continue;
             return step_over(c, status, start, done, step);
         }
-        if (status) return status;
+        cut = INFINITY;
         done = covered == next - done ? next : done + covered;
     }
     return HOLONOM_OK;

@@ -680,13 +680,24 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
 
 static inline int is_stepped(const context *c) { return c->m->unilateral && c->s.head[S_CONTACT_MODE] != 0.0; }
 
-/* Whether stepped mode may go on where located mode has failed so: no modes, no impulses, too many events, or equations that
-   contacts and frictions as they are leave without solution.                                                    */
+/* Whether the equations of a step had no solution, as contacts and frictions were. */
+static inline int is_unsolved(int32_t status)
+{
+    return (status >= HOLONOM_NEWTON_DIVERGED && status <= HOLONOM_NOT_FINITE) || status == HOLONOM_TURN_TOO_LARGE ||
+           status == HOLONOM_DAMPING_REVERSED;
+}
+
+/* Whether stepped mode may go on where located mode has failed so. */
 static inline int may_step_over(int32_t status)
 {
-    const int is_unsolved = status >= HOLONOM_NEWTON_DIVERGED && status <= HOLONOM_NOT_FINITE;
-    return is_unsolved || status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED ||
+    return is_unsolved(status) || status == HOLONOM_TOO_MANY_EVENTS || status == HOLONOM_IMPACT_UNSOLVED ||
            status == HOLONOM_CONTACT_UNDECIDED;
+}
+
+/* Whether a piece of length h that failed so is to be cut: a slip in space may stop sooner than its rate says. */
+static int is_to_be_cut(const context *c, int32_t status, double h)
+{
+    return is_unsolved(status) && slides_in_space(c) && !is_short(c, h);
 }
 
 /* Covers the rest of a communication step of length `step` that began at `start`. Multipliers are those of the last pair:
