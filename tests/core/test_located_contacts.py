@@ -33,11 +33,8 @@ NEAR_FORCES = 1e-7
 NEAR_EVENTS = 1e-6
 """Of times, over the step: releases of what is driven are known no better, from differences."""
 
-SHORT = {
-    "cam_and_follower", "gear_pair_with_backlash", "ratchet", "slider_crank_with_clearance",
-    "tippe_top",
-}  # fmt: skip
-"""Scenes that are compared in steps of order 2, for the sake of time."""
+ORDER_4 = {"belt_and_block", "falling_rod", "mass_in_a_circle"}
+"""Scenes that are compared in steps of that order; the others, for the sake of time, of order 2."""
 STEPS = {"ratchet": 0.005}
 """Steps where those of the scene are divided, since they are too long to be solved."""
 EVENTS = {
@@ -78,7 +75,9 @@ def has_dependent_rows(mechanism: Mechanism) -> bool:
     G, on = rows_of(mechanism)[0][:, : mechanism.n_free], mechanism.rows_on()
     scaled = G[on] / np.sqrt(mechanism.m_node[: mechanism.n_free])
     sizes = np.sqrt(np.sum(scaled**2, axis=1, keepdims=True))
-    return int(np.linalg.matrix_rank(scaled / np.where(sizes > 0.0, sizes, 1.0), tol=1e-6)) < sum(on)
+    return int(np.linalg.matrix_rank(scaled / np.where(sizes > 0.0, sizes, 1.0), tol=1e-6)) < sum(
+        on
+    )
 
 
 def compare(run: Integrator, oracle: Mechanism, last: float) -> None:
@@ -131,8 +130,7 @@ def step_both(run: Integrator, h: float) -> list[float]:
 def test_a_step_with_events_is_that_of_the_equations(name):
     model = solver.assemble(solver.load(SCENES / f"{name}.toml"))
     run = begun(model)
-    order = run.state.head["order"]
-    run.state.head["order"] = 2.0 if name in SHORT else min(order, 4.0)
+    run.state.head["order"] = 4.0 if name in ORDER_4 else 2.0
     run.state.head["step_size"] = h = STEPS.get(name, run.state.head["step_size"])
     while run.time + 1.5 * h < EVENTS[name]:
         run.advance(run.time, h)
@@ -158,15 +156,20 @@ def random_run(seed: int) -> Integrator:
     return begun(solver.assemble(scene))
 
 
-@pytest.mark.parametrize("seed", [22])
+@pytest.mark.parametrize("seed", [117, 119, 120, 124, 134, 150, 176, 178, 186, 190, 206])
 def test_random_mechanisms_touch_by_the_equations(seed):
-    run, events = random_run(seed), 0
-    for _ in range(4):
-        events += len(step_both(run, run.model.experiment.step_size))
-    assert events > 0
+    """In the first communication step with an event: impacts, releases, slips, both laws."""
+    run = random_run(seed)
+    h = run.model.experiment.step_size
+    kept = run.save()
+    while not run.state.head["events"]:
+        kept, begin = run.save(), run.time
+        run.advance(begin, h)
+    run.restore(kept)
+    assert step_both(run, h)
 
 
-@pytest.mark.parametrize("seed", [27])
+@pytest.mark.parametrize("seed", [9, 13, 24, 25, 27, 37, 54, 63, 78, 88, 93, 101])
 def test_random_mechanisms_begin_by_the_equations(seed):
     run = random_run(seed)
     oracle = Mechanism.of(run.model, run.state)

@@ -29,7 +29,7 @@ Choice = tuple[float, Array | None]
 """Mode of a friction and the direction of its slip, None if that is to be found."""
 
 
-class TooManyChoices(ArithmeticError):
+class TooManyChoicesError(ArithmeticError):
     """More contacts at rest than can be tried."""
 
 
@@ -140,7 +140,7 @@ def agreeing(mechanism: Mechanism, ended: Ended) -> Iterator[tuple[Array, Array,
         lists.append([*closed, (False, (OFF, None))])
     lists += [[(True, x) for x in _choices(state, f, ended)] for f in joints]
     if prod(map(len, lists)) > MOST:
-        raise TooManyChoices
+        raise TooManyChoicesError
     at = Accelerations(mechanism)
     for choice in product(*lists):
         tried = {}
@@ -148,7 +148,9 @@ def agreeing(mechanism: Mechanism, ended: Ended) -> Iterator[tuple[Array, Array,
             set_contact(mechanism, i, closed=closed, gap=state.gaps[i])
             if f is not None:
                 tried[f] = x
-        tried |= {f: x for f, (_, x) in zip(joints, choice[len(lists) - len(joints) :], strict=True)}
+        tried |= {
+            f: x for f, (_, x) in zip(joints, choice[len(lists) - len(joints) :], strict=True)
+        }
         for f, x in tried.items():
             set_friction(mechanism, f, *x)
         a = _agrees(at, state, tried)

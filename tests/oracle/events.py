@@ -161,7 +161,9 @@ class Located:
                 continue
             first = 0.0
             if low[0][k] <= low[1][k]:  # a mode that has just begun
-                first = next((s for s in end * 0.5 ** np.arange(1, 30) if value(s, k) > none[k]), 0.0)
+                first = next(
+                    (s for s in end * 0.5 ** np.arange(1, 30) if value(s, k) > none[k]), 0.0
+                )
                 if first == 0.0:  # a contact that carries nothing
                     return 0.0, begin, [k]
             end = float(brentq(value, first, end, args=(k,), xtol=1e-16, rtol=1e-15))
@@ -179,7 +181,7 @@ class Located:
         return bool(np.any(state.gaps[is_open] < 2.0 * h * fastest))
 
     def end_modes(self, which: list[int]) -> None:
-        """Open contacts without force, let frictions at their cones slide and those at rest stick."""
+        """Open contacts without force, let frictions slide at their cones and stick at rest."""
         mechanism, ended = self.mechanism, Ended()
         closed, n = mechanism.of_contacts[:, 0] != 0.0, len(mechanism.contacts)
         if np.any(closed) or np.any(mechanism.of_frictions[:, 0] != OFF):

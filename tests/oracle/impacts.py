@@ -1,6 +1,6 @@
 """Impacts at a fixed configuration: Newton's restitution with Coulomb's cone (theory 10.3).
 
-    0 <= p_N _|_ gamma_N+ + e gamma_N- >= 0,    |p_T| <= c p_N,    p_T against gamma_T+ if that is not 0
+    0 <= p_N _|_ gamma_N+ + e gamma_N- >= 0,    |p_T| <= c p_N,    p_T against gamma_T+ if not 0
 
 with gamma+ = gamma- + W p, W = G M^-1 G' of the contacts that touch while the bilateral rows hold.
 """
@@ -12,7 +12,7 @@ from itertools import product
 import numpy as np
 from scipy.optimize import root
 
-from tests.oracle.contacts import MOST, State, TooManyChoices, set_contact, set_friction
+from tests.oracle.contacts import MOST, State, TooManyChoicesError, set_contact, set_friction
 from tests.oracle.mechanism import OFF, Array, Mechanism
 from tests.oracle.start import Accelerations, constrained, row_rates, rows_of
 
@@ -38,7 +38,7 @@ class Law:
             for rows, c in zip(self.rows, self.c, strict=True)
         ]
         if np.prod([float(len(way)) for way in ways]) > MOST:
-            raise TooManyChoices
+            raise TooManyChoicesError
         found: list[Array] = []
         for choice in product(*ways):
             p = self._of_choice(choice)
@@ -94,6 +94,9 @@ class Law:
                 p[t] = pull * min(1.0, c * p[k] / size) if size > 0.0 else 0.0
         return p
 
+    def _moved(self, x: Array, scale: float) -> Array:
+        return self._projected(x * scale) / scale - x
+
     def fixed_point(self) -> Array:
         """Impulses that stay as they are when they are projected."""
         p = np.zeros(len(self.before))
@@ -102,9 +105,8 @@ class Law:
             for _ in range(SWEEPS):
                 last, p = p, self._projected(p)
             if np.max(np.abs(p - last)) > 1e-14 * scale:
-                found = root(lambda x: self._projected(x * scale) / scale - x, p / scale, method="lm",
-                             options={"xtol": 1e-15, "ftol": 1e-30})  # fmt: skip
-                p = found.x * scale
+                fine = {"xtol": 1e-15, "ftol": 1e-30}
+                p = scale * root(self._moved, p / scale, (scale,), method="lm", options=fine).x
             last = p
             if np.max(np.abs(self._projected(p) - p)) <= 1e-13 * scale:
                 return p
@@ -119,7 +121,8 @@ class Law:
         """Impulses that create no energy, with smaller restitution if need be; whether unique."""
         while True:
             found = self.solutions()
-            size = float(np.max(np.abs(self.before))) ** 2 / np.min(np.diag(self.W), initial=np.inf)
+            stiffness = np.diag(self.W)[np.diag(self.W) > 0.0]
+            size = np.max(np.abs(self.before)) ** 2 / np.min(stiffness, initial=np.inf)
             fine = [p for p in found if self.loss(p) >= -1e-12 * size]
             if fine:
                 return fine[0], len(found) == 1
@@ -130,7 +133,7 @@ class Law:
 
 
 def across(mechanism: Mechanism, on: Array) -> Array:
-    """Part y (n_free,) of the velocities that the rows `on` do not allow; orthogonal to the rest."""
+    """Part y (n_free,) of the velocities that the rows `on` do not allow."""
     n, G = mechanism.n_free, rows_of(mechanism)[0]
     rate = row_rates(mechanism, mechanism.signal_rates(mechanism.head["time"]))
     off = np.diag(np.where(on, 0.0, -1.0))

@@ -73,7 +73,12 @@ def scales(mechanism: Mechanism) -> Array:
 
 
 def constrained(
-    mechanism: Mechanism, M: Array, G: Array, f: Array, g: Array, weight: Array | float = 1.0,
+    mechanism: Mechanism,
+    M: Array,
+    G: Array,
+    f: Array,
+    g: Array,
+    weight: Array | float = 1.0,
     off: Array | None = None,
 ) -> tuple[Array, Array]:
     """Solution x, lam of M x + G' lam = f, G x = g for the free coordinates.
@@ -149,9 +154,9 @@ def drift(mechanism: Mechanism) -> Array:
 
 
 class Accelerations:
-    """Forces, rows and biases at the present state, where accelerations and multipliers obey
+    """Forces, rows and biases at the present state, of accelerations and multipliers there.
 
-        M a + G' mu = Q,    G a = -bias of rows that hold,    mu_k = (c N + N_0) t_k of the others.
+    M a + G' mu = Q,    G a = -bias of rows that hold,    mu_k = (c N + N_0) t_k of the others.
     """
 
     def __init__(self, mechanism: Mechanism) -> None:

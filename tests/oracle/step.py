@@ -106,7 +106,9 @@ class Residual:
         C = self.measure(path, change, G_bar)
         target = lam + self.alpha * C
         if not np.all(self.on):
-            target = np.where(self.on, target, self.mechanism.sliding_multipliers(mu, change / self.h))
+            target = np.where(
+                self.on, target, self.mechanism.sliding_multipliers(mu, change / self.h)
+            )
         return np.concatenate([R, (target - mu) / self.alpha])
 
     def tangent(self, w: Array, mu: Array, lam: Array) -> Array:
