@@ -20,6 +20,7 @@
 #define RESTING 1e-10  /* speed over that of the mechanism                                               */
 #define NO_FORCE 1e-11 /* force over the largest normal force                                            */
 #define NO_GROWTH 1e-9 /* acceleration over the largest one                                              */
+#define TURNED 1e-9    /* change of a unit direction                                                         */
 #define PARTING 1e-5   /* likewise, of the gap of a contact that the event at hand has opened            */
 
 static double speed_tolerance(const context *c)
@@ -223,6 +224,29 @@ HM_SELDOM static int turn_back(context *c)
     return 0;
 }
 
+/* Turns slips of several rates that are about to begin towards the way in which they grow; 0 if they begin so. With a
+   stiffness no less than that of the rows, a step to the friction that stops the slip and back to the cone converges. */
+HM_SELDOM static int turn_beginning_slips(const context *c)
+{
+    int turned = 0;
+    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+        const int n = n_slips(c, f);
+        double *along = friction_of(c, f) + F_ALONG_1, pull[3], stiffness = 0.0, size2 = 0.0;
+        if (n < 2 || friction_mode(c, f) != FRICTION_SLIDES || slip_of(c, f, NULL) > speed_tolerance(c)) continue;
+        for (int k = 0; k < n; k++) stiffness += c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, k))];
+        const double force = cone(c, f, 1, normal_force(c, f, c->k.event_mu));
+        for (int k = 0; k < n; k++) {
+            pull[k] = force * along[k] + second_rate_of_row(c, slip_row(c, f, k)) / stiffness;
+            size2 += hm_square(pull[k]);
+        }
+        for (int k = 0; k < n && size2 > 0.0; k++) {
+            turned |= fabs(pull[k] / sqrt(size2) - along[k]) > TURNED;
+            along[k] = pull[k] / sqrt(size2);
+        }
+    }
+    return turned;
+}
+
 /* Whether contact i touches and its gap does not move. */
 HM_SELDOM static int is_at_rest(const context *c, int32_t i)
 {
@@ -277,15 +301,19 @@ HM_SELDOM static void guess_modes(context *c)
         if (!is_of_contact(c, f)) guess_friction(c, f);
 }
 
+enum { MOST_TURNS = 100 };
+
 /* Changes modes one at a time until they agree with the forces. */
 static int32_t agree_with_forces(context *c)
 {
     const int most = 20 + 8 * (c->m->n_contacts + c->m->n_frictions);
-    for (int change = 0; change < most; change++) {
+    for (int change = 0, turns = 0; change < most; change++) {
         const int32_t status = evaluate_forces(c);
         const double none = force_tolerance(c);
         if (status) return status;
-        if (!(open_worst(c, none) || slide_worst(c, none) || turn_back(c) || close_worst(c))) return HOLONOM_OK;
+        if (open_worst(c, none) || slide_worst(c, none) || turn_back(c) || close_worst(c)) continue;
+        if (turns++ == MOST_TURNS || !turn_beginning_slips(c)) return HOLONOM_OK;
+        change--;
     }
     return HOLONOM_CONTACT_UNDECIDED;
 }

@@ -85,7 +85,7 @@ def _choices(state: State, f: int | None, ended: Ended) -> list[Choice]:
     if f is None or not mechanism.section["static"][f] + mechanism.section["preload"][f] > 0.0:
         return [(OFF, None)]
     if f in ended.sliding:
-        return [(SLIDES, ended.sliding[f])]
+        return [(SLIDES, ended.sliding[f] if len(ended.sliding[f]) == 1 else None)]
     size, along = state.slip(f)
     if size > state.speed_tolerance:
         return [(SLIDES, along)]
@@ -99,10 +99,13 @@ def _agrees(at: Accelerations, state: State, tried: dict[int, Choice]) -> Array 
     mechanism, unknown = at.mechanism, [f for f, (_, t) in tried.items() if t is None]
     unknown = [f for f in unknown if tried[f][0] == SLIDES]
     mu, a = at.solve()
-    for _ in range(200 if unknown else 0):  # of several slip rates, the way in which they grow
+    for _ in range(300 if unknown else 0):  # of several slip rates, the way in which they grow
         for f in unknown:
-            growth = at.second_rates(a)[mechanism.frictions[f].rows]
-            set_friction(mechanism, f, SLIDES, growth / (np.sqrt(growth @ growth) or 1.0))
+            rows = mechanism.frictions[f].rows
+            G, t = at.G[rows], mechanism.of_frictions[f, 1 : 1 + len(rows)]
+            stiffness = np.linalg.norm(G / mechanism.m_node @ G.T, 2)
+            pull = mechanism.cone(f, mu) * t + at.second_rates(a)[rows] / stiffness
+            set_friction(mechanism, f, SLIDES, pull / (np.sqrt(pull @ pull) or 1.0))
         mu, a = at.solve()
     second = at.second_rates(a)
     closed = [mu[row] for row, _ in mechanism.contacts if mechanism.rows_on()[row]]
