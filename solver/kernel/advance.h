@@ -105,7 +105,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_STEPPED] = 0.0;
     if (!status && m->unilateral && !is_stepped(&c)) {
         keep_start(&c);
-        status = head[S_UNSETTLED] != 0.0 ? settle(&c) : event_functions(&c, values_at(&c, AT_LOW));
+        status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
     }
     if (may_step_over(status)) {
         undo_piece(&c, start, c.number[m->time_at]);

@@ -347,6 +347,14 @@ HM_SELDOM static int32_t settle(context *c)
     return status;
 }
 
+/* New modes after a change of inputs or parameters. Rates that closed contacts still have are no approach. */
+HM_SELDOM static int32_t settle_changes(context *c)
+{
+    evaluate_state(c);
+    const int32_t status = has_forces(c) ? project_velocities(c, S_IMPACT) : HOLONOM_OK;
+    return status ? status : settle(c);
+}
+
 /* Slip in space turns fast just before it stops, and passes through 0 along no direction known before. A piece ends
    before the time at which the slip would stop at its present rate: a tenth of that time is left, so that pieces are as short
    as the motion is fast and orders above 2 hold. A SLIP_LEFT part of the speed of the mechanism counts as none.   */

@@ -87,6 +87,7 @@ class Located:
         start, n = self.mechanism.head["time"], step / self.mechanism.head["step_size"]
         h, done = step / max(1.0, np.ceil(n * (1.0 - 1e-10))), 0.0
         if self.mechanism.head["unsettled"]:
+            self.project()
             self.settle()
         while done < step:
             grid = (np.floor(done / h + SLIVER) + 1.0) * h
@@ -101,6 +102,12 @@ class Located:
                 self.events.append(start + done)
                 self.end_modes(ended)
             self.follow_slips()
+
+    def project(self) -> None:
+        """Take from the velocities what rows do not allow, if contacts or frictions have any."""
+        mechanism = self.mechanism
+        if np.any(mechanism.of_contacts[:, 0]) or np.any(mechanism.of_frictions[:, 0] != OFF):
+            project(mechanism, "impact")
 
     def before_stop(self, length: float) -> float:
         """Length of a piece that ends before a slip in space would stop at its present rate."""
@@ -184,8 +191,7 @@ class Located:
         """Open contacts without force, let frictions slide at their cones and stick at rest."""
         mechanism, ended = self.mechanism, Ended()
         closed, n = mechanism.of_contacts[:, 0] != 0.0, len(mechanism.contacts)
-        if np.any(closed) or np.any(mechanism.of_frictions[:, 0] != OFF):
-            project(mechanism, "impact")
+        self.project()
         mu, _ = Accelerations(mechanism).solve()
         ended.opened = {k for k in which if k < n and closed[k]}
         for f, own in enumerate(mechanism.of_frictions):

@@ -257,3 +257,19 @@ def test_a_rope_along_a_bar_takes_no_part_in_the_impacts_of_the_bar():
         for name in ("a.x", "a.y", "b.x", "b.y"):
             assert runs[0][name] == pytest.approx(runs[1][name], abs=1e-11)
     assert number(runs[1], "A.impacts") + number(runs[1], "B.impacts") > 2.0
+
+
+@pytest.mark.parametrize("order", [2, 4])
+def test_what_slides_along_a_wall_does_not_bounce_where_an_input_changes(order):
+    # A step leaves the gap a rate of its order, 1e-4 m/s here, which is no approach.
+    content = circle(0.9)
+    content["points"]["p"] |= {"position": [0.0, -1.0], "velocity": [2.0, 0.0]}
+    content["forces"] = {"load": {"type": "force", "point": "p", "value": ["push", 0.0]}}
+    content["inputs"] = {"push": {}}
+    integrator = begin(content, 0.05, order)
+    for k in range(20):
+        integrator["push"] = 1e-3 * (k % 2)
+        integrator.advance(integrator.time, 0.1)
+        assert integrator["wall.mode"] == 1.0
+        assert integrator["wall.impacts"] == 0.0
+    assert integrator["energy.error"] < 1e-13
