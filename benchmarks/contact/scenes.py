@@ -138,6 +138,9 @@ KNOWN = {
         {"friction": 0.0},
     ),
     "pile_of_discs": Known("energy at rest", 7.187239, _at(1.0, "energy.potential")),
+    "putting_green": Known(
+        "friction while it rolls", 0.0, _change("energy.friction", 1.0, 2.0), scale=0.1
+    ),
     "quarter_car": Known(
         "energy of the landing", 23.58955156, _change("energy.impact", 0.39, 0.3908)
     ),

@@ -661,7 +661,10 @@ static int32_t try_half(context *c, double h, int half)
     const double after = ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
     const double allowed = fmax(c->s.head[S_NEWTON_TOLERANCE], 1e-12) * c->s.head[S_ENERGY_REFERENCE];
     if (HOLONOM_ENERGY_DECIDES && !(fabs(after - before) <= allowed)) return HOLONOM_NEWTON_DIVERGED;
-    return booked(c, S_IMPACT) - impact + booked(c, S_FRICTION) - friction >= -allowed ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
+    const double by_hits = booked(c, S_IMPACT) - impact, by_slips = booked(c, S_FRICTION) - friction;
+    const double given = fmin(by_slips, 0.0) - fmin(by_hits, 0.0); /* of what both take the sum alone is never negative */
+    if (given != 0.0) book(c, S_IMPACT, given), book(c, S_FRICTION, -given);
+    return by_hits + by_slips >= -allowed ? HOLONOM_OK : HOLONOM_CONTACT_UNDECIDED;
 }
 
 /* A half step of length h; where it fails, two of half its length. */

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import solver
@@ -21,7 +22,7 @@ from tests.contact_scenes import (
     slider,
     slider_crank_with_clearance,
 )
-from tests.problems import GRAVITY, Content
+from tests.problems import GRAVITY, Content, mechanism
 from tests.problems import scene as solver_scene
 
 STEPPED: dict[str, Any] = {"contact_mode": "stepped"}
@@ -171,3 +172,34 @@ def test_stepped_mode_says_once_that_its_order_is_2():
     cover(integrator, even(1.0, 0.1))
     assert integrator["solver.order_in_use"] == 2.0
     assert sum("of order 2" in sentence for sentence in sentences) == 1
+
+
+@pytest.mark.parametrize("h", [0.05, 0.02, 0.005])
+def test_neither_friction_nor_impacts_give_energy(h):
+    # A spinning block lands on a corner that rubs and one that does not, in one half step.
+    floor = {"type": "plane", "axis": [0, 1]}
+    content = mechanism(
+        "block",
+        2,
+        bodies={
+            "b": {
+                "position": [0.0, 0.013],
+                "angular_velocity": -5.0,
+                "mass": 0.8,
+                "inertia": 6e-5,
+                "points": {"l": [-0.02, -0.013], "r": [0.02, -0.013]},
+            }
+        },
+        contacts={
+            "left": floor | {"point": "b.l", "restitution": 1.0, "friction": 0.5},
+            "right": floor | {"point": "b.r", "restitution": 0.5},
+        },
+    )
+    integrator = begin(content, h, **STEPPED)
+    losses = np.zeros(2)
+    for t in even(0.3, h):
+        integrator.advance(integrator.time, t - integrator.time)
+        before = losses
+        losses = np.array([number(integrator, f"energy.{word}") for word in ("friction", "impact")])
+        assert np.all(losses >= before - 1e-17)
+    assert losses.sum() > 0.0
