@@ -59,12 +59,16 @@ def drive(fmu: Instance, integrator: Integrator, first: int, last: int) -> None:
 # --------------------------------------------------------------------------------- every scene
 
 
-@pytest.mark.parametrize("name", ALL_SCENES)
+@pytest.fixture(scope="module", params=ALL_SCENES)
+def name(request: pytest.FixtureRequest) -> str:
+    """A scene; its tests come one after the other, so that one process builds its FMU."""
+    return request.param
+
+
 def test_the_validator_finds_nothing(name):
     assert validate_fmu(str(scene_fmu(name))) == []
 
 
-@pytest.mark.parametrize("name", ALL_SCENES)
 def test_the_check_passes(capsys, name):
     # Over the scene's own experiment; 1e-11 is the tolerance of a step, 1e-12, with room to add up.
     limits = ("--energy", 1e-11, "--constraint", 1e-12)
@@ -73,7 +77,6 @@ def test_the_check_passes(capsys, name):
     assert json.loads(out)["end_time"] == solver.load(SCENES / f"{name}.toml").experiment.stop_time
 
 
-@pytest.mark.parametrize("name", ALL_SCENES)
 def test_the_trajectory_is_the_librarys_bit_for_bit(name):
     integrator = moved(name)
     with instance(scene_fmu(name)) as fmu:
@@ -82,7 +85,6 @@ def test_the_trajectory_is_the_librarys_bit_for_bit(name):
         drive(fmu, integrator, 0, 20)
 
 
-@pytest.mark.parametrize("name", ALL_SCENES)
 def test_every_variable_has_a_structured_name_a_known_unit_and_a_meaning(name):
     with zipfile.ZipFile(scene_fmu(name)) as archive:
         root = ElementTree.fromstring(archive.read("modelDescription.xml"))
