@@ -80,6 +80,8 @@ static int32_t add_function_sigmas(const context *c, double *sigma)
     return HOLONOM_OK;
 }
 
+#define VANISHING 1e-8 /* gradient over that of a row of this scale which counts as none */
+
 /* sigma_i = (G M^-1 G')_ii with the nodes' shares of the mass, for the scaling of the penalties; scales. */
 static int32_t derive_scales(context *c)
 {
@@ -104,11 +106,11 @@ static int32_t derive_scales(context *c)
     }
     const int32_t status = add_function_sigmas(c, sigma);
     if (status) return status;
-    for (int32_t i = 0; i < m->n_rows; i++)
-        if (!(sigma[i] > 0.0)) { /* a gradient that vanishes here need not do so later */
-            const double size2 = hm_square(c->number[m->extent_at + 1]);
-            sigma[i] = scale[i] * scale[i] / (size2 > 0.0 ? size2 : 1.0);
-        }
+    for (int32_t i = 0; i < m->n_rows; i++) {
+        const double size2 = hm_square(c->number[m->extent_at + 1]), usual = scale[i] * scale[i] / (size2 > 0.0 ? size2 : 1.0);
+        /* A gradient that vanishes here, but for rounding errors, need not do so later. */
+        if (!(sigma[i] > hm_square(VANISHING) * usual)) sigma[i] = usual;
+    }
     return HOLONOM_OK;
 }
 

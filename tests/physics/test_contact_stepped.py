@@ -24,6 +24,7 @@ from tests.contact_scenes import (
 )
 from tests.problems import GRAVITY, Content, mechanism
 from tests.problems import scene as solver_scene
+from tests.scene_files import SCENES
 
 STEPPED: dict[str, Any] = {"contact_mode": "stepped"}
 CLOSURE = 1e-12
@@ -203,3 +204,18 @@ def test_neither_friction_nor_impacts_give_energy(h):
         losses = np.array([number(integrator, f"energy.{word}") for word in ("friction", "impact")])
         assert np.all(losses >= before - 1e-17)
     assert losses.sum() > 0.0
+
+
+@pytest.mark.parametrize("h", [2e-3, 1e-3, 5e-4])
+def test_a_pin_that_is_drawn_in_the_middle_of_its_hole_leaves_it_when_it_would_pull(h):
+    """The gap has no gradient there, and no scale of its force; friction is as in located mode."""
+    path, names = SCENES / "four_bar_with_clearance.toml", ["pin.force", "energy.friction"]
+    located = solver.simulate(path, outputs=names)
+    found = solver.simulate(
+        path, outputs=[*names, "pin.impacts", "energy.error"], contact_mode="stepped", step_size=h
+    )
+    assert found["energy.friction"][-1] == pytest.approx(
+        located["energy.friction"][-1], rel=0.04 * h / 2e-3
+    )
+    assert found["pin.impacts"][-1] > 5
+    assert found["energy.error"].max() < 1e-12
