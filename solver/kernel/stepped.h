@@ -228,10 +228,13 @@ static void open_pulling(context *c, objections *x)
     }
 }
 
-/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. */
+/* Lets frictions beyond their cones slide, and those stop whose slip the half step would reverse. A contact that lands slows
+   the slip of joints, too: one that then goes on until the end does not stop before. */
 static void change_frictions(context *c, objections *x)
 {
     const double none = NO_FORCE * largest_normal_in_step(c), still = 1e-3 * speed_tolerance(c);
+    int lands = 0;
+    for (int32_t i = 0; i < c->m->n_contacts; i++) lands |= is_landing(c, i);
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         const int mode = friction_mode(c, f), n = n_slips(c, f);
         double along[3], size2 = 0.0;
@@ -245,7 +248,7 @@ static void change_frictions(context *c, objections *x)
             let_slide(c, f, along);
         } else {
             const double before = along_direction(c, f, c->k.slip_before), mean = along_direction(c, f, c->k.slip);
-            const double least = x->at_once ? 0.0 : 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0);
+            const double least = x->at_once || (lands && !is_of_contact(c, f)) ? 0.0 : 0.5 * (1.0 - CONE_MARGIN) * fmax(before, 0.0);
             if (!(mean < least - still) || !add_objection(c, x, c->m->n_contacts + f)) continue;
             forget_stop(c, f);
             if (before > 0.0 && !x->at_once) let_stop(c, f, 0.5 * before / (before - mean));
@@ -530,12 +533,16 @@ static void add_velocities(context *c, const double *x, int driven)
     if (driven) book(c, S_WORK, before + loss);
 }
 
-/* Lets those frictions stick whose slip the second stage has reversed. */
+/* Lets those frictions stick whose slip the second stage has reversed; joints, which had none in it, slide the other way. */
 static int stop_reversed(context *c)
 {
     int stops = 0;
     for (int32_t f = 0; f < c->m->n_frictions; f++) {
         if (friction_mode(c, f) != FRICTION_SLIDES || is_smooth(c, f) || !(slip_along(c, f) < -speed_tolerance(c))) continue;
+        if (!is_of_contact(c, f)) {
+            guess_friction(c, f);
+            continue;
+        }
         let_stick(c, f);
         stops = 1;
     }
