@@ -19,6 +19,8 @@ HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const doub
 {
     const holonom_model *m = c->m;
     const double slip = slip_in_step(c, f);
+    /* A slip that is stopped overshoots by the slope of its law, and comes back so, for ever; by a part of the chord it does not. */
+    const double turns = c->careful && is_smooth(c, f) ? 0.5 : 1.0;
     const double per_slip = slip > 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
     for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
         const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
@@ -33,7 +35,7 @@ HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const doub
             for (int k = 0; k < n_slips(c, f); k++) {
                 const int32_t own = slip_row(c, f, k), *list = m->composite_node + m->composite_node_ptr[own];
                 const int32_t count = m->composite_node_ptr[own + 1] - m->composite_node_ptr[own];
-                const double turn = per_slip * ((k == l) - along[k] * along[l]) * slope;
+                const double turn = per_slip * ((k == l) - turns * along[k] * along[l]) * slope;
                 for (int32_t b = 0; b < count; b++)
                     if (list[b] == m->composite_node[m->composite_node_ptr[j] + a / DIM])
                         value[lower_slots(c, own)[DIM * b + a % DIM]] += c->k.epsilon[row_of(c, own)] * turn;

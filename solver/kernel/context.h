@@ -32,6 +32,7 @@ typedef struct context {
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
     int constraints_only;      /* 1: only the rows act                                                               */
+    int careful;               /* 1: smooth frictions have steeper slopes in the tangent: a step has failed           */
     int at_state;              /* 1: there is no step, and slips are those of the velocities                         */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
@@ -166,7 +167,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->at_state = c->unweighted = c->damped = 0;
+    c->constraints_only = c->careful = c->at_state = c->unweighted = c->damped = 0;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
     for (int32_t f = 0; f < m->n_frictions; f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;

@@ -189,9 +189,7 @@ static int is_dissipative(const context *c)
         if (c->number[c->m->damping_at + j] != 0.0) return 1;
     for (int32_t j = 0; j < c->m->n_potentials; j++)
         if (c->number[c->m->depth_damping_at + j] != 0.0) return 1;
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
-        if (is_smooth(c, f)) return 1;
-    return 0;
+    return has_smooth(c);
 }
 
 #endif

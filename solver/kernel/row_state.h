@@ -162,6 +162,13 @@ static double cone(const context *c, int32_t f, int sliding, double normal)
 /* Whether friction f is smooth: it always slides, and no event begins or ends with it. */
 static inline int is_smooth(const context *c, int32_t f) { return c->number[c->m->smooth_speed_at + f] > 0.0; }
 
+static int has_smooth(const context *c)
+{
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        if (is_smooth(c, f)) return 1;
+    return 0;
+}
+
 /* Size of the slip of friction f in the step at hand; of a smooth one sqrt(size^2 + smooth_speed^2). */
 static double slip_in_step(const context *c, int32_t f)
 {

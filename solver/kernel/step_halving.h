@@ -129,6 +129,7 @@ static int32_t step_halving(context *c, double h, int halvings)
     const double t = c->t, law_time = c->number[c->m->time_at];
     if (halvings == 0) c->divided = 0;
     int32_t status = internal_step(c, h);
+    c->careful = status != HOLONOM_OK;
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
     lower_penalties(c);

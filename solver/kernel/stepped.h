@@ -679,10 +679,13 @@ static int32_t stepped_half(context *c, double h, int half, int divisions)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     memcpy(c->k.stepped_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
-    int32_t status = try_half(c, h, half);
-    if (!status) return HOLONOM_OK;
-    restore_state(c, c->k.stepped_backup, t, law_time);
-    lower_penalties(c);
+    int32_t status = HOLONOM_OK;
+    for (c->careful = 0; c->careful <= has_smooth(c); c->careful++) {
+        status = try_half(c, h, half);
+        if (!status) return HOLONOM_OK;
+        restore_state(c, c->k.stepped_backup, t, law_time);
+        lower_penalties(c);
+    }
     if (divisions == MOST_DIVISIONS) return status;
     status = stepped_half(c, 0.5 * h, 0, divisions + 1);
     return status ? status : stepped_half(c, 0.5 * h, 1, divisions + 1);

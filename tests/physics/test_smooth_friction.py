@@ -44,6 +44,19 @@ def test_a_slider_goes_as_far_as_the_closed_form(mode, speed):
     assert passed.loss > -1e-15
 
 
+@pytest.mark.parametrize("mode", ["located", "stepped"])
+@pytest.mark.parametrize("speed", [1e-4, 1e-6])
+def test_steps_that_are_long_against_the_creeping_are_solved(speed, mode):
+    """Friction could change the slip in one by 1500 and 150000 times s_0.
+
+    A slip of 0.03 m/s is left for the step in which it stops, and divided; 2e-5 m of its way err.
+    """
+    integrator = begin(smooth(slider(), speed), 0.05, contact_mode=mode)
+    passed = cover(integrator, even(1.0, 0.05))
+    assert integrator["p.x"] == pytest.approx(way_of_slider(speed), abs=2e-5)
+    assert passed.error < 1e-12
+
+
 def test_smooth_friction_has_no_events_and_errors_of_second_order():
     errors = []
     for h in (0.02, 0.01, 0.005):
