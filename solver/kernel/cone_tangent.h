@@ -14,14 +14,14 @@ static const int32_t *lower_slots(const context *c, int32_t j)
     return c->lu->composite_slot + c->lu->composite_slot_ptr[j] + size + (is_lean(c) ? 0 : size * size);
 }
 
-/* Adds to the tangent how friction f, of several rows or smooth, turns with its slip: epsilon d lambda_k/d psi_l d psi_l/d w. */
-HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const double *along, double *value)
+/* Adds to the tangent how friction f, of several rows or smooth, turns with its slip, of this size: epsilon d lambda_k/d psi_l
+   d psi_l/d w. */
+HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const double *along, double slip, double *value)
 {
     const holonom_model *m = c->m;
-    const double slip = slip_in_step(c, f);
     /* A slip that is stopped overshoots by the slope of its law, and comes back so, for ever; by a part of the chord it does not. */
     const double turns = c->careful && is_smooth(c, f) ? 0.5 : 1.0;
-    const double per_slip = slip > 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
+    const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
     for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
         const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
         const int32_t nodes = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
@@ -55,7 +55,7 @@ HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
         double along[3], root = 0.0;
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
         const int32_t *slot = c->lu->cone_slot + c->lu->cone_slot_ptr[f];
-        slip_direction(c, f, along);
+        const double slip = slip_direction(c, f, along);
         for (int k = 0; k < n_slips(c, f); k++)
             for (int32_t at = m->normal_ptr[f]; at < m->normal_ptr[f + 1]; at++) {
                 const int32_t row = m->normal_row[2 * at], how = m->normal_row[2 * at + 1];
@@ -64,7 +64,7 @@ HM_SELDOM static int32_t cone_tangent(const context *c, double *value)
                 const double epsilon = c->k.epsilon[row_of(c, slip_row(c, f, k))];
                 value[*slot++] += c->lagged ? 0.0 : epsilon * c->number[m->sliding_at + f] * slope * along[k];
             }
-        if ((n_slips(c, f) > 1 || is_smooth(c, f)) && !c->at_state) status = turning_tangent(c, f, along, value);
+        if ((n_slips(c, f) > 1 || is_smooth(c, f)) && !c->at_state) status = turning_tangent(c, f, along, slip, value);
         if (status) return status;
     }
     return status;

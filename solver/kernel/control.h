@@ -197,12 +197,15 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         c->t = start + done;
         c->unweighted = 0;
         int32_t status = stop_before(c, &length);
+        const double order = c->s.head[S_ORDER_IN_USE];
+        if (!status && begins_to_slide(c, &length)) c->s.head[S_ORDER_IN_USE] = 2.0;
         covered = length;
         if (!status) status = step_piece(c, length);
         if (!status) status = end_piece(c, start + done, law_time, length, &covered);
+        if (status && may_step_over(status)) undo_piece(c, start + done, law_time);
+        c->s.head[S_ORDER_IN_USE] = order;
         if (status) {
             if (!may_step_over(status)) return status;
-            undo_piece(c, start + done, law_time);
             cut = 0.5 * length;
             if (is_to_be_cut(c, status, length)) continue;
             return step_over(c, status, start, done, step);

@@ -382,6 +382,28 @@ static int32_t stop_before(context *c, double *length)
     return status;
 }
 
+/* Friction turns a slip in space that is smaller than what it changes in a step faster than the slip grows: in parts of a
+   step that go back in time the direction then runs away. Where sliding begins, pieces of orders above 2 are as short as
+   the slip is small, and the first ones, this part of a step, are of order 2, which has no such parts. Returns 1 if
+   the piece to come is one of these, and shortens its length. */
+#define FIRST_PIECE 0.015625
+
+static int begins_to_slide(const context *c, double *length)
+{
+    const event_values low = values_at(c, AT_LOW);
+    const double shortest = FIRST_PIECE * usual_length(c);
+    double most = INFINITY;
+    if (!c->sliding || !(c->s.head[S_ORDER_IN_USE] > 2.0)) return 0;
+    for (int32_t f = 0, k = c->m->n_contacts; f < c->m->n_frictions; f++, k++) {
+        if (n_slips(c, f) == 1 || friction_mode(c, f) != FRICTION_SLIDES || low.rate[k] < 0.0) continue;
+        const double force = fabs(cone(c, f, 1, normal_force(c, f, c->k.event_mu)));
+        most = fmin(most, low.value[k] / (force * c->number[c->m->row_sigma_at + row_of(c, slip_row(c, f, 0))]));
+    }
+    if (!(most < *length)) return 0;
+    *length = fmin(*length, fmax(most, shortest));
+    return !(most > shortest);
+}
+
 /* Directions of slips in space at the end of a piece; whether one of them is about to stop. */
 static int follow_slips(context *c, event_values at)
 {

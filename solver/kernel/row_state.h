@@ -169,22 +169,34 @@ static int has_smooth(const context *c)
     return 0;
 }
 
-/* Size of the slip of friction f in the step at hand; of a smooth one sqrt(size^2 + smooth_speed^2). */
-static double slip_in_step(const context *c, int32_t f)
-{
-    double size2 = hm_square(c->number[c->m->smooth_speed_at + f]);
-    for (int k = 0; k < n_slips(c, f); k++) size2 += hm_square(c->k.slip[row_of(c, slip_row(c, f, k))]);
-    return sqrt(size2);
-}
+/* A slip smaller than this part of what its friction changes in the step does not turn it at once. */
+#define TURNING_PART 0.1
 
-/* Direction of the slip of friction f, of a smooth one less than 1: of several rows or of a smooth one that of the step at
-   hand, else, at a state, or without slip, the one with which it began to slide. */
-static void slip_direction(const context *c, int32_t f, double *along)
+/* Direction of the slip of friction f, of a smooth one less than 1, and the size of that slip: of several rows or of a smooth
+   one that of the step at hand, else, at a state, or without slip, the direction with which it began to slide, and 0.
+
+   Of several rows the size is negative where the slip is against the direction with which it began, as in stages that go
+   back in time. A slip near 0 is no direction to follow, as Newton's iteration meets it where sliding begins or stops: the
+   force then turns towards it from where it is, and both agree after some iterations. A smooth one follows the slip.  */
+static double slip_direction(const context *c, int32_t f, double *along)
 {
-    const int n = n_slips(c, f);
-    const double size = (n > 1 || is_smooth(c, f)) && !c->at_state ? slip_in_step(c, f) : 0.0;
-    for (int k = 0; k < n; k++)
-        along[k] = size > 0.0 ? c->k.slip[row_of(c, slip_row(c, f, k))] / size : friction_of(c, f)[F_ALONG_1 + k];
+    const int n = n_slips(c, f), smooth = is_smooth(c, f);
+    double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]), ahead = 0.0;
+    for (int k = 0; k < n; k++) {
+        const int32_t row = row_of(c, slip_row(c, f, k));
+        slip2 += hm_square(c->k.slip[row]);
+        along[k] = smooth ? 0.0 : TURNING_PART * fabs(c->h) * c->number[c->m->row_sigma_at + row] * c->k.mu[row];
+        turn2 += along[k] * along[k];
+        ahead += c->k.slip[row] * friction_of(c, f)[F_ALONG_1 + k];
+    }
+    const double sign = ahead < 0.0 && !smooth ? -1.0 : 1.0, part = slip2 < turn2 ? 1.0 : 0.0;
+    for (int k = 0; k < n; k++) {
+        along[k] = part * along[k] + sign * c->k.slip[row_of(c, slip_row(c, f, k))];
+        size2 += along[k] * along[k];
+    }
+    const int follows = (n > 1 || smooth) && !c->at_state && size2 > 0.0;
+    for (int k = 0; k < n; k++) along[k] = follows ? along[k] / sqrt(size2) : friction_of(c, f)[F_ALONG_1 + k];
+    return follows ? sign * sqrt(size2) : 0.0;
 }
 
 /* Sets the multipliers lambda that the rows of sliding frictions are held to, from those of the normal forces in mu. */

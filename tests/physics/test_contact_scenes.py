@@ -416,7 +416,7 @@ def test_a_stick_comes_to_rest_across_another_one():
 
 
 def test_eulers_disc_goes_round_the_faster_the_lower_it_lies():
-    # By 2 sqrt(g/(R sin(tilt))) where its centre stays, which a slow loss of energy all but lets it do.
+    # By 2 sqrt(g/(R sin(tilt))) where its centre stays, which a slow loss of energy nearly lets it.
     found = played("eulers_disc")
     round_ = np.unwrap(np.arctan2(found["disc.wy"], found["disc.wx"]))
     rates, sines = np.diff(round_) / 0.02, 0.5 * (found["sine"][1:] + found["sine"][:-1])

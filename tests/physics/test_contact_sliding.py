@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from tests.contact_events import begin, cover, even, events_of, number, times_of
 from tests.contact_scenes import (
@@ -20,7 +22,7 @@ from tests.contact_scenes import (
     slider,
     two_on_a_spring,
 )
-from tests.problems import GRAVITY
+from tests.problems import GRAVITY, mechanism, start
 
 SLIDER_STOP, SLIDER_PLACE, SLIDER_LOSS = 0.509683995922528, 0.382262996941896, 1.125
 INCLINE_TURN, INCLINE_PLACE = 0.311284942023868, -3.93975673279302
@@ -214,3 +216,44 @@ def test_a_slip_in_space_may_stop_sooner_than_its_rate_says(stiffness, friction)
         assert integrator["solver.stepped"] == 0.0
         events += number(integrator, "solver.events")
     assert events >= 6.0  # landings and stops
+
+
+@pytest.mark.parametrize(("turn", "h", "order", "error"), [
+    (2.0, 0.01, 2, 5e-5), (5.0, 0.01, 2, 5e-5), (20.0, 0.01, 2, 1e-4), (5.0, 0.003, 4, 1e-6),
+    (20.0, 0.003, 4, 1e-6),
+])  # fmt: skip
+def test_a_ball_begins_to_slide_under_a_push_that_grows_and_turns_round(turn, h, order, error):
+    """It rolls while 2/7 of the push are less than the cone; then s' = F/m - 7/2 mu g s/|s|."""
+    mu, radius, growth = 0.3, 0.1, 20.0
+    push = [f"{growth}*t*cos({turn}*t)", f"{growth}*t*sin({turn}*t)", 0.0]
+    content = mechanism(
+        "ball",
+        3,
+        bodies={"ball": {"mass": 1.0, "inertia": [0.004] * 3, "position": [0.0, 0.0, radius]}},
+        contacts={
+            "floor": {
+                "type": "plane", "point": "ball", "radius": radius, "axis": [0, 0, 1],
+                "friction": mu,
+            }
+        },
+        forces={"push": {"type": "force", "point": "ball", "value": push}},
+    )  # fmt: skip
+
+    def force(t: float) -> np.ndarray:
+        return growth * t * np.array([np.cos(turn * t), np.sin(turn * t)])
+
+    def slope(t: float, y: np.ndarray) -> np.ndarray:  # slip, velocity, place
+        rubs = mu * GRAVITY * y[:2] / np.linalg.norm(y[:2])
+        return np.concatenate([force(t) - 3.5 * rubs, force(t) - rubs, y[2:4]])
+
+    begins, end = 3.5 * mu * GRAVITY / growth, 1.0
+    rolls = solve_ivp(
+        lambda t, y: np.concatenate([5.0 / 7.0 * force(t), y[:2]]), (0.0, begins), np.zeros(4),
+        rtol=1e-11, atol=1e-13,
+    ).y[:, -1]  # fmt: skip
+    first = np.concatenate([1e-9 * force(begins), rolls])
+    exact = solve_ivp(slope, (begins, end), first, "Radau", rtol=1e-9, atol=1e-12).y[4:, -1]
+    ran = start(content, h=h, order=order, paired=True)
+    ran.advance(0.0, end)
+    assert [ran["ball.x"], ran["ball.y"]] == pytest.approx(exact, abs=error)
+    assert float(ran["energy.error"]) < 1e-11
