@@ -320,7 +320,9 @@ def eliminations(structure: Structure) -> dict[str, array]:
     if structure.mechanism.contacts:
         forces = (*structure.moments.items, *structure.body_moments.items, *structure.loads.items)
         kinds = [x for x, of in (("open_", ""), ("bare_", "lean_")) if of in used]
-        used |= {x: TangentPattern(structure, anchors, x) for x in kinds if x == "bare_" or not forces}
+        used |= {
+            x: TangentPattern(structure, anchors, x) for x in kinds if x == "bare_" or not forces
+        }
     found = {name: array("i") for name in TABLES if name.startswith(("lean_", "open_", "bare_"))}
     for pattern in used.values():
         if pattern.pattern.n_entries <= full.pattern.n_entries:  # all live in the same memory

@@ -376,7 +376,7 @@ class Structure:
         composites = self.elements, self.function_rows, self.velocity_rows, self.potentials
         others = (
             self.form_rows, self.coincidences, self.loads, self.moments, self.body_moments,
-            self.free_masses, self.bodies, self.linked[0], self.linked[1], self.active, self.touching,
+            self.free_masses, self.bodies, *self.linked, self.active, self.touching,
         )  # fmt: skip
         parts = self.free_nodes, self.driven_nodes, *composites, *others
         shifts = [0, self.n_free, 0, *accumulate(map(len, composites[:-1]))] + [0] * len(others)
