@@ -18,6 +18,7 @@ from tests.contact_scenes import (
     belt,
     chain_over_a_floor,
     rod_that_falls,
+    slider,
     slider_crank_with_clearance,
     toml_of,
 )
@@ -203,3 +204,20 @@ def test_a_stop_is_where_the_start_sets_it_and_where_it_is_moved_to():
         assert not fmu.step(1.0, 0.1)
         fmu.set(low=-1.0)
         assert fmu.step(1.0, 0.1)
+
+
+def test_friction_that_is_set_and_tuned_takes_effect():
+    # At 1.5 m/s with 0.3 for 0.2 s, then with 0.6 until the block stops.
+    content = slider() | {"parameters": {"mu": {"value": 0.1, "variability": "tunable"}}}
+    content["contacts"]["floor"]["friction"] = "mu"
+    with instance(text_fmu(text_of(content, 1.0, 0.1, 0.05))) as fmu:
+        fmu.initialise(mu=0.3)
+        fmu.run(0.0, 0.1, 2)
+        speed = 1.5 - 0.3 * GRAVITY * 0.2
+        assert fmu.get("p.vx") == pytest.approx(speed, abs=1e-13)
+        fmu.set(mu=0.6)
+        fmu.run(0.2, 0.1, 3)
+        way = 0.5 * (1.5 + speed) * 0.2 + speed**2 / (2.0 * 0.6 * GRAVITY)
+        assert fmu.get("p.x") == pytest.approx(way, abs=1e-13)
+        assert fmu.get("floor.mode") == 1.0
+        assert fmu.get("energy.friction") == pytest.approx(0.5 * 1.5**2, abs=1e-13)
