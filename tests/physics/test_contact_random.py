@@ -75,10 +75,12 @@ def check(run: Integrator, size: float, before: dict[str, float]) -> dict[str, f
     return losses
 
 
+@pytest.mark.parametrize("mode", ["located", "stepped"])
 @given(seed=st.integers(0, 2**32 - 1), wild=st.booleans())
 @settings(max_examples=60)
-def test_ledgers_close_losses_grow_and_gaps_stay_open(seed, wild):
+def test_ledgers_close_losses_grow_and_gaps_stay_open(mode, seed, wild):
     scene = RandomContacts(random.Random(seed), wild=wild)
+    scene.content["solver"]["contact_mode"] = mode
     run = started(scene.content)
     losses: dict[str, float] = {}
     for _ in range(20 if run else 0):
