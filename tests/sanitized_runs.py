@@ -70,14 +70,14 @@ def _move(model: solver.Model, settings: dict[str, str | float | bool]) -> None:
 def main(every: int) -> None:
     """Run the cases; what ends with a sentence is as good as what goes on."""
     warnings.simplefilter("ignore")
-    texts = [path.read_text("utf-8") for path in ALL]
     ran = ended = 0
     model = None
-    for number, (text, settings) in enumerate(
-        itertools.product((*texts, *EVERYTHING.values()), SETTINGS)
+    for number, (scene, settings) in enumerate(
+        itertools.product((*ALL, *EVERYTHING.values()), SETTINGS)
     ):
         if number % len(SETTINGS) == 0:
-            model = solver.assemble(solver.loads(text))
+            read = solver.load if isinstance(scene, Path) else solver.loads
+            model = solver.assemble(read(scene))
         if number % every or model is None:
             continue
         ran += 1
