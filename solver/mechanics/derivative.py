@@ -39,6 +39,12 @@ SLOPES: dict[str, tuple[Callable[..., Number], ...]] = {
 """Partial derivatives of the operations; those that are not listed are constant in pieces,
 or, as mod, refused where they would move."""
 
+NO_SLOPES = {
+    "spline_curvature": "the curvature of a profile has no derivative: it has kinks at the points",
+    **{f"grid_{axis}": "the slope of a grid has no derivative" for axis in "xyz"},
+}
+"""Operations of which nothing needs one, and what is said if something does."""
+
 
 def derivative(number: Number, name: str) -> Number:
     """Return the derivative of a number with respect to the symbol `name`.
@@ -58,11 +64,8 @@ def derivative(number: Number, name: str) -> Number:
         args: list[Any] = [arg for arg in part.args if not isinstance(arg, str)]
         if part.op == "select":
             return select(args[0], walk(args[1]), walk(args[2]))
-        if part.op == "spline_curvature" or part.op.startswith("grid_"):
-            message = "the curvature of a profile has no derivative: it has kinks at the points"
-            if part.op.startswith("grid_"):
-                message = "the slope of a grid has no derivative"
-            raise ExpressionError(message)
+        if part.op in NO_SLOPES:
+            raise ExpressionError(NO_SLOPES[part.op])
         total: Number = 0.0
         for arg, slope in zip(args, SLOPES.get(part.op, ()), strict=False):
             inner = walk(arg)
