@@ -63,10 +63,11 @@ def add_mesh(rows: Rows, contact: MeshContact, _: JointParts) -> None:
         free = value - drawn if -found.largest_error <= drawn < 0.0 else value
         gap = free * sqrt((free * free + cell2) / (free * free + cell2 * steepness2))
         add_implicit(rows, contact, reference, forms, gap, slopes, end, _up(rows, contact))
-    size = max(high - low for low, high in zip(found.low, found.high, strict=True))
+    corners, triangles = scaled(contact.file, contact.scale)
+    size = float((corners.max(axis=0) - corners.min(axis=0)).max())
     rows.parts.meshes[rows.name] = {
-        "file": contact.file.name, "triangles": len(scaled(contact.file, 1.0)[1]),
-        "resolution": found.spacing, "cells": found.cells, "size": size - 2.0 * found.reach,
+        "file": contact.file.name, "triangles": len(triangles),
+        "resolution": found.spacing, "cells": found.cells, "size": size,
         "largest_error": found.largest_error, "mean_error": found.mean_error,
         "points": len(places), "corners_left": left,
     }  # fmt: skip
