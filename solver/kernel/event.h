@@ -9,7 +9,7 @@
 #include "contact.h"
 #include "context.h"
 #include "impact.h"
-#include "ledger.h"
+#include "short_piece.h"
 #include "step_halving.h"
 
 /* Values of the functions of contacts, then of frictions, and their rates where they are known, else NaN. */
@@ -84,6 +84,9 @@ static double fastest_node(const context *c) { return sqrt(largest_square(c, c->
    forces at the state need not be evaluated.                                                                    */
 #define SAFE_NORMAL 0.3
 #define SAFE_FRICTION 0.2
+/* Likewise gaps farther than this many times the way of the fastest node, and slips larger than this many times their own
+   change: two sides may approach each other, and speeds may double in the piece.                                 */
+#define SAFE_WAYS 4.0
 
 /* The functions (x) at the end of a piece of length h, whose values at its start are `low`, from multipliers that the last
    two means extrapolate. Returns 0, with x not to be used, if that leaves doubt whether an event has passed.    */
@@ -92,7 +95,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
     const holonom_model *m = c->m;
     const double gap = c->s.head[S_MEAN_TIME] - c->s.head[S_MEAN_TIME_BEFORE];
     const double ahead = gap > 0.0 && gap < INFINITY ? (c->t - c->s.head[S_MEAN_TIME]) / gap : 0.0;
-    const double reach = 4.0 * h * fastest_node(c);
+    const double reach = SAFE_WAYS * h * fastest_node(c);
     if (has_forces(c) && !(fabs(c->t - c->s.head[S_MEAN_TIME]) <= h && ahead <= FARTHEST)) return 0;
     for (int32_t i = 0; i < m->n_rows && has_forces(c); i++)
         c->k.event_mu[i] = c->s.mean[i] + ahead * (c->s.mean[i] - c->s.mean_before[i]);
@@ -114,7 +117,7 @@ static int is_quiet(context *c, double h, event_values low, event_values x)
         } else if (mode == FRICTION_SLIDES && !is_smooth(c, f)) {
             x.value[k] = slip_along(c, f);
             x.rate[k] = (x.value[k] - low.value[k]) / h;
-            const double change = 4.0 * h * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
+            const double change = SAFE_WAYS * h * fmax(fabs(x.rate[k]), low.rate[k] == low.rate[k] ? fabs(low.rate[k]) : 0.0);
             if (!(x.value[k] > change && low.value[k] > change)) return 0;
         }
     }
@@ -129,6 +132,8 @@ HM_SELDOM static double value_tolerance(const context *c, int32_t k)
     if (friction_mode(c, f) == FRICTION_STICKS) return NO_FORCE * fabs(cone(c, f, 0, normal_force(c, f, c->k.event_mu)));
     return 1e-3 * speed_tolerance(c);
 }
+
+enum { BISECTIONS = 60 }; /* more than a double has bits */
 
 /* Where in (0, 1] the cubic with these ends and slopes becomes negative, or infinity; a start below 0 counts as 0. */
 HM_SELDOM static double cubic_root(double v0, double r0, double v1, double r1)
@@ -147,7 +152,7 @@ HM_SELDOM static double cubic_root(double v0, double r0, double v1, double r1)
         double low = end[i], high = i == pieces ? 1.0 : end[i + 1];
         if (!(v0 + high * (r0 + high * (b + high * a)) < 0.0)) continue;
         if (i == 0 && v0 <= 0.0 && r0 <= 0.0) return 0.0;
-        for (int k = 0; k < 60; k++) {
+        for (int k = 0; k < BISECTIONS; k++) {
             const double s = 0.5 * (low + high);
             if (v0 + s * (r0 + s * (b + s * a)) < 0.0) high = s;
             else low = s;
@@ -172,63 +177,6 @@ HM_SELDOM static double root_between(const context *c, int32_t k, double h, even
         return v0 + r0 * touch < -none ? h * touch : INFINITY;
     }
     return v1 < -none ? h * v0 / (v0 - v1) : INFINITY;
-}
-
-/* Pieces shorter than this part of a usual step are stepped over by Taylor's series: half steps would divide the rounding
-   errors of rows and signals by their length. What it leaves out is of the third order.                         */
-#define SHORTEST_PIECE 1e-6
-
-static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * usual_length(c); }
-
-/* Whether loads, drivers or moving surfaces may do work. */
-HM_SELDOM static int has_loads(const context *c)
-{
-    const holonom_model *m = c->m;
-    int has = m->n_signals > 0 || m->n_frictions > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0;
-    for (int32_t j = 0; j < m->n_elements; j++) has |= c->number[m->drive_at + j] != 0.0;
-    return has;
-}
-
-/* A piece of length h by Taylor's series, with what dampers and frictions take; the rest of the change of energy is work. */
-HM_SELDOM static int32_t short_piece(context *c, double h)
-{
-    const holonom_model *m = c->m;
-    double *signal = c->s.signal, damping = 0.0, friction = 0.0;
-    keep_start(c);
-    evaluate_state(c);
-    const int32_t status = evaluate_forces(c);
-    if (status) return status;
-    const double before = kinetic_energy(c, c->k.momentum) + potential_change(c);
-    for (int32_t j = 0; j < m->n_elements; j++) {
-        double rate;
-        quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, c->s.v, &rate);
-        damping += h * c->number[m->damping_at + j] * rate * rate;
-    }
-    for (int32_t j = first_potential(c); j < n_composites(c); j++) {
-        double power, share;
-        if (!is_damped(c, j)) continue;
-        share = damping_at_state(c, j, &power);
-        damping += h * share * power;
-    }
-    for (int32_t f = 0; f < m->n_frictions; f++)
-        if (friction_mode(c, f) == FRICTION_SLIDES)
-            for (int k = 0; k < n_slips(c, f); k++)
-                friction += h * c->k.event_mu[row_of(c, slip_row(c, f, k))] * rate_of_row(c, slip_row(c, f, k));
-    signals_at(c, c->t + h, c->k.signal1);
-    memcpy(signal, c->k.signal1, sizeof(double) * (size_t)m->n_signals);
-    for (int32_t k = 0; k < DIM * c->n_moving; k++) {
-        hm_add(c->s.q + k, c->s.q_low + k, h * (c->s.v[k] + 0.5 * h * c->k.w[k]));
-        hm_add(c->s.v + k, c->s.v_low + k, h * c->k.w[k]);
-    }
-    for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.q[DIM * m->n_free + k] = signal[k], c->s.q_low[DIM * m->n_free + k] = 0.0;
-    c->t += h;
-    follow_angles(c);
-    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(c, j);
-    book(c, S_DISSIPATED, damping);
-    book(c, S_FRICTION, friction);
-    const double after = kinetic_energy(c, c->k.momentum) + potential_change(c);
-    if (has_loads(c)) book(c, S_WORK, after - before + damping + friction);
-    return HOLONOM_OK;
 }
 
 /* A piece of length h. */

@@ -181,8 +181,6 @@ static void open_ledger(context *c)
     head[S_ENERGY_REFERENCE] = fmax(kinetic, floor > 0.0 ? floor : still);
 }
 
-#define DRAWN_INTO 1e-8 /* gap over the size of the mechanism: round-off of drawings and of closing them */
-
 /* Whether contacts and frictions can be run with these settings. */
 static int allows_settings(const context *c)
 {
@@ -194,7 +192,7 @@ static int allows_settings(const context *c)
 static int32_t refuse_penetration(context *c)
 {
     for (int32_t i = 0; i < c->m->n_contacts; i++)
-        if (!(gap_of(c, i) >= -DRAWN_INTO * c->number[c->m->extent_at])) {
+        if (!(gap_of(c, i) >= -HOLONOM_DRAWN_INTO * c->number[c->m->extent_at])) {
             blame(c, c->m->contact_row[i]);
             return HOLONOM_PENETRATION;
         }

@@ -105,7 +105,7 @@ static void measure_reactions(const context *c, const hm_measured *y)
     extrapolate(c, DIM * m->n_driven, c->s.driven_mean, c->s.driven_mean_before, y->driven_force);
 }
 
-/* Contacts: gap, force, mode (0 open, 1 closed, 2 sliding), impacts, impulse; frictions: force, slip, mode; losses. A friction
+/* Contacts: gap, force, mode, impacts, impulse; frictions: force, slip, mode; losses. A friction
    of several rows has sizes, of one row signs.                                                                  */
 static void measure_contacts(const context *c, const hm_measured *y)
 {
@@ -118,8 +118,9 @@ static void measure_contacts(const context *c, const hm_measured *y)
         const double *x = contact_of(c, i), *mu = y->multiplier;
         const int32_t f = m->contact_friction[i], j = m->contact_row[i];
         const int slides = f >= 0 && friction_mode(c, f) == FRICTION_SLIDES;
+        const int mode = !is_closed(c, i) ? CONTACT_OPEN : slides ? CONTACT_SLIDES : CONTACT_CLOSED;
         const double values[] = {gap_of(c, i), is_closed(c, i) ? fmax(-mu[row_of(c, j)], 0.0) : 0.0,
-                                 is_closed(c, i) ? slides ? 2.0 : 1.0 : 0.0, x[C_IMPACTS], x[C_IMPULSE]};
+                                 mode, x[C_IMPACTS], x[C_IMPULSE]};
         memcpy(y->contact + 5 * i, values, sizeof values);
     }
     for (int32_t f = 0; f < m->n_frictions; f++) {

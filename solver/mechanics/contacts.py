@@ -28,7 +28,7 @@ from solver.mechanics.parts import CompliantContact, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
 from solver.mechanics.slips import body_of, dot_of_pairs, is_there, sliding, tangents, turning
 from solver.mechanics.vectors import Vector, add, cross, dot, perpendicular, scale, turned, unit
-from solver.runtime.layout import LEAF_RATE
+from solver.runtime.layout import DRAWN_INTO, LEAF_RATE
 from solver.scene import (
     ClearanceContact,
     CornersContact,
@@ -48,8 +48,6 @@ from solver.scene.expression import operate, sqrt
 
 Touching = ContactPart | Gear
 """What has gaps: a contact, or a gear with backlash."""
-DRAWN_PENETRATION = 1e-9
-"""Penetration that rounding of the drawing explains, relative to the size of the mechanism."""
 SKEW = unit((0.61, 0.53, 0.71))
 """Normal of balls in space where their tangents begin: no axis of a drawing points against it."""
 
@@ -318,7 +316,7 @@ def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: st
     value = as_drawn(mechanism, gap.value, gap.leaves)
     if isinstance(contact, ClearanceContact):
         value = contact.radius - sqrt(mechanism.drawn_value(gap.leaves[0].index))
-    rows.rule(value, "drawn", text, bound=-DRAWN_PENETRATION * size)
+    rows.rule(value, "drawn", text, bound=-DRAWN_INTO * size)
 
 
 def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Number:

@@ -295,6 +295,13 @@ FRICTION = (
 )
 """Scalars of each friction in the section `frictions` of a state."""
 
+DRAWN_INTO = 1e-8
+"""Penetration of contacts that rounding explains, of a drawing and of closing it; relative to the
+size of the mechanism."""
+
+CONTACT_MODES = ("open", "closed", "slides")
+"""Of a contact, as its output `mode` shows them."""
+
 NORMAL_SUMS = ("continues", "begins", "pushes")
 """How a multiplier enters a normal force: the norm of some begins or continues with it; or it is
 that of a gap, which pushes with the negative multiplier."""

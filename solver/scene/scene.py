@@ -86,9 +86,7 @@ class Scene(Part):
     )
     contacts: Annotated[
         dict[str, Part], _table("contact", CONTACTS | SURFACES | SHAPES | MESHES)
-    ] = field(
-        default_factory=dict
-    )
+    ] = field(default_factory=dict)
     forces: Annotated[dict[str, Part], _table("force", FORCES)] = field(default_factory=dict)
     drivers: Annotated[dict[str, Part], _table("driver", DRIVERS)] = field(default_factory=dict)
     outputs: Annotated[dict[str, Output], _table("output", Output)] = field(default_factory=dict)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import re
 import sys
 import sysconfig
 from concurrent.futures import ThreadPoolExecutor
@@ -13,7 +14,8 @@ import pytest
 from build_kernel.model_tables import declared, headers, write_headers
 from solver.options import OPTIONS
 from solver.runtime import Integrator, kernel
-from solver.runtime.layout import ABI, HEAD, SIZES
+from solver.runtime.layout import ABI, CONTACT_MODES, HEAD, SIZES
+from solver.scene.quantities import CONTACT
 from tests.twins import PENDULUM, model_of
 
 SOLVER = Path(__file__).parents[2] / "solver"
@@ -106,3 +108,9 @@ def test_headers_are_written_by_several_threads_at_a_time():
         gc.set_threshold(*usual)
         gc.callbacks.remove(work)
         sys.setswitchinterval(interval)
+
+
+def test_modes_of_contacts_have_the_numbers_that_their_output_tells():
+    (text,) = (offer.text for offer in CONTACT if offer.word == "mode")
+    told = [f"{number} while .* {mode}" for number, mode in enumerate(CONTACT_MODES)]
+    assert re.search(".*, ".join(told), text)
