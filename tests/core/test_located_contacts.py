@@ -16,8 +16,9 @@ import pytest
 
 import solver
 from solver.runtime import Integrator
-from solver.runtime.layout import CONTACT, FRICTION
+from solver.runtime.layout import CONTACT, FRICTION, measured_sections
 from tests.contact_scenes import painleve_rod, rocking_block
+from tests.kernel_calls import kernel_of
 from tests.oracle import Mechanism
 from tests.oracle.contacts import State
 from tests.oracle.events import Located
@@ -25,6 +26,7 @@ from tests.oracle.start import consistent_velocities, rows_of
 from tests.problems import assemble, mechanism
 from tests.random_contacts import Content, RandomContacts
 from tests.scene_files import SCENES
+from tests.twins import numbers
 
 NEAR = 1e-9
 """Of size, speed and energy: steps are solved to 1e-11, and impacts multiply what differs."""
@@ -81,6 +83,24 @@ def has_dependent_rows(mechanism: Mechanism) -> bool:
     )
 
 
+def measured(run: Integrator, group: str, width: int) -> np.ndarray:
+    """Measurements of a group, shape (items, width)."""
+    kernel_of(run).measure()
+    begin, count = measured_sections(run.model.sizes)[group]
+    begin += run.model.offsets["measured"]
+    return np.array(numbers(run)[begin : begin + count]).reshape(-1, width)
+
+
+def compare_outputs(run: Integrator, near: float) -> None:
+    """Demand that gaps, slips and losses are measured as they are at the state of the core."""
+    mechanism = Mechanism.of(run.model, run.state)
+    state, slips = State(mechanism), measured(run, "friction", 3)[:, 1]
+    assert measured(run, "contact", 5)[:, 0] == pytest.approx(state.gaps, abs=near)
+    assert np.abs(slips) == pytest.approx([state.slip(f)[0] for f in range(len(slips))], abs=near)
+    losses = [run.state.head[name] for name in ("dissipated", "friction", "impact")]
+    assert measured(run, "loss", 3).ravel().tolist() == losses
+
+
 def compare(run: Integrator, oracle: Mechanism, last: float) -> None:
     """Demand that both are in the same state; `last` is the length of the last piece."""
     extent, reference = oracle.section["extent"], run.state.head["energy_reference"]
@@ -91,6 +111,7 @@ def compare(run: Integrator, oracle: Mechanism, last: float) -> None:
     for account in ("impact", "friction", "dissipated", "work"):
         theirs = pytest.approx(oracle.head[account], abs=10.0 * NEAR * reference)
         assert run.state.head[account] == theirs, account
+    compare_outputs(run, 1e-12 * max(1.0, extent[0], speed))
     if has_dependent_rows(oracle):
         return
     contacts = vector(run, "contacts").reshape(-1, len(CONTACT))
