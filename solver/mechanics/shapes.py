@@ -28,20 +28,14 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import (
-    DRAWN_PENETRATION,
-    add_contact,
-    box_corners,
-    dot_of_pairs,
-    is_there,
-    plane_tangents,
-)
+from solver.mechanics.contacts import add_contact, box_corners, plane_tangents
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Ground, RigidFrame
 from solver.mechanics.mechanism import Formula
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import Rows
+from solver.mechanics.slips import dot_of_pairs, is_there
 from solver.mechanics.surfaces import slip_rates
 from solver.mechanics.vectors import (
     Vector,
@@ -55,7 +49,7 @@ from solver.mechanics.vectors import (
     turned,
     unit,
 )
-from solver.runtime.layout import LEAF_RATE
+from solver.runtime.layout import DRAWN_INTO, LEAF_RATE
 from solver.scene import (
     BoxContact,
     CapsuleContact,
@@ -272,7 +266,7 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
         if number(norm(axis)) > 1e-6:
             one, two = ([number(dot(x, unit(axis))) for x in places] for places in both)
             overlap = min(overlap, max(one) - min(two), max(two) - min(one))
-    if overlap > DRAWN_PENETRATION * mechanism.extent:
+    if overlap > DRAWN_INTO * mechanism.extent:
         rows.problem(f"it is drawn in penetration: the bodies overlap by {overlap!r} m")
 
 

@@ -121,6 +121,26 @@ def test_the_least_gap_is_the_distance_of_the_shapes(case, seed):
     assert min(gaps) == pytest.approx(nearest(pair, poses)[0] - sum(RADII), abs=1e-7)
 
 
+@FEW
+@given(seed=SEEDS)
+def test_the_least_gap_of_boxes_is_the_distance_of_a_corner_to_the_other_one(seed):
+    random = np.random.default_rng(seed)
+    sizes = random.uniform(1.0, 3.0, size=(2, 3))
+    half = 0.5 * sizes - np.array(RADII)[:, None]
+    corners = [np.array(list(product(*([-x, x] for x in own)))) for own in half]
+    shapes = Pair({"type": "box", "sizes": sizes.tolist()}, (corners[0], corners[1]), ([], []))
+    poses = {name: posed(random, 3) for name in "ab"}
+    poses["a"].x = poses["b"].x + 8.0 * poses["a"].R[0]
+    distances = []
+    for i, k in ((0, 1), (1, 0)):
+        of, other = poses["ab"[i]], poses["ab"[k]]
+        places = (of.x + corners[i] @ of.R.T - other.x) @ other.R
+        distances += np.linalg.norm(np.maximum(np.abs(places) - half[k], 0.0), axis=1).tolist()
+    moved = rows_of(shapes, poses, 3, "b")
+    gaps = [moved.value(row.formula) for row in moved.mechanism.function_rows]
+    assert min(gaps) == pytest.approx(min(distances) - sum(RADII), abs=1e-7)
+
+
 def touching(
     random: np.random.Generator, dim: int, pair: Pair, second: str
 ) -> tuple[Moved, Array, Array]:
