@@ -56,7 +56,7 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
 {
     const int64_t n = c->m->n_hit_rows;
     double *d = c->k.hit;
-    int32_t *i = (int32_t *)(void *)(d + 5 * n);
+    int32_t *i = (int32_t *)(void *)(d + 6 * n);
     x->W = c->k.hit_matrix;
     x->coefficient = d + n;
     x->before = d + 2 * n;
@@ -67,7 +67,7 @@ HM_SELDOM static void map_hit(const context *c, hit *x)
                          .first = x->first, .tangents = x->tangents, .status = i + 2 * n};
     x->contact = i + 3 * n;
     x->row = i + 4 * n;
-    x->given = d + 8 * n;
+    x->given = d + 5 * n;
 }
 
 /* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no room. */

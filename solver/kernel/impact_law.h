@@ -28,7 +28,6 @@ typedef struct hm_impact {
     double *scratch;                 /* IMPACT_SCRATCH(rows) doubles                                            */
 } hm_impact;
 
-#define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))
 #define IMPACT_TOLERANCE 1e-12 /* of the sum of a row's terms: what is called 0 when inequalities are checked  */
 #define IMPACT_DEPENDENT 1e-11 /* pivot of a matrix with diagonal 1: a smaller one is that of a dependent row   */
 

@@ -130,6 +130,9 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
     return code < T_GRID ? hm_spline(code - T_SPLINE, *x, first, last) : hm_grid(code - T_GRID, x, first, last);
 }
 
+/* Scratch of an impact with so many rows, see impact_map. */
+#define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))
+
 /* Lays the named vectors over one block; each returns the number of doubles used. */
 int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state);
 int64_t hm_map_work(const holonom_model *model, double *block, hm_work *work);
