@@ -127,7 +127,8 @@ static inline void cross_product(const double *a, const double *b, double *x)
 #endif
 }
 
-static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; } /* or bare */
+/* Lean or bare: the last two of a model. */
+static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
 
 /* Factors without rows of contacts and frictions. */
 static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }

@@ -277,8 +277,8 @@ static int has_elimination(const checker *c, const holonom_elimination *e, size_
         columns += neighbours;
         targets += neighbours * neighbours;
     }
-    return island == m->n_islands + 1 && (e->lu_island[2 * m->n_islands] == n || e == &m->open || e == &m->bare) && c->length[OWN(lu_column)] == columns &&
-           c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots, lean) &&
+    return island == m->n_islands + 1 && (e->lu_island[2 * m->n_islands] == n || e == &m->open || e == &m->bare) &&
+           c->length[OWN(lu_column)] == columns && c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots, lean) &&
            has_slots(c, OWN(coincidence_slot_ptr), coincidence_slots, lean) &&
            has_slots(c, OWN(composite_slot_ptr), composite_slots, lean) && has_slots(c, OWN(cone_slot_ptr), cone_slots, lean);
 #undef OWN
@@ -292,7 +292,8 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     const hm_counts *count = &checked.count;
     checked.count = counts_of(m);
     if (!has_tables(m, count, table_length) || !has_forms(c) || !has_sections(m, count) || !has_turns_and_derived(c) ||
-        !has_quantities(c) || !has_composites(c) || !has_loads(c) || !has_contacts(c) || !has_tape(c) || !has_islands(m, count))
+        !has_quantities(c) || !has_composites(c) || !has_loads(c) || !has_contacts(c) || !has_tape(c) ||
+        !has_islands(m, count))
         return 0;
     const holonom_elimination *factors[] = {&m->full, &m->lean, &m->open, &m->bare};
     const size_t place[] = {TABLE(full), TABLE(lean), TABLE(open), TABLE(bare)};
