@@ -42,7 +42,7 @@ STEPS = {"ratchet": 0.005}
 """Steps where those of the scene are divided, since they are too long to be solved."""
 EVENTS = {
     "ball_on_hills": 0.285, "belt_and_block": 0.26, "bouncing_ball": 0.46, "bowling_ball": 1.17,
-    "cam_and_follower": 0.0305, "falling_chain": 0.198, "falling_rod": 0.43,
+    "falling_chain": 0.198, "falling_rod": 0.43,
     "four_bar_with_clearance": 0.0095, "gear_pair_with_backlash": 0.013,
     "jansen_with_clearance": 0.022, "mass_in_a_circle": 0.5, "newtons_cradle": 0.37,
     "pendulum_with_stop": 0.64, "quarter_car": 0.392, "ratchet": 0.23, "rocking_block": 0.34,

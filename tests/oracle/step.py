@@ -96,20 +96,18 @@ class Residual:
         return 2.0 / h * mechanism.M @ (path.d - self.h_v) + h * (G_bar.T @ mu - Q)
 
     def residual(self, w: Array, mu: Array, lam: Array) -> Array:
-        """Residual (n_free + r,) of momentum balance and rows, (lam + alpha C - mu)/alpha.
+        """Residual (n_free + r,) of momentum balance and rows, C - (mu - lam)/alpha.
 
         Rows of open contacts have no multipliers, those of sliding frictions follow their cones.
         """
         path = self.path(w)
         change, G_bar, _ = self.rows(path)
         R = self.balance(path, G_bar, mu)[: len(w)]
-        C = self.measure(path, change, G_bar)
-        target = lam + self.alpha * C
+        rows = self.measure(path, change, G_bar) - (mu - lam) / self.alpha
         if not np.all(self.on):
-            target = np.where(
-                self.on, target, self.mechanism.sliding_multipliers(mu, change / self.h)
-            )
-        return np.concatenate([R, (target - mu) / self.alpha])
+            cones = self.mechanism.sliding_multipliers(mu, change / self.h)
+            rows = np.where(self.on, rows, (cones - mu) / self.alpha)
+        return np.concatenate([R, rows])
 
     def tangent(self, w: Array, mu: Array, lam: Array) -> Array:
         """Derivative of the residual in (w, mu), by complex step in w."""
@@ -189,23 +187,18 @@ class HalfStep:
         raise ArithmeticError(message)
 
     def newton(self, lam: Array) -> None:
-        """Add increments to w and mu until they are round-off, and no longer shrink.
-
-        The tangent stays as it is while increments shrink by a factor of ten.
-        """
+        """Add increments to w and mu until they are round-off, and no longer shrink."""
         last, n, norm = np.inf, len(self.w), np.sqrt(self.mechanism.m_node[: len(self.w)])
-        size, before, floor = 1.0, 0.0, 0.0
         for _ in range(60):
-            if not (size < 0.1 * before or size <= floor):
-                tangent = self.equations.tangent(self.w, self.mu, lam)
-            x = np.linalg.solve(tangent, -self.equations.residual(self.w, self.mu, lam))
+            residual = self.equations.residual(self.w, self.mu, lam)
+            x = np.linalg.solve(self.equations.tangent(self.w, self.mu, lam), -residual)
             self.w, self.mu = self.w + x[:n], self.mu + x[n:]
             size = np.linalg.norm(norm * x[:n])
             moved = np.linalg.norm(norm * self.equations.d(self.w)[:n])
             floor = 1e-10 * moved + 1e-13 * self.mechanism.section["extent"][1]
             if size <= 1e-9 * floor or 0.5 * last < size <= floor:
                 return
-            before, last = last, size
+            last = size
         message = f"Newton's iteration does not converge: {size:.1e}"
         raise ArithmeticError(message)
 
