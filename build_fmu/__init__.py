@@ -7,12 +7,11 @@ PosixPath('four_bar.fmu')
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Mapping
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-from solver import lazy
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from build_fmu.study.sweep import sweep
@@ -63,8 +62,17 @@ def build(
     return build_archive(scene, path, parameters)
 
 
-if not TYPE_CHECKING:  # a build need not wait for their imports
-    __getattr__ = lazy(__name__, __all__, ("build_fmu.study.variants", "build_fmu.study.sweep"))
+_STUDIES = {"sweep": "build_fmu.study.sweep", "variants": "build_fmu.study.variants"}
+"""Where functions are whose imports a build need not wait for."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _STUDIES:
+        text = f"module {__name__!r} has no attribute {name!r}"
+        raise AttributeError(text)
+    found = getattr(importlib.import_module(_STUDIES[name]), name)
+    globals()[name] = found
+    return found
 
 
 def __dir__() -> list[str]:

@@ -11,7 +11,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -29,21 +28,13 @@ _HOMES = ("solver.runtime", "solver.scene", "solver.mechanics", "solver.trajecto
 """Modules that have these names, the one that takes longest to import last."""
 
 
-def lazy(module: str, names: Sequence[str], homes: Sequence[str]) -> Callable[[str], object]:
-    """Return a `__getattr__` that imports what is asked for, so that `module` waits for nothing."""
-
-    def find(name: str) -> object:
-        for home in map(import_module, homes if name in names else ()):
-            if hasattr(home, name):
-                return getattr(home, name)
-        message = f"module {module!r} has no attribute {name!r}"
-        raise AttributeError(message)
-
-    return find
-
-
-if not TYPE_CHECKING:  # `solver.runtime` alone must not bring NumPy or the scene reader
-    __getattr__ = lazy(__name__, __all__, _HOMES)
+def __getattr__(name: str) -> object:
+    """Import what is asked for: `solver.runtime` alone must not bring NumPy or the scene reader."""
+    for home in map(import_module, _HOMES if name in __all__ else ()):
+        if hasattr(home, name):
+            return getattr(home, name)
+    message = f"module 'solver' has no attribute {name!r}"
+    raise AttributeError(message)
 
 
 def __dir__() -> list[str]:
