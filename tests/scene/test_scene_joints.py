@@ -190,7 +190,7 @@ def test_a_height_field_arrives_as_written():
 
 
 def test_a_cylinder_arrives_as_written():
-    assert loads(ROUGH).contacts["n2"] == CylinderContact(
+    assert loads(ROUGH).contacts["n3"] == CylinderContact(
         body="b1", radius=parse("a"), length=0.2, along=(1.0, 0.0, 0.0), axis=(0.0, 0.0, 1.0),
         position=(0.0, 0.0, -1.0), friction=0.1, surface_velocity=(parse("sin(t)"), 0.0, 0.0),
     )  # fmt: skip
