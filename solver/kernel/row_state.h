@@ -146,7 +146,7 @@ static double normal_force(const context *c, int32_t f, const double *mu)
     return sum;
 }
 
-/* Normal force that the cone takes: that of mu, or of an earlier solution where cones lag (stepped.h). */
+/* Normal force that the cone takes: that of mu, or of an earlier solution where cones lag (active_contacts.h). */
 static inline double normal_in_cone(const context *c, int32_t f, const double *mu)
 {
     return c->lagged ? c->k.lag[f] : normal_force(c, f, mu);

@@ -49,7 +49,9 @@ WORK = {
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h
     "event_backup": "n_state * unilateral",  # before a step that events may cut
-    "touch": "5 * n_contacts", "flips": "n_frictions", "lands": "n_frictions",  # see stepped.h
+    "touch": "5 * n_contacts",  # see half_step_contacts.h
+    "flips": "n_frictions",  # changes of mode in the half step
+    "lands": "n_frictions",  # whether its contact has just closed
     "share": "n_frictions",  # part of the half step until a slip stops
     "sweep": "n_contacts * (n_local + 4)",  # gradients and forces of those near
     "lag": "n_frictions",  # normal forces of cones, where they lag
