@@ -58,7 +58,7 @@ WORK = {
     "stop": "n_rows * unilateral",  # ways of slips that stop in the half step
     "slip_before": "n_rows * unilateral",  # slips at its start
     "stepped_backup": "n_state * unilateral",  # before a half step of stepped mode
-    "hit_defect": "n * unilateral",  # velocities across the rows, see impact.h
+    "hit_defect": "n * unilateral",  # velocities across the rows, see velocity_projection.h
     "hit_reach": "n * n_hit_rows",  # velocities that unit impulses bring about, see impact.h
     "hit_matrix": "n_hit_rows * n_hit_rows",
     "hit_force": "n_hit_forces * n_hit_rows",  # impulses in joints that rub, of unit impulses

@@ -7,11 +7,11 @@
 #define HOLONOM_STEPPED_H
 
 #include "active_contacts.h"
+#include "contact_modes.h"
 #include "context.h"
 #include "energy.h"
 #include "event.h"
 #include "half_step.h"
-#include "impact.h"
 #include "inputs_signals.h"
 #include "ledger.h"
 #include "predict.h"

@@ -11,12 +11,12 @@
 #include "energy.h"
 #include "event.h"
 #include "half_step_contacts.h"
-#include "impact.h"
 #include "ledger.h"
 #include "rigid.h"
 #include "row_state.h"
 #include "start.h"
 #include "tangent.h"
+#include "velocity_projection.h"
 
 static int island_has_contact(context *c)
 {

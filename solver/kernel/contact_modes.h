@@ -1,0 +1,93 @@
+/* Modes from the present state alone: which contacts are closed, and which frictions stick.
+
+   Where changes one by one find none, the law of impact does: accelerations of contacts at rest obey what velocities obey
+   after an impact without restitution.                                                                           */
+#ifndef HOLONOM_CONTACT_MODES_H
+#define HOLONOM_CONTACT_MODES_H
+
+#include "contact.h"
+#include "context.h"
+#include "impact.h"
+#include "impact_law.h"
+#include "impact_rows.h"
+#include "row_state.h"
+#include "start.h"
+
+/* Momentum += factor times the gradient of contact i's gap, with the friction that a normal force of 1 brings about while
+   it slides.                                                                                                   */
+static int32_t add_push(const context *c, int32_t i, double factor)
+{
+    const int32_t f = c->m->contact_friction[i];
+    double along[3];
+    int32_t status = add_row_gradient(c, c->m->contact_row[i], factor);
+    if (f < 0 || !(slip_at_state(c, f, along) > speed_tolerance(c) || is_smooth(c, f))) return status;
+    for (int k = 0; k < n_slips(c, f) && !status; k++)
+        status = add_row_gradient(c, slip_row(c, f, k), -factor * c->number[c->m->sliding_at + f] * along[k]);
+    return status;
+}
+
+/* The accelerations of contacts at rest obey the law that velocities obey after an impact without restitution, with
+   forces for impulses: guesses all modes at once by it.                                                         */
+static int32_t guess_by_law(context *c)
+{
+    const holonom_model *m = c->m;
+    const int64_t n = DIM * c->n_moving;
+    hit x;
+    map_hit(c, &x);
+    evaluate_state(c);
+    for (int32_t i = 0; i < m->n_contacts; i++) {
+        const int32_t f = m->contact_friction[i];
+        open_contact(c, i);
+        if (!is_at_rest(c, i)) continue;
+        const int slides = f >= 0 && (is_smooth(c, f) || slip_of(c, f, NULL) > speed_tolerance(c));
+        if (!add_to_hit(c, &x, i, 0.0)) return HOLONOM_CONTACT_UNDECIDED;
+        const int32_t k = x.law.contacts - 1;
+        if (slides) { /* its friction follows from its normal force: add_push adds it */
+            x.law.rows = x.law.first[k] + 1;
+            x.tangents[k] = 0;
+            x.coefficient[k] = 0.0;
+        } else if (f >= 0)
+            x.coefficient[k] = c->number[m->static_at + f];
+    }
+    const int32_t rows = x.law.rows;
+    int32_t status = evaluate_forces(c);
+    for (int32_t r = 0; r < rows && !status; r++) x.before[r] = second_rate_of_row(c, x.row[r]);
+    stand_still(c);
+    if (!status) status = factorise_at_state(c, NULL);
+    for (int32_t k = 0; k < x.law.contacts && !status; k++)
+        for (int32_t r = x.law.first[k]; r <= x.law.first[k] + x.law.tangents[k] && !status; r++) {
+            memset(c->k.momentum, 0, sizeof(double) * (size_t)n);
+            status = r == x.law.first[k] ? add_push(c, x.contact[k], -AT_STATE) : add_row_gradient(c, x.row[r], -AT_STATE);
+            velocities_of_impulses(c, c->k.hit_reach + n * r);
+        }
+    if (!status) status = fill_matrix(c, &x);
+    if (!status && hm_solve_impact(&x.law)) status = HOLONOM_CONTACT_UNDECIDED;
+    if (status) return status;
+    evaluate_state(c);
+    for (int32_t k = 0; k < x.law.contacts; k++) {
+        const int32_t i = x.contact[k], f = m->contact_friction[i], t = x.law.first[k] + 1, slips = x.law.tangents[k];
+        if (x.law.status[k] == IMPACT_PARTED) continue;
+        close_contact(c, i);
+        if (f < 0 || slips == 0 || friction_mode(c, f) == FRICTION_OFF) continue;
+        const double force = impact_length(slips, x.law.impulse + t);
+        double along[3] = {0.0, 0.0, 0.0};
+        for (int32_t a = 0; a < slips && force > 0.0; a++) along[a] = -x.law.impulse[t + a] / force;
+        if (x.law.status[k] == IMPACT_CLOSED && force > 0.0) let_slide(c, f, along);
+        else let_stick(c, f);
+    }
+    return HOLONOM_OK;
+}
+
+/* Decides from the present state which contacts are closed and which frictions stick. */
+static int32_t settle_modes(context *c)
+{
+    guess_modes(c);
+    int32_t status = agree_with_forces(c);
+    if (status == HOLONOM_CONTACT_UNDECIDED) {
+        status = guess_by_law(c);
+        if (!status) status = agree_with_forces(c);
+    }
+    return status ? status : start_with_modes(c);
+}
+
+#endif

@@ -1,0 +1,90 @@
+/* Rows of the contacts that take part in an impact, and the velocities that impulses along them bring about while all
+   bilateral rows hold.                                                                                           */
+#ifndef HOLONOM_IMPACT_ROWS_H
+#define HOLONOM_IMPACT_ROWS_H
+
+#include "composite.h"
+#include "context.h"
+#include "forms.h"
+#include "function.h"
+#include "impact_law.h"
+#include "row_state.h"
+#include "start.h"
+#include "tangent.h"
+
+/* Momentum += factor times the gradient of row j at the state; of a velocity row with respect to the velocities. */
+HM_SELDOM static int32_t add_row_gradient(const context *c, int32_t j, double factor)
+{
+    composite_result result = {0.0, 0.0, 0.0};
+    context still = *c;
+    still.h = AT_STATE;
+    const int32_t status = composite_slopes(&still, j, 0, &result);
+    const local_form *local = (const local_form *)c->k.local;
+    if (status) return status;
+    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
+        add_gradient(c, c->m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+    return HOLONOM_OK;
+}
+
+/* Velocities x (n, overwritten) that impulses in `momentum`, times -sqrt 2, bring about; those of the rows are in mu. */
+HM_SELDOM static void velocities_of_impulses(const context *c, double *x)
+{
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(c->k.phi, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(x, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    solve_with_factors(c);
+    add_solution(c, x);
+}
+
+/* An impact as it is set up: the rows of contacts that take part, and what is known of each. */
+typedef struct hit {
+    hm_impact law;
+    double *W, *coefficient, *before; /* what law reads, to be filled                                          */
+    int32_t *first, *tangents;        /* likewise                                                              */
+    int32_t *contact;                 /* number of each contact that takes part; of joint friction f -1 - f     */
+    int32_t *row;                     /* composite of each row; -1: of the normal force of a joint             */
+    double *given;                    /* restitution of each                                                   */
+} hit;
+
+/* Lays the vectors of an impact over the scratch. */
+HM_SELDOM static void map_hit(const context *c, hit *x)
+{
+    const int64_t n = c->m->n_hit_rows;
+    double *d = c->k.hit;
+    int32_t *i = (int32_t *)(void *)(d + 6 * n);
+    x->W = c->k.hit_matrix;
+    x->coefficient = d + n;
+    x->before = d + 2 * n;
+    x->first = i;
+    x->tangents = i + n;
+    x->law = (hm_impact){.W = x->W, .restitution = d, .coefficient = x->coefficient, .before = x->before,
+                         .impulse = d + 3 * n, .after = d + 4 * n, .scratch = c->k.hit_scratch,
+                         .first = x->first, .tangents = x->tangents, .status = i + 2 * n};
+    x->contact = i + 3 * n;
+    x->row = i + 4 * n;
+    x->given = d + 5 * n;
+}
+
+/* Adds friction f with that normal row, of a contact or of the joint that rubs; 0 if there is no room. */
+HM_SELDOM static int add_rows_to_hit(const context *c, hit *x, int32_t contact, int32_t row, int32_t f, double restitution)
+{
+    const int32_t k = x->law.contacts, slips = f < 0 ? 0 : n_slips(c, f);
+    if (x->law.rows + 1 + slips > c->m->n_hit_rows) return 0;
+    x->first[k] = x->law.rows;
+    x->tangents[k] = slips;
+    x->coefficient[k] = f < 0 ? 0.0 : c->number[c->m->sliding_at + f];
+    x->law.restitution[k] = x->given[k] = restitution;
+    x->contact[k] = contact;
+    x->row[x->law.rows++] = row;
+    for (int s = 0; s < slips; s++) x->row[x->law.rows++] = slip_row(c, f, s);
+    x->law.contacts++;
+    return 1;
+}
+
+/* Adds contact i with its friction; 0 if there is no room. */
+HM_SELDOM static int add_to_hit(const context *c, hit *x, int32_t i, double restitution)
+{
+    return add_rows_to_hit(c, x, i, c->m->contact_row[i], c->m->contact_friction[i], restitution);
+}
+
+#endif

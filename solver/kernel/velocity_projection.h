@@ -1,0 +1,65 @@
+/* Takes from the velocities of the state what bilateral rows and closed contacts do not allow, and books its energy. */
+#ifndef HOLONOM_VELOCITY_PROJECTION_H
+#define HOLONOM_VELOCITY_PROJECTION_H
+
+#include "contact.h"
+#include "context.h"
+#include "energy.h"
+#include "ledger.h"
+#include "rigid.h"
+#include "row_state.h"
+#include "start.h"
+#include "tangent.h"
+
+/* Whether drivers or surfaces move, whose work is what a change of velocities adds to the kinetic energy and its losses. */
+static int is_driven(const context *c)
+{
+    double *rest = c->k.ahead, moved = c->m->n_signals;
+    memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t f = 0; f < c->m->n_frictions; f++)
+        for (int k = 0; k < n_slips(c, f); k++)
+            moved += fabs(function_rate(c, slip_row(c, f, k), c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate));
+    return moved > 0.0;
+}
+
+/* Part of the velocities that makes rows move which hold, with the other sign (hit_defect): a step leaves it by its order.
+   It is orthogonal to all that rows allow, so that its energy is apart. Factors are those at the state.         */
+HM_SELDOM static void find_defect(const context *c)
+{
+    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    memset(c->k.hit_defect, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
+    solve_with_factors(c);
+    add_solution(c, c->k.hit_defect);
+}
+
+HM_SELDOM static void add_defect(const context *c, double sign)
+{
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, sign * c->k.hit_defect[k]);
+}
+
+/* Takes from the velocities what rows do not allow and books its energy in `account`; a change beyond it is work of
+   drivers. */
+HM_SELDOM static int32_t project_velocities(context *c, int account)
+{
+    suspend_sliding(c, 1);
+    stand_still(c);
+    const int32_t status = factorise_at_state(c, NULL);
+    if (!status) find_defect(c);
+    suspend_sliding(c, 0);
+    if (status) return status;
+    add_defect(c, 1.0);
+    /* What was solved for near a singular configuration is not quite orthogonal: its own work is booked. */
+    const double square = 0.5 * mass_product(c, c->k.hit_defect, c->k.hit_defect);
+    double change = -square;
+    momenta(c, c->k.momentum);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) change += c->k.hit_defect[k] * c->k.momentum[k];
+    const double loss = is_driven(c) ? square : -change;
+    book(c, account, loss);
+    book(c, S_WORK, change + loss);
+    evaluate_state(c);
+    return HOLONOM_OK;
+}
+
+#endif
