@@ -12,7 +12,8 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
-from solver.scene.contacts import RubbingContact, read_corners
+from solver.scene.contact_laws import RubbingContact
+from solver.scene.contacts import read_corners
 from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference

@@ -6,7 +6,7 @@ import keyword
 from collections.abc import Iterator
 from typing import Any
 
-from solver.scene.contacts import is_compliant
+from solver.scene.contact_laws import is_compliant
 from solver.scene.draft import Draft
 from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.numbers import Known

@@ -5,10 +5,10 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from solver.scene import fields as kind
+from solver.scene.contact_laws import RubbingContact
 from solver.scene.contacts import (
     PLACE_OF_PLANE,
     SURFACE_VELOCITY,
-    RubbingContact,
     check_size,
     check_surface_velocity,
     read_carrier,

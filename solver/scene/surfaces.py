@@ -7,7 +7,8 @@ from math import isclose, pi
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from solver.scene import fields as kind
-from solver.scene.contacts import RubbingContact, check_size
+from solver.scene.contact_laws import RubbingContact
+from solver.scene.contacts import check_size
 from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
