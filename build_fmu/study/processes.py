@@ -70,16 +70,21 @@ def _results_of_a_pool(
                 with _interrupts_wait():
                     future = pool.submit(_do, waiting[0])
                 running[future] = waiting.popleft()
-            for future in wait(running, return_when=FIRST_COMPLETED).done:
-                result = future.result()
-                del running[future]
-                yield result
+            ended = wait(running, return_when=FIRST_COMPLETED).done
+            future = min(ended, key=_was_lost)  # results first: they need not be had again
+            result = future.result()
+            del running[future]
+            yield result
     except BrokenProcessPool:
         suspects += running.values()
     finally:
         ours.close()  # ends the processes, whatever they are doing
         pool.shutdown(cancel_futures=True)
         end.close()
+
+
+def _was_lost(future: Future[Any]) -> bool:
+    return isinstance(future.exception(), BrokenProcessPool)
 
 
 def _require_start(pool: ProcessPoolExecutor) -> None:
