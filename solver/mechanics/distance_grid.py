@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from array import array
 from functools import lru_cache
-from math import floor, log2
+from math import floor, log2, prod
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,6 +25,10 @@ Array = NDArray[np.float64]
 CELLS = 32
 """Of the longest side, unless the scene says how long they are."""
 LEAST_CELLS = 4
+MOST_CELLS = 4000
+"""Of the longest side: the core reads 4096 coefficients along an axis."""
+LONGEST = 1e100
+"""Side of a mesh [m]; squares of much longer ones overflow."""
 MOST_NUMBERS = 1_000_000
 """Coefficients of a grid: 8 MB of a model."""
 ROUNDED = 2.0**-20
@@ -36,7 +40,11 @@ TRIALS = 4000
 
 
 class MeshError(ValueError):
-    """A resolution that a mesh does not allow."""
+    """A number that a mesh does not allow, of this field of the contact."""
+
+    def __init__(self, message: str, field: str) -> None:
+        super().__init__(message)
+        self.field = field
 
 
 class DistanceGrid(NamedTuple):
@@ -50,6 +58,8 @@ class DistanceGrid(NamedTuple):
     """Length of a cell [m]."""
     reach: float
     """How far the box goes beyond the mesh, at least [m]."""
+    depth: float
+    """Distance of the deepest node inside of the mesh [m]."""
     largest_error: float
     """At random places within a cell of the surface where points or centres of balls touch [m]."""
     mean_error: float
@@ -80,35 +90,66 @@ def distance_grid(
     Raises
     ------
     MeshError
-        If the cells are too large or too small for the mesh.
+        If the cells are too large or too small for the mesh, or the mesh or its balls too large.
     """
     corners, faces = scaled(mesh, scale)
     low, high = corners.min(axis=0), corners.max(axis=0)
     longest = float((high - low).max())
     h = longest / CELLS if spacing is None else spacing
-    if h > longest / LEAST_CELLS:
-        message = f"must be at most 1/{LEAST_CELLS} of the longest side of the mesh, "
-        message += f"{longest / LEAST_CELLS:.6g} m, got {h:.6g} m"
-        raise MeshError(message)
-    reach = max(radius, 0.0) + 2.0 * h
-    cells = np.ceil((high - low + 2.0 * reach) / h)
-    if (total := float(np.prod(cells + 3.0))) > MOST_NUMBERS:
-        message = f"makes a grid of {total:.2g} numbers, more than {MOST_NUMBERS:.0e}: "
-        message += f"cells of {1.2 * h * (total / MOST_NUMBERS) ** (1 / 3):.2g} m will do"
-        raise MeshError(message)
+    ball = max(radius, 0.0)
+    _demand_size(high - low, h, ball, "file" if spacing is None else "resolution")
+    reach, cells = ball + 2.0 * h, _cells(high - low, h, ball)
     origin = 0.5 * (low + high - h * cells)
     axes = [x + h * np.arange(-1, n + 2) for x, n in zip(origin, cells, strict=True)]
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     samples = _distances(nodes.reshape(-1, 3), corners, faces).reshape(nodes.shape[:3])
+    depth = -float(samples.min())
+    if radius < 0.0 and -radius >= depth:
+        message = f"must be < {depth:.6g} m, the largest ball inside of the mesh that its grid "
+        message += f"shows, got {-radius:.6g} m"
+        raise MeshError(message, "ball_radius")
     coefficients = _interpolating(samples, h)
     errors = _errors(mesh, scale, radius, origin, h, coefficients)
     numbers = array("d", [*origin, h, *samples.shape])
     numbers.frombytes(coefficients.tobytes())
     return DistanceGrid(
         Grid("distance", numbers),
-        tuple(map(float, origin)), tuple(map(float, origin + h * cells)), h, reach,
+        tuple(map(float, origin)), tuple(map(float, origin + h * cells)), h, reach, depth,
         float(np.abs(errors).max()), float(np.sqrt(np.mean(errors**2))),
     )  # fmt: skip
+
+
+def _cells(sides: Array, h: float, ball: float) -> Array:
+    """Number of cells along each axis about a mesh and balls of this radius outside of it."""
+    return np.ceil((sides + 2.0 * (ball + 2.0 * h)) / h)
+
+
+def _demand_size(sides: Array, h: float, ball: float, field: str) -> None:
+    """Demand that cells of length h are neither too large nor too many for a mesh."""
+
+    def count(size: float) -> float:
+        return prod((_cells(sides, size, ball) + 3.0).tolist())
+
+    longest = float(sides.max())
+    if not longest < LONGEST:
+        message = f"makes a mesh of {longest:.2g} m, must be < {LONGEST:.0e} m"
+        raise MeshError(message, "scale")
+    if not longest / MOST_CELLS <= h <= longest / LEAST_CELLS:
+        word, part = ("least", MOST_CELLS) if h < longest / MOST_CELLS else ("most", LEAST_CELLS)
+        message = f"must be at {word} 1/{part} of the longest side of the mesh, "
+        message += f"{longest / part:.6g} m, got {h:.6g} m"
+        raise MeshError(message, field)
+    enough = h
+    while count(enough) > MOST_NUMBERS:
+        enough *= 1.2
+        if enough > longest / LEAST_CELLS:
+            message = f"must be smaller: the longest side of the mesh has {longest:.6g} m, "
+            message += f"got {ball:.6g} m"
+            raise MeshError(message, "ball_radius")
+    if enough > h:
+        message = f"makes a grid of {count(h):.2g} numbers, more than {MOST_NUMBERS:.0e}: "
+        message += f"cells of {1.1 * enough:.2g} m will do"
+        raise MeshError(message, field)
 
 
 def scaled(mesh: DataFile, scale: float) -> tuple[Array, NDArray[np.int64]]:

@@ -39,11 +39,12 @@ def add_mesh(rows: Rows, contact: MeshContact, _: JointParts) -> None:
             contact.file, contact.scale, contact.resolution, sign * mechanism.default(radius)
         )
     except MeshError as problem:
-        rows.problem(str(problem), ".resolution" if contact.resolution else ".file")
+        rows.problem(str(problem), f".{problem.field}")
         return
-    if outside and isinstance(radius, Expr):
-        text = f"ball_radius must be <= {found.reach:.6g} m, what the grid has about the mesh"
-        rows.rule(found.reach - radius, ">=", text)
+    if isinstance(radius, Expr):
+        limit = found.reach if outside else found.depth
+        text = f"ball_radius must be < {limit:.6g} m, what the grid has {contact.side} of the mesh"
+        rows.rule(limit - radius, ">", f"{text}; it is {{value!r}} m below")
     x = [leaf_symbol(k) for k in range(3)]
     inside = [
         operate("min", operate("max", at, low), high)

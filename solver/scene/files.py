@@ -56,7 +56,8 @@ def read_file(
         return DataFile(unquote(given[2] or f"{path[-2]}.{form}"), form, content)
     try:
         return DataFile(file, form, where.read_bytes())
-    except OSError as problem:
-        message = f"file '{where.as_posix()}' cannot be read: {(problem.strerror or '').lower()}"
+    except (OSError, ValueError) as problem:  # a ValueError: no name of a file has such characters
+        reason = getattr(problem, "strerror", None) or str(problem)
+        message = f"file '{where.as_posix()}' cannot be read: {reason.lower()}"
         help = f"name a file {names}, by its path from the folder of the scene"
         return draft.error(path, message, help)

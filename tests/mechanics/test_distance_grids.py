@@ -111,16 +111,23 @@ def test_a_ball_touches_where_its_radius_is_the_distance(height, deeper, contact
         gap_at([0.1, 0.0, height + 0.02 * inwards], **contact)
 
 
-def test_a_ball_that_a_parameter_makes_larger_than_the_grid_is_refused():
+@pytest.mark.parametrize(
+    ("height", "side", "limit"), [(3.0, "outside", r"0\.11"), (0.1, "inside", r"0\.1[0-9]")]
+)
+def test_a_ball_that_a_parameter_makes_larger_than_the_grid_is_refused(height, side, limit):
+    file = box(*SIZE).text
+    contact = {"type": "mesh", "point": "A", "file": file, "side": side, "ball_radius": "R"}
     content = mechanism(
         "ball", 3,
-        parameters={"R": {"value": 0.1, "min": 0.0}},
-        points={"A": {"position": [0, 0, 3], "mass": 1.0}},
-        contacts={"c": {"type": "mesh", "point": "A", "file": box(*SIZE).text, "ball_radius": "R"}},
+        parameters={"R": {"value": 0.05, "min": 0.0}},
+        points={"A": {"position": [0, 0, height], "mass": 1.0}},
+        contacts={"c": contact},
     )  # fmt: skip
     run = Integrator(assemble(content))
     run["R"] = 0.2
-    with pytest.raises(Exception, match=r"ball_radius must be <= 0.16.* m, what the grid has"):
+    with pytest.raises(
+        Exception, match=rf"ball_radius must be < {limit}.* m, what the grid has {side}"
+    ):
         run.initialise()
 
 
