@@ -20,6 +20,7 @@ enum { MAX_REPEATS = 40 };
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
+enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
 #define MOMENT 1e4 /* half steps for which steps may be short where a contact changes: till then they foretell nothing */
 
 /* Error of a run that is asked for, relative to size and speed. */
@@ -190,6 +191,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
 static int32_t cover_between_events(context *c, double start, double step, double h)
 {
     double done = 0.0, cut = INFINITY;
+    int cuts = 0;
     while (done < step) {
         const double law_time = c->number[c->m->time_at], grid = (floor(done / h + SLIVER) + 1.0) * h;
         const double next = grid > step - SLIVER * h ? step : grid;
@@ -207,7 +209,7 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
         if (status) {
             if (!may_step_over(status)) return status;
             cut = 0.5 * length;
-            if (is_to_be_cut(c, status, length)) continue;
+            if (is_to_be_cut(c, status, length) && cuts++ < MOST_CUTS) continue;
             return step_over(c, status, start, done, step);
         }
         cut = INFINITY;
