@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import struct
+from pathlib import Path
+from time import process_time
 
 import pytest
 
@@ -12,6 +14,7 @@ from solver.runtime.layout import PLACE
 from tests.saved_states import NUMBERS_AT, PHASE_AT, signed
 from tests.twins import PENDULUM, advance, block, model_of, start
 
+SCENES = Path(__file__).parents[2] / "scenes"
 ENDLESS = ("mean_time", "mean_time_before", "wanted")
 """What may be infinite: times of means that are not known, a step that nothing limits."""
 
@@ -118,3 +121,15 @@ def test_a_state_that_time_has_brought_beyond_a_rule_comes_back():
         assert each.save() == saved
         with pytest.raises(StepError, match="became negative"):
             each.advance(3.0, 0.1)
+
+
+def test_a_step_that_slides_and_has_no_solution_ends_after_a_bounded_number_of_cuts():
+    """A thousand cuts take 0.05 s; twenty for each millionth of the step took minutes."""
+    run = start(SCENES / "bowling_ball.toml")
+    run.advance(0.0, 0.01)
+    derived = run.state.vectors["derived"]
+    derived[2 + (len(derived) - 2) // 2] = 1e300  # row_sigma of the first row: none can meet it
+    begun = process_time()
+    with pytest.raises(StepError, match="near contact 'lane'"):
+        run.advance(run.time, 0.01)
+    assert process_time() - begun < 10.0
