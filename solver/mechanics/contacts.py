@@ -26,8 +26,16 @@ from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Contact, Formula, Friction, Leaf, Mechanism, Scale
 from solver.mechanics.parts import CompliantContact, JointParts
 from solver.mechanics.rows import METRES, RADIANS, Rows
-from solver.mechanics.slips import body_of, dot_of_pairs, is_there, sliding, tangents, turning
-from solver.mechanics.vectors import Vector, add, cross, dot, perpendicular, scale, turned, unit
+from solver.mechanics.slips import (
+    body_of,
+    dot_of_pairs,
+    is_there,
+    plane_tangents,
+    sliding,
+    tangents,
+    turning,
+)
+from solver.mechanics.vectors import Vector, add, dot, scale, unit
 from solver.runtime.layout import DRAWN_INTO, LEAF_RATE
 from solver.scene import (
     ClearanceContact,
@@ -109,14 +117,6 @@ def _add_ball_on_plane(
             slips.append(Formula(value, tuple(leaves)))
     gap = Formula(leaf_symbol(0) - radius, (height,))
     add_contact(rows, contact, gap, end=end, slips=slips)
-
-
-def plane_tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
-    """Unit vectors along a plane; in 2-D the one to the right of the normal."""
-    if mechanism.dim == 2:
-        return (scale(-1.0, turned(normal)),)
-    first = perpendicular(normal, mechanism.default)[0]
-    return first, cross(normal, first)
 
 
 def add_balls(rows: Rows, contact: SphereContact, _: JointParts) -> None:

@@ -28,14 +28,14 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from solver.mechanics.combination import Combination
-from solver.mechanics.contacts import add_contact, box_corners, plane_tangents
+from solver.mechanics.contacts import add_contact, box_corners
 from solver.mechanics.derivative import derivative
 from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import Ground, RigidFrame
 from solver.mechanics.mechanism import Formula
 from solver.mechanics.parts import JointParts
 from solver.mechanics.rows import Rows
-from solver.mechanics.slips import dot_of_pairs, is_there
+from solver.mechanics.slips import dot_of_pairs, is_there, plane_tangents
 from solver.mechanics.surfaces import slip_rates
 from solver.mechanics.vectors import (
     Vector,

@@ -15,7 +15,7 @@ from solver.mechanics.formulas import leaf_symbol
 from solver.mechanics.frames import RigidFrame
 from solver.mechanics.mechanism import Leaf, Mechanism
 from solver.mechanics.rows import Rows
-from solver.mechanics.vectors import Vector, cross, dot, perpendicular
+from solver.mechanics.vectors import Vector, cross, dot, perpendicular, scale, turned
 from solver.runtime.layout import LEAF_RATE
 from solver.scene import Expr, Number, PointReference
 
@@ -92,6 +92,14 @@ def sliding(
         total = total + t * leaf_symbol(len(leaves))
         leaves.append(mechanism.leaf(mechanism.component(*form), LEAF_RATE))
     return total
+
+
+def plane_tangents(mechanism: Mechanism, normal: Vector) -> tuple[Vector, ...]:
+    """Unit vectors along a plane; in 2-D the one to the right of the normal."""
+    if mechanism.dim == 2:
+        return (scale(-1.0, turned(normal)),)
+    first = perpendicular(normal, mechanism.default)[0]
+    return first, cross(normal, first)
 
 
 def tangents(mechanism: Mechanism, normal: Vector, start: Vector) -> tuple[Vector, ...]:
