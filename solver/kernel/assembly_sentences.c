@@ -26,7 +26,7 @@ static const struct { const char *sentence, *unit; } KIND[ROW_KINDS] = { /* deta
     [ROW_VELOCITY] = {"its velocities%s are %6g off", ""},
 };
 
-/* A message with {value}, however formatted. */
+/* A message with {value!r}, or {value:.6g}. */
 static void say_filled(hm_text *text, const char *message, double value)
 {
     char one[2] = "";
@@ -36,7 +36,7 @@ static void say_filled(hm_text *text, const char *message, double value)
             hm_say(text, "%s", one);
             continue;
         }
-        hm_say(text, "%r", value);
+        hm_say(text, message[6] == ':' ? "%6g" : "%r", value);
         while (*message && *message != '}') message++;
         message += *message == '}';
     }
@@ -49,14 +49,32 @@ static int holds(const hm_rule *rule, double value)
     return relation == IS_ABOVE ? value > rule->bound : value >= rule->bound;
 }
 
+/* Counts the other places of a part that are drawn in penetration; -1 if one of them is deeper and is told instead. */
+static int others_drawn(const hm_model_file *f, const double *numbers, uint32_t k)
+{
+    const hm_rule *rule = f->rule + k;
+    int others = 0;
+    for (uint32_t i = 0; i < f->header->n_rules; i++) {
+        const hm_rule *other = f->rule + i;
+        const double gap = numbers[other->number], own = numbers[rule->number];
+        if (i == k || other->relation != IS_DRAWN || other->name != rule->name || holds(other, gap)) continue;
+        if (gap < own || (gap == own && i < k)) return -1;
+        others++;
+    }
+    return others;
+}
+
 int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers, int only_laws)
 {
     int broken = 0;
     for (uint32_t k = 0; k < f->header->n_rules; k++) {
         const hm_rule *rule = f->rule + k;
         if ((only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
+        const int others = rule->relation == IS_DRAWN ? others_drawn(f, numbers, k) : 0;
+        if (others < 0) continue;
         hm_say(text, "%s%s: ", broken++ ? "\n" : "", f->text + rule->name);
         say_filled(text, f->text + rule->message, numbers[rule->number]);
+        if (others) hm_say(text, " (also at %d more of its places)", others);
     }
     return broken;
 }

@@ -82,7 +82,7 @@ def box_corners(rows: Rows, size: Vector, radius: Number, title: str = "") -> tu
     """Return the centres of the rounded corners of a box; in the plane they go round it."""
     half = tuple(0.5 * x - radius for x in size)
     for x in half:
-        text = f"half of each length{title} must be larger than the radius, by {{value!r}} m"
+        text = f"half of a length{title} less the radius must be > 0, got {{value:.6g}} m"
         rows.rule(x, ">", text)
     if len(half) == 2:
         x, y = half
@@ -311,7 +311,9 @@ def distance_left(gap: Number, clearance: Number) -> Number:
 def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: str) -> None:
     """Demand that a gap is drawn open, or closed up to rounding."""
     mechanism = rows.mechanism
-    text = f"it is drawn in penetration{end}: its gap is {{value!r}} {unit}"
+    text = f"it is drawn in penetration{end}: its gap is {{value:.6g}} {unit}; draw it open"
+    if isinstance(contact, PlaneContact | CornersContact):
+        text += ", or turn its axis to the other side"
     size = mechanism.extent if unit == "m" else 1.0
     value = as_drawn(mechanism, gap.value, gap.leaves)
     if isinstance(contact, ClearanceContact):

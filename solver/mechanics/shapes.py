@@ -140,13 +140,13 @@ def _polygon(rows: Rows, corners: tuple[Vector, ...], rounded: bool, end: str) -
     for k, (one, two) in enumerate(edges):
         along = subtract(two, one)
         length = norm(along)
-        rows.rule(length, ">", f"two corners of the polygon{end} coincide: length {{value!r}} m")
+        rows.rule(length, ">", f"two corners of the polygon{end} coincide: length {{value:.6g}} m")
         outward = scale((-1.0 if area > 0.0 else 1.0) / length, turned(along))
         faces.append((one, outward))
         for other in set(range(len(corners))) - {k, (k + 1) % len(corners)}:
             depth = -1.0 * dot(subtract(corners[other], one), outward)
             text = f"the polygon{end} is not convex, or its corners are not in turn: corner "
-            text += f"{other + 1} is {{value!r}} m within edge {k + 1}, which must be > 0"
+            text += f"{other + 1} is {{value:.6g}} m within edge {k + 1}, which must be > 0"
             rows.rule(depth, ">", text)
     segments = [_segment(*edge) for edge in edges]
 
@@ -267,7 +267,8 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
             one, two = ([number(dot(x, unit(axis))) for x in places] for places in both)
             overlap = min(overlap, max(one) - min(two), max(two) - min(one))
     if overlap > DRAWN_INTO * mechanism.extent:
-        rows.problem(f"it is drawn in penetration: the bodies overlap by {overlap!r} m")
+        text = f"it is drawn in penetration: the bodies overlap by {overlap:.6g} m"
+        rows.problem(f"{text}; draw them apart")
 
 
 def _add_corner(

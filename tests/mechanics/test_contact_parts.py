@@ -126,7 +126,7 @@ def test_rows_of_contacts_take_no_freedom():
 @pytest.mark.parametrize(
     ("parameter", "value", "sentence"),
     [
-        ("radius", 0.3, "contact 'floor': it is drawn in penetration: its gap is -0.09"),
+        ("radius", 0.3, "contact 'floor': it is drawn in penetration: its gap is -0.1 m"),
         ("radius", -0.1, "contact 'floor': radius must be >= 0 m, got -0.1"),
         ("e", 1.5, "contact 'floor': 1 - restitution must be >= 0, got -0.5"),
         ("e", -0.5, "contact 'floor': restitution must be from 0 to 1, got -0.5"),
