@@ -279,6 +279,9 @@ class Stop(Contact):
         if given.min is None and given.max is None:
             draft.error(path, "neither 'min' nor 'max' is given", "give one or both")
         low, high = (x if x is None else reader.value(x) for x in (self.min, self.max))
+        for name, value in (("min", low), ("max", high)):
+            if self.turns and value is not None:
+                reader.advise_radians((*path, name), getattr(given, name), value)
         if low is not None and high is not None and not low < high:
             message = f"must be < max = {high:.15g}, got {low:.15g}"
             draft.error((*path, "min"), message)

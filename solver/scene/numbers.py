@@ -107,11 +107,14 @@ class NumberChecks:
     def angle(self, path: Path, parsed: Any, place: Place = GEOMETRY) -> Number:
         """Check an angle in rad; one of more than a turn is perhaps in degrees."""
         number = self.number(path, parsed, place)
-        value = self.value(number) or 0.0
+        self.advise_radians(path, parsed, self.value(number) or 0.0)
+        return number
+
+    def advise_radians(self, path: Path, parsed: Any, value: float) -> None:
+        """Warn of an angle in rad of more than a turn."""
         if abs(turns := value / (2.0 * math.pi)) > 1.0 and "pi" not in parsed.text:
             help = f'if these are degrees, write "{value:.12g}*pi/180"'
             self.draft.warn(path, f"is {value:.6g} rad, {turns:.3g} turns", help)
-        return number
 
     def constant(
         self,

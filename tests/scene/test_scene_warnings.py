@@ -295,3 +295,11 @@ def test_an_angle_of_more_than_a_turn_is_perhaps_in_degrees(where, angle):
 def test_so_is_the_default_of_a_parameter():
     text = PLANE % ('[parameters]\ntilt = { value = 90, unit = "rad" }\n', 'orientation = "tilt"')
     assert told(text) == [("bodies.b.orientation", "is 90 rad, 14.3 turns")]
+
+
+def test_so_are_stops_of_an_angle_and_not_those_of_a_distance():
+    joint = '[joints]\nhinge = { type = "revolute", bodies = ["ground", "b"], position = [0, 0] }\n'
+    rope = 'rope = { type = "stop", points = ["ground", "b"], at = [0, 1], max = 90 }\n'
+    stop = 'stop = { type = "stop", joint = "hinge", min = "-10*pi/180", max = 80 }\n'
+    text = PLANE % ("", "velocity = [0, 0]\n") + f"{joint}[contacts]\n{rope}{stop}"
+    assert told(text) == [("contacts.stop.max", "is 80 rad, 12.7 turns")]
