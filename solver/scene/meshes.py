@@ -83,7 +83,7 @@ def _flaw(found: Any) -> str:
     if not found.is_watertight:
         counts = np.unique(found.edges_sorted, axis=0, return_counts=True)[1]
         odd = int((counts != 2).sum())
-        return f"is not watertight: {odd} of its {len(counts)} edges have not two triangles"
+        return f"is not watertight: {odd} of its {len(counts)} edges do not join two triangles"
     if not found.is_winding_consistent:
         return "has neighbouring triangles that face opposite sides"
     return "" if found.volume else "has no volume"
