@@ -3,8 +3,8 @@
     z or the direction against gravity points up; a mechanism in space is seen from the side and a
     little from above, in parallel projection.
 
-A body is drawn by the places where something holds on to it, joined to its centre: a scene keeps
-what its shape weighs, not the shape.
+A body is drawn by the places where something holds on to it, joined to its centre, and by the
+corners and balls that touch something: a scene keeps what its shape weighs, not the shape.
 """
 
 from __future__ import annotations
@@ -12,23 +12,32 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from build_fmu.canvas import DARK, Array, Canvas, Colour, Pixel
+from solver.mechanics.frames import RigidFrame
 from solver.scene import (
     Bar,
     BodyJoint,
+    BoxContact,
+    CapsuleContact,
+    CornersContact,
     Damper,
     Distance,
     DistanceDriver,
+    Number,
+    PlaneContact,
     PointOn,
     PointOnLine,
     PointReference,
+    PolygonContact,
     PositionDriver,
     Rigid,
     Rolling,
+    SphereContact,
     Spring,
 )
 
@@ -68,6 +77,8 @@ class _Drawing:
         """Directions to the right and up."""
         self._held: dict[str, list[Array]] = defaultdict(list)
         """Places that hold a body."""
+        self._shown: set[str] = set()
+        """Bodies of which an outline is drawn."""
 
     # ----------------------------------------------------------------------------- places
 
@@ -112,7 +123,14 @@ class _Drawing:
 
     def png(self) -> bytes:
         """Collect all strokes, choose the scale by which they are seen, and draw them."""
-        for part in (self._joints, self._forces, self._drivers, self._points, self._bodies):
+        for part in (
+            self._joints,
+            self._forces,
+            self._drivers,
+            self._points,
+            self._contacts,
+            self._bodies,
+        ):
             part()
         seen = np.array(self._seen or [np.zeros(3)]) @ self._view.T
         least, most = seen.min(axis=0), seen.max(axis=0)
@@ -138,7 +156,8 @@ class _Drawing:
                 axis = np.array([0.0, 0.0, 1.0]) if joint.axis is None else self._drawn(joint.axis)
                 first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
                 directions = np.array([first, np.cross(axis, first) / np.linalg.norm(axis)], float)
-                rim = self._rim(joint.body, self._default(joint.radius), directions, STEEL, 2)
+                centre = self._at(self.parts.named(joint.body))
+                rim = self._rim(centre, self._default(joint.radius), directions, STEEL, 2)
                 self._held[joint.body] += [rim[0], rim[12], rim[24], rim[36]]
 
     def _joint(self, joint: BodyJoint) -> None:
@@ -170,10 +189,9 @@ class _Drawing:
         self._stroke(4, (place,), Canvas.joint, **style)
 
     def _rim(
-        self, body: str, radius: float, directions: Array, colour: Colour, layer: int
+        self, centre: Array, radius: float, directions: Array, colour: Colour, layer: int
     ) -> list[Array]:
-        """Draw a circle around the origin of a body, in the plane of two directions."""
-        centre = self._at(self.parts.named(body))
+        """Draw a circle around a place, in the plane of two directions."""
         first, second = (radius * x / np.linalg.norm(directions[0]) for x in directions)
         turns = np.linspace(0.0, 2.0 * math.pi, 49)
         rim = [centre + math.cos(x) * first + math.sin(x) * second for x in turns]
@@ -210,9 +228,53 @@ class _Drawing:
             radius = 3.0 + 4.0 * max(0.0, share) ** (1.0 / 3.0)
             self._stroke(4, (place,), Canvas.disc, radius=radius, colour=DARK)
 
+    def _contacts(self) -> None:
+        for contact in _some(self.scene.contacts.values()):
+            if isinstance(contact, CornersContact):
+                self._outline(contact.body, contact.size, contact.corners)
+            elif isinstance(contact, BoxContact):
+                for body, size in zip(contact.bodies, contact.sizes, strict=True):
+                    self._outline(body, size)
+            elif isinstance(contact, PolygonContact | CapsuleContact):
+                polygons = isinstance(contact, PolygonContact)
+                of_both = contact.corners if polygons else contact.segments
+                for body, corners in zip(contact.bodies, of_both, strict=True):
+                    self._outline(body, None, corners)
+            elif isinstance(contact, PlaneContact):
+                self._ball(contact.point, contact.radius)
+            elif isinstance(contact, SphereContact):
+                for point, radius in zip(contact.points, contact.radii, strict=True):
+                    self._ball(point, radius)
+
+    def _outline(self, body: str | None, size: Sequence | None, corners: Sequence = ()) -> None:
+        """Draw a box about the origin of a body, or a closed line through places in its axes."""
+        edges = [(k - 1, k) for k in range(len(corners))]
+        if size is not None:
+            half = [0.5 * x for x in size]
+            corners = list(product(*((-1.0 * x, x) for x in half)))
+            bits = [1 << k for k in range(len(half))]
+            edges = [(k, k | bit) for k in range(len(corners)) for bit in bits if not k & bit]
+        frame = self.parts.frame(body)
+        at = frame.at if isinstance(frame, RigidFrame) else frame.place
+        places = [self._at(at(corner)) for corner in corners]
+        for i, j in edges:
+            self._line(1, places[i], places[j], width=2.0, colour=self._colour(body))
+        self._shown.add(body or "")
+
+    def _ball(self, point: PointReference, radius: Number) -> None:
+        """Draw the outline of a ball about a point."""
+        if (size := self._default(radius)) > 0.0:
+            name = (point.point or "").partition(".")[0]
+            self._rim(self._at(self.parts.place(point)), size, self._view, self._colour(name), 1)
+            self._shown.add(name)
+
+    def _colour(self, body: str | None) -> Colour:
+        names = list(self.scene.bodies)
+        return BODIES[names.index(body) % len(BODIES)] if body in names else STEEL
+
     def _bodies(self) -> None:
-        for k, (name, body) in enumerate(_some(self.scene.bodies.items())):
-            colour = BODIES[k % len(BODIES)]
+        for name, body in _some(self.scene.bodies.items()):
+            colour = self._colour(name)
             if isinstance(body, Bar):
                 ends = (self._at(self.parts.named(end)) for end in body.points)
                 self._line(1, *ends, width=6.0, colour=colour)
@@ -227,8 +289,8 @@ class _Drawing:
         for place in places:
             self._line(1, origin, place, width=6.0, colour=colour)
         self._stroke(1, (origin,), Canvas.disc, radius=6.0, colour=colour)
-        if not places:
-            self._rim(name, self._gyration(body), self._view, colour, 1)
+        if not places and name not in self._shown:
+            self._rim(origin, self._gyration(body), self._view, colour, 1)
 
     def _gyration(self, body: Rigid) -> float:
         """Radius of gyration [m]: the size of a body that nothing holds."""

@@ -161,6 +161,30 @@ def test_a_rail_towards_the_eye_is_a_point(kind):
     assert drawn_beside_the_middle(text) == (False, False)
 
 
+TOUCHING = """
+name = "touching"
+dimension = 2
+[bodies]
+box = { position = [1, 1], mass = 1.0, inertia = 1.0 }
+[contacts]
+floor = { type = "%s", axis = [0, 1], %s }
+"""
+
+
+@pytest.mark.parametrize(
+    ("contact", "ratio"),
+    [
+        (("corners", 'body = "box", size = [4, 1]'), 4.0),
+        (("corners", 'body = "box", corners = [[-1, -1], [1, -1], [0, 0]]'), 2.0),
+        (("plane", 'point = "box", radius = 1.0'), 1.0),
+    ],
+)
+def test_what_touches_is_drawn_in_its_proportions(contact, ratio):
+    ink = pixels(picture(build_mechanism(solver.loads(TOUCHING % contact)))).min(axis=2) < 200
+    width, height = np.ptp(np.flatnonzero(ink.any(0))), np.ptp(np.flatnonzero(ink.any(1)))
+    assert width / height == pytest.approx(ratio, rel=0.05)
+
+
 RANGED = """
 name = "ranged"
 dimension = 2
