@@ -44,7 +44,7 @@ const char *hm_about_step(int32_t status)
                "powers of ten apart";
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
-               "is strong: look at its coefficient and at contacts that hold the same thing twice";
+               "is strong: look at its coefficient and at contacts that hold the same thing twice, or give them a smooth_speed";
     case HOLONOM_IMPACT_UNSOLVED:
         return "no impulses were found that obey the law of impact; look for a driver that pushes against the contact, for contacts "
                "that hold the same thing twice, or for masses that are many powers of ten apart";
