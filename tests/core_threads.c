@@ -12,6 +12,7 @@ enum { MOST_THREADS = 64, STEPS = 40, MOST_VALUES = 1000 };
 static const void *model;
 static int64_t model_length;
 static int32_t n_values;
+static double length; /* of a step, s */
 static uint64_t hash_of_thread[MOST_THREADS];
 
 static uint64_t hashed(uint64_t hash, const void *bytes, size_t count)
@@ -34,7 +35,7 @@ static void *run(void *hash)
     for (int step = 0; step < STEPS; step++) {
         if (step == 10) holonom_save(i, saved);
         if (step == 20) holonom_restore(i, saved, holonom_saved_size(i));
-        const int32_t moved = holonom_move(i, holonom_state_of(i)[0], 0.01), got = holonom_get(i, index, n_values, value);
+        const int32_t moved = holonom_move(i, holonom_state_of(i)[0], length), got = holonom_get(i, index, n_values, value);
         found = hashed(hashed(found, &moved, sizeof moved), &got, sizeof got);
         found = hashed(found, value, sizeof(double) * (size_t)n_values);
         found = hashed(found, holonom_message(i), strlen(holonom_message(i)));
@@ -45,16 +46,17 @@ static void *run(void *hash)
     return NULL;
 }
 
-int main(int count, char **word) /* model file, number of values, number of threads */
+int main(int count, char **word) /* model file, number of values, length of a step, number of threads */
 {
     pthread_t thread[MOST_THREADS];
-    const int n_threads = count > 3 ? atoi(word[3]) : 1;
+    const int n_threads = count > 4 ? atoi(word[4]) : 1;
     FILE *file = fopen(word[1], "rb");
     double *content = malloc(1 << 22);
     model_length = (int64_t)fread(content, 1, 1 << 22, file);
     fclose(file);
     model = content;
     n_values = atoi(word[2]);
+    length = atof(word[3]);
     for (int k = 0; k < n_threads; k++) pthread_create(thread + k, NULL, run, hash_of_thread + k);
     for (int k = 0; k < n_threads; k++) pthread_join(thread[k], NULL);
     for (int k = 0; k < n_threads; k++) printf("%016" PRIx64 "\n", hash_of_thread[k]);

@@ -29,14 +29,14 @@ def test_threads_on_one_model_end_with_the_same_bits(scene, tmp_path):
     model = solver.assemble(solver.load(SCENES / f"{scene}.toml"))
     file, program = tmp_path / "model.bin", tmp_path / "threads"
     file.write_bytes(model.file)
-    flags = ["-std=gnu99", "-O1", "-g", "-fsanitize=thread", f"-DDIM={model.sizes['dim']}"]
+    flags = ["-std=gnu99", "-O0", "-g", "-fsanitize=thread", f"-DDIM={model.sizes['dim']}"]
     sources = [str(HERE / "core_threads.c"), *map(str, sorted(KERNEL.glob("*.c")))]
     command = ["gcc", *flags, f"-I{KERNEL}", *sources, "-o", str(program), "-lm", "-lpthread"]
     subprocess.run(command, check=True)
-    values = [k for k, v in enumerate(model.variables)]
+    numbers = len(model.variables), model.experiment.step_size
     hashes = []
     for threads in (1, THREADS):
-        arguments = [str(program), str(file), str(len(values)), str(threads)]
+        arguments = [str(program), str(file), *map(str, numbers), str(threads)]
         run = subprocess.run(arguments, capture_output=True, text=True)
         assert run.returncode == 0, run.stderr[-3000:]
         hashes += run.stdout.split()
