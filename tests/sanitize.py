@@ -19,7 +19,7 @@ from build_kernel.compiler import DIMENSIONS, LIBRARIES, SOURCES, compile_librar
 
 ROOT = Path(__file__).parent.parent
 OPTIONS = (
-    *("-g", "-fno-omit-frame-pointer", "-fno-sanitize-recover=all"),
+    *("-g1", "-fno-omit-frame-pointer", "-fno-sanitize-recover=all"),
     "-fsanitize=address,undefined,float-cast-overflow,bounds-strict",
 )
 SETTINGS = {

@@ -5,6 +5,7 @@ python -m tests.sanitized_runs EVERY    runs each EVERY-th case and prints how m
 
 from __future__ import annotations
 
+import functools
 import itertools
 import sys
 import warnings
@@ -48,6 +49,12 @@ SETTINGS += [
 """Usual ones, and those at the ends of their ranges."""
 
 
+@functools.lru_cache(maxsize=1)
+def _model(scene: Path | str) -> solver.Model:
+    read = solver.load if isinstance(scene, Path) else solver.loads
+    return solver.assemble(read(scene))
+
+
 def _move(model: solver.Model, settings: dict[str, str | float | bool]) -> None:
     """Take steps of two lengths with inputs that change, and go back to a saved state."""
     run = solver.Integrator(model, log=lambda _: None)
@@ -71,18 +78,11 @@ def main(every: int) -> None:
     """Run the cases; what ends with a sentence is as good as what goes on."""
     warnings.simplefilter("ignore")
     ran = ended = 0
-    model = None
-    for number, (scene, settings) in enumerate(
-        itertools.product((*ALL, *EVERYTHING.values()), SETTINGS)
-    ):
-        if number % len(SETTINGS) == 0:
-            read = solver.load if isinstance(scene, Path) else solver.loads
-            model = solver.assemble(read(scene))
-        if number % every or model is None:
-            continue
+    cases = itertools.product((*ALL, *EVERYTHING.values()), SETTINGS)
+    for scene, settings in itertools.islice(cases, 0, None, every):
         ran += 1
         try:
-            _move(model, settings)
+            _move(_model(scene), settings)
         except (solver.StepError, solver.AssemblyError, solver.OptionError):
             ended += 1
     for number in range(DAMAGED // every):
