@@ -15,7 +15,8 @@ from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import model_description
-from build_fmu.payload import SLAVE_NAME, digest, payload, wrapper_libraries
+from build_fmu.package import PYTHON, Package
+from build_fmu.payload import digest
 from build_fmu.picture import picture
 from build_fmu.self_check import SelfCheck, self_check
 from build_fmu.study.output_folder import require_own_set
@@ -37,6 +38,7 @@ def build_archive(
     scene: str | PathLike[str] | Scene,
     path: str | PathLike[str] | None,
     parameters: Source | None,
+    package: Package = PYTHON,
 ) -> Path:
     """Write the FMU of a scene and its parameter set; see `build_fmu.build`."""
     from solver.mechanics import assemble_parts
@@ -44,7 +46,7 @@ def build_archive(
     loaded = load_scene(scene, scene_overrides(scene, entries_of(parameters)))
     of_file = isinstance(scene, str | PathLike)
     target = fmu_path(path, Path(scene).stem if of_file else identifier(loaded.name))
-    return write_fmu(*assemble_parts(loaded), target)
+    return write_fmu(*assemble_parts(loaded), target, package=package)
 
 
 def write_fmu(
@@ -52,6 +54,7 @@ def write_fmu(
     model: Model,
     path: str | PathLike[str],
     tell: Callable[[str], object] | None = None,
+    package: Package = PYTHON,
 ) -> Path:
     """Write the FMU of a model, and beside it its parameter set; `path` as in `fmu_path`.
 
@@ -64,7 +67,7 @@ def write_fmu(
     beside = target.with_suffix(".ssv")
     require_own_set(target)
     seen = self_check(model)
-    write_archive(target, archive_entries(parts, model, seen))
+    write_archive(target, archive_entries(parts, model, seen, package))
     with writing(beside):
         beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
@@ -111,23 +114,20 @@ def load_scene(
     return scene
 
 
-def archive_entries(parts: Parts, model: Model, seen: SelfCheck) -> dict[str, bytes]:
+def archive_entries(
+    parts: Parts, model: Model, seen: SelfCheck, package: Package = PYTHON
+) -> dict[str, bytes]:
     """Content of the archive by path."""
-    code = payload(model.sizes["dim"])
     name = identifier(model.name)
-    entries = {f"resources/{file}": data for file, data in code.files.items()}
+    entries = package.entries(name, model.sizes["dim"])
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
-    entries[f"resources/{SLAVE_NAME}"] = f"{code.slave_module}\n".encode()
-    for library, data in wrapper_libraries().items():
-        platform, suffix = library.split("/")
-        entries[f"binaries/{platform}/{name}{suffix}"] = data
     entries |= documentation(model, seen)
     entries["model.png"] = picture(parts)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
     entries["modelDescription.xml"] = model_description(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
-        nominal=seen.nominal, source=parts.scene.source,
+        nominal=seen.nominal, source=parts.scene.source, native=package.native,
     )  # fmt: skip
     return entries
 

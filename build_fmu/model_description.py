@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from solver.scene import Source
 
 CAPABILITIES = {
-    "needsExecutionTool": "true",  # a Python interpreter
+    "needsExecutionTool": "true",  # a Python interpreter, unless it is native
     "canHandleVariableCommunicationStepSize": "true",
     "canInterpolateInputs": "false",
     "maxOutputDerivativeOrder": "0",
@@ -43,6 +43,7 @@ UNKNOWNS = {"Outputs": ("output",), "InitialUnknowns": ("output", "calculatedPar
 def model_description(
     model: Model, *, identifier: str, guid: str, date: str, tool: str,
     nominal: Mapping[str, float] | None = None, source: Source | None = None,
+    native: bool = False,
 ) -> bytes:  # fmt: skip
     """Text of modelDescription.xml.
 
@@ -62,12 +63,15 @@ def model_description(
         Nominal value by unit.
     source
         Text of the scene, which becomes an annotation.
+    native
+        Whether it runs without Python.
     """
     types = declared_types(model.variables)
+    capabilities = CAPABILITIES | ({"needsExecutionTool": "false"} if native else {})
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
     variables = (_variable(i, variable, types) for i, variable in enumerate(model.variables))
     parts = [
-        _element("CoSimulation", modelIdentifier=identifier, **CAPABILITIES),
+        _element("CoSimulation", modelIdentifier=identifier, **capabilities),
         _element("UnitDefinitions", *map(_unit, types)),
         _element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
         _element("LogCategories", *starmap(_category, LOG_CATEGORIES.items())),

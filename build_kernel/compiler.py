@@ -12,6 +12,7 @@ arithmetic of a step the same on every machine of one architecture.
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import os
 import platform
 import shlex
@@ -22,10 +23,15 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from build_fmu.platforms import PLATFORMS, library_path, own_platform
 from build_kernel.model_tables import write_headers
+from build_kernel.universal import universal
 
 SOURCES = Path("solver/kernel")
 LIBRARIES = Path("solver/runtime/_kernel")
+SLAVES = Path("fmu_src")
+SLAVE_SOURCES = SLAVES / "native"
+"""Of FMUs without Python; with the kernel they make one library."""
 DIMENSIONS = {2: "planar", 3: "spatial"}
 FLAGS = (
     *("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=off"),
@@ -35,8 +41,10 @@ FLAGS = (
     "-fno-tree-vectorize",
     *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
 )
-PLATFORMS = {"Linux": "x86_64-linux-gnu.2.17", "Windows": "x86_64-windows-gnu"}
-"""Zig's names of the platforms for which pythonfmu has a library."""
+PYTHON_PLATFORMS = {"linux64": "Linux", "win64": "Windows"}
+"""Systems of the platforms for which pythonfmu has a library."""
+SYSTEMS = {"windows": "Windows", "macos": "Darwin"}
+"""What Python calls systems, by a word in zig's name of a platform; all else is Linux."""
 SYSTEM_COMPILERS = ("cc", "gcc", "clang")
 PROBE = "#include <math.h>\ndouble probe(double x);\ndouble probe(double x) { return sin(x); }\n"
 
@@ -46,7 +54,10 @@ class CompilerError(Exception):
 
 
 def compile_kernel(root: Path) -> list[Path]:
-    """Compile the kernel below `root`, the folder of pyproject.toml; the paths of its libraries."""
+    """Compile the kernel below `root`, the folder of pyproject.toml; the paths of its libraries.
+
+    They are those of this platform: for Python and, where FMI has a name for it, for FMUs.
+    """
     compiler = system_compiler() or zig_compiler()
     if compiler is None:
         text = (
@@ -54,14 +65,40 @@ def compile_kernel(root: Path) -> list[Path]:
             "remedy: install one, or its replacement from PyPI: pip install ziglang"
         )
         raise CompilerError(text)
-    found = _compile(root, compiler, platform.system())
+    if not any((root / SOURCES).glob("*.c")):
+        text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
+        raise CompilerError(text)
+    system, own = platform.system(), own_platform()
+    print("compiling the kernel:", shlex.join([*compiler, *flags(system)]))
+    options = _without_runtime(compiler)
+    libraries = {
+        root / LIBRARIES / library_name(system, dimension): (dimension, None)
+        for dimension in DIMENSIONS
+    }
+    for dimension in DIMENSIONS if own else ():
+        libraries[library_path(root / SLAVES, own, dimension)] = dimension, root / SLAVE_SOURCES
+
+    def compiled(target: Path, dimension: int, slave: Path | None) -> Path:
+        # The new file takes the old one's place at once: a running process may have that mapped.
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=target.parent, prefix="compile-") as scratch:
+            new = Path(scratch, target.name)
+            compile_library(compiler, root / SOURCES, dimension, new, *options, slave=slave)
+            return new.replace(target)
+
+    write_headers((root / SOURCES).parent)
+    with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
+        found = [*pool.map(lambda item: compiled(item[0], *item[1]), libraries.items())]
     for other in set((root / LIBRARIES).glob("libholonom_*")) - set(found):
         other.unlink()  # of another platform and, it may be, of other sources
     return found
 
 
 def compile_for_all(root: Path) -> list[Path]:
-    """Compile the kernel with zig for each platform of `PLATFORMS`; the paths of its libraries.
+    """Compile all libraries with zig for each platform; their paths.
+
+    Python's are those of the platforms for which pythonfmu has a library; FMUs have one for each of
+    `PLATFORMS`.
 
     Raises
     ------
@@ -74,33 +111,40 @@ def compile_for_all(root: Path) -> list[Path]:
             "remedy: pip install ziglang (100 MB, 400 MB unpacked)"
         )
         raise CompilerError(text)
+    write_headers((root / SOURCES).parent)
     found = []
-    for system, target in PLATFORMS.items():
-        compiler = [sys.executable, "-m", "ziglang", "cc", "-target", target]
-        found += _compile(root, compiler, system)
+    with tempfile.TemporaryDirectory(dir=root) as folder:
+        for name, dimension in itertools.product(PLATFORMS, DIMENSIONS):
+            target = library_path(root / SLAVES, name, dimension)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            slices = []
+            for zig_name in PLATFORMS[name].targets:
+                new = Path(folder, target.name)
+                _compile_with_zig(root, zig_name, dimension, new, root / SLAVE_SOURCES)
+                slices.append(new.read_bytes())
+            target.write_bytes(universal(slices) if len(slices) > 1 else slices[0])
+            found.append(target)
+            system = PYTHON_PLATFORMS.get(name)
+            if system:
+                target = root / LIBRARIES / library_name(system, dimension)
+                target.parent.mkdir(parents=True, exist_ok=True)
+                _compile_with_zig(root, PLATFORMS[name].targets[0], dimension, target, None)
+                found.append(target)
     return found
 
 
-def _compile(root: Path, compiler: list[str], system: str) -> list[Path]:
-    """Compile the kernel of both dimensions for an operating system."""
-    if not any((root / SOURCES).glob("*.c")):
-        text = f"no C source in {SOURCES}: the source tree is incomplete, take all of it"
-        raise CompilerError(text)
-    folder = root / LIBRARIES
-    folder.mkdir(parents=True, exist_ok=True)
-    print("compiling the kernel:", shlex.join([*compiler, *flags(system)]))
-    # The new files take the old ones' places at once: a running process may have those mapped.
-    with tempfile.TemporaryDirectory(dir=folder, prefix="compile-") as scratch:
-
-        def compiled(dimension: int) -> Path:
-            target = Path(scratch, library_name(system, dimension))
-            options = _without_runtime(compiler)
-            compile_library(compiler, root / SOURCES, dimension, target, *options, system=system)
-            return target
-
-        with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
-            targets = list(pool.map(compiled, DIMENSIONS))
-        return [target.replace(folder / target.name) for target in targets]
+def _compile_with_zig(
+    root: Path, zig_name: str, dimension: int, target: Path, slave: Path | None
+) -> None:
+    compiler = [sys.executable, "-m", "ziglang", "cc", "-target", zig_name]
+    system = next((s for word, s in SYSTEMS.items() if word in zig_name), "Linux")
+    options = [*_without_runtime(compiler)]
+    if system == "Darwin":
+        options.append(f"-Wl,-install_name,@rpath/{target.name}")
+    print("compiling", target.name, "for", zig_name)
+    compile_library(
+        compiler, root / SOURCES, dimension, target, *options, system=system, slave=slave
+    )
 
 
 def compile_library(
@@ -110,10 +154,12 @@ def compile_library(
     target: Path,
     *options: str,
     system: str | None = None,
+    slave: Path | None = None,
 ) -> None:
     """Compile the C sources in a folder for mechanisms of this dimension, 2 or 3.
 
-    `system` is the operating system that it is for, this one where left out.
+    `system` is the operating system that it is for, this one where left out; `slave` the folder of
+    a slave's sources, for the library of an FMU, which shows the standard's functions alone.
 
     Raises
     ------
@@ -122,6 +168,9 @@ def compile_library(
     """
     write_headers(folder.parent)
     sources = sorted(path.name for path in folder.glob("*.c"))
+    if slave is not None:
+        sources += sorted(str(path.resolve()) for path in slave.glob("*.c"))
+        options = ("-DHOLONOM_STATIC", f"-I{folder.resolve()}", *options)
     options = (*flags(system or platform.system()), f"-DDIM={dimension}", *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]
     run = _run(command, folder, str(target.parent))

@@ -26,7 +26,9 @@
 
 #include "model_tables.h"
 
-#if defined(_WIN32)
+#if defined(HOLONOM_STATIC) /* nothing of it is seen from outside of an FMU */
+#define HOLONOM_API
+#elif defined(_WIN32)
 #define HOLONOM_API __declspec(dllexport)
 #else
 #define HOLONOM_API __attribute__((visibility("default")))

@@ -385,7 +385,7 @@ static uint32_t checksum_of(saved_state head, const void *block)
 
 int64_t holonom_saved_size(const holonom_instance *i) { return (int64_t)sizeof(saved_state) + 8 * i->state_size; }
 
-void holonom_save(const holonom_instance *i, void *bytes)
+void holonom_keep(const holonom_instance *i, void *bytes)
 {
     saved_state head;
     memset(&head, 0, sizeof head);
@@ -393,9 +393,22 @@ void holonom_save(const holonom_instance *i, void *bytes)
     memcpy(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint);
     head.phase = i->phase;
     head.length = i->state_size;
-    head.checksum = checksum_of(head, i->state);
     memcpy(bytes, &head, sizeof head);
     memcpy((char *)bytes + sizeof head, i->state, sizeof(double) * (size_t)i->state_size);
+}
+
+void holonom_seal(void *bytes)
+{
+    saved_state head;
+    memcpy(&head, bytes, sizeof head);
+    head.checksum = checksum_of(head, (const char *)bytes + sizeof head);
+    memcpy(bytes, &head, sizeof head);
+}
+
+void holonom_save(const holonom_instance *i, void *bytes)
+{
+    holonom_keep(i, bytes);
+    holonom_seal(bytes);
 }
 
 static int32_t refuse_state(holonom_instance *i, const char *why)
@@ -423,7 +436,7 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
     return NULL;
 }
 
-int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
+int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t length)
 {
     saved_state head;
     const char *block = (const char *)bytes + sizeof head;
@@ -438,13 +451,28 @@ int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
         return refuse_state(i, "is damaged: its checksum does not fit; save it again");
     memcpy(i->before, block, sizeof(double) * (size_t)i->state_size);
     const char *flaw = flaw_of_block(i, i->before);
-    if (flaw) return refuse_state(i, flaw);
-    memcpy(i->state, i->before, sizeof(double) * (size_t)i->state_size);
+    return flaw ? refuse_state(i, flaw) : HOLONOM_DONE;
+}
+
+int32_t holonom_return_to(holonom_instance *i, const void *bytes)
+{
+    saved_state head;
+    memcpy(&head, bytes, sizeof head);
+    if (memcmp(head.magic, SAVED, sizeof SAVED) || head.length != i->state_size ||
+        memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
+        return refuse_state(i, "belongs to another model; restore it where it was saved");
+    memcpy(i->state, (const char *)bytes + sizeof head, sizeof(double) * (size_t)i->state_size);
     i->phase = (int32_t)head.phase;
     i->is_measured = 0;
     /* Numbers are no part of the state: those that depend on parameters, inputs and the time are computed again. */
     if (i->phase != HOLONOM_CONFIGURED) evaluate(i);
     return HOLONOM_DONE;
+}
+
+int32_t holonom_restore(holonom_instance *i, const void *bytes, int64_t length)
+{
+    const int32_t result = holonom_check_saved(i, bytes, length);
+    return result ? result : holonom_return_to(i, bytes);
 }
 
 void holonom_rows(holonom_instance *i, double *phi, double *rate)
@@ -453,6 +481,7 @@ void holonom_rows(holonom_instance *i, double *phi, double *rate)
 }
 
 int32_t holonom_phase_of(const holonom_instance *i) { return i->phase; }
+const hm_model_file *holonom_file_of(const holonom_instance *i) { return &i->file; }
 const holonom_model *holonom_model_of(const holonom_instance *i) { return &i->file.model; }
 double *holonom_numbers_of(holonom_instance *i) { return i->numbers; }
 double *holonom_state_of(holonom_instance *i) { return i->state; }

@@ -51,10 +51,20 @@ HOLONOM_API int64_t holonom_saved_size(const holonom_instance *instance);
 HOLONOM_API void holonom_save(const holonom_instance *instance, void *bytes);
 HOLONOM_API int32_t holonom_restore(holonom_instance *instance, const void *bytes, int64_t length);
 
+/* The same in three parts, for states that stay in memory: kept without a checksum and returned to without a look at the numbers;
+   sealed, they are as saved; checked, they may be returned to. Bytes of holonom_saved_size each. */
+void holonom_keep(const holonom_instance *instance, void *bytes);
+void holonom_seal(void *bytes);
+int32_t holonom_check_saved(holonom_instance *instance, const void *bytes, int64_t length);
+int32_t holonom_return_to(holonom_instance *instance, const void *bytes);
+
 /* Residuals of the rows and their rates at the present state (n_rows each), each in the unit of its row. */
 HOLONOM_API void holonom_rows(holonom_instance *instance, double *phi, double *rate);
 
 HOLONOM_API int32_t holonom_phase_of(const holonom_instance *instance);
+
+/* What an instance is made of. */
+const struct hm_model_file *holonom_file_of(const holonom_instance *instance);
 
 /* The memory of an instance: what the functions of holonom.h take. */
 HOLONOM_API const holonom_model *holonom_model_of(const holonom_instance *instance);

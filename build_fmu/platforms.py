@@ -1,0 +1,58 @@
+"""Platforms of native FMUs, and where their libraries are; `build_kernel` compiles these."""
+
+from __future__ import annotations
+
+import platform
+from pathlib import Path
+from typing import NamedTuple
+
+
+class Platform(NamedTuple):
+    """A platform of native FMUs.
+
+    Attributes
+    ----------
+    fmi2 : str
+        Folder below ``binaries/`` in FMI 2; empty where the standard has no name.
+    fmi3 : tuple of str
+        Folders in FMI 3, one for each architecture of a library.
+    targets : tuple of str
+        Names for zig, likewise.
+    suffix : str
+    """
+
+    fmi2: str
+    fmi3: tuple[str, ...]
+    targets: tuple[str, ...]
+    suffix: str
+
+
+GLIBC, MACOS = "2.17", "11.0"
+"""Oldest versions that libraries are for."""
+PLATFORMS = {
+    "linux64": Platform("linux64", ("x86_64-linux",), (f"x86_64-linux-gnu.{GLIBC}",), ".so"),
+    "win64": Platform("win64", ("x86_64-windows",), ("x86_64-windows-gnu",), ".dll"),
+    "darwin64": Platform(
+        "darwin64", ("x86_64-darwin", "aarch64-darwin"),
+        (f"x86_64-macos.{MACOS}", f"aarch64-macos.{MACOS}"), ".dylib",
+    ),
+    # FMI 2 knows linux64 alone: importers on ARM look there. So it is a platform of its own archive.
+    "linux-arm64": Platform("", ("aarch64-linux",), (f"aarch64-linux-gnu.{GLIBC}",), ".so"),
+}  # fmt: skip
+
+
+def own_platform(system: str = "", machine: str = "") -> str:
+    """Name in `PLATFORMS` of this machine; empty if it is none of them."""
+    system, machine = system or platform.system(), (machine or platform.machine()).lower()
+    is_arm = machine in ("arm64", "aarch64")
+    if system == "Linux":
+        return "linux-arm64" if is_arm else "linux64" if machine in ("x86_64", "amd64") else ""
+    if system == "Windows":
+        return "win64" if machine in ("x86_64", "amd64") else ""
+    return "darwin64" if system == "Darwin" else ""
+
+
+def library_path(root: Path, name: str, dimension: int) -> Path:
+    """Library for a platform and mechanisms of this dimension, below the folder of `fmu_src`."""
+    word = {2: "planar", 3: "spatial"}[dimension]
+    return root / "native" / "_libraries" / name / f"{word}{PLATFORMS[name].suffix}"
