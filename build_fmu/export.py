@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING
 from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.errors import UsageError, writing
-from build_fmu.model_description import model_description
+from build_fmu.model_description import model_description, native_model_description
+from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import PYTHON, Package
 from build_fmu.payload import digest
 from build_fmu.picture import picture
@@ -125,9 +126,12 @@ def archive_entries(
     entries["model.png"] = picture(parts)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
-    entries["modelDescription.xml"] = model_description(
+    describe = model_description
+    if package.native:
+        describe = model_description_fmi3 if package.fmi == 3 else native_model_description
+    entries["modelDescription.xml"] = describe(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
-        nominal=seen.nominal, source=parts.scene.source, native=package.native,
+        nominal=seen.nominal, source=parts.scene.source,
     )  # fmt: skip
     return entries
 

@@ -7,7 +7,6 @@ initialization are 0.1 ms; a new instance in a new folder for each would take 60
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from ctypes import POINTER, cast
 from dataclasses import dataclass
 from functools import partial
 from os import PathLike
@@ -22,13 +21,14 @@ from build_fmu.instance import (
     not_said_twice,
     unpacked,
 )
-from fmu_src.status import FATAL, WARNING
+from fmu_src.status import FATAL
 
 if TYPE_CHECKING:
     from tempfile import TemporaryDirectory
 
-    from fmpy.fmi2 import FMU2Slave
     from numpy import ndarray
+
+    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
 
 KINDS = {"Real": float, "Integer": int, "Boolean": bool, "String": str}
 """What values of each type are in Python."""
@@ -58,7 +58,7 @@ class FmuRunner:
         self._unpack = partial(unpacked, path, folder)
         self._folder: TemporaryDirectory[str] | None = None
         self._variables = {v.name: v for v in self.description.modelVariables}
-        self._fmu: FMU2Slave | None = None
+        self._fmu: FMU2Run | FMU3Run | None = None
         self._was_made = False
         self._log = Log()
 
@@ -98,16 +98,14 @@ class FmuRunner:
                 fmu.enterInitializationMode()
                 self._set(fmu, driven[0] if driven else {})
                 fmu.exitInitializationMode()
-                # fmpy's own looks for a log of calls each time, which takes longer than a step of a
-                # small mechanism.
-                advance = partial(fmu.dll.fmi2DoStep, fmu.component)
+                advance = fmu.advance()
                 read = self._reader(fmu, outputs)
                 values[0] = read()
                 reached = 1
                 for i, (time, step) in enumerate(steps, start=1):
                     if driven:
                         self._set(fmu, driven[i - 1])
-                    _require(advance(time, step, True), "fmi2DoStep")
+                    advance(time, step)
                     values[i] = read()
                     reached = i + 1
                     pass_interrupts()
@@ -135,7 +133,7 @@ class FmuRunner:
         if self._folder is not None:
             self._folder.cleanup()
 
-    def _ready(self) -> FMU2Slave:
+    def _ready(self) -> FMU2Run | FMU3Run:
         """Instance as after instantiation: reset, or a new one where that is not possible."""
         from fmpy.fmi1 import FMICallException
 
@@ -152,7 +150,7 @@ class FmuRunner:
         self._was_made = True
         return self._fmu
 
-    def _set(self, fmu: FMU2Slave, settings: Mapping[str, object]) -> None:
+    def _set(self, fmu: FMU2Run | FMU3Run, settings: Mapping[str, object]) -> None:
         for kind, python_type in KINDS.items():
             given = {n: python_type(x) for n, x in settings.items() if self._kind(n) == kind}  # type: ignore[arg-type]
             if given:
@@ -163,40 +161,13 @@ class FmuRunner:
         kind = self._variables[name].type
         return "Integer" if kind == "Enumeration" else kind
 
-    def _reader(self, fmu: FMU2Slave, outputs: Sequence[str]) -> Any:
+    def _reader(self, fmu: FMU2Run | FMU3Run, outputs: Sequence[str]) -> Any:
         """Function that reads all outputs; nearly always they are Real."""
         kinds = [self._kind(name) for name in outputs]
         references = [self._variables[name].valueReference for name in outputs]
         if not outputs:
             return list
         if set(kinds) <= {"Real"}:
-            return _reader_of_reals(fmu, references)
+            return fmu.reader(references)
         pairs = list(zip(kinds, references, strict=True))
         return lambda: [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]
-
-
-def _require(status: int, name: str) -> None:
-    """Raise FMICallException where the FMI function of this name fails."""
-    if status > WARNING:
-        from fmpy.fmi1 import FMICallException
-
-        raise FMICallException(function=name, status=status)
-
-
-def _reader_of_reals(fmu: FMU2Slave, references: Sequence[int]) -> Callable[[], ndarray]:
-    """Return a function that reads Real variables, into the same memory each time."""
-    import numpy as np
-    from fmpy.fmi2 import fmi2Real, fmi2ValueReference
-
-    count = len(references)
-    values = (fmi2Real * count)()
-    seen = np.ctypeslib.as_array(values)
-    which = cast((fmi2ValueReference * count)(*references), POINTER(fmi2ValueReference))
-    memory = cast(values, POINTER(fmi2Real))
-    get = partial(fmu.dll.fmi2GetReal, fmu.component, which, count, memory)
-
-    def read() -> ndarray:
-        _require(get(), "fmi2GetReal")
-        return seen
-
-    return read

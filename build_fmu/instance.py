@@ -23,7 +23,7 @@ from build_fmu.errors import EnvironmentLackError, UsageError, writing
 from fmu_src.status import DISCARD, ERROR, LOGGER, WARNING
 
 if TYPE_CHECKING:
-    from fmpy.fmi2 import FMU2Slave
+    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
     from fmpy.model_description import ModelDescription
 
 LOADING = threading.Lock()
@@ -108,11 +108,14 @@ class Log:
         callbacks.freeMemory = fmi2.fmi2CallbackFreeMemoryTYPE(fmi2.free)
         return callbacks
 
-    def _hear(self, _environment: Any, _name: Any, level: int, _kind: Any, message: bytes) -> None:
+    def _hear(self, _environment: Any, _name: Any, level: int, kind: Any, message: bytes) -> None:
+        # A format of printf. None of our FMUs asks for arguments, and ctypes could give none.
+        self.hear(_environment, level, kind, message.replace(b"%%", b"%"))
+
+    def hear(self, _environment: Any, level: int, _kind: Any, message: bytes) -> None:
+        """Take a sentence, as FMI 3.0 hands it on."""
         if level >= WARNING:
-            # A format of printf. None of our FMUs asks for arguments, and ctypes could give none.
-            text = message.decode("utf-8", "replace").replace("%%", "%")
-            self._lines.append((level, text))
+            self._lines.append((level, message.decode("utf-8", "replace")))
 
 
 def unpacked(
@@ -142,7 +145,7 @@ def unpacked(
     return folder
 
 
-def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Slave:
+def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Run | FMU3Run:
     """Instance of an unpacked FMU, which logs to `log`.
 
     Raises
@@ -150,19 +153,19 @@ def instantiated(description: ModelDescription, folder: str, log: Log) -> FMU2Sl
     UsageError
         If it cannot be made.
     """
-    from fmpy.fmi2 import FMU2Slave
+    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
 
     unit = description.coSimulation
     assert unit is not None
     try:
         with LOADING:
-            fmu = FMU2Slave(
+            fmu = (FMU3Run if description.fmiVersion == "3.0" else FMU2Run)(
                 guid=description.guid,
                 unzipDirectory=folder,
                 modelIdentifier=unit.modelIdentifier,
                 instanceName=unit.modelIdentifier,
             )
-        fmu.instantiate(callbacks=log.callbacks(), loggingOn=True)
+        fmu.make(log)
     except Exception as error:  # fmpy raises a bare Exception
         reason = " ".join(log.reason(str(error)).split())
         text = (
@@ -190,9 +193,18 @@ def description_of(path: str | PathLike[str]) -> ModelDescription:
         first = (str(error).splitlines() or [type(error).__name__])[:2][-1].removeprefix("- ")
         text = f"{fspath(path)}: modelDescription.xml is not one that FMI allows ({first})"
         raise UsageError(text) from None
-    if description.fmiVersion != "2.0" or description.coSimulation is None:
-        text = f"{fspath(path)}: not an FMI 2.0 co-simulation unit"
+    if description.fmiVersion not in ("2.0", "3.0") or description.coSimulation is None:
+        text = f"{fspath(path)}: not an FMI 2.0 or 3.0 co-simulation unit"
         raise UsageError(text)
+    return _in_words_of_fmi2(description)
+
+
+def _in_words_of_fmi2(description: ModelDescription) -> ModelDescription:
+    """Give variables of FMI 3.0 the types of FMI 2.0, and leave out the time."""
+    known = [v for v in description.modelVariables if v.causality != "independent"]
+    for variable in known:
+        variable.type = {"Float64": "Real"}.get(variable.type, variable.type)
+    description.modelVariables = known
     return description
 
 
@@ -203,9 +215,10 @@ def start_time_of(description: ModelDescription) -> float:
 
 def check_platform(path: str) -> None:
     """Refuse an FMU that has no library for this machine."""
-    from fmpy import platform, supported_platforms
+    from fmpy import platform, platform_tuple, supported_platforms
 
-    if platform not in supported_platforms(path):
+    # FMI 3.0 has other names
+    if not {platform, platform_tuple} & {*supported_platforms(path)}:
         text = f"{path} has no library for this platform, {platform}"
         raise EnvironmentLackError(text)
 

@@ -7,11 +7,12 @@ every start value comes back as the same double.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from itertools import starmap
 from typing import TYPE_CHECKING
-from xml.etree.ElementTree import Element, SubElement, indent, tostring
+from xml.etree.ElementTree import Element, SubElement
 
-from build_fmu.xml_parts import base_unit_attributes, declared_types, legible
+from build_fmu.xml_parts import base_unit_attributes, declared_types, document, element, legible
 from fmu_src.status import LOG_CATEGORIES
 from solver.scene.units import base_unit
 
@@ -47,6 +48,8 @@ def model_description(
 ) -> bytes:  # fmt: skip
     """Text of modelDescription.xml.
 
+    FMI 3.0 has its own, with the same arguments: ``model_description_fmi3``.
+
     Parameters
     ----------
     model
@@ -71,16 +74,16 @@ def model_description(
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
     variables = (_variable(i, variable, types) for i, variable in enumerate(model.variables))
     parts = [
-        _element("CoSimulation", modelIdentifier=identifier, **capabilities),
-        _element("UnitDefinitions", *map(_unit, types)),
-        _element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
-        _element("LogCategories", *starmap(_category, LOG_CATEGORIES.items())),
-        _element("DefaultExperiment", **experiment),
+        element("CoSimulation", modelIdentifier=identifier, **capabilities),
+        element("UnitDefinitions", *map(unit, types)),
+        element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
+        element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),
+        element("DefaultExperiment", **experiment),
         *_annotations(source),
-        _element("ModelVariables", *variables),
+        element("ModelVariables", *variables),
         _structure(model),
     ]
-    root = _element(
+    root = element(
         "fmiModelDescription",
         *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
         fmiVersion="2.0",
@@ -92,50 +95,44 @@ def model_description(
         variableNamingConvention="structured",
         numberOfEventIndicators="0",
     )
-    indent(root)
-    return tostring(root, "UTF-8", xml_declaration=True) + b"\n"
+    return document(root)
 
 
-def _element(tag: str, /, *children: Element, **attributes: object) -> Element:
-    """Element with children, and with the attributes that are not None."""
-    given = {name: legible(_text(x)) for name, x in attributes.items() if x is not None}
-    element = Element(tag, given)
-    element.extend(children)
-    return element
+native_model_description = partial(model_description, native=True)
+"""The same of an FMU that needs no Python."""
 
 
-def _text(value: object) -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]
+def category(name: str, description: str) -> Element:
+    return element("Category", name=name, description=description)
 
 
-def _category(name: str, description: str) -> Element:
-    return _element("Category", name=name, description=description)
-
-
-def _unit(name: str) -> Element:
+def unit(name: str) -> Element:
     base = base_unit(name)
-    bases = [] if base is None else [_element("BaseUnit", **base_unit_attributes(base))]
-    return _element("Unit", *bases, name=name)
+    bases = [] if base is None else [element("BaseUnit", **base_unit_attributes(base))]
+    return element("Unit", *bases, name=name)
 
 
 def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
     """Type of what has a unit, with its nominal value."""
     quantity = name.rpartition(".")[2]
-    real = _element("Real", quantity=quantity, unit=unit, nominal=nominal.get(unit))
-    return _element("SimpleType", real, name=name)
+    real = element("Real", quantity=quantity, unit=unit, nominal=nominal.get(unit))
+    return element("SimpleType", real, name=name)
 
 
 def _annotations(source: Source | None) -> list[Element]:
+    scene = scene_element(source)
+    return [element("VendorAnnotations", element("Tool", s, name="holonom")) for s in scene]
+
+
+def scene_element(source: Source | None) -> list[Element]:
     """The scene, so that an FMU can be built again from what it carries."""
     if source is None or not source.text:
         return []
-    scene = _element("Scene", format=source.notation)
+    scene = element("Scene", format=source.notation)
     SubElement(scene, "Text").text = legible(source.text)
     for text in source.overrides.values():
         SubElement(scene, "Override").text = legible(text)
-    return [_element("VendorAnnotations", _element("Tool", scene, name="holonom"))]
+    return [scene]
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
@@ -149,9 +146,9 @@ def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Eleme
         given |= {"min": variable.minimum, "max": variable.maximum}
     if settable:
         given["start"] = variable.start
-    return _element(
+    return element(
         "ScalarVariable",
-        _element(variable.type, **given),
+        element(variable.type, **given),
         name=variable.name,
         valueReference=str(index),
         description=variable.description or None,
@@ -171,6 +168,6 @@ def _structure(model: Model) -> Element:
         unknowns = []
         for i in (i for i, variable in enumerate(model.variables) if variable.causality in kinds):
             known = " ".join(str(k + 1) for k in of_unknown[i][place]) if i in of_unknown else None
-            unknowns.append(_element("Unknown", index=str(i + 1), dependencies=known))
-        lists += [_element(name, *unknowns)] if unknowns else []
-    return _element("ModelStructure", *lists)
+            unknowns.append(element("Unknown", index=str(i + 1), dependencies=known))
+        lists += [element(name, *unknowns)] if unknowns else []
+    return element("ModelStructure", *lists)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element, indent, tostring
 
 from solver.scene.units import BaseUnit
 
@@ -60,3 +61,23 @@ def declared_types(variables: Iterable[Variable]) -> dict[str, str]:
     return {
         unit: f"SI.{QUANTITIES[unit]}" if unit in QUANTITIES else f"In.{unit}" for unit in units
     }
+
+
+def document(root: Element) -> bytes:
+    """Text of a document, indented."""
+    indent(root)
+    return tostring(root, "UTF-8", xml_declaration=True) + b"\n"
+
+
+def element(tag: str, /, *children: Element, **attributes: object) -> Element:
+    """Element with children, and with the attributes that are not None."""
+    given = {name: legible(_text(x)) for name, x in attributes.items() if x is not None}
+    element = Element(tag, given)
+    element.extend(children)
+    return element
+
+
+def _text(value: object) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return value if isinstance(value, str) else repr(float(value))  # type: ignore[arg-type]

@@ -1,19 +1,12 @@
 /* The functions of FMI 2.0 for co-simulation. */
 #include "small.h"
 
+#include "exported.h"
 #include "fmi2.h"
 #include "slave.h"
 
 
 #include <string.h>
-
-#if defined(HOLONOM_SOURCE)
-#define EXPORTED
-#elif defined(_WIN32)
-#define EXPORTED __declspec(dllexport)
-#else
-#define EXPORTED __attribute__((visibility("default")))
-#endif
 
 #define DECLARE(result, name, arguments) EXPORTED result name arguments;
 FMI2_FUNCTIONS(DECLARE)

@@ -1,0 +1,116 @@
+"""modelDescription.xml of a compiled model, as FMI 3.0 wants it.
+
+Value references are those of FMI 2, the index in `Model.variables`; behind them is the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import starmap
+from typing import TYPE_CHECKING
+from xml.etree.ElementTree import Element
+
+from build_fmu.model_description import EXPERIMENT, UNKNOWNS, category, scene_element, unit
+from build_fmu.xml_parts import declared_types, document, element
+from fmu_src.status import LOG_CATEGORIES
+
+if TYPE_CHECKING:
+    from solver.runtime import Model, Variable
+    from solver.scene import Source
+
+CAPABILITIES = {
+    "needsExecutionTool": "false",
+    "canBeInstantiatedOnlyOncePerProcess": "false",
+    "canGetAndSetFMUState": "true",
+    "canSerializeFMUState": "true",
+    "providesDirectionalDerivatives": "false",
+    "providesAdjointDerivatives": "false",
+    "providesPerElementDependencies": "false",
+    "canHandleVariableCommunicationStepSize": "true",
+    "maxOutputDerivativeOrder": "0",
+    "providesIntermediateUpdate": "false",
+    "mightReturnEarlyFromDoStep": "false",
+    "canReturnEarlyAfterIntermediateUpdate": "false",
+    "hasEventMode": "false",
+    "providesEvaluateDiscreteStates": "false",
+}
+TYPES = {"Real": "Float64", "Boolean": "Boolean", "String": "String"}
+"""What the types of variables are called."""
+TIMES = ("time", "independent.time")
+"""Names of the time: the first one that no variable has."""
+
+
+def model_description_fmi3(
+    model: Model, *, identifier: str, guid: str, date: str, tool: str,
+    nominal: Mapping[str, float] | None = None, source: Source | None = None,
+) -> bytes:  # fmt: skip
+    """Text of modelDescription.xml; the arguments are those of ``model_description``."""
+    types = declared_types(model.variables)
+    experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
+    variables = (_variable(i, variable, types) for i, variable in enumerate(model.variables))
+    names = {variable.name for variable in model.variables}
+    time = element(
+        "Float64", name=next(name for name in TIMES if name not in names),
+        valueReference=str(len(model.variables)), causality="independent",
+        variability="continuous", unit="s" if "s" in types else None,
+    )  # fmt: skip
+    parts = [
+        element("CoSimulation", modelIdentifier=identifier, **CAPABILITIES),
+        element("UnitDefinitions", *map(unit, types)),
+        element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
+        element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),
+        element("DefaultExperiment", **experiment),
+        element("ModelVariables", *variables, time),
+        _structure(model),
+        element("Annotations", *(element("Annotation", s, type="holonom") for s in scene_element(source))),
+    ]
+    root = element(
+        "fmiModelDescription",
+        *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
+        fmiVersion="3.0",
+        modelName=model.name,
+        instantiationToken=guid,
+        description=model.description or None,
+        generationTool=tool,
+        generationDateAndTime=date,
+        variableNamingConvention="structured",
+    )
+    return document(root)
+
+
+def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
+    quantity = name.rpartition(".")[2]
+    return element("Float64Type", name=name, quantity=quantity, unit=unit, nominal=nominal.get(unit))
+
+
+def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
+    settable = variable.causality in ("parameter", "input")
+    initial = None if variable.causality == "input" else "exact" if settable else "calculated"
+    given: dict[str, object] = {}
+    start = [element("Start", value=variable.start)] if variable.type == "String" else []
+    if variable.type == "Real" and variable.unit:
+        given = {"declaredType": types[variable.unit], "unit": variable.unit}
+    if variable.type == "Real" and not variable.clips:  # importers refuse what is beyond
+        given |= {"min": variable.minimum, "max": variable.maximum}
+    if settable and not start:
+        given["start"] = variable.start
+    return element(
+        TYPES[variable.type], *start,
+        name=variable.name, valueReference=str(index), description=variable.description or None,
+        causality=variable.causality, variability=variable.variability, initial=initial, **given,
+    )  # fmt: skip
+
+
+def _structure(model: Model) -> Element:
+    """Outputs and initial unknowns, each with the value references of what it depends on."""
+    of_unknown, found = model.dependencies or {}, []
+    for place, (name, kinds) in enumerate(UNKNOWNS.items()):
+        for i in (i for i, variable in enumerate(model.variables) if variable.causality in kinds):
+            known = " ".join(map(str, of_unknown[i][place])) if i in of_unknown else None
+            # Of an output that depends on the time alone the list is empty, which says nothing else.
+            found.append(element(TAGS[name], valueReference=str(i), dependencies=known))
+    return element("ModelStructure", *found)
+
+
+TAGS = {"Outputs": "Output", "InitialUnknowns": "InitialUnknown"}
+"""Elements of the model structure by the lists of FMI 2."""
