@@ -8,7 +8,7 @@ PosixPath('four_bar.fmu')
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +26,9 @@ def build(
     path: str | PathLike[str] | None = None,
     *,
     parameters: Mapping[str, object] | str | PathLike[str] | None = None,
+    native: bool = False,
+    fmi: int = 2,
+    platforms: str | Sequence[str] | None = None,
 ) -> Path:
     """Write the FMU of a scene; the same scene gives the same bytes.
 
@@ -42,6 +45,13 @@ def build(
         Numbers and options that replace those of the scene file, by dotted name: a declared
         parameter ("length") or any field ("points.A.mass"); or a file of them, .toml, .json, .csv
         or .ssv.
+    native
+        Whether it has a library in C, and so runs without Python.
+    fmi
+        Version of the standard: 2 or, if it is native, 3.
+    platforms
+        Of a native FMU: "linux64", "win64", "darwin64", "linux-arm64", several of them, or "all";
+        None: that of this machine.
 
     Returns
     -------
@@ -53,13 +63,14 @@ def build(
     solver.scene.SceneError
         With every mistake of the scene.
     build_fmu.errors.UsageError
-        With every mistake of a file of parameters.
+        With every mistake of a file of parameters; or if the package is none that there is.
     build_fmu.errors.EnvironmentLackError
         If the compiled kernel or pythonfmu's libraries are missing.
     """
     from build_fmu.export import build_archive
+    from build_fmu.package import chosen_package
 
-    return build_archive(scene, path, parameters)
+    return build_archive(scene, path, parameters, chosen_package(native, fmi, platforms))
 
 
 _STUDIES = {"sweep": "build_fmu.study.sweep", "variants": "build_fmu.study.variants"}

@@ -94,7 +94,7 @@ def _parser() -> argparse.ArgumentParser:
     codes = [f"  {code}  {meaning}\n" for code, meaning in EXIT_CODES.items()]
     parser = _Parser(
         prog="holonom",
-        description="Turn mechanisms into FMI 2.0 co-simulation units; run and check them.",
+        description="Turn mechanisms into FMI co-simulation units; run and check them.",
         epilog="".join(["exit codes:\n", *codes]),
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -104,6 +104,7 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
     text = "an .fmu file or a folder (default: <name of the scene's file>.fmu)"
     build.add_argument("-o", "--output", metavar="FILE", help=text)
+    _add_package(build)
     _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
     _add_variants(commands)
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
@@ -136,6 +137,7 @@ def _add_variants(commands: argparse._SubParsersAction) -> None:
     command.add_argument("--manifest", default="manifest.csv", metavar="FILE", help=text)
     text = "remove the FMUs of an earlier study that are in that folder"
     command.add_argument("--fresh", action="store_true", help=text)
+    _add_package(command)
     _add_study(command)
     _add_settings(command, "replace a parameter or any number of the scene, in all of them")
     command.add_argument("--json", action="store_true", help="print JSON instead of the file")
@@ -152,6 +154,17 @@ def _add_sweep(commands: argparse._SubParsersAction) -> None:
     command.add_argument("-o", "--results", metavar="FILE", help=text)
     command.add_argument("--fresh", action="store_true", help="replace what is in that file")
     command.add_argument("--json", action="store_true", help="print JSON instead of a table")
+
+
+def _add_package(command: argparse.ArgumentParser) -> None:
+    """Arguments that say how an FMU is packaged."""
+    text = "with a library in C, so that it runs without Python"
+    command.add_argument("--native", action="store_true", help=text)
+    text = "version of the standard; 3 needs --native (default: 2)"
+    command.add_argument("--fmi", type=int, choices=(2, 3), default=2, help=text)
+    text = "of a native FMU, separated by commas: linux64, win64, darwin64, linux-arm64, or all "
+    text += "(default: this machine's)"
+    command.add_argument("--platforms", metavar="NAMES", help=text)
 
 
 def _add_study(command: argparse.ArgumentParser) -> None:

@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from build_fmu.errors import EnvironmentLackError
+from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.payload import SLAVE_NAME, package_folder, payload, wrapper_libraries
 from build_fmu.platforms import PLATFORMS, library_path, own_platform
+
+
+ALL = "all"
+"""All platforms that one archive can have."""
 
 
 @dataclass(frozen=True)
@@ -57,19 +61,45 @@ PYTHON = Package()
 """Package of Python code, for the platforms of pythonfmu's libraries."""
 
 
-def native_package(fmi: int = 2, platforms: Sequence[str] = ()) -> Package:
-    """Package without Python, for these platforms or, if there are none, for this machine.
+def chosen_package(
+    native: bool = False, fmi: int = 2, platforms: str | Sequence[str] | None = None
+) -> Package:
+    """Package by its options: whether native, version of FMI, names of platforms or "all".
 
     Raises
     ------
+    UsageError
+        If they do not go together, or a platform is unknown.
     EnvironmentLackError
         If this machine is of no platform that FMI has a name for.
     """
+    if fmi not in (2, 3):
+        text = f"FMI {fmi}: an FMU is one of FMI 2 or 3"
+        raise UsageError(text)
+    if not native:
+        if fmi == 3 or platforms:
+            what = "FMI 3.0" if fmi == 3 else "platforms"
+            text = f"{what}: for native FMUs alone, those with Python are of FMI 2.0 and for all "
+            text += "platforms of pythonfmu; add --native"
+            raise UsageError(text)
+        return PYTHON
+    names = platforms.split(",") if isinstance(platforms, str) else [*(platforms or ())]
+    names = [name.strip() for name in names]
+    if names == [ALL]:  # FMI 2 has one folder for both kinds of Linux
+        names = [name for name, known in PLATFORMS.items() if fmi == 3 or known.fmi2]
+    for name in names:
+        if name not in PLATFORMS:
+            text = f"platform {name!r}: must be one of {', '.join(PLATFORMS)}, or all"
+            raise UsageError(text)
+    if fmi == 2 and {"linux64", "linux-arm64"} <= {*names}:
+        text = "platforms linux64 and linux-arm64: FMI 2.0 has one folder for both; "
+        text += "build an FMU for each, or one of FMI 3.0"
+        raise UsageError(text)
     own = own_platform()
-    if not platforms and not own:
+    if not names and not own:
         text = "FMI has no name for this platform; name others: --platforms linux64"
         raise EnvironmentLackError(text)
-    return Package(True, fmi, tuple(platforms) or (own,))
+    return Package(True, fmi, tuple(dict.fromkeys(names)) or (own,))
 
 
 def _python_entries(name: str, dimension: int) -> dict[str, bytes]:

@@ -66,25 +66,26 @@ def packed(content: Mapping[str, bytes]) -> bytes:
     return data.getvalue()
 
 
-def scene_fmu(name: str) -> Path:
+def scene_fmu(name: str, *, native: bool = False) -> Path:
     """FMU of a file in scenes/."""
-    return _built(name, None)
+    return _built(name, None, native)
 
 
-def text_fmu(text: str) -> Path:
+def text_fmu(text: str, *, native: bool = False) -> Path:
     """FMU of a scene given as TOML text."""
-    return _built(f"text{abs(hash(text))}", text)
+    return _built(f"text{abs(hash(text))}", text, native)
 
 
-def pendulum(length=1.0, mass=1.0, push="push") -> Path:
+def pendulum(length=1.0, mass=1.0, push="push", *, native: bool = False) -> Path:
     """FMU of a pendulum with a horizontal force `push` at its end."""
-    return text_fmu(PENDULUM.format(length=length, mass=mass, push=push))
+    return text_fmu(PENDULUM.format(length=length, mass=mass, push=push), native=native)
 
 
 @functools.cache
-def _built(name: str, text: str | None) -> Path:
+def _built(name: str, text: str | None, native: bool = False) -> Path:
     scene = solver.loads(text) if text else SCENES / f"{name}.toml"
-    return build(scene, Path(_FOLDER.name, f"{name}.fmu"))
+    path = Path(_FOLDER.name, f"{name}{'_native' if native else ''}.fmu")
+    return build(scene, path, native=native)
 
 
 class Instance:

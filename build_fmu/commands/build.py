@@ -15,7 +15,9 @@ from build_fmu.target import is_fmu, parts_and_model
 def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
     from build_fmu.export import fmu_path, write_fmu
+    from build_fmu.package import chosen_package
 
+    package = chosen_package(arguments.native, arguments.fmi, arguments.platforms)
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)
@@ -26,7 +28,7 @@ def run(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"{model.name}: {sentence}\n")
 
     path = fmu_path(arguments.output, Path(arguments.scene).stem)
-    write_fmu(parts, model, path, tell)
+    write_fmu(parts, model, path, tell, package)
     size, beside = path.stat().st_size, str(path.with_suffix(".ssv"))
     if arguments.json:
         document = {"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside}

@@ -11,6 +11,7 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from build_fmu.errors import UnfinishedError, writing
+from build_fmu.package import Package, chosen_package
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
 from build_fmu.study.manifest import Variant, in_one_form, manifest_path, manifest_text
@@ -28,6 +29,7 @@ class _Shared:
     folder: str
     """Where it is made."""
     count: int
+    package: Package
 
     def name(self, number: int) -> str:
         """Name of the file of a variant."""
@@ -46,6 +48,9 @@ def variants(
     engine: str = "auto",
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
+    native: bool = False,
+    fmi: int = 2,
+    platforms: str | Sequence[str] | None = None,
 ) -> list[Variant]:
     """Write one FMU for each row of a grid or table, and a manifest of them, into a folder.
 
@@ -70,6 +75,8 @@ def variants(
         "auto", "serial", "processes" or "dask://host:port", and the number of processes.
     progress
         Called with the number of variants that are done, and of all.
+    native, fmi, platforms
+        How they are packaged, as of `build_fmu.build`.
 
     Returns
     -------
@@ -93,11 +100,12 @@ def variants(
     if mistakes:  # those of the names, which are in all rows, are told with them
         named = {name: entry for row in rows for name, entry in row.items()}
         scene_overrides(scene, {**entries, **named}, mistakes)
-    run_jobs = engine_of(engine, workers)
+    run_jobs, package = engine_of(engine, workers), chosen_package(native, fmi, platforms)
     target = manifest_path(Path(folder), manifest)
     stem = Path(scene).stem
     scratch = target.parent / f".{stem}.variants"
-    shared = _Shared(fspath(scene), scene_overrides(scene, entries), fspath(scratch), len(rows))
+    overrides = scene_overrides(scene, entries)
+    shared = _Shared(fspath(scene), overrides, fspath(scratch), len(rows), package)
     jobs = list(enumerate(rows, start=1))
     names = {shared.name(number) for number, _ in jobs}
     require_room(target.parent, stem, names, fresh)
@@ -140,7 +148,7 @@ def _export(shared: _Shared, job: tuple[int, Row]) -> Variant:
     except SceneError as error:
         return Variant(number, "", values, tuple(error.sentences()))
     path = Path(shared.folder, shared.name(number))
-    write_fmu(parts, model, path)
+    write_fmu(parts, model, path, package=shared.package)
     return Variant(number, path.name, values, warnings=scene.sentences())
 
 

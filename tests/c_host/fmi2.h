@@ -68,6 +68,7 @@ struct callbacks {
 struct fmu {
     void *library;
     text resources;                 /* URI of the folder */
+    char guid[64];
 #define FMI2_POINTER(result, name, arguments) result (*name) arguments;
     FMI2_FUNCTIONS(FMI2_POINTER)
 #undef FMI2_POINTER

@@ -1,6 +1,9 @@
 /* A host in C for unpacked FMUs (FMI 2.0 co-simulation), for the tests:
 
        host run     LIBRARY RESOURCES INPUT OUTPUT STEPS H    output after each step
+       host odd     LIBRARY RESOURCES INPUT OUTPUT STEPS H    likewise, in another floating-point mode
+       host allocations LIBRARY RESOURCES INPUT OUTPUT STEPS  of memory in so many steps, and of an instance
+       host instances LIBRARY RESOURCES INPUT OUTPUT COUNT    allocations by so many, and those not given back
        host calls   LIBRARY RESOURCES INPUT OUTPUT BOOLEAN STRING    every function once
        host cycles  LIBRARY RESOURCES INPUT OUTPUT COUNT      load, run, unload COUNT times: output,
                                                               pages in memory, 1 if still loaded
@@ -18,6 +21,7 @@
 #include "fmi2.h"
 
 #include <dlfcn.h>
+#include <immintrin.h>
 #include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -54,9 +58,25 @@ static void *function_of(void *library, text name)
     return function;
 }
 
+/* The GUID in the model description beside the folder of resources, a file URI. */
+static void read_guid(text resources, char *guid, size_t room)
+{
+    char path[4096], line[4096], *begin = NULL;
+    snprintf(path, sizeof path, "%s/../modelDescription.xml", resources + strlen("file://"));
+    FILE *file = fopen(path, "r");
+    while (file && !begin && fgets(line, sizeof line, file))
+        begin = strstr(line, "guid=\"");
+    if (begin)
+        snprintf(guid, room, "%.*s", (int)strcspn(begin + 6, "\""), begin + 6);
+    else
+        fail(path, "no GUID");
+    fclose(file);
+}
+
 static struct fmu load(text library, text resources)
 {
     struct fmu fmu;
+    read_guid(resources, fmu.guid, sizeof fmu.guid);
     fmu.library = dlopen(library, RTLD_NOW | RTLD_LOCAL);
     fmu.resources = resources;
     if (!fmu.library)
@@ -70,7 +90,7 @@ static struct fmu load(text library, text resources)
 
 static component instantiate(const struct fmu *fmu)
 {
-    component c = fmu->fmi2Instantiate("c host", CO_SIMULATION, "", fmu->resources, &CALLBACKS, 0, 1);
+    component c = fmu->fmi2Instantiate("c host", CO_SIMULATION, fmu->guid, fmu->resources, &CALLBACKS, 0, 1);
     if (!c)
         fail("fmi2Instantiate", "no instance");
     return c;
@@ -122,6 +142,62 @@ static void run(char **a)
     end(&fmu, c);
     for (int i = 0; i < steps; i++)
         printf("%.17g\n", values[i]);
+}
+
+/* The same where the host flushes small numbers to zero and rounds towards zero; it must find that again. */
+static void run_odd(char **a)
+{
+    const unsigned flushing = _mm_getcsr() | 0x8040 | 0x6000;
+    _mm_setcsr(flushing);
+    run(a);
+    if ((_mm_getcsr() & ~0x3fu) != (flushing & ~0x3fu)) /* but for flags of what the host itself has done */
+        fail("odd", "the floating-point environment has changed");
+}
+
+/* Allocations by anybody in this process: these stand before those of the C library. */
+static volatile long n_allocations, n_frees;
+void __libc_free(void *memory);
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *memory, size_t size);
+void *malloc(size_t size) { n_allocations++; return __libc_malloc(size); }
+void *calloc(size_t count, size_t size) { n_allocations++; return __libc_calloc(count, size); }
+void *realloc(void *memory, size_t size) { n_allocations++; return __libc_realloc(memory, size); }
+
+void free(void *memory) { n_frees += memory != NULL; __libc_free(memory); }
+
+/* Allocations in so many steps, with values read and set, and after one instance more. */
+static void allocations(char **a)
+{
+    struct fmu fmu = load(a[0], a[1]);
+    component c = instantiate(&fmu);
+    double values[MAX_STEPS];
+    initialise(&fmu, c);
+    const long before = n_allocations;
+    take_steps(&fmu, c, (reference)atoi(a[2]), (reference)atoi(a[3]), atoi(a[4]), 0.01, values);
+    const long after = n_allocations;
+    component other = instantiate(&fmu);
+    const long last = n_allocations;
+    end(&fmu, c);
+    fmu.fmi2FreeInstance(other);
+    printf("%ld\n%ld\n", after - before, last - after);
+}
+
+/* Makes and frees COUNT instances: how many pieces of memory are not given back. */
+static void instances(char **a)
+{
+    struct fmu fmu = load(a[0], a[1]);
+    fmu.fmi2FreeInstance(instantiate(&fmu));
+    const long held = n_allocations - n_frees;
+    for (int i = 0; i < atoi(a[4]); i++) {
+        component c = instantiate(&fmu);
+        saved state = NULL;
+        initialise(&fmu, c);
+        must(fmu.fmi2GetFMUstate(c, &state), "fmi2GetFMUstate");
+        must(fmu.fmi2FreeFMUstate(c, &state), "fmi2FreeFMUstate");
+        fmu.fmi2FreeInstance(c);
+    }
+    printf("%ld\n%ld\n", n_allocations, n_allocations - n_frees - held);
 }
 
 /* Pages of this process that are in memory; 0 where the system does not tell. */
@@ -246,6 +322,12 @@ int main(int count, char **arguments)
         fail("HOST_PYTHON", dlerror());
     if (count == 8 && strcmp(arguments[1], "run") == 0)
         run(arguments + 2);
+    else if (count == 8 && strcmp(arguments[1], "odd") == 0)
+        run_odd(arguments + 2);
+    else if (count == 7 && strcmp(arguments[1], "allocations") == 0)
+        allocations(arguments + 2);
+    else if (count == 7 && strcmp(arguments[1], "instances") == 0)
+        instances(arguments + 2);
     else if (count == 8 && strcmp(arguments[1], "calls") == 0)
         calls(arguments + 2);
     else if (count == 7 && strcmp(arguments[1], "cycles") == 0)

@@ -45,8 +45,8 @@ def libpython() -> str | None:
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="the host is for Linux"),
     pytest.mark.skipif(not (system_compiler() or zig_compiler()), reason="no C compiler"),
-    pytest.mark.skipif(sys.platform == "linux" and not libpython(), reason="no shared libpython"),
 ]
+with_python = pytest.mark.skipif(not libpython(), reason="no shared libpython")
 
 
 class Unpacked(NamedTuple):
@@ -90,6 +90,17 @@ def linked(tmp_path_factory) -> Unpacked:
     return unpacked(scene_fmu("four_bar"), tmp_path_factory.mktemp("four_bar"))
 
 
+@pytest.fixture(scope="module")
+def native(tmp_path_factory) -> Unpacked:
+    return unpacked(pendulum(native=True), tmp_path_factory.mktemp("native"))
+
+
+@pytest.fixture(scope="module")
+def native_linked(tmp_path_factory) -> Unpacked:
+    path = scene_fmu("four_bar", native=True)
+    return unpacked(path, tmp_path_factory.mktemp("native_four_bar"))
+
+
 def run_host(host: Path, *arguments: str, preload="LD_PRELOAD") -> subprocess.CompletedProcess[str]:
     """Run the host with a libpython, by the loader or by the host itself."""
     kept = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
@@ -121,12 +132,14 @@ def _values(fmu, push: str, output: str, h: float, steps: int) -> Iterator[float
 # ----------------------------------------------------------------------------------- one FMU
 
 
+@with_python
 def test_without_libpython_the_library_does_not_load(host, swinging):
     run = run_host(host, "run", *swinging.arguments("push", "A.x"), "3", "0.1", preload="")
     assert run.returncode == 1
     assert "undefined symbol: _Py" in run.stderr
 
 
+@with_python
 @pytest.mark.parametrize("preload", ["LD_PRELOAD", "HOST_PYTHON"])
 def test_with_libpython_it_moves_as_in_fmpy(host, swinging, preload):
     arguments = swinging.arguments("push", "A.x")
@@ -139,6 +152,7 @@ def test_the_readme_tells_of_the_preload_in_one_line():
     assert re.search(r"preloads libpython: `LD_PRELOAD=libpython3\.\d+\.so\.1\.0 host`", readme)
 
 
+@with_python
 def test_every_function_is_called_and_answers_as_documented(host, swinging):
     arguments = swinging.arguments("push", "A.x", "solver.paired", "solver.algorithm")
     values: dict[str, str] = {}
@@ -164,6 +178,7 @@ def test_every_function_is_called_and_answers_as_documented(host, swinging):
 KINDS = ("Real", "Integer", "Boolean", "String")
 
 
+@with_python
 def test_load_run_and_unload_many_times_gives_the_same_and_holds_little_memory(host, swinging):
     shown = [
         line.split() for line in lines(host, "cycles", *swinging.arguments("push", "A.x"), "60")
@@ -179,12 +194,14 @@ def test_load_run_and_unload_many_times_gives_the_same_and_holds_little_memory(h
 # ----------------------------------------------------------------------------- several at once
 
 
+@with_python
 def test_instances_in_threads_move_as_one_alone(host, swinging):
     expected = in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1]
     shown = lines(host, "threads", *swinging.arguments("push", "A.x"), "8")
     assert [*map(float, shown)] == [expected] * 8
 
 
+@with_python
 def test_two_fmus_in_threads_move_as_each_alone(host, swinging, linked):
     expected = [
         in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1],
@@ -195,9 +212,70 @@ def test_two_fmus_in_threads_move_as_each_alone(host, swinging, linked):
     assert [*map(float, shown)] == expected * 3
 
 
+@with_python
 def test_an_fmu_may_go_and_come_back_while_another_stays(host, swinging, linked):
     a = in_fmpy(pendulum(), "push", "A.x", H, 30)[-1]
     b = in_fmpy(scene_fmu("four_bar"), "drive", "B0.x", H, 30)[-1]
     second = linked.arguments("drive", "B0.x")
     shown = lines(host, "turns", *swinging.arguments("push", "A.x"), "30", *second)
     assert [*map(float, shown)] == [a, b, a]
+
+
+# ------------------------------------------------------------------------------------- native
+
+
+def alone(host: Path, *arguments: str) -> list[str]:
+    """Run the host without any Python."""
+    return lines(host, *arguments, preload="")
+
+
+def test_a_native_fmu_needs_no_python_and_moves_as_in_fmpy(host, native):
+    shown = alone(host, "run", *native.arguments("push", "A.x"), "20", "0.05")
+    assert [*map(float, shown)] == in_fmpy(pendulum(), "push", "A.x", 0.05, 20)
+
+
+def test_a_host_that_rounds_and_flushes_its_own_way_gets_the_same_bits(host, native):
+    arguments = native.arguments("push", "A.x")
+    # A step that is a power of two: the host's own times are then those of another rounding, too.
+    plain, odd = (alone(host, how, *arguments, "20", "0.0625") for how in ("run", "odd"))
+    assert plain == odd
+
+
+def test_steps_of_a_native_fmu_allocate_nothing(host, native, native_linked):
+    for fmu, push, output in ((native, "push", "A.x"), (native_linked, "drive", "B0.x")):
+        steps, instance_ = alone(host, "allocations", *fmu.arguments(push, output), "200")
+        assert int(steps) == 0
+        assert int(instance_) > 0  # the counter counts
+
+
+def test_ten_thousand_native_instances_leave_nothing_behind(host, native):
+    made, kept = alone(host, "instances", *native.arguments("push", "A.x"), "10000")
+    assert int(made) > 20000  # the counter counts
+    assert int(kept) == 0
+
+
+def test_every_function_of_a_native_fmu_answers_as_documented(host, native):
+    arguments = native.arguments("push", "A.x", "solver.paired", "solver.algorithm")
+    own = NOT_SUPPORTED | {"fmi2GetStatus": DISCARD}
+    for line in alone(host, "calls", *arguments):
+        what, _, value = line.rpartition(" ")
+        if not what.startswith("value of "):
+            assert value == (DISCARD if "beyond" in what else own.get(what, OK)), line
+
+
+def test_a_native_library_is_gone_after_it_was_unloaded(host, native):
+    shown = [line.split() for line in alone(host, "cycles", *native.arguments("push", "A.x"), "60")]
+    values, pages, loaded = zip(*shown, strict=True)
+    assert len(set(values)) == 1
+    assert set(loaded) == {"0"}
+    assert int(pages[-1]) - int(pages[9]) < 20
+
+
+def test_native_instances_in_threads_move_as_one_alone(host, native, native_linked):
+    expected = [
+        in_fmpy(pendulum(), "push", "A.x", H, STEPS)[-1],
+        in_fmpy(scene_fmu("four_bar"), "drive", "B0.x", H, STEPS)[-1],
+    ]
+    second = native_linked.arguments("drive", "B0.x")
+    shown = alone(host, "threads", *native.arguments("push", "A.x"), "16", *second)
+    assert [*map(float, shown)] == expected * 8

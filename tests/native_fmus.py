@@ -1,0 +1,39 @@
+"""Native FMUs for the tests: as `build` makes them, but without a trial run, a picture and a page."""
+
+from __future__ import annotations
+
+import functools
+import tempfile
+from pathlib import Path
+
+import solver
+from build_fmu.export import TOOL, generation_date, guid, identifier
+from build_fmu.model_description import native_model_description
+from build_fmu.model_description_fmi3 import model_description_fmi3
+from build_fmu.package import chosen_package
+from solver.runtime import Model
+from tests.fmu_instance import SCENES, packed
+
+_FOLDER = tempfile.TemporaryDirectory(prefix="native-", ignore_cleanup_errors=True)
+
+
+@functools.cache
+def native_scene_fmu(name: str, fmi: int = 2) -> Path:
+    """Native FMU of a file in scenes/."""
+    return native_fmu(solver.assemble(solver.load(SCENES / f"{name}.toml")), fmi)
+
+
+def native_fmu(model: Model, fmi: int = 2) -> Path:
+    """Native FMU of a model."""
+    name = identifier(model.name)
+    entries = chosen_package(True, fmi).entries(name, model.sizes["dim"])
+    entries["resources/model.bin"] = model.file
+    own = guid(entries)
+    entries["resources/model.bin"] = model.to_bytes(own)
+    describe = model_description_fmi3 if fmi == 3 else native_model_description
+    date = generation_date()
+    text = describe(model, identifier=name, guid=own, date=date, tool=TOOL)
+    entries["modelDescription.xml"] = text
+    path = Path(_FOLDER.name, f"{name}_{own[1:9]}_{fmi}.fmu")
+    path.write_bytes(packed(entries))
+    return path
