@@ -5,6 +5,7 @@
 # make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
 # make benchmark   time and accuracy, on this machine
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
+# make platforms   native FMUs of other platforms, in wine and qemu-user where these are installed
 # make cofmupy     the same in cofmupy, which is large
 # make kernel      compile the C kernel and nothing else
 # make clean       back to a fresh clone
@@ -22,9 +23,10 @@ BIN := $(VENV)/bin
 COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h solver/kernel/*.py) \
+    $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint sanitize hostile benchmark importers cofmupy kernel clean
+.PHONY: demo test long lint sanitize hostile benchmark importers platforms cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
@@ -58,6 +60,10 @@ importers: $(VENV)/installed-importers
 	$(BIN)/python -m pytest -n $(JOBS) -rs tests/importers
 	@$(BIN)/python -m tests.importers.page
 
+platforms: $(VENV)/installed-platforms
+	$(BIN)/python -m build_kernel --all
+	$(BIN)/python -m pytest -rs tests/platforms
+
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
 cofmupy: $(VENV)/installed-importers $(COFMUPY)/installed
@@ -68,7 +74,7 @@ kernel:
 	$(PYTHON) -m build_kernel
 
 clean:
-	rm -rf $(VENV) $(COFMUPY) build dist *.egg-info solver/runtime/_kernel
+	rm -rf $(VENV) $(COFMUPY) build dist *.egg-info solver/runtime/_kernel fmu_src/native/_libraries
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -101,6 +107,11 @@ $(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)
 $(VENV)/installed-importers: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and importers of FMUs"
 	@$(PIP) install --quiet --editable '.[test,importers]'
+	@touch $@
+
+$(VENV)/installed-platforms: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and compilers for all platforms (400 MB)"
+	@$(PIP) install --quiet --editable '.[test,platforms]'
 	@touch $@
 
 $(COFMUPY)/installed: $(VENV)/created

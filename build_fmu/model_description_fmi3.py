@@ -62,7 +62,10 @@ def model_description_fmi3(
         element("DefaultExperiment", **experiment),
         element("ModelVariables", *variables, time),
         _structure(model),
-        element("Annotations", *(element("Annotation", s, type="holonom") for s in scene_element(source))),
+        element(
+            "Annotations",
+            *(element("Annotation", s, type="holonom") for s in scene_element(source)),
+        ),
     ]
     root = element(
         "fmiModelDescription",
@@ -80,7 +83,9 @@ def model_description_fmi3(
 
 def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
     quantity = name.rpartition(".")[2]
-    return element("Float64Type", name=name, quantity=quantity, unit=unit, nominal=nominal.get(unit))
+    return element(
+        "Float64Type", name=name, quantity=quantity, unit=unit, nominal=nominal.get(unit)
+    )
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:

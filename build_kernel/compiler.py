@@ -115,21 +115,17 @@ def compile_for_all(root: Path) -> list[Path]:
     found = []
     with tempfile.TemporaryDirectory(dir=root) as folder:
         for name, dimension in itertools.product(PLATFORMS, DIMENSIONS):
-            target = library_path(root / SLAVES, name, dimension)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            slices = []
-            for zig_name in PLATFORMS[name].targets:
-                new = Path(folder, target.name)
-                _compile_with_zig(root, zig_name, dimension, new, root / SLAVE_SOURCES)
-                slices.append(new.read_bytes())
-            target.write_bytes(universal(slices) if len(slices) > 1 else slices[0])
-            found.append(target)
-            system = PYTHON_PLATFORMS.get(name)
-            if system:
-                target = root / LIBRARIES / library_name(system, dimension)
+            jobs = {library_path(root / SLAVES, name, dimension): root / SLAVE_SOURCES}
+            if system := PYTHON_PLATFORMS.get(name):
+                jobs[root / LIBRARIES / library_name(system, dimension)] = None
+            for target, slave in jobs.items():
+                new, parts = Path(folder, target.name), []
+                for zig_name in PLATFORMS[name].targets:
+                    _compile_with_zig(root, zig_name, dimension, new, slave)
+                    parts.append(new.read_bytes())
+                new.write_bytes(universal(parts) if len(parts) > 1 else parts[0])
                 target.parent.mkdir(parents=True, exist_ok=True)
-                _compile_with_zig(root, PLATFORMS[name].targets[0], dimension, target, None)
-                found.append(target)
+                found.append(new.replace(target))
     return found
 
 

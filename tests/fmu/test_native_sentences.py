@@ -38,7 +38,15 @@ def test_a_refused_call_is_told_in_the_same_words(name):
 VALUES = {
     "four_bar": {
         "solver__order": [3.0, -2.0, 1e9],
-        "solver__formulation": ["midpoint", "nonsense", "it's", 'a "word"', "50 %", "Grün\n\t\\", ""],
+        "solver__formulation": [
+            "midpoint",
+            "nonsense",
+            "it's",
+            'a "word"',
+            "50 %",
+            "Grün\n\t\\",
+            "",
+        ],
         "solver__step_size": [0.0, -1.0, math.inf, math.nan, 1e300],
         "drive": [math.nan, 1e308, 5.0],
     },
@@ -84,7 +92,9 @@ def test_a_start_that_cannot_be_is_told_in_one_line_with_each_remedy_once():
             instance(text_fmu(IMPOSSIBLE)) as python,
             instance(text_fmu(IMPOSSIBLE, native=True)) as native,
         ):
-            first, second = (said_at(fmu, lambda f: f.initialise(**values)) for fmu in (python, native))  # noqa: B023
+            first, second = (
+                said_at(fmu, lambda f: f.initialise(**values)) for fmu in (python, native)
+            )  # noqa: B023
             assert first == second
             assert first
 
