@@ -51,8 +51,8 @@ class FMU3Run(FMU3Slave):
 
     def setupExperiment(  # noqa: N802 - the name of FMI 2.0
         self,
-        startTime: float = 0.0,  # noqa: N803
-        stopTime: float | None = None,  # noqa: N803
+        startTime: float = 0.0,
+        stopTime: float | None = None,
     ) -> None:
         """Remember the times for the call that takes them in FMI 3.0."""
         self._times = startTime, stopTime

@@ -23,8 +23,9 @@ from build_fmu.errors import EnvironmentLackError, UsageError, writing
 from fmu_src.status import DISCARD, ERROR, LOGGER, WARNING
 
 if TYPE_CHECKING:
-    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
     from fmpy.model_description import ModelDescription
+
+    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
 
 LOADING = threading.Lock()
 """Held while fmpy loads a library: it takes the whole process to the folder of it and back."""
@@ -203,7 +204,8 @@ def _in_words_of_fmi2(description: ModelDescription) -> ModelDescription:
     """Give variables of FMI 3.0 the types of FMI 2.0, and leave out the time."""
     known = [v for v in description.modelVariables if v.causality != "independent"]
     for variable in known:
-        variable.type = {"Float64": "Real"}.get(variable.type, variable.type)
+        if variable.type == "Float64":
+            variable.type = "Real"
     description.modelVariables = known
     return description
 

@@ -103,10 +103,12 @@ native_model_description = partial(model_description, native=True)
 
 
 def category(name: str, description: str) -> Element:
+    """Return the element of a category of the log."""
     return element("Category", name=name, description=description)
 
 
 def unit(name: str) -> Element:
+    """Return the element of a unit, with its base units where they are known."""
     base = base_unit(name)
     bases = [] if base is None else [element("BaseUnit", **base_unit_attributes(base))]
     return element("Unit", *bases, name=name)

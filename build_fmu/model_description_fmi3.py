@@ -112,7 +112,6 @@ def _structure(model: Model) -> Element:
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
         for i in (i for i, variable in enumerate(model.variables) if variable.causality in kinds):
             known = " ".join(map(str, of_unknown[i][place])) if i in of_unknown else None
-            # Of an output that depends on the time alone the list is empty, which says nothing else.
             found.append(element(TAGS[name], valueReference=str(i), dependencies=known))
     return element("ModelStructure", *found)
 

@@ -9,7 +9,6 @@ from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.payload import SLAVE_NAME, package_folder, payload, wrapper_libraries
 from build_fmu.platforms import PLATFORMS, library_path, own_platform
 
-
 ALL = "all"
 """All platforms that one archive can have."""
 

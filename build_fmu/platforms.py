@@ -36,7 +36,7 @@ PLATFORMS = {
         "darwin64", ("x86_64-darwin", "aarch64-darwin"),
         (f"x86_64-macos.{MACOS}", f"aarch64-macos.{MACOS}"), ".dylib",
     ),
-    # FMI 2 knows linux64 alone: importers on ARM look there. So it is a platform of its own archive.
+    # FMI 2 knows linux64 alone, where importers on ARM look, too: it has an archive of its own.
     "linux-arm64": Platform("", ("aarch64-linux",), (f"aarch64-linux-gnu.{GLIBC}",), ".so"),
 }  # fmt: skip
 

@@ -71,7 +71,7 @@ def compile_kernel(root: Path) -> list[Path]:
     system, own = platform.system(), own_platform()
     print("compiling the kernel:", shlex.join([*compiler, *flags(system)]))
     options = _without_runtime(compiler)
-    libraries = {
+    libraries: dict[Path, tuple[int, Path | None]] = {
         root / LIBRARIES / library_name(system, dimension): (dimension, None)
         for dimension in DIMENSIONS
     }
@@ -115,7 +115,8 @@ def compile_for_all(root: Path) -> list[Path]:
     found = []
     with tempfile.TemporaryDirectory(dir=root) as folder:
         for name, dimension in itertools.product(PLATFORMS, DIMENSIONS):
-            jobs = {library_path(root / SLAVES, name, dimension): root / SLAVE_SOURCES}
+            jobs: dict[Path, Path | None] = {}
+            jobs[library_path(root / SLAVES, name, dimension)] = root / SLAVE_SOURCES
             if system := PYTHON_PLATFORMS.get(name):
                 jobs[root / LIBRARIES / library_name(system, dimension)] = None
             for target, slave in jobs.items():

@@ -1,4 +1,4 @@
-"""Native FMUs for the tests: as `build` makes them, but without a trial run, a picture and a page."""
+"""Native FMUs for the tests, as `build` makes them, but without trial run, picture and page."""
 
 from __future__ import annotations
 

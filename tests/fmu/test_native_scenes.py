@@ -1,4 +1,4 @@
-"""Every scene as a native FMU, of FMI 2.0 and 3.0: the library bit for bit, valid, exact exports."""
+"""Every scene as a native FMU, of FMI 2.0 and 3.0: the library bit for bit, and valid."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ STEPS = 12
 
 @pytest.mark.parametrize("name", ALL_SCENES)
 def test_a_native_fmu_is_the_library_bit_for_bit_over_saved_states(name):
-    """Inputs change at each step; at random steps the state goes away, by copy or as bytes, and back."""
+    """Inputs change at each step; the FMU goes elsewhere and comes back, by copy or by bytes."""
     chance, integrator = random.Random(name), moved(name)
     with instance(native_scene_fmu(name)) as fmu:
         fmu.initialise()
