@@ -105,6 +105,9 @@ def _parser() -> argparse.ArgumentParser:
     text = "an .fmu file or a folder (default: <name of the scene's file>.fmu)"
     build.add_argument("-o", "--output", metavar="FILE", help=text)
     _add_package(build)
+    text = "outputs that are ports of the FMU, names or patterns such as 'tip.*' separated by "
+    text += "commas, in place of the scene's (default: all)"
+    build.add_argument("--outputs", metavar="NAMES", help=text)
     _add_settings(build, "replace a parameter or any number of the scene, e.g. points.A.mass=2")
     _add_variants(commands)
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")

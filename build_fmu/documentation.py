@@ -33,7 +33,7 @@ td.number {{ font-variant-numeric: tabular-nums }}
 <h1>{name}</h1>
 <img src="../model.png" alt="the mechanism as drawn" width="480" height="360">
 <p>{description}</p>
-<p>An FMI 2.0 co-simulation unit. It advances the mechanism with a conserving augmented-Lagrangian
+<p>An FMI {fmi}.0 co-simulation unit. It advances the mechanism with a conserving augmented-Lagrangian
 method; its outputs <code>energy.error</code> and <code>constraint.position</code> say how well
 energy and constraints are kept, and <code>solver.status</code> is 0 as long as every communication
 step succeeded. Where it is not 0 the last step was discarded and the log has the reason.</p>
@@ -53,6 +53,9 @@ _NEEDS = (
     "LD_PRELOAD=libpython3.x.so.1.0 host. The compiled kernel inside is for "
     f"{sysconfig.get_platform()}; on another platform no instance can be made: build it there."
 )
+_NEEDS_NOTHING = (
+    "It needs nothing but the platform of one of its libraries, in the folder binaries."
+)
 _SETTINGS = "Settings of the solver"
 _SECTIONS = {
     "input": "Inputs",
@@ -64,18 +67,24 @@ _SECTIONS = {
 }
 
 
-def documentation(model: Model, seen: SelfCheck) -> dict[str, bytes]:
+def documentation(
+    model: Model, seen: SelfCheck, *, native: bool = False, fmi: int = 2
+) -> dict[str, bytes]:
     """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
-    ours, pythonfmu = _licence("build_fmu", "holonom"), _licence("pythonfmu", "pythonfmu")
-    return {
-        "documentation/index.html": page(model, seen).encode(),
-        "documentation/externalDependencies.txt": f"{_NEEDS}\n".encode(),
-        "documentation/licenses/license.txt": ours.encode(),
-        "documentation/licenses/pythonfmu.txt": pythonfmu.encode(),
+    needs = _NEEDS_NOTHING if native else _NEEDS
+    text = page(model, seen, needs, fmi)
+    licence, theirs = "documentation/licenses/license.txt", "documentation/licenses/pythonfmu.txt"
+    files = {
+        "documentation/index.html": text,
+        "documentation/externalDependencies.txt": f"{needs}\n",
+        licence: _licence("build_fmu", "holonom"),
     }
+    if not native:
+        files[theirs] = _licence("pythonfmu", "pythonfmu")
+    return {path: content.encode() for path, content in files.items()}
 
 
-def page(model: Model, seen: SelfCheck) -> str:
+def page(model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2) -> str:
     """HTML page with a table of variables per causality."""
     tables = [
         _table(title, [_row(v) for v in model.variables if _section(v) == section])
@@ -86,7 +95,8 @@ def page(model: Model, seen: SelfCheck) -> str:
         name=escape(model.name),
         description=escape(model.description),
         experiment=f"{start!r} s to {stop!r} s with steps of {step!r} s",
-        needs=_NEEDS,
+        needs=needs,
+        fmi=fmi,
         solved=escape(solved(model)),
         accuracy=escape(accuracy(model, seen)),
         tables="\n".join(filter(None, tables)),

@@ -6,7 +6,7 @@ import os
 import re
 import time
 import uuid
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +19,7 @@ from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import PYTHON, Package
 from build_fmu.payload import digest
 from build_fmu.picture import picture
+from build_fmu.ports import local_variables
 from build_fmu.self_check import SelfCheck, self_check
 from build_fmu.study.output_folder import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
@@ -67,10 +68,11 @@ def write_fmu(
     target = fmu_path(path, identifier(model.name))
     beside = target.with_suffix(".ssv")
     require_own_set(target)
+    local = local_variables(model, parts.scene)
     seen = self_check(model)
-    write_archive(target, archive_entries(parts, model, seen, package))
+    write_archive(target, archive_entries(parts, model, seen, package, local))
     with writing(beside):
-        beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL))
+        beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL, local=local))
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
     rough = (s for name, mesh in model.meshes.items() for s in accuracy(name, mesh))
     for sentence in (*rough, *seen.remarks, *([failed] if seen.reason else ())):
@@ -116,13 +118,14 @@ def load_scene(
 
 
 def archive_entries(
-    parts: Parts, model: Model, seen: SelfCheck, package: Package = PYTHON
-) -> dict[str, bytes]:
+    parts: Parts, model: Model, seen: SelfCheck, package: Package = PYTHON,
+    local: Collection[int] = (),
+) -> dict[str, bytes]:  # fmt: skip
     """Content of the archive by path."""
     name = identifier(model.name)
     entries = package.entries(name, model.sizes["dim"])
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
-    entries |= documentation(model, seen)
+    entries |= documentation(model, seen, native=package.native, fmi=package.fmi)
     entries["model.png"] = picture(parts)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
@@ -131,7 +134,7 @@ def archive_entries(
         describe = model_description_fmi3 if package.fmi == 3 else native_model_description
     entries["modelDescription.xml"] = describe(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
-        nominal=seen.nominal, source=parts.scene.source,
+        nominal=seen.nominal, source=parts.scene.source, local=local,
     )  # fmt: skip
     return entries
 

@@ -6,7 +6,7 @@ every start value comes back as the same double.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 from itertools import starmap
 from typing import TYPE_CHECKING
@@ -44,7 +44,7 @@ UNKNOWNS = {"Outputs": ("output",), "InitialUnknowns": ("output", "calculatedPar
 def model_description(
     model: Model, *, identifier: str, guid: str, date: str, tool: str,
     nominal: Mapping[str, float] | None = None, source: Source | None = None,
-    native: bool = False,
+    native: bool = False, local: Collection[int] = (),
 ) -> bytes:  # fmt: skip
     """Text of modelDescription.xml.
 
@@ -68,11 +68,14 @@ def model_description(
         Text of the scene, which becomes an annotation.
     native
         Whether it runs without Python.
+    local
+        Indices of the variables that are no ports.
     """
     types = declared_types(model.variables)
     capabilities = CAPABILITIES | ({"needsExecutionTool": "false"} if native else {})
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
-    variables = (_variable(i, variable, types) for i, variable in enumerate(model.variables))
+    ports = with_local(model.variables, local)
+    variables = (_variable(i, variable, types) for i, variable in enumerate(ports))
     parts = [
         element("CoSimulation", modelIdentifier=identifier, **capabilities),
         element("UnitDefinitions", *map(unit, types)),
@@ -81,7 +84,7 @@ def model_description(
         element("DefaultExperiment", **experiment),
         *_annotations(source),
         element("ModelVariables", *variables),
-        _structure(model),
+        _structure(model, ports),
     ]
     root = element(
         "fmiModelDescription",
@@ -137,6 +140,11 @@ def scene_element(source: Source | None) -> list[Element]:
     return [scene]
 
 
+def with_local(variables: Sequence[Variable], local: Collection[int]) -> list[Variable]:
+    """Return the variables, those that are no ports with the causality of such ones."""
+    return [v._replace(causality="local") if i in local else v for i, v in enumerate(variables)]
+
+
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
     settable = variable.causality in ("parameter", "input")
     # Inputs must not say it: their start value is exact by definition.
@@ -160,7 +168,7 @@ def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Eleme
     )
 
 
-def _structure(model: Model) -> Element:
+def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     """Outputs and InitialUnknowns, each with what it depends on; indices count from 1.
 
     Of a model that was read from bytes that is not known, which means all.
@@ -168,8 +176,19 @@ def _structure(model: Model) -> Element:
     of_unknown, lists = model.dependencies or {}, []
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
         unknowns = []
-        for i in (i for i, variable in enumerate(model.variables) if variable.causality in kinds):
-            known = " ".join(str(k + 1) for k in of_unknown[i][place]) if i in of_unknown else None
+        for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
+            known = dependencies_of(of_unknown, i, place, ports, 1)
             unknowns.append(element("Unknown", index=str(i + 1), dependencies=known))
         lists += [element(name, *unknowns)] if unknowns else []
     return element("ModelStructure", *lists)
+
+
+def dependencies_of(
+    of_unknown: Mapping[int, Sequence[Sequence[int]]], unknown: int, place: int,
+    ports: Sequence[Variable], first: int,
+) -> str | None:  # fmt: skip
+    """List the ports that an unknown depends on, counted from `first`; None: it may be all."""
+    if unknown not in of_unknown:
+        return None
+    known = (k for k in of_unknown[unknown][place] if ports[k].causality != "local")
+    return " ".join(str(k + first) for k in known)

@@ -5,12 +5,20 @@ Value references are those of FMI 2, the index in `Model.variables`; behind them
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from itertools import starmap
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
 
-from build_fmu.model_description import EXPERIMENT, UNKNOWNS, category, scene_element, unit
+from build_fmu.model_description import (
+    EXPERIMENT,
+    UNKNOWNS,
+    category,
+    dependencies_of,
+    scene_element,
+    unit,
+    with_local,
+)
 from build_fmu.xml_parts import declared_types, document, element
 from fmu_src.status import LOG_CATEGORIES
 
@@ -36,23 +44,21 @@ CAPABILITIES = {
 }
 TYPES = {"Real": "Float64", "Boolean": "Boolean", "String": "String"}
 """What the types of variables are called."""
-TIMES = ("time", "independent.time")
-"""Names of the time: the first one that no variable has."""
 
 
 def model_description_fmi3(
     model: Model, *, identifier: str, guid: str, date: str, tool: str,
     nominal: Mapping[str, float] | None = None, source: Source | None = None,
+    local: Collection[int] = (),
 ) -> bytes:  # fmt: skip
     """Text of modelDescription.xml; the arguments are those of ``model_description``."""
     types = declared_types(model.variables)
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
-    variables = (_variable(i, variable, types) for i, variable in enumerate(model.variables))
-    names = {variable.name for variable in model.variables}
-    time = element(
-        "Float64", name=next(name for name in TIMES if name not in names),
-        valueReference=str(len(model.variables)), causality="independent",
-        variability="continuous", unit="s" if "s" in types else None,
+    ports = with_local(model.variables, local)
+    variables = (_variable(i, variable, types) for i, variable in enumerate(ports))
+    time = element(  # no name of a scene is `time`
+        "Float64", name="time", valueReference=str(len(model.variables)),
+        causality="independent", variability="continuous", unit="s" if "s" in types else None,
     )  # fmt: skip
     parts = [
         element("CoSimulation", modelIdentifier=identifier, **CAPABILITIES),
@@ -61,7 +67,7 @@ def model_description_fmi3(
         element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),
         element("DefaultExperiment", **experiment),
         element("ModelVariables", *variables, time),
-        _structure(model),
+        _structure(model, ports),
         element(
             "Annotations",
             *(element("Annotation", s, type="holonom") for s in scene_element(source)),
@@ -92,7 +98,8 @@ def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Eleme
     settable = variable.causality in ("parameter", "input")
     initial = None if variable.causality == "input" else "exact" if settable else "calculated"
     given: dict[str, object] = {}
-    start = [element("Start", value=variable.start)] if variable.type == "String" else []
+    in_words = settable and variable.type == "String"
+    start = [element("Start", value=variable.start)] if in_words else []
     if variable.type == "Real" and variable.unit:
         given = {"declaredType": types[variable.unit], "unit": variable.unit}
     if variable.type == "Real" and not variable.clips:  # importers refuse what is beyond
@@ -106,12 +113,12 @@ def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Eleme
     )  # fmt: skip
 
 
-def _structure(model: Model) -> Element:
+def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     """Outputs and initial unknowns, each with the value references of what it depends on."""
     of_unknown, found = model.dependencies or {}, []
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
-        for i in (i for i, variable in enumerate(model.variables) if variable.causality in kinds):
-            known = " ".join(map(str, of_unknown[i][place])) if i in of_unknown else None
+        for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
+            known = dependencies_of(of_unknown, i, place, ports, 0)
             found.append(element(TAGS[name], valueReference=str(i), dependencies=known))
     return element("ModelStructure", *found)
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
+import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from xml.etree import ElementTree
 
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.payload import SLAVE_NAME, package_folder, payload, wrapper_libraries
@@ -120,3 +123,18 @@ def _native_library(platform: str, dimension: int) -> bytes:
         remedy = "pip install ziglang, then python -m build_kernel --all"
     text = f"the library of native FMUs for {platform} is missing ({path}); compile it: {remedy}"
     raise EnvironmentLackError(text)
+
+
+def package_of(path: str) -> dict[str, object]:
+    """What the archive of an FMU says of how it is packaged: FMI version, kind, platforms."""
+    with zipfile.ZipFile(path) as archive:
+        names = archive.namelist()
+        with archive.open("modelDescription.xml") as text:
+            _, root = next(ElementTree.iterparse(text, events=("start",)))
+    platforms = {name.split("/")[1] for name in names if re.match("binaries/[^/]+/.", name)}
+    has_python = f"resources/{SLAVE_NAME}" in names
+    return {
+        "fmi": root.get("fmiVersion"),
+        "kind": "Python, by pythonfmu" if has_python else "native",
+        "platforms": sorted(platforms),
+    }

@@ -81,6 +81,7 @@ def run_fmu(
     settings: Source | None = None,
     inputs: Reference | None = None,
     progress: Callable[[float], object] | None = None,
+    with_local: bool = False,
 ) -> Run:
     """Simulate an FMU from its archive.
 
@@ -99,6 +100,8 @@ def run_fmu(
         communication points: hence a short `step_size`.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
+    with_local
+        Whether to record what is no port of the FMU, too.
 
     Raises
     ------
@@ -116,7 +119,8 @@ def run_fmu(
         start_values = fmu_settings(description, [entries])[0]
         times = communication_times(description, stop_time, step_size)
         signals = given.sampled(description, start_values, times)
-        variables = [v for v in description.modelVariables if v.causality in RECORDED]
+        recorded = (*RECORDED, "local") if with_local else RECORDED
+        variables = [v for v in description.modelVariables if v.causality in recorded]
         names = [v.name for v in variables if v.type != "String"]
         begin = time.perf_counter()
         record = fmu.run(start_values, times, names, signals, progress)
@@ -127,7 +131,7 @@ def run_fmu(
     columns = dict(zip(names, record.values.T, strict=True), time=times)
     for name, column in {**columns, **signals}.items():  # the FMU has inputs of the step before
         values[name] = column[: len(values)]
-    outputs = {v.name: v.unit for v in variables if v.causality == "output" and v.name in names}
+    outputs = {v.name: v.unit for v in variables if v.causality != "input" and v.name in names}
     largest = {name: float(abs(values[name]).max()) for name in outputs}
     poses = Poses(outputs)
     motion = np.reshape([values[name] for name in poses.names], (-1, len(values))).T

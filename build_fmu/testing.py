@@ -68,7 +68,9 @@ def assert_conserves(
     from build_fmu.target import runnable
 
     with runnable(fspath(target), entries_of(parameters)) as (path, left):
-        run = run_fmu(path, stop_time=stop_time, step_size=step_size, settings=left)
+        run = run_fmu(
+            path, stop_time=stop_time, step_size=step_size, settings=left, with_local=True
+        )
     problems = [run.failure] if run.failure else []
     for name, limit in (("energy.error", energy), ("constraint.position", constraint)):
         problems += _excess(run, name, limit)

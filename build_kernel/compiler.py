@@ -89,7 +89,11 @@ def compile_kernel(root: Path) -> list[Path]:
     write_headers((root / SOURCES).parent)
     with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
         found = [*pool.map(lambda item: compiled(item[0], *item[1]), libraries.items())]
-    for other in set((root / LIBRARIES).glob("libholonom_*")) - set(found):
+    others = {
+        *(root / LIBRARIES).glob("libholonom_*"),
+        *(root / SLAVES).glob("native/_libraries/*/*"),
+    }
+    for other in others - {*found}:
         other.unlink()  # of another platform and, it may be, of other sources
     return found
 

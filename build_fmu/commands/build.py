@@ -16,12 +16,17 @@ def run(arguments: argparse.Namespace) -> int:
     """Build; exit code 0."""
     from build_fmu.export import fmu_path, write_fmu
     from build_fmu.package import chosen_package
+    from build_fmu.ports import local_variables, summary
 
     package = chosen_package(arguments.native, arguments.fmi, arguments.platforms)
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)
-    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
+    settings = list(arguments.settings)
+    if arguments.outputs is not None:
+        names = [name.strip() for name in arguments.outputs.split(",")]
+        settings.append(("fmu.outputs", names))
+    entries = given_on_the_command_line(arguments.parameters, settings)
     parts, model = parts_and_model(arguments.scene, entries)
 
     def tell(sentence: str) -> None:
@@ -36,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         sys.stdout.write(f"{path}\n")
         sys.stderr.write(
-            f"{model.name}: {len(model.variables)} variables, {size / 1e3:.0f} kB; "
-            f"its parameter set is in {beside}\n"
+            f"{model.name}: {summary(model, local_variables(model, parts.scene))}; "
+            f"{size / 1e3:.0f} kB; its parameter set is in {beside}\n"
         )
     return 0

@@ -28,7 +28,7 @@ def losses(result: Run) -> dict[str, dict[str, float]]:
 
 def run(arguments: argparse.Namespace) -> int:
     """Check; exit code 1 if a limit is exceeded or the FMU logs an error, 3 at an early end."""
-    result = simulate(arguments)
+    result = simulate(arguments, with_local=True)
     outputs = result.values.dtype.names or ()
     limits = {"energy.error": arguments.energy, "constraint.position": arguments.constraint}
     missing = [name for name in limits if name not in outputs]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
+from build_fmu.package import package_of
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
@@ -57,7 +58,8 @@ def run(arguments: argparse.Namespace) -> int:
             _print_equilibrium(model, found, survey(model).redundant_parts or ())
         return 0
     counts = survey(model)
-    document = _document(model, counts)
+    package = package_of(arguments.target) if is_fmu(arguments.target) else {}
+    document = _document(model, counts) | ({"package": package} if package else {})
     if arguments.json:
         print_json(document | {"warnings": arguments.warnings})
         return 0
@@ -115,7 +117,9 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         kind: [name for word in types for name in counts.forces.get(word, ())]
         for kind, types in FORCES.items()
     }
+    package = document.get("package")
     return [
+        *([("package", _package(package))] if package else []),
         ("bodies", _names(document["bodies"])),
         ("joints", _names(document["joints"])),
         ("constraint formulas", _names(document["constraints"])),
@@ -132,6 +136,10 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
     ]
+
+
+def _package(package: Mapping[str, Any]) -> str:
+    return f"FMI {package['fmi']}, {package['kind']}, {', '.join(package['platforms'])}"
 
 
 def _names(names: Sequence[str], most: int = 8) -> str:

@@ -57,7 +57,7 @@ def report_end(result: Run) -> int:
     return UNFINISHED if result.reason else 0
 
 
-def simulate(arguments: argparse.Namespace) -> Run:
+def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
     """Run what the arguments say, with a progress bar on a terminal."""
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     with (
@@ -71,6 +71,7 @@ def simulate(arguments: argparse.Namespace) -> Run:
             settings=left,
             inputs=arguments.inputs,
             progress=progress,
+            with_local=with_local,
         )
 
 

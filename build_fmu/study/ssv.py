@@ -7,7 +7,7 @@ in a copy of it can be given back to every command by `--parameters`.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
@@ -32,13 +32,14 @@ _READERS = {
 }
 
 
-def parameter_set(model: Model, *, date: str, tool: str) -> bytes:
-    """Text of the .ssv file of a model: all its parameters with their start values."""
+def parameter_set(model: Model, *, date: str, tool: str, local: Collection[int] = ()) -> bytes:
+    """Text of the .ssv file of a model: parameters with start values, but for those in `local`."""
     ElementTree.register_namespace("ssv", VALUES)
     ElementTree.register_namespace("ssc", COMMON)
     head = {"version": "1.0", "name": model.name, "generationTool": tool}
     root = Element(f"{{{VALUES}}}ParameterSet", head | {"generationDateAndTime": date})
-    parameters = [v for v in model.variables if v.causality == "parameter"]
+    variables = enumerate(model.variables)
+    parameters = [v for i, v in variables if v.causality == "parameter" and i not in local]
     listed = SubElement(root, f"{{{VALUES}}}Parameters")
     for variable in parameters:
         attributes = {"name": variable.name, "description": variable.description}

@@ -35,7 +35,7 @@ from solver.scene.report import (
     location_of,
 )
 from solver.scene.scene import HEADING, Scene
-from solver.scene.settings import read_settings
+from solver.scene.settings import read_ports, read_settings
 from solver.scene.tables import tables_of, text_of
 from solver.scene.words import did_you_mean
 
@@ -160,6 +160,7 @@ def _build(draft: Draft) -> Scene:
         **reader.parts,
         solver=solver,
         experiment=experiment,
+        fmu=read_ports(reader),
         source=_without_files(draft.source, profiles, reader.parts["contacts"]),
         warnings=in_order(draft.warnings),
     )

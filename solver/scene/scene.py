@@ -23,7 +23,7 @@ from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.profiles import Profile
 from solver.scene.report import Problem, SceneError, Source
 from solver.scene.rules import OUTPUT
-from solver.scene.settings import Experiment, SolverSettings
+from solver.scene.settings import Experiment, Ports, SolverSettings
 from solver.scene.shapes import SHAPES
 from solver.scene.surfaces import SURFACES
 
@@ -94,6 +94,7 @@ class Scene(Part):
         default_factory=SolverSettings
     )
     experiment: Annotated[Experiment, _table("", Experiment)] = field(default_factory=Experiment)
+    fmu: Annotated[Ports, _table("", Ports)] = field(default_factory=Ports)
     source: Source = field(default_factory=Source, repr=False, compare=False)
     """The text it was read from, so that later findings can name file and line."""
     warnings: tuple[Problem, ...] = field(default=(), repr=False, compare=False)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from solver.options import OPTIONS, Option
 from solver.scene import fields as kind
-from solver.scene.fields import Part, fields_of
+from solver.scene.fields import BROKEN, Part, fields_of
 from solver.scene.rules import POSITIVE, Rule
 
 if TYPE_CHECKING:
@@ -71,6 +71,29 @@ class Experiment(Part):
         float, kind.setting("s", "the communication step", POSITIVE, required=False)
     ] = 0.1
     tolerance: Annotated[float | None, kind.setting(rule=_TOLERANCE)] = None
+
+
+def _names(example: list[str]) -> kind.ListOf:
+    text = "names, or patterns such as 'tip.*', of those that are ports; all unless given"
+    return kind.ListOf(text=text, item=kind.NAME, example=example)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ports(Part):
+    """Variables that an importer of the FMU sees as its ports; it can read the others, too."""
+
+    outputs: Annotated[tuple[str, ...] | None, _names(["tip.*", "energy.error"])] = None
+    inputs: Annotated[tuple[str, ...] | None, _names(["push"])] = None
+    parameters: Annotated[tuple[str, ...] | None, _names(["length"])] = None
+
+
+def read_ports(reader: "Reader") -> Ports:
+    """Read the table [fmu]. Which variables there are is known when the FMU is built."""
+    given = reader.draft.part(("fmu",), Ports, reader.draft.table("fmu"))
+    chosen = {name: getattr(given, name) for name in fields_of(Ports)}
+    return Ports(
+        **{name: x if x is None or x is BROKEN else tuple(x) for name, x in chosen.items()}
+    )
 
 
 def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
