@@ -33,9 +33,10 @@ td.number {{ font-variant-numeric: tabular-nums }}
 <h1>{name}</h1>
 <img src="../model.png" alt="the mechanism as drawn" width="480" height="360">
 <p>{description}</p>
-<p>An FMI {fmi}.0 co-simulation unit. It advances the mechanism with a conserving augmented-Lagrangian
-method; its outputs <code>energy.error</code> and <code>constraint.position</code> say how well
-energy and constraints are kept, and <code>solver.status</code> is 0 as long as every communication
+<p>An FMI {fmi}.0 co-simulation unit. It advances the mechanism with a conserving
+augmented-Lagrangian method; its outputs <code>energy.error</code> and
+<code>constraint.position</code> say how well energy and constraints are kept, and
+<code>solver.status</code> is 0 as long as every communication
 step succeeded. Where it is not 0 the last step was discarded and the log has the reason.</p>
 <p>Default experiment: {experiment}.</p>
 <p>{needs}</p>

@@ -22,7 +22,7 @@ KINDS = {
 
 
 def local_variables(model: Model, scene: Scene) -> frozenset[int]:
-    """Indices of the variables that are no ports: an importer may read them, and does not list them.
+    """Indices of the variables that are no ports: importers may read them, and do not list them.
 
     Raises
     ------
