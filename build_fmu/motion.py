@@ -96,3 +96,12 @@ class Poses:
         position, angle = self.apart(poses, poses[:1])
         size = float(abs(poses[:, : self._ends[0]]).max(initial=0.0))
         return not self.names or position > STILL * size or angle > STILL
+
+
+LOSSES = {f"energy.{cause}": cause for cause in ("damping", "friction", "impact")}
+"""Outputs of a mechanism with contacts or friction, and the causes that take energy out."""
+
+
+def losses(ends: Mapping[str, float]) -> dict[str, float]:
+    """Energy that each cause has taken out [J], from the outputs at the end of a run."""
+    return {cause: ends[name] for name, cause in LOSSES.items() if name in ends}

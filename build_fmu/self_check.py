@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from build_fmu.motion import RESIDUAL, Poses, lag_of_velocities, largest_by_unit
+from build_fmu.motion import RESIDUAL, Poses, lag_of_velocities, largest_by_unit, losses
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Integrator, OptionError, StepError
 from solver.runtime.errors import in_one_line
@@ -52,6 +52,9 @@ class SelfCheck:
         that turns.
     largest : mapping of str to float
         Largest size of what moves, by unit.
+    taken : mapping of str to float
+        Energy that each cause has taken out until the end [J], of a mechanism with contacts or
+        friction.
     remarks : tuple of str
         What it said of itself: that dampers limit the order, for one.
     """
@@ -64,6 +67,7 @@ class SelfCheck:
     position_error: float | None = None
     rotation_error: float | None = None
     largest: Mapping[str, float] = field(default_factory=dict)
+    taken: Mapping[str, float] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
 
     @property
@@ -95,6 +99,7 @@ def self_check(model: Model) -> SelfCheck:
         position_error=apart and apart[0],
         rotation_error=apart[1] if apart and poses.turn else None,
         largest=largest,
+        taken=losses(dict(zip(names, rows[-1].tolist(), strict=True))) if len(rows) else {},
         remarks=tuple(said),
     )
 

@@ -4,26 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from build_fmu.commands.simulate import begun, report_end, simulate
 from build_fmu.errors import CHECK_FAILED, UNFINISHED, UsageError
-from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual
+from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual, losses
 from build_fmu.report import print_json, print_table
 from solver.runtime.layout import MOST_SAMPLING
-
-if TYPE_CHECKING:
-    from build_fmu.run import Run
-
-
-def losses(result: Run) -> dict[str, dict[str, float]]:
-    """Energy that each cause has taken out [J], of a mechanism with contacts or friction."""
-    found = {f"energy.{cause}": cause for cause in ("damping", "friction", "impact")}
-    outputs = result.values.dtype.names or ()
-    taken = {
-        cause: float(result.values[name][-1]) for name, cause in found.items() if name in outputs
-    }
-    return {"taken": taken} if taken else {}
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -44,6 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     found = {name: (result.largest(name), limit) for name, limit in limits.items()}
     holds = {name: largest <= limit for name, (largest, limit) in found.items()}
     all_hold = all(holds.values()) and not result.reason
+    taken = losses({name: float(result.values[name][-1]) for name in outputs})
     if arguments.json:
         checks = [
             {"name": name, "largest": largest, "limit": limit, "holds": holds[name]}
@@ -51,7 +38,8 @@ def run(arguments: argparse.Namespace) -> int:
         ]
         document = {"holds": all_hold, "moved": result.moved, "checks": checks}
         reason = {"reason": result.reason, "end_time": result.end_time}
-        print_json(document | losses(result) | reason | {"warnings": arguments.warnings})
+        ledger = {"taken": taken} if taken else {}
+        print_json(document | ledger | reason | {"warnings": arguments.warnings})
     elif begun(result):
         rows = [
             # The errors of a mechanism at rest say nothing about the solver.
@@ -65,11 +53,9 @@ def run(arguments: argparse.Namespace) -> int:
         ]
         title = f"{arguments.target}: {result.steps} steps to t = {result.end_time:g} s"
         print_table(title, ("output", "largest", "limit", "holds"), rows)
-        taken = [
-            (cause, f"{value:.6g}") for cause, value in losses(result).get("taken", {}).items()
-        ]
         if taken:
-            print_table("energy taken out by", ("cause", "J"), taken)
+            rows = [(cause, f"{value:.6g}") for cause, value in taken.items()]
+            print_table("energy taken out by", ("cause", "J"), rows)
     report_end(result)
     if lag:
         sys.stderr.write(f"holonom: {lag}\n")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
+from build_fmu.motion import LOSSES
 from build_fmu.package import package_of
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
@@ -31,6 +32,8 @@ VARIABLE_FIELDS = {
     **{"minimum": "min", "maximum": "max", "description": "description"},
 }
 """What --json has of a variable, and what it is called there."""
+CAUSES = (*LOSSES.values(),)
+"""What takes energy out."""
 ROUNDING = 1e-10
 """Part of the largest value of its unit below which a value is shown as 0."""
 
@@ -59,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     counts = survey(model)
     package = package_of(arguments.target) if is_fmu(arguments.target) else {}
-    document = _document(model, counts) | ({"package": package} if package else {})
+    document = _document(model, counts) | _ledger(model) | ({"package": package} if package else {})
     if arguments.json:
         print_json(document | {"warnings": arguments.warnings})
         return 0
@@ -105,6 +108,16 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
     }
 
 
+def _ledger(model: Model) -> dict[str, Any]:
+    """Energy that each cause takes in a run of the default experiment, if there are contacts."""
+    if not any(variable.name == "energy.impact" for variable in model.variables):
+        return {}
+    from build_fmu.self_check import self_check
+
+    seen = self_check(model)
+    return {"taken": {**seen.taken, "duration": seen.duration, "reason": seen.reason}}
+
+
 def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
     """Rows of the table: what there is, and how much of it."""
     # A model does not say which of its fixed places were points, and which ends of springs.
@@ -125,6 +138,7 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("constraint formulas", _names(document["constraints"])),
         *([("contacts", _names(document["contacts"]))] if document["contacts"] else []),
         *((f"mesh of {name}", _mesh(mesh)) for name, mesh in document["meshes"].items()),
+        *([("energy taken out", _taken(document["taken"]))] if "taken" in document else []),
         ("drivers", _names(document["drivers"])),
         ("points", f"{moving}, {counts.supports} fixed{note}"),
         *((kind, _names(names)) for kind, names in forces.items()),
@@ -140,6 +154,12 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
 
 def _package(package: Mapping[str, Any]) -> str:
     return f"FMI {package['fmi']}, {package['kind']}, {', '.join(package['platforms'])}"
+
+
+def _taken(taken: Mapping[str, Any]) -> str:
+    causes = [f"{value:.6g} J by {cause}" for cause, value in taken.items() if cause in CAUSES]
+    ended = f", which ended early: {taken['reason']}" if taken["reason"] else ""
+    return f"{', '.join(causes)}; in a run of {taken['duration']:g} s{ended}"
 
 
 def _names(names: Sequence[str], most: int = 8) -> str:

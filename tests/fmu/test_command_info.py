@@ -64,6 +64,16 @@ def lines(capsys, target, *arguments) -> dict[str, str]:
 # -------------------------------------------------------------------------------------- counts
 
 
+def test_info_shows_the_energy_that_each_cause_takes_as_check_does(capsys):
+    scene = SCENES / "falling_rod.toml"
+    taken = json.loads(run(capsys, "info", scene, "--json")[1])["taken"]
+    assert (taken.pop("duration"), taken.pop("reason")) == (1.0, "")
+    checked = json.loads(run(capsys, "check", scene, "--json")[1])["taken"]
+    assert taken == pytest.approx(checked, rel=1e-12)
+    assert taken["impact"] > 7.0
+    assert "J by impact; in a run of 1 s" in lines(capsys, scene)["energy taken out"]
+
+
 def test_info_says_the_same_of_a_scene_and_its_fmu(capsys):
     code, out, _ = run(capsys, "info", SCENES / "four_bar.toml", "--json")
     of_fmu = json.loads(run(capsys, "info", scene_fmu("four_bar"), "--json")[1])
