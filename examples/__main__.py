@@ -21,10 +21,10 @@ ROUND_OFF = 1e-12
 """J: some 7 J turn from potential to kinetic, and hundreds of steps add their last digits."""
 
 
-def build_coupled(folder: Path) -> dict[str, Path]:
+def build_coupled(folder: Path, *, native: bool = False) -> dict[str, Path]:
     """FMUs of the two mechanisms and of the spring between them."""
     return {
-        name: build(HERE / f"{scene}.toml", folder / f"{scene}.fmu")
+        name: build(HERE / f"{scene}.toml", folder / f"{scene}.fmu", native=native)
         for name, scene in SCENES.items()
     }
 

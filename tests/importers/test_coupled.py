@@ -1,4 +1,7 @@
-"""Each importer couples the FMUs of examples/ as one of our schemes does, to round-off."""
+"""Each importer couples the FMUs of examples/ as one of our schemes does, to round-off.
+
+Those with Python and native ones; ours are the results of those with Python.
+"""
 
 from __future__ import annotations
 
@@ -29,9 +32,13 @@ WATCH = [(name, f"{couple.ENDS[name][0]}.{axis}") for name in couple.MECHANISMS 
 _FOLDER = tempfile.TemporaryDirectory(prefix="importers-", ignore_cleanup_errors=True)
 
 
+KINDS = pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
+
+
 @functools.cache
-def fmus() -> dict[str, Path]:
-    return examples.build_coupled(Path(_FOLDER.name))
+def fmus(native: bool = False) -> dict[str, Path]:
+    folder = Path(_FOLDER.name, "native" if native else "python")
+    return examples.build_coupled(folder, native=native)
 
 
 @functools.cache
@@ -53,16 +60,17 @@ def start_values() -> dict[str, dict[str, float]]:
     return values
 
 
-def theirs(name: str, scheme: str = "parallel") -> np.ndarray:
+def theirs(name: str, scheme: str = "parallel", native: bool = False) -> np.ndarray:
     """Positions after each step, m, in an importer."""
     tool = need(name)
-    descriptions = {name: fmpy.read_model_description(str(path)) for name, path in fmus().items()}
+    paths = {name: str(path) for name, path in fmus(native).items()}
+    descriptions = {name: fmpy.read_model_description(path) for name, path in paths.items()}
     references = {
         name: {v.name: v.valueReference for v in description.modelVariables}
         for name, description in descriptions.items()
     }
     job = {
-        "fmus": {name: str(path) for name, path in fmus().items()},
+        "fmus": paths,
         "links": LINKS,
         "references": references,
         "start": start_values(),
@@ -74,19 +82,23 @@ def theirs(name: str, scheme: str = "parallel") -> np.ndarray:
     return np.array(drive(tool, job))
 
 
+@KINDS
 @pytest.mark.parametrize("name", ["libcosimpy", "ecospy", "cofmupy"])
-def test_an_importer_that_steps_all_at_once_is_our_parallel_scheme(name):
+def test_an_importer_that_steps_all_at_once_is_our_parallel_scheme(name, native):
     # They add t up in other ways, and its last digit is a length of a step, 1e-16 s.
-    assert theirs(name) == pytest.approx(ours("parallel"), abs=1e-12)
+    assert theirs(name, native=native) == pytest.approx(ours("parallel"), abs=1e-12)
 
 
+@KINDS
 @pytest.mark.parametrize("scheme", ["parallel", "sequential"])
-def test_a_container_of_fmus_steps_them_bit_for_bit_as_we_do(scheme):
-    assert np.array_equal(theirs("fmu-manipulation-toolbox", scheme), ours(scheme))
+def test_a_container_of_fmus_steps_them_bit_for_bit_as_we_do(scheme, native):
+    assert np.array_equal(theirs("fmu-manipulation-toolbox", scheme, native), ours(scheme))
 
 
-def test_pathsim_is_our_sequential_scheme_one_step_ahead():
-    assert theirs("pathsim-fmi") == pytest.approx(ours("sequential", STEPS + 1)[1:], abs=1e-12)
+@KINDS
+def test_pathsim_is_our_sequential_scheme_one_step_ahead(native):
+    found = theirs("pathsim-fmi", native=native)
+    assert found == pytest.approx(ours("sequential", STEPS + 1)[1:], abs=1e-12)
 
 
 def test_cofmupys_gauss_seidel_is_closer_to_the_conserving_scheme_than_its_jacobi():
