@@ -26,24 +26,29 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint sanitize hostile benchmark importers platforms cofmupy kernel clean
+.PHONY: demo test long lint lint-python lint-c sanitize hostile benchmark importers platforms cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
 	@$(BIN)/python -m examples.clearance
 
-test: lint
+test: $(VENV)/installed-tools
+	@$(MAKE) -j $(JOBS) lint
 	$(BIN)/python -m pytest -n $(JOBS) -m "not long"
 
 long: $(VENV)/installed-tools
 	$(BIN)/python -m pytest -n $(JOBS) -m long
 	$(MAKE) sanitize hostile
 
-lint: $(VENV)/installed-tools
+lint: lint-python lint-c
+
+lint-python: $(VENV)/installed-tools
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/pyright --pythonpath $(BIN)/python
 	$(BIN)/lint-imports
+
+lint-c: $(VENV)/installed-tools
 	CFLAGS="-Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion" $(BIN)/python -m build_kernel
 
 sanitize: $(VENV)/installed-tools

@@ -120,7 +120,7 @@ def _native_library(platform: str, dimension: int) -> bytes:
         return path.read_bytes()
     remedy = "python -m build_kernel"
     if platform != own_platform():
-        remedy = "pip install ziglang, then python -m build_kernel --all"
+        remedy = "in a clone of holonom: pip install ziglang, then python -m build_kernel --all"
     text = f"the library of native FMUs for {platform} is missing ({path}); compile it: {remedy}"
     raise EnvironmentLackError(text)
 

@@ -26,7 +26,7 @@ static void *run(void *hash)
     char why[200];
     const int64_t size = holonom_instance_size(model, model_length, why, sizeof why);
     void *memory = malloc((size_t)size + 16);
-    holonom_instance *i = holonom_make(model, model_length, (void *)(((uintptr_t)memory + 15) & ~(uintptr_t)15), 1);
+    holonom_instance *i = holonom_make(model, (void *)(((uintptr_t)memory + 15) & ~(uintptr_t)15), 1);
     int32_t index[MOST_VALUES];
     double value[MOST_VALUES];
     uint64_t found = 14695981039346656037u;

@@ -169,7 +169,7 @@ static slave *lay_out(const hm_bytes *model, size_t size)
     char *behind = (char *)(s + 1);
     s->text = (hm_text){behind, room, 0};
     behind += room;
-    s->instance = holonom_make(model->begin, model->length, behind + (-(uintptr_t)behind & 15), 1);
+    s->instance = holonom_make(model->begin, behind + (-(uintptr_t)behind & 15), 1);
     s->file = holonom_file_of(s->instance);
     return s;
 }

@@ -73,11 +73,11 @@ int64_t holonom_instance_size(const void *model, int64_t length, char *why, int6
     return 0;
 }
 
-holonom_instance *holonom_make(const void *model, int64_t length, void *memory, int32_t heard)
+holonom_instance *holonom_make(const void *model, void *memory, int32_t heard)
 {
     holonom_instance *i = memory;
     hm_model_file file;
-    if (hm_bind(model, length, &file)) return NULL;
+    if (!hm_view(model, &file)) return NULL;
     memset(i, 0, lay_out(&file, NULL, i));
     i->file = file;
     lay_out(&file, memory, i);

@@ -12,9 +12,9 @@ enum holonom_phase { HOLONOM_CONFIGURED, HOLONOM_ASSEMBLED, HOLONOM_MOVING }; /*
 /* Bytes of memory for an instance of a model file, after all of it was checked; 0 if it cannot be used, and why (room bytes). */
 HOLONOM_API int64_t holonom_instance_size(const void *model, int64_t length, char *why, int64_t room);
 
-/* Makes an instance in `memory` (16-aligned, holonom_instance_size bytes). The model must outlive it. `heard`: somebody reads all
-   remarks; otherwise only those are made that hold for a whole run. */
-HOLONOM_API holonom_instance *holonom_make(const void *model, int64_t length, void *memory, int32_t heard);
+/* Makes an instance in `memory` (16-aligned, holonom_instance_size bytes) of a model that this function has checked, and that
+   outlives it. `heard`: somebody reads all remarks; otherwise only those are made that hold for a whole run. */
+HOLONOM_API holonom_instance *holonom_make(const void *model, void *memory, int32_t heard);
 
 /* Returns to the condition after holonom_make. */
 HOLONOM_API void holonom_reset(holonom_instance *instance);

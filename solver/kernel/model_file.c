@@ -101,14 +101,19 @@ static int has_sound_records(const hm_model_file *f)
     return options == (f->model.unilateral ? S_HORIZON : S_REST_SPEED) - S_FORMULATION; /* those of contacts come last */
 }
 
-const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)
+int hm_view(const void *bytes, hm_model_file *f)
 {
     memset(f, 0, sizeof *f);
-    if ((uintptr_t)bytes % 8) return "it does not lie on an address that 8 divides";
     f->header = bytes;
-    const char *flaw = flaw_of_header(f->header, length);
+    return lay_out(bytes, f);
+}
+
+const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)
+{
+    if ((uintptr_t)bytes % 8) return "it does not lie on an address that 8 divides";
+    const char *flaw = flaw_of_header(bytes, length);
     if (flaw) return flaw;
-    if (!lay_out(bytes, f)) return "its parts are not as long as it says";
+    if (!hm_view(bytes, f)) return "its parts are not as long as it says";
     const hm_header *h = f->header;
     const holonom_model *m = &f->model;
     if (m->dim != DIM) return "it is of another dimension";

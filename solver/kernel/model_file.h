@@ -26,6 +26,9 @@ typedef struct hm_model_file {
 /* Binds `length` bytes, 8-aligned, and checks the checksum, every length and every index. Returns NULL, or what is wrong. */
 const char *hm_bind(const void *bytes, int64_t length, hm_model_file *file);
 
+/* Binds bytes that hm_bind has checked before; 0 if they are none. */
+int hm_view(const void *bytes, hm_model_file *file);
+
 /* Whether all indices of a model lie within what they point into, and all lists are as long as their readers think. */
 int hm_is_consistent(const holonom_model *model, const int32_t *table_length);
 

@@ -53,7 +53,7 @@ class Integrator:
         address = ctypes.addressof(self._memory)
         address += -address % 16
         self._instance = library.holonom_make(
-            ctypes.addressof(self._file), len(model.file), address, log is not None
+            ctypes.addressof(self._file), address, log is not None
         )
         self._get, self._advance = library.holonom_get, library.holonom_move
         self._plans: dict[tuple[int, ...], tuple] = {}

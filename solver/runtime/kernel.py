@@ -73,7 +73,7 @@ FUNCTIONS = {
     "state_size": (_COUNT, [_POINTER]),
     "work_size": (_COUNT, [_POINTER]),
     "instance_size": (_COUNT, [_POINTER, _COUNT, _POINTER, _COUNT]),
-    "make": (_POINTER, [_POINTER, _COUNT, _POINTER, _INTEGER]),
+    "make": (_POINTER, [_POINTER, _POINTER, _INTEGER]),
     "reset": (None, [_POINTER]),
     "message": (ctypes.c_char_p, [_POINTER]),
     "remarks": (ctypes.c_char_p, [_POINTER]),
