@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -46,12 +47,13 @@ class Package:
         """
         if not self.native:
             return _python_entries(name, dimension)
-        return {
-            f"binaries/{folder}/{name}{PLATFORMS[platform].suffix}": library
-            for platform in self.platforms
-            for library in [_native_library(platform, dimension)]
-            for folder in self._folders(platform)
-        }
+        found = {}
+        for platform in self.platforms:
+            folders, library = self._folders(platform), _native_library(platform, dimension)
+            parts = parts_of(library) if len(folders) > 1 else [library]
+            for folder, part in zip(folders, parts, strict=True):
+                found[f"binaries/{folder}/{name}{PLATFORMS[platform].suffix}"] = part
+        return found
 
     def _folders(self, platform: str) -> Sequence[str]:
         known = PLATFORMS[platform]
@@ -61,6 +63,13 @@ class Package:
 
 PYTHON = Package()
 """Package of Python code, for the platforms of pythonfmu's libraries."""
+
+
+def parts_of(universal: bytes) -> list[bytes]:
+    """Libraries in a universal file of macOS, one for each processor (mach-o/fat.h)."""
+    count = int.from_bytes(universal[4:8], "big")
+    places = [struct.unpack_from(">II", universal, 16 + 20 * k) for k in range(count)]
+    return [universal[start : start + size] for start, size in places]
 
 
 def chosen_package(

@@ -140,6 +140,8 @@ def _compile_with_zig(
     compiler = [sys.executable, "-m", "ziglang", "cc", "-target", zig_name]
     system = next((s for word, s in SYSTEMS.items() if word in zig_name), "Linux")
     options = [*_without_runtime(compiler)]
+    if slave is not None:  # a quarter smaller, and a twentieth slower than what gcc makes
+        options += ["-Os", "-fno-unwind-tables"]
     if system == "Darwin":
         options.append(f"-Wl,-install_name,@rpath/{target.name}")
     print("compiling", target.name, "for", zig_name)

@@ -19,6 +19,7 @@ import pytest
 
 import solver
 from build_fmu import build
+from build_fmu.package import chosen_package
 from build_fmu.platforms import PLATFORMS, library_path
 from tests.fmu_instance import SCENES, instance
 
@@ -188,3 +189,12 @@ def test_a_library_for_linux_needs_no_newer_glibc_than_2_17():
             pytest.skip(why_not(platform))
         wanted = re.findall(rb"GLIBC_([0-9.]+)", path.read_bytes())
         assert max(tuple(map(int, version.split(b"."))) for version in wanted) <= (2, 17)
+
+
+def test_the_folders_of_macos_in_fmi_3_have_a_library_of_their_processor_each():
+    path = library_path(ROOT / "fmu_src", "darwin64", 2)
+    if not path.is_file():
+        pytest.skip("no library for darwin64: python -m build_kernel --all")
+    entries = chosen_package(True, 3, "darwin64").entries("a", 2)
+    processors = {name.split("/")[1]: data[4:8][::-1].hex() for name, data in entries.items()}
+    assert processors == {"x86_64-darwin": "01000007", "aarch64-darwin": "0100000c"}
