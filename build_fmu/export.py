@@ -7,6 +7,7 @@ import re
 import time
 import uuid
 from collections.abc import Callable, Collection, Mapping
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING
 from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.errors import UsageError, writing
-from build_fmu.model_description import model_description, native_model_description
+from build_fmu.model_description import model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import PYTHON, Package
 from build_fmu.payload import digest
@@ -129,9 +130,8 @@ def archive_entries(
     entries["model.png"] = picture(parts)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
-    describe = model_description
-    if package.native:
-        describe = model_description_fmi3 if package.fmi == 3 else native_model_description
+    of_fmi2 = partial(model_description, native=package.native)
+    describe = model_description_fmi3 if package.fmi == 3 else of_fmi2
     entries["modelDescription.xml"] = describe(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
         nominal=seen.nominal, source=parts.scene.source, local=local,

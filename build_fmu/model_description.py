@@ -7,7 +7,6 @@ every start value comes back as the same double.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from functools import partial
 from itertools import starmap
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement
@@ -76,7 +75,8 @@ def model_description(
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
     ports = with_local(model.variables, local)
     variables = (_variable(i, variable, types) for i, variable in enumerate(ports))
-    parts = [
+    return description(
+        model, "2.0", {"guid": guid}, date, tool,
         element("CoSimulation", modelIdentifier=identifier, **capabilities),
         element("UnitDefinitions", *map(unit, types)),
         element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
@@ -85,24 +85,29 @@ def model_description(
         *_annotations(source),
         element("ModelVariables", *variables),
         _structure(model, ports),
-    ]
-    root = element(
-        "fmiModelDescription",
-        *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
-        fmiVersion="2.0",
-        modelName=model.name,
-        guid=guid,
-        description=model.description or None,
-        generationTool=tool,
-        generationDateAndTime=date,
-        variableNamingConvention="structured",
         numberOfEventIndicators="0",
+    )  # fmt: skip
+
+
+def description(
+    model: Model, version: str, token: Mapping[str, str], date: str, tool: str,
+    *parts: Element, **more: str,
+) -> bytes:  # fmt: skip
+    """Text of the description of a model with these parts, of which empty ones are left out."""
+    return document(
+        element(
+            "fmiModelDescription",
+            *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
+            fmiVersion=version,
+            modelName=model.name,
+            **token,
+            description=model.description or None,
+            generationTool=tool,
+            generationDateAndTime=date,
+            variableNamingConvention="structured",
+            **more,
+        )
     )
-    return document(root)
-
-
-native_model_description = partial(model_description, native=True)
-"""The same of an FMU that needs no Python."""
 
 
 def category(name: str, description: str) -> Element:
@@ -146,26 +151,38 @@ def with_local(variables: Sequence[Variable], local: Collection[int]) -> list[Va
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
-    settable = variable.causality in ("parameter", "input")
+    value = element(variable.type, **attributes_of_value(variable, types))
+    return element("ScalarVariable", value, **attributes_of_variable(index, variable))
+
+
+def attributes_of_variable(index: int, variable: Variable) -> dict[str, object]:
+    """Return who a variable is, and what it is to an importer."""
     # Inputs must not say it: their start value is exact by definition.
-    initial = None if variable.causality == "input" else "exact" if settable else "calculated"
+    initial = "exact" if _is_settable(variable) else "calculated"
+    return {
+        "name": variable.name,
+        "valueReference": str(index),
+        "description": variable.description or None,
+        "causality": variable.causality,
+        "variability": variable.variability,
+        "initial": None if variable.causality == "input" else initial,
+    }
+
+
+def attributes_of_value(variable: Variable, types: Mapping[str, str]) -> dict[str, object]:
+    """Return the type, unit, limits and start of a variable's value."""
     given: dict[str, object] = {}
     if variable.type == "Real" and variable.unit:
         given = {"declaredType": types[variable.unit], "unit": variable.unit}
     if variable.type == "Real" and not variable.clips:  # importers refuse what is beyond
         given |= {"min": variable.minimum, "max": variable.maximum}
-    if settable:
+    if _is_settable(variable):
         given["start"] = variable.start
-    return element(
-        "ScalarVariable",
-        element(variable.type, **given),
-        name=variable.name,
-        valueReference=str(index),
-        description=variable.description or None,
-        causality=variable.causality,
-        variability=variable.variability,
-        initial=initial,
-    )
+    return given
+
+
+def _is_settable(variable: Variable) -> bool:
+    return variable.causality in ("parameter", "input")
 
 
 def _structure(model: Model, ports: Sequence[Variable]) -> Element:

@@ -13,13 +13,16 @@ from xml.etree.ElementTree import Element
 from build_fmu.model_description import (
     EXPERIMENT,
     UNKNOWNS,
+    attributes_of_value,
+    attributes_of_variable,
     category,
     dependencies_of,
+    description,
     scene_element,
     unit,
     with_local,
 )
-from build_fmu.xml_parts import declared_types, document, element
+from build_fmu.xml_parts import declared_types, element
 from fmu_src.status import LOG_CATEGORIES
 
 if TYPE_CHECKING:
@@ -60,7 +63,8 @@ def model_description_fmi3(
         "Float64", name="time", valueReference=str(len(model.variables)),
         causality="independent", variability="continuous", unit="s" if "s" in types else None,
     )  # fmt: skip
-    parts = [
+    return description(
+        model, "3.0", {"instantiationToken": guid}, date, tool,
         element("CoSimulation", modelIdentifier=identifier, **CAPABILITIES),
         element("UnitDefinitions", *map(unit, types)),
         element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
@@ -72,19 +76,7 @@ def model_description_fmi3(
             "Annotations",
             *(element("Annotation", s, type="holonom") for s in scene_element(source)),
         ),
-    ]
-    root = element(
-        "fmiModelDescription",
-        *(part for part in parts if part.attrib or len(part) or part.tag.startswith("Model")),
-        fmiVersion="3.0",
-        modelName=model.name,
-        instantiationToken=guid,
-        description=model.description or None,
-        generationTool=tool,
-        generationDateAndTime=date,
-        variableNamingConvention="structured",
-    )
-    return document(root)
+    )  # fmt: skip
 
 
 def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
@@ -95,22 +87,11 @@ def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
 
 
 def _variable(index: int, variable: Variable, types: Mapping[str, str]) -> Element:
-    settable = variable.causality in ("parameter", "input")
-    initial = None if variable.causality == "input" else "exact" if settable else "calculated"
-    given: dict[str, object] = {}
-    in_words = settable and variable.type == "String"
-    start = [element("Start", value=variable.start)] if in_words else []
-    if variable.type == "Real" and variable.unit:
-        given = {"declaredType": types[variable.unit], "unit": variable.unit}
-    if variable.type == "Real" and not variable.clips:  # importers refuse what is beyond
-        given |= {"min": variable.minimum, "max": variable.maximum}
-    if settable and not start:
-        given["start"] = variable.start
-    return element(
-        TYPES[variable.type], *start,
-        name=variable.name, valueReference=str(index), description=variable.description or None,
-        causality=variable.causality, variability=variable.variability, initial=initial, **given,
-    )  # fmt: skip
+    given = attributes_of_value(variable, types)
+    start = []
+    if variable.type == "String" and "start" in given:  # there may be several, of an array
+        start = [element("Start", value=given.pop("start"))]
+    return element(TYPES[variable.type], *start, **attributes_of_variable(index, variable), **given)
 
 
 def _structure(model: Model, ports: Sequence[Variable]) -> Element:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import solver
 from build_fmu.export import TOOL, generation_date, guid, identifier
-from build_fmu.model_description import native_model_description
+from build_fmu.model_description import model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import chosen_package
 from solver.runtime import Model
@@ -30,7 +30,8 @@ def native_fmu(model: Model, fmi: int = 2) -> Path:
     entries["resources/model.bin"] = model.file
     own = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own)
-    describe = model_description_fmi3 if fmi == 3 else native_model_description
+    of_fmi2 = functools.partial(model_description, native=True)
+    describe = model_description_fmi3 if fmi == 3 else of_fmi2
     date = generation_date()
     text = describe(model, identifier=name, guid=own, date=date, tool=TOOL)
     entries["modelDescription.xml"] = text
