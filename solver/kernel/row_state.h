@@ -181,22 +181,24 @@ static int has_smooth(const context *c)
 static double slip_direction(const context *c, int32_t f, double *along)
 {
     const int n = n_slips(c, f), smooth = is_smooth(c, f);
-    double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]), ahead = 0.0;
+    const double *began = friction_of(c, f) + F_ALONG_1;
+    double slip2 = 0.0, turn2 = 0.0, size2 = hm_square(c->number[c->m->smooth_speed_at + f]), ahead = 0.0, way[3];
+    for (int k = 0; k < n; k++) along[k] = began[k];
+    if (c->at_state || (n == 1 && !smooth)) return 0.0;
     for (int k = 0; k < n; k++) {
         const int32_t row = row_of(c, slip_row(c, f, k));
         slip2 += hm_square(c->k.slip[row]);
-        along[k] = smooth ? 0.0 : TURNING_PART * fabs(c->h) * c->number[c->m->row_sigma_at + row] * c->k.mu[row];
-        turn2 += along[k] * along[k];
-        ahead += c->k.slip[row] * friction_of(c, f)[F_ALONG_1 + k];
+        way[k] = smooth ? 0.0 : TURNING_PART * fabs(c->h) * c->number[c->m->row_sigma_at + row] * c->k.mu[row];
+        turn2 += way[k] * way[k];
+        ahead += c->k.slip[row] * began[k];
     }
     const double sign = ahead < 0.0 && !smooth ? -1.0 : 1.0, part = slip2 < turn2 ? 1.0 : 0.0;
     for (int k = 0; k < n; k++) {
-        along[k] = part * along[k] + sign * c->k.slip[row_of(c, slip_row(c, f, k))];
-        size2 += along[k] * along[k];
+        way[k] = part * way[k] + sign * c->k.slip[row_of(c, slip_row(c, f, k))];
+        size2 += way[k] * way[k];
     }
-    const int follows = (n > 1 || smooth) && !c->at_state && size2 > 0.0;
-    for (int k = 0; k < n; k++) along[k] = follows ? along[k] / sqrt(size2) : friction_of(c, f)[F_ALONG_1 + k];
-    return follows ? sign * sqrt(size2) : 0.0;
+    for (int k = 0; k < n && size2 > 0.0; k++) along[k] = way[k] / sqrt(size2);
+    return sign * sqrt(size2);
 }
 
 /* Sets the multipliers lambda that the rows of sliding frictions are held to, from those of the normal forces in mu. */

@@ -24,6 +24,9 @@ SETTINGS = {
     "paired": (True, "contacts need paired = true"),
 }
 """Settings that contacts need, and why."""
+TOWARDS_THE_BODY = kind.Direction(
+    text="normal of the plane, towards the body", example=[0, 0, 1], required=True
+)
 PLACE_OF_PLANE = kind.Components("m", "a place of the plane as drawn; the origin")
 SURFACE_VELOCITY = kind.Components(
     "m/s", "of the surface along the plane, in axes as drawn, as of a belt", place=DRIVER
@@ -105,12 +108,7 @@ class CornersContact(RubbingContact):
             "m", "instead of corners: lengths of a box about the origin of the body", rule=POSITIVE
         ),
     ] = None
-    axis: Annotated[
-        Vector,
-        kind.Direction(
-            text="normal of the plane, towards the body", example=[0, 0, 1], required=True
-        ),
-    ]
+    axis: Annotated[Vector, TOWARDS_THE_BODY]
     position: Annotated[Vector | None, PLACE_OF_PLANE] = None
     on: Annotated[str | None, kind.BODY_OR_GROUND] = None
     """The body that carries the plane."""

@@ -7,6 +7,7 @@ may stand wherever the name of a file stands.
 
 import base64
 import binascii
+import math
 import re
 from collections.abc import Sequence
 from pathlib import Path as FilePath
@@ -61,3 +62,18 @@ def read_file(
         message = f"file '{where.as_posix()}' cannot be read: {reason.lower()}"
         help = f"name a file {names}, by its path from the folder of the scene"
         return draft.error(path, message, help)
+
+
+def rows_of_table(text: str) -> list[tuple[int, list[str]]]:
+    """Cells of the rows of a CSV file that have any, each with the number of its line."""
+    lines = enumerate(text.splitlines(), 1)
+    return [(n, re.split("[,;\t]", line)) for n, line in lines if line.strip(" ,;\t")]
+
+
+def number(cell: str) -> float | None:
+    """Return the finite number in a cell of a CSV file; None for anything else."""
+    try:
+        value = float(cell)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None

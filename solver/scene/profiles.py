@@ -9,7 +9,6 @@ where M is 0 at both ends, so that curvature does not jump there either, or repe
 """
 
 import math
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -19,6 +18,7 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 from solver.scene import fields as kind
 from solver.scene.expression import FUNCTIONS, Curve
 from solver.scene.fields import BROKEN, Part, shown
+from solver.scene.files import number, rows_of_table
 from solver.scene.report import Path
 
 if TYPE_CHECKING:
@@ -109,13 +109,12 @@ def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:
     """Yield the points of a CSV file: two numbers a row; a heading may stand above them."""
     where = FilePath(draft.source.name).parent / file
     try:
-        lines = where.read_bytes().decode("utf-8-sig").splitlines()
+        rows = rows_of_table(where.read_bytes().decode("utf-8-sig"))
     except (OSError, ValueError) as error:  # no such file, or none of text
         message = f"file '{where.as_posix()}' cannot be read: "
         message += (getattr(error, "strerror", None) or str(error)).lower()
         help = "name a CSV file in UTF-8, by its path from the folder of the scene"
         return draft.error(path, message, help)
-    rows = [(n, re.split("[,;\t]", line)) for n, line in enumerate(lines, 1) if line.strip(" ,;\t")]
     if rows and all(number(cell) is None for cell in rows[0][1]):
         del rows[0]
     for n, cells in rows:
@@ -131,15 +130,6 @@ def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:
         else:
             yield _Point(numbers[0] or 0.0, numbers[1] or 0.0, path, f"{row}: ")
     return None
-
-
-def number(cell: str) -> float | None:
-    """Return the finite number in a cell of a CSV file; None for anything else."""
-    try:
-        value = float(cell)
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None
 
 
 def _check(

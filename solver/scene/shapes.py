@@ -9,6 +9,7 @@ from solver.scene.contact_laws import RubbingContact
 from solver.scene.contacts import (
     PLACE_OF_PLANE,
     SURFACE_VELOCITY,
+    TOWARDS_THE_BODY,
     check_size,
     check_surface_velocity,
     read_carrier,
@@ -35,12 +36,17 @@ def _pair(reader: "Reader", path: Path, names: Any, _: Any) -> tuple[str | None,
     return reader.pair(path, names)
 
 
+def _places_of_both(reader: "Reader", path: Path, lists: Any) -> tuple[Places, Places]:
+    first, second = (BROKEN, BROKEN) if lists is BROKEN else lists
+    return (
+        read_corners(reader, (*path, 0), first, None),
+        read_corners(reader, (*path, 1), second, None),
+    )
+
+
 def _segments(reader: "Reader", path: Path, segments: Any, _: Any) -> tuple[Places, Places]:
     """Check that each capsule has two ends, or one, which is a ball."""
-    first, second = (
-        read_corners(reader, (*path, i), BROKEN if segments is BROKEN else segments[i], None)
-        for i in range(2)
-    )
+    first, second = _places_of_both(reader, path, segments)
     for i, ends in enumerate((first, second)):
         if len(ends) > 2:
             message = f"a capsule has two ends, a ball one, got {len(ends)}"
@@ -54,10 +60,7 @@ def _segments(reader: "Reader", path: Path, segments: Any, _: Any) -> tuple[Plac
 
 
 def _polygons(reader: "Reader", path: Path, polygons: Any, _: Any) -> tuple[Places, Places]:
-    first, second = (
-        read_corners(reader, (*path, i), BROKEN if polygons is BROKEN else polygons[i], None)
-        for i in range(2)
-    )
+    first, second = _places_of_both(reader, path, polygons)
     for i, corners in enumerate((first, second)):
         values = [reader.values(corner) for corner in corners]
         for k, (before, corner) in enumerate(pairwise((values[-1:] or [None]) + values)):
@@ -175,12 +178,7 @@ class CylinderContact(RubbingContact):
     along: Annotated[
         Vector, kind.Direction(text="of the cylinder's axis, in axes of the body; z")
     ] = (0.0, 0.0, 1.0)
-    axis: Annotated[
-        Vector,
-        kind.Direction(
-            text="normal of the plane, towards the body", example=[0, 0, 1], required=True
-        ),
-    ]
+    axis: Annotated[Vector, TOWARDS_THE_BODY]
     position: Annotated[Vector | None, PLACE_OF_PLANE] = None
     on: Annotated[str | None, kind.BODY_OR_GROUND] = None
     """The body that carries the plane."""

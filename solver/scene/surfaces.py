@@ -1,6 +1,5 @@
 """Contacts of a point, wheel or roller with curves and surfaces."""
 
-import re
 from dataclasses import dataclass
 from itertools import pairwise
 from math import isclose, pi
@@ -12,8 +11,7 @@ from solver.scene.contacts import check_size
 from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
-from solver.scene.files import DataFile, read_file
-from solver.scene.profiles import number
+from solver.scene.files import DataFile, number, read_file, rows_of_table
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 from solver.scene.words import a, did_you_mean
@@ -226,8 +224,7 @@ def _grid_file(reader: "Reader", path: Path, file: Any, _: Any) -> DataFile | No
 def _grid_of(reader: "Reader", path: Path, file: DataFile) -> dict[str, Any]:
     """Read x, y and z from a table; report what is no grid."""
     error = reader.draft.error
-    lines = file.content.decode("utf-8-sig", "replace").splitlines()
-    rows = [(n, re.split("[,;\t]", line)) for n, line in enumerate(lines, 1) if line.strip(" ,;\t")]
+    rows = rows_of_table(file.content.decode("utf-8-sig", "replace"))
     table: list[list[float]] = []
     for n, cells in rows:
         numbers = [number(cell) for cell in cells]
