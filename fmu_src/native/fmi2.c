@@ -5,7 +5,6 @@
 #include "fmi2.h"
 #include "slave.h"
 
-
 #include <string.h>
 
 #define DECLARE(result, name, arguments) EXPORTED result name arguments;
@@ -101,11 +100,7 @@ fmi2_status fmi2SetBoolean(fmi2_component c, const fmi2_reference index[], size_
 
 fmi2_status fmi2GetString(fmi2_component c, const fmi2_reference index[], size_t count, fmi2_text value[])
 {
-    slave_answer answer = ANSWER_OK;
-    if (!c) return FMI2_ERROR;
-    if (count && !(index && value)) return refuse(c, "value references or the place for values are missing");
-    for (size_t k = 0; k < count && !answer; k++) answer = slave_get_word(c, index[k], value + k);
-    return status_of(answer);
+    return c ? status_of(slave_get_words(c, index, count, value)) : FMI2_ERROR;
 }
 
 fmi2_status fmi2SetString(fmi2_component c, const fmi2_reference index[], size_t count, const fmi2_text value[])

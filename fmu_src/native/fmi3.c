@@ -153,10 +153,8 @@ fmi3_status fmi3SetBoolean(fmi3_instance c, const fmi3_reference index[], size_t
 
 fmi3_status fmi3GetString(fmi3_instance c, const fmi3_reference index[], size_t count, fmi3_text value[], size_t n_values)
 {
-    fmi3_status status = c ? check_counts(c, count, n_values) : FMI3_ERROR;
-    if (!status && count && !(index && value)) return refuse(c, "value references or the place for values are missing");
-    for (size_t k = 0; k < count && !status; k++) status = status_of(slave_get_word(c, index[k], value + k));
-    return status;
+    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
+    return wrong ? wrong : status_of(slave_get_words(c, index, count, value));
 }
 
 fmi3_status fmi3SetString(fmi3_instance c, const fmi3_reference index[], size_t count, const fmi3_text value[], size_t n_values)

@@ -33,7 +33,7 @@ extern const char *const slave_categories[N_CATEGORIES]; /* by level, then that 
 
 /* What a slave knows besides its instance. */
 typedef struct slave_memory {
-    int32_t phase, is_assembled; /* see slave.c; with the present parameters */
+    int32_t phase, is_assembled; /* see slave_parts.h; with the present parameters */
     int32_t status, unused;      /* of the last step, 0 where the core knows it */
     double start_time;           /* s */
 } slave_memory;
@@ -76,8 +76,8 @@ double slave_last_time(const slave *s);
 slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value);
 slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown);
 
-/* Value of one String or Boolean. */
-slave_answer slave_get_word(slave *s, uint32_t index, const char **word);
+/* Values of Strings, up to one that is refused, and of one Boolean. */
+slave_answer slave_get_words(slave *s, const uint32_t *index, size_t count, const char **word);
 slave_answer slave_get_truth(slave *s, uint32_t index, int32_t *truth);
 
 /* Sets Strings, and Booleans as 0 or 1: all of at most MOST_WORDS, or none. */

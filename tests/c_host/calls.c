@@ -70,7 +70,7 @@ static void roll_back(const struct fmu *fmu, component c, const reference *refs)
     show("fmi2GetFMUstate", state != NULL);
     double straight = output_after_step(fmu, c, refs, H);
     say("fmi2SetFMUstate", fmu->fmi2SetFMUstate(c, state));
-    say("repeated", output_after_step(fmu, c, refs, H) == straight ? OK : ERROR);
+    say("repeated", output_after_step(fmu, c, refs, H) == straight ? FMI2_OK : FMI2_ERROR);
     say("fmi2SerializedFMUstateSize", fmu->fmi2SerializedFMUstateSize(c, state, &size));
     show("fmi2SerializedFMUstateSize", size > 0);
     byte *bytes = malloc(size);
@@ -80,7 +80,7 @@ static void roll_back(const struct fmu *fmu, component c, const reference *refs)
     say("fmi2DeSerializeFMUstate", fmu->fmi2DeSerializeFMUstate(c, bytes, size, &copy));
     show("fmi2DeSerializeFMUstate", copy != NULL);
     say("fmi2SetFMUstate", fmu->fmi2SetFMUstate(c, copy));
-    say("repeated", output_after_step(fmu, c, refs, H) == straight ? OK : ERROR);
+    say("repeated", output_after_step(fmu, c, refs, H) == straight ? FMI2_OK : FMI2_ERROR);
     say("fmi2FreeFMUstate", fmu->fmi2FreeFMUstate(c, &copy));
     show("fmi2FreeFMUstate", copy == NULL);
     free(bytes);
@@ -88,20 +88,21 @@ static void roll_back(const struct fmu *fmu, component c, const reference *refs)
 
 static void ask_for_status(const struct fmu *fmu, component c)
 {
-    int status = OK, pending = 0;
+    fmi2_status status = FMI2_OK;
+    int pending = 0;
     boolean terminated = 1;
     double time = -1.0;
     text message = "";
     say("fmi2DoStep beyond the stop time", fmu->fmi2DoStep(c, 2.0 * H, 100.0, 1));
-    say("fmi2GetRealStatus", fmu->fmi2GetRealStatus(c, LAST_SUCCESSFUL_TIME, &time));
+    say("fmi2GetRealStatus", fmu->fmi2GetRealStatus(c, FMI2_LAST_SUCCESSFUL_TIME, &time));
     show("fmi2GetRealStatus", time);
-    say("fmi2GetBooleanStatus", fmu->fmi2GetBooleanStatus(c, TERMINATED, &terminated));
+    say("fmi2GetBooleanStatus", fmu->fmi2GetBooleanStatus(c, FMI2_TERMINATED, &terminated));
     show("fmi2GetBooleanStatus", terminated);
-    say("fmi2GetStatus", fmu->fmi2GetStatus(c, DO_STEP_STATUS, &status));
+    say("fmi2GetStatus", fmu->fmi2GetStatus(c, FMI2_DO_STEP_STATUS, &status));
     show("fmi2GetStatus", status);
-    say("fmi2GetIntegerStatus", fmu->fmi2GetIntegerStatus(c, DO_STEP_STATUS, &pending));
+    say("fmi2GetIntegerStatus", fmu->fmi2GetIntegerStatus(c, FMI2_DO_STEP_STATUS, &pending));
     show("fmi2GetIntegerStatus", pending);
-    say("fmi2GetStringStatus", fmu->fmi2GetStringStatus(c, PENDING_STATUS, &message));
+    say("fmi2GetStringStatus", fmu->fmi2GetStringStatus(c, FMI2_PENDING_STATUS, &message));
 }
 
 /* What the model description does not promise. */
@@ -131,8 +132,8 @@ void call_every_function(const struct fmu *fmu, component c, const reference ref
     say("fmi2Terminate", fmu->fmi2Terminate(c));
     say("fmi2Reset", fmu->fmi2Reset(c));
     initialise(fmu, c, refs);
-    say("repeated", output_after_step(fmu, c, refs, 0.0) == first ? OK : ERROR);
+    say("repeated", output_after_step(fmu, c, refs, 0.0) == first ? FMI2_OK : FMI2_ERROR);
     say("fmi2Terminate", fmu->fmi2Terminate(c));
     fmu->fmi2FreeInstance(c);
-    say("fmi2FreeInstance", OK);
+    say("fmi2FreeInstance", FMI2_OK);
 }

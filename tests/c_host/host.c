@@ -31,7 +31,7 @@
 enum { MAX_STEPS = 1000, MAX_THREADS = 16, THREAD_STEPS = 50, FMU_ARGUMENTS = 4 };
 static const double THREAD_H = 0.01;
 
-static void hear(void *environment, text instance, int status, text category, text message, ...)
+static void hear(void *environment, text instance, fmi2_status status, text category, text message, ...)
 {
     (void)environment;
     fprintf(stderr, "%s %d %s: ", instance ? instance : "-", status, category ? category : "-");
@@ -42,7 +42,7 @@ static void hear(void *environment, text instance, int status, text category, te
     fputc('\n', stderr);
 }
 
-static const struct callbacks CALLBACKS = { hear, calloc, free, NULL, NULL };
+static const fmi2_callbacks CALLBACKS = { hear, calloc, free, NULL, NULL };
 
 static void fail(text what, text why)
 {
@@ -90,7 +90,7 @@ static struct fmu load(text library, text resources)
 
 static component instantiate(const struct fmu *fmu)
 {
-    component c = fmu->fmi2Instantiate("c host", CO_SIMULATION, fmu->guid, fmu->resources, &CALLBACKS, 0, 1);
+    component c = fmu->fmi2Instantiate("c host", FMI2_CO_SIMULATION, fmu->guid, fmu->resources, &CALLBACKS, 0, 1);
     if (!c)
         fail("fmi2Instantiate", "no instance");
     return c;
@@ -98,7 +98,7 @@ static component instantiate(const struct fmu *fmu)
 
 static void must(int status, text what)
 {
-    if (status != OK) {
+    if (status != FMI2_OK) {
         fprintf(stderr, "%s returned %d\n", what, status);
         exit(1);
     }

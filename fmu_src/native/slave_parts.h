@@ -1,0 +1,30 @@
+/* What the files of a slave share, and no other. */
+#ifndef HOLONOM_SLAVE_PARTS_H
+#define HOLONOM_SLAVE_PARTS_H
+
+#include "internal.h"
+#include "slave.h"
+
+enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED };
+enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103 }; /* fmu_src/status.py has them all */
+enum { ROOM = 4096 };                                /* of a text, in bytes               */
+
+/* Scalars of the state, by S_TIME and the others. */
+double *slave_head(const slave *s);
+
+/* Tells the log what s->text has, and returns the level. */
+slave_answer slave_tell_text(slave *s, slave_answer level);
+
+/* Appends the sentences of the core's last refusal, in one line, or tells them. */
+void slave_say_message(slave *s);
+slave_answer slave_tell_message(slave *s, slave_answer level);
+
+/* Tells what the core has noticed; returns whether it has refused nothing. */
+int slave_hears(slave *s, int32_t result);
+
+int slave_is_utf8(const char *text);
+
+/* Assembles the mechanism at the start time. */
+slave_answer slave_assemble(slave *s);
+
+#endif

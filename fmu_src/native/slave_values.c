@@ -1,0 +1,161 @@
+/* Values of a slave: numbers, words and truths, all of a call or none. */
+#include "small.h"
+
+#include "slave_parts.h"
+
+#include "fp_environment.h"
+
+#include <math.h>
+#include <string.h>
+
+int slave_is_utf8(const char *text)
+{
+    for (const unsigned char *c = (const unsigned char *)text; *c;) {
+        const int more = *c < 0x80 ? 0 : *c >= 0xc2 && *c < 0xe0 ? 1 : *c >= 0xe0 && *c < 0xf0 ? 2 : *c >= 0xf0 && *c < 0xf5 ? 3 : -1;
+        if (more < 0) return 0;
+        for (int k = 1; k <= more; k++)
+            if ((c[k] & 0xc0) != 0x80) return 0;
+        c += more + 1;
+    }
+    return 1;
+}
+
+static const hm_variable *variable(const slave *s, uint32_t index) { return s->file->variable + index; }
+
+static slave_answer check_type(slave *s, int32_t type, const uint32_t *index, size_t count)
+{
+    if (count && !index) return slave_tell(s, ANSWER_ERROR, "no value references are given");
+    for (size_t k = 0; k < count; k++)
+        if (index[k] >= s->file->header->n_variables || variable(s, index[k])->type != type) {
+            static const char *const names[] = {"Real", "Boolean", "String", "Integer"};
+            return slave_tell(s, ANSWER_ERROR, "value references [%d] are not those of %s variables", (int)index[k], names[type]);
+        }
+    return ANSWER_OK;
+}
+
+/* Whether only parameters, inputs and settings are asked for, which need no assembled mechanism. */
+static int are_settable(const slave *s, const uint32_t *index, size_t count)
+{
+    for (size_t k = 0; k < count; k++)
+        if (variable(s, index[k])->causality > CAUSALITY_INPUT) return 0;
+    return 1;
+}
+
+slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value)
+{
+    slave_answer answer = check_type(s, type, index, count);
+    if (answer || !count) return answer;
+    if (!value) return slave_tell(s, ANSWER_ERROR, "there is no place for values");
+    const fp_environment host = fp_enter();
+    if (!s->memory.is_assembled && !are_settable(s, index, count)) answer = slave_assemble(s);
+    if (!answer && !slave_hears(s, holonom_get(s->instance, (const int32_t *)index, (int32_t)count, value)))
+        answer = slave_tell_message(s, ANSWER_ERROR);
+    fp_leave(host);
+    if (s->memory.status && !answer)
+        for (size_t k = 0; k < count; k++)
+            if ((int32_t)index[k] == s->status_index) value[k] = s->memory.status;
+    return answer;
+}
+
+/* Says in one refusal which of the variables are fixed. */
+static slave_answer check_phase(slave *s, const uint32_t *index, size_t count)
+{
+    if (s->memory.phase == TERMINATED)
+        return slave_tell(s, ANSWER_ERROR, "no value can be set after terminate; reset the instance first");
+    if (s->memory.phase != STEPPING) return ANSWER_OK;
+    hm_clear(&s->text);
+    for (size_t k = 0; k < count; k++) {
+        const hm_variable *v = variable(s, index[k]);
+        if (v->causality <= CAUSALITY_INPUT && v->variability == VARIABILITY_FIXED)
+            hm_say(&s->text, "%s%s", s->text.used ? ", " : "", s->file->text + v->name);
+    }
+    if (!s->text.used) return ANSWER_OK;
+    hm_say(&s->text, ": a fixed parameter cannot be set after the initialization; reset first");
+    return slave_tell_text(s, ANSWER_ERROR);
+}
+
+slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown)
+{
+    slave_answer answer = check_type(s, type, index, count);
+    if (answer || !count) return answer;
+    if (!value) return slave_tell(s, ANSWER_ERROR, "no values are given");
+    answer = check_phase(s, index, count);
+    if (answer) return answer;
+    const fp_environment host = fp_enter();
+    if (!slave_hears(s, holonom_set(s->instance, (const int32_t *)index, (int32_t)count, value, shown))) answer = slave_tell_message(s, ANSWER_ERROR);
+    else if (s->memory.phase < STEPPING) s->memory.is_assembled = 0;
+    fp_leave(host);
+    return answer;
+}
+
+/* Words and truths are set all or none, from memory for so many. */
+static slave_answer check_words(slave *s, int32_t type, const uint32_t *index, size_t count, const void *value)
+{
+    if (count > MOST_WORDS) return slave_tell(s, ANSWER_ERROR, "%d values are set at once, at most %d can be", (int)count, MOST_WORDS);
+    if (count && !value) return slave_tell(s, ANSWER_ERROR, "no values are given");
+    return check_type(s, type, index, count);
+}
+
+slave_answer slave_get_words(slave *s, const uint32_t *index, size_t count, const char **word)
+{
+    slave_answer answer = ANSWER_OK;
+    if (count && !(index && word)) return slave_tell(s, ANSWER_ERROR, "value references or the place for values are missing");
+    for (size_t k = 0; k < count && !answer; k++) {
+        double value = 0.0;
+        answer = slave_get(s, TYPE_STRING, index + k, 1, &value);
+        word[k] = answer ? "" : holonom_word(s->instance, (int32_t)index[k], value);
+    }
+    return answer;
+}
+
+/* Says a word in quotation marks, as Python does. */
+static void say_quoted(hm_text *t, const char *word)
+{
+    const char *mark = strchr(word, '\'') && !strchr(word, '"') ? "\"" : "'";
+    hm_say(t, "%s", mark);
+    for (; *word; word++) {
+        const char digits[] = "0123456789abcdef", plain[] = {*word, 0};
+        const unsigned char c = (unsigned char)*word;
+        const char hex[] = {'\\', 'x', digits[c >> 4], digits[c & 15], 0};
+        const char *name = c == '\n' ? "\\n" : c == '\r' ? "\\r" : c == '\t' ? "\\t" : c == '\\' ? "\\\\" : NULL;
+        if (!name && (c == (unsigned char)*mark)) name = "\\'";
+        hm_say(t, "%s", name ? name : c < 32 || c == 127 ? hex : plain);
+    }
+    hm_say(t, "%s", mark);
+}
+
+slave_answer slave_set_words(slave *s, const uint32_t *index, size_t count, const char *const *word)
+{
+    char memory[ROOM];
+    double value[MOST_WORDS];
+    const char *shown[MOST_WORDS];
+    hm_text quoted = {memory, sizeof memory, 0};
+    slave_answer answer = check_words(s, TYPE_STRING, index, count, word);
+    if (answer || !count) return answer;
+    hm_clear(&quoted);
+    for (size_t k = 0; k < count; k++) {
+        if (!word[k] || !slave_is_utf8(word[k]))
+            return slave_tell(s, ANSWER_ERROR, "a String must be a text in UTF-8, got %s", word[k] ? "other bytes" : "NULL");
+        value[k] = holonom_number_of_word(s->instance, (int32_t)index[k], word[k]);
+        shown[k] = memory + quoted.used;
+        say_quoted(&quoted, word[k]);
+        quoted.used += quoted.used + 1 < quoted.room; /* the next one begins behind its end */
+    }
+    return slave_set(s, TYPE_STRING, index, count, value, shown);
+}
+
+slave_answer slave_get_truth(slave *s, uint32_t index, int32_t *truth)
+{
+    double value = 0.0;
+    const slave_answer answer = slave_get(s, TYPE_BOOLEAN, &index, 1, &value);
+    *truth = value != 0.0;
+    return answer;
+}
+
+slave_answer slave_set_truths(slave *s, const uint32_t *index, size_t count, const double *truth)
+{
+    const char *shown[MOST_WORDS];
+    slave_answer answer = check_words(s, TYPE_BOOLEAN, index, count, truth);
+    for (size_t k = 0; k < count && !answer; k++) shown[k] = truth[k] != 0.0 ? "True" : "False";
+    return answer || !count ? answer : slave_set(s, TYPE_BOOLEAN, index, count, truth, shown);
+}
