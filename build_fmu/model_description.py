@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from solver.scene import Source
 
 CAPABILITIES = {
-    "needsExecutionTool": "true",  # a Python interpreter, unless it is native
+    "needsExecutionTool": "true",  # a Python interpreter
     "canHandleVariableCommunicationStepSize": "true",
     "canInterpolateInputs": "false",
     "maxOutputDerivativeOrder": "0",
@@ -31,6 +31,7 @@ CAPABILITIES = {
     "canSerializeFMUstate": "true",
     "providesDirectionalDerivative": "false",
 }
+NATIVE = {"needsExecutionTool": "false", "maxOutputDerivativeOrder": "1"}
 EXPERIMENT = {
     "startTime": "start_time",
     "stopTime": "stop_time",
@@ -71,7 +72,7 @@ def model_description(
         Indices of the variables that are no ports.
     """
     types = declared_types(model.variables)
-    capabilities = CAPABILITIES | ({"needsExecutionTool": "false"} if native else {})
+    capabilities = CAPABILITIES | (NATIVE if native else {})
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
     ports = with_local(model.variables, local)
     variables = (_variable(i, variable, types) for i, variable in enumerate(ports))

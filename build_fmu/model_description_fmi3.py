@@ -38,7 +38,7 @@ CAPABILITIES = {
     "providesAdjointDerivatives": "false",
     "providesPerElementDependencies": "false",
     "canHandleVariableCommunicationStepSize": "true",
-    "maxOutputDerivativeOrder": "0",
+    "maxOutputDerivativeOrder": "1",
     "providesIntermediateUpdate": "false",
     "mightReturnEarlyFromDoStep": "false",
     "canReturnEarlyAfterIntermediateUpdate": "false",

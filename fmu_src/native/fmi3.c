@@ -131,6 +131,13 @@ fmi3_status fmi3SetFloat64(fmi3_instance c, const fmi3_reference index[], size_t
     return wrong ? wrong : status_of(slave_set(c, TYPE_REAL, index, count, value, NULL));
 }
 
+fmi3_status fmi3GetOutputDerivatives(fmi3_instance c, const fmi3_reference index[], size_t count, const int32_t order[], double value[],
+                                     size_t n_values)
+{
+    const fmi3_status wrong = c ? check_counts(c, count, n_values) : FMI3_ERROR;
+    return wrong ? wrong : status_of(slave_get_derivatives(c, index, count, order, value));
+}
+
 fmi3_status fmi3GetBoolean(fmi3_instance c, const fmi3_reference index[], size_t count, fmi3_boolean value[], size_t n_values)
 {
     fmi3_status status = c ? check_counts(c, count, n_values) : FMI3_ERROR;

@@ -37,6 +37,7 @@ typedef void (*fmi3_callback)(void); /* of other kinds, which this FMU never cal
     FMI3_VALUES(X, double, Float64) \
     FMI3_VALUES(X, fmi3_boolean, Boolean) \
     FMI3_VALUES(X, fmi3_text, String) \
+    X(fmi3_status, fmi3GetOutputDerivatives, (fmi3_instance, const fmi3_reference[], size_t, const int32_t[], double[], size_t)) \
     X(fmi3_status, fmi3GetFMUState, (fmi3_instance, fmi3_saved *)) \
     X(fmi3_status, fmi3SetFMUState, (fmi3_instance, fmi3_saved)) \
     X(fmi3_status, fmi3FreeFMUState, (fmi3_instance, fmi3_saved *)) \
@@ -58,7 +59,7 @@ typedef void (*fmi3_callback)(void); /* of other kinds, which this FMU never cal
     X(fmi3EnterEventMode) X(fmi3EnterStepMode) X(fmi3EvaluateDiscreteStates) X(fmi3UpdateDiscreteStates) \
     X(fmi3EnterConfigurationMode) X(fmi3ExitConfigurationMode) \
     X(fmi3GetNumberOfVariableDependencies) X(fmi3GetVariableDependencies) \
-    X(fmi3GetDirectionalDerivative) X(fmi3GetAdjointDerivative) X(fmi3GetOutputDerivatives) \
+    X(fmi3GetDirectionalDerivative) X(fmi3GetAdjointDerivative) \
     X(fmi3GetIntervalDecimal) X(fmi3GetIntervalFraction) X(fmi3GetShiftDecimal) X(fmi3GetShiftFraction) \
     X(fmi3SetIntervalDecimal) X(fmi3SetIntervalFraction) X(fmi3SetShiftDecimal) X(fmi3SetShiftFraction) \
     X(fmi3EnterContinuousTimeMode) X(fmi3CompletedIntegratorStep) X(fmi3SetTime) X(fmi3SetContinuousStates) \

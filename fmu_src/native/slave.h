@@ -76,6 +76,9 @@ double slave_last_time(const slave *s);
 slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value);
 slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown);
 
+/* Derivatives of Real outputs, all of order 1. */
+slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count, const int32_t *order, double *value);
+
 /* Values of Strings, up to one that is refused, and of one Boolean. */
 slave_answer slave_get_words(slave *s, const uint32_t *index, size_t count, const char **word);
 slave_answer slave_get_truth(slave *s, uint32_t index, int32_t *truth);

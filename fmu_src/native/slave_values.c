@@ -57,6 +57,21 @@ slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t cou
     return answer;
 }
 
+slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count, const int32_t *order, double *value)
+{
+    slave_answer answer = check_type(s, TYPE_REAL, index, count);
+    if (answer || !count) return answer;
+    if (!order || !value) return slave_tell(s, ANSWER_ERROR, "the orders of derivatives or the place for these are missing");
+    for (size_t k = 0; k < count; k++)
+        if (order[k] != 1) return slave_tell(s, ANSWER_ERROR, "outputs have derivatives of order 1, not of order %d", (int)order[k]);
+    if (s->memory.phase < STEPPING)
+        return slave_tell(s, ANSWER_ERROR, "outputs have no derivatives before the end of the initialization: exitInitializationMode comes first");
+    const fp_environment host = fp_enter();
+    if (!slave_hears(s, holonom_get_rates(s->instance, (const int32_t *)index, (int32_t)count, value))) answer = slave_tell_message(s, ANSWER_ERROR);
+    fp_leave(host);
+    return answer;
+}
+
 /* Says in one refusal which of the variables are fixed. */
 static slave_answer check_phase(slave *s, const uint32_t *index, size_t count)
 {

@@ -76,4 +76,13 @@ HOLONOM_API int32_t holonom_set_inputs(const holonom_model *model, double *numbe
 /* Fills the section `measured` of `numbers`, hm_measured, from `state` (not modified) and runs the fourth tape. */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work);
 
+/* Whether the rate of an output is known, and it, or 0: that of a position, an angle or a length is measured, and an error is zero up to
+   round-off, or up to that of the method. `place` is that of the output among `numbers`. */
+int holonom_knows_rate(const holonom_model *model, double *numbers, int32_t place, double *rate);
+
+/* Moves the state on by `step` [s] along its velocities and accelerations, which holonom_begin_moving_on puts into it, for steps of
+   `longest` in all: q + t v + t^2/2 a. Both modify `state` and `numbers` and leave no state that a run comes to; to be measured. */
+int32_t holonom_begin_moving_on(const holonom_model *model, double *numbers, double *state, double *work, double longest);
+void holonom_move_on(const holonom_model *model, double *numbers, double *state, double *work, double step);
+
 #endif

@@ -167,6 +167,12 @@ static int32_t measure(holonom_instance *i)
     return HOLONOM_DONE;
 }
 
+/* Where an output is among the numbers. */
+static int32_t place_of(const holonom_instance *i, const hm_variable *v)
+{
+    return v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0);
+}
+
 int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, double *value)
 {
     for (int32_t k = 0; k < count; k++) {
@@ -182,11 +188,61 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
             const int32_t result = measure(i);
             if (result) return result;
         }
-        value[k] = i->numbers[v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0)];
+        value[k] = i->numbers[place_of(i, v)];
         if (!(fabs(value[k]) < INFINITY))
             return answer(i, HOLONOM_UNTRIED, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
     }
     return HOLONOM_DONE;
+}
+
+/* Rates of outputs whose rate is not measured: forward differences of fourth order, as those of signals, so that what an output
+   is before the present time does not matter. The state is put aside, and moves on in its place. */
+static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, double *value)
+{
+    static const double weight[] = {48.0, -36.0, 16.0, -3.0}, part = 1e-2;
+    enum { POINTS = sizeof weight / sizeof *weight };
+    const holonom_model *m = &i->file.model;
+    const double step = part * i->s.head[S_STEP_SIZE], *now = i->before + i->state_size;
+    const size_t state = sizeof(double) * (size_t)i->state_size, numbers = sizeof(double) * (size_t)m->n_numbers;
+    memcpy(i->before, i->state, state);
+    const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
+    holonom_measure(m, i->numbers, i->state, i->work);
+    memcpy(i->before + i->state_size, i->numbers, numbers);
+    for (int p = 0; p < POINTS && !status; p++) {
+        holonom_move_on(m, i->numbers, i->state, i->work, step);
+        holonom_measure(m, i->numbers, i->state, i->work);
+        for (int32_t k = 0; k < count; k++) {
+            const int32_t place = place_of(i, i->file.variable + index[k]);
+            double known;
+            if (!holonom_knows_rate(m, i->numbers, place, &known)) value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
+        }
+    }
+    memcpy(i->state, i->before, state);
+    memcpy(i->numbers, now, numbers);
+    i->is_measured = 0;
+    return !status ? HOLONOM_DONE
+                   : answer(i, HOLONOM_UNTRIED, "rates of outputs at t = %6g s: %s", i->s.head[S_TIME], hm_about_step(status));
+}
+
+int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t count, double *value)
+{
+    int differs = 0;
+    for (int32_t k = 0; k < count; k++) {
+        if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
+        const hm_variable *v = i->file.variable + index[k];
+        if (v->causality != CAUSALITY_OUTPUT) return answer(i, HOLONOM_REFUSED, "%s has no derivative: it is no output", text_of(i, v->name));
+        if (!i->is_measured) {
+            const int32_t result = measure(i);
+            if (result) return result;
+        }
+        differs |= !holonom_knows_rate(&i->file.model, i->numbers, place_of(i, v), value + k);
+    }
+    const int32_t result = differs ? differ(i, index, count, value) : HOLONOM_DONE;
+    for (int32_t k = 0; k < count && !result; k++)
+        if (!(fabs(value[k]) < INFINITY))
+            return answer(i, HOLONOM_UNTRIED, "the derivative of %s is not finite at t = %6g s", text_of(i, i->file.variable[index[k]].name),
+                          i->s.head[S_TIME]);
+    return result;
 }
 
 /* Changes inputs and tunable parameters in motion, unless a law would break its rule. */

@@ -29,6 +29,10 @@ HOLONOM_API const char *holonom_remarks(holonom_instance *instance);
    where an output is asked for. */
 HOLONOM_API int32_t holonom_get(holonom_instance *instance, const int32_t *index, int32_t count, double *value);
 
+/* Rates of outputs by their index, in 1/s, along the motion that follows if inputs are held or go on along their ramps: those of
+   positions, angles and lengths are the measured velocities. Nothing is changed. */
+int32_t holonom_get_rates(holonom_instance *instance, const int32_t *index, int32_t count, double *value);
+
 /* Sets parameters, inputs and settings: all or none. `shown`, if given, has for each value how a sentence shows it, or NULL. */
 HOLONOM_API int32_t holonom_set(holonom_instance *instance, const int32_t *index, int32_t count, const double *value,
                                 const char *const *shown);

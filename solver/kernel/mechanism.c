@@ -2,3 +2,4 @@
 #include "advance.h"
 #include "initialise.h"
 #include "measure.h"
+#include "rates.h"
