@@ -166,7 +166,7 @@ void *realloc(void *memory, size_t size) { n_allocations++; return __libc_reallo
 
 void free(void *memory) { n_frees += memory != NULL; __libc_free(memory); }
 
-/* Allocations in so many steps, with values read and set, and after one instance more. */
+/* Allocations in so many steps, with values read and set, and derivatives of four outputs, and after one instance more. */
 static void allocations(char **a)
 {
     struct fmu fmu = load(a[0], a[1]);
@@ -175,6 +175,9 @@ static void allocations(char **a)
     initialise(&fmu, c);
     const long before = n_allocations;
     take_steps(&fmu, c, (reference)atoi(a[2]), (reference)atoi(a[3]), atoi(a[4]), 0.01, values);
+    const reference first = (reference)atoi(a[3]), asked[4] = {first, first + 1, first + 2, first + 3};
+    const int orders[4] = {1, 1, 1, 1};
+    must(fmu.fmi2GetRealOutputDerivatives(c, asked, 4, orders, values), "fmi2GetRealOutputDerivatives");
     const long after = n_allocations;
     component other = instantiate(&fmu);
     const long last = n_allocations;
