@@ -1,8 +1,8 @@
-"""Compiles the kernel with gcc's address and undefined behaviour sanitizers, and runs scenes in it.
+"""Compiles the kernel and native FMUs with gcc's address and undefined behaviour sanitizers.
 
 python -m tests.sanitize [--every N]
 
-A copy of `solver` with such a kernel is made in a temporary folder; the first fault ends the run.
+Scenes run in a copy of `solver` with such a kernel, in a temporary folder; the first fault ends it.
 """
 
 from __future__ import annotations
@@ -13,9 +13,17 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from build_kernel.compiler import DIMENSIONS, LIBRARIES, SOURCES, compile_library, library_name
+from build_kernel.compiler import (
+    DIMENSIONS,
+    LIBRARIES,
+    SLAVE_SOURCES,
+    SOURCES,
+    compile_library,
+    library_name,
+)
 
 ROOT = Path(__file__).parent.parent
 OPTIONS = (
@@ -44,14 +52,26 @@ def _preloaded() -> list[str]:
     ]
 
 
+def sanitized_library(folder: Path, dimension: int) -> Path:
+    """Library in a folder of ``copy_with_sanitizers``, for Python and for hosts of FMUs."""
+    return folder / LIBRARIES / library_name("Linux", dimension)
+
+
 def copy_with_sanitizers(folder: Path, optimisation: str) -> None:
     """Copy `solver` below a folder, and compile the kernel there: quick to compile, or to run."""
     kept = shutil.ignore_patterns("__pycache__", "*.so")
     shutil.copytree(ROOT / "solver", folder / "solver", ignore=kept)
-    for dimension in DIMENSIONS:
-        target = folder / LIBRARIES / library_name("Linux", dimension)
+    # What Python calls is to be seen as well.
+    options = (optimisation, *OPTIONS, "-UHOLONOM_STATIC")
+
+    def compiled(dimension: int) -> None:
+        target = sanitized_library(folder, dimension)
         target.parent.mkdir(exist_ok=True)
-        compile_library(["gcc"], folder / SOURCES, dimension, target, optimisation, *OPTIONS)
+        sources, slave = folder / SOURCES, ROOT / SLAVE_SOURCES
+        compile_library(["gcc"], sources, dimension, target, *options, slave=slave)
+
+    with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
+        list(pool.map(compiled, DIMENSIONS))
 
 
 def run_in(folder: Path, every: int) -> subprocess.CompletedProcess[str]:

@@ -156,6 +156,7 @@ static void run_odd(char **a)
 
 /* Allocations by anybody in this process: these stand before those of the C library. */
 static volatile long n_allocations, n_frees;
+#ifndef __SANITIZE_ADDRESS__ /* which has its own in that place */
 void __libc_free(void *memory);
 void *__libc_malloc(size_t size);
 void *__libc_calloc(size_t count, size_t size);
@@ -165,6 +166,7 @@ void *calloc(size_t count, size_t size) { n_allocations++; return __libc_calloc(
 void *realloc(void *memory, size_t size) { n_allocations++; return __libc_realloc(memory, size); }
 
 void free(void *memory) { n_frees += memory != NULL; __libc_free(memory); }
+#endif
 
 /* Allocations in so many steps, with values read and set, and derivatives of four outputs, and after one instance more. */
 static void allocations(char **a)
