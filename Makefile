@@ -6,6 +6,7 @@
 # make benchmark   time and accuracy, on this machine
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
 # make platforms   native FMUs of other platforms, in wine and qemu-user where these are installed
+# make release     an archive of the sources and wheels of all platforms in dist/, and tests of these
 # make cofmupy     the same in cofmupy, which is large
 # make kernel      compile the C kernel and nothing else
 # make clean       back to a fresh clone
@@ -26,7 +27,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint lint-python lint-c sanitize hostile benchmark importers platforms cofmupy kernel clean
+.PHONY: demo test long lint lint-python lint-c sanitize hostile benchmark importers platforms release cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
@@ -68,6 +69,10 @@ importers: $(VENV)/installed-importers
 platforms: $(VENV)/installed-platforms
 	$(BIN)/python -m build_kernel --all
 	$(BIN)/python -m pytest -rs tests/platforms
+
+release: $(VENV)/installed-release
+	$(BIN)/python -m build_kernel.release
+	$(BIN)/python -m pytest -rs tests/release
 
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
@@ -117,6 +122,11 @@ $(VENV)/installed-importers: $(VENV)/created $(BUILD)
 $(VENV)/installed-platforms: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and compilers for all platforms (400 MB)"
 	@$(PIP) install --quiet --editable '.[test,platforms]'
+	@touch $@
+
+$(VENV)/installed-release: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and compilers for all platforms (400 MB)"
+	@$(PIP) install --quiet --editable '.[test,release]'
 	@touch $@
 
 $(COFMUPY)/installed: $(VENV)/created

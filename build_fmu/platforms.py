@@ -19,25 +19,35 @@ class Platform(NamedTuple):
     targets : tuple of str
         Names for zig, likewise.
     suffix : str
+    wheel : str
+        Platform in the name of a wheel.
     """
 
     fmi2: str
     fmi3: tuple[str, ...]
     targets: tuple[str, ...]
     suffix: str
+    wheel: str
 
 
 GLIBC, MACOS = "2.17", "11.0"
-"""Oldest versions that libraries are for."""
+"""Oldest versions that libraries are for; wheels say manylinux2014 for the first."""
 PLATFORMS = {
-    "linux64": Platform("linux64", ("x86_64-linux",), (f"x86_64-linux-gnu.{GLIBC}",), ".so"),
-    "win64": Platform("win64", ("x86_64-windows",), ("x86_64-windows-gnu",), ".dll"),
+    "linux64": Platform(
+        "linux64", ("x86_64-linux",), (f"x86_64-linux-gnu.{GLIBC}",), ".so",
+        "manylinux2014_x86_64",
+    ),
+    "win64": Platform(
+        "win64", ("x86_64-windows",), ("x86_64-windows-gnu",), ".dll", "win_amd64",
+    ),
     "darwin64": Platform(
         "darwin64", ("x86_64-darwin", "aarch64-darwin"),
-        (f"x86_64-macos.{MACOS}", f"aarch64-macos.{MACOS}"), ".dylib",
+        (f"x86_64-macos.{MACOS}", f"aarch64-macos.{MACOS}"), ".dylib", "macosx_11_0_universal2",
     ),
     # FMI 2 knows linux64 alone, where importers on ARM look, too: it has an archive of its own.
-    "linux-arm64": Platform("", ("aarch64-linux",), (f"aarch64-linux-gnu.{GLIBC}",), ".so"),
+    "linux-arm64": Platform(
+        "", ("aarch64-linux",), (f"aarch64-linux-gnu.{GLIBC}",), ".so", "manylinux2014_aarch64",
+    ),
 }  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """`python -m build_kernel`: compile the kernel into the source tree, and install nothing.
 
-With ``--all`` it is compiled for linux64 and win64, with zig; FMUs built then run on both.
+With ``--all`` it is compiled for all platforms, with zig: FMUs built then run on Linux and Windows,
+and `holonom build --native --platforms all` has its libraries.
 """
 
 import sys

@@ -6,6 +6,7 @@ wheel takes it. Only a machine without a working C compiler is asked to install 
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 from setuptools import build_meta
 from setuptools.command.bdist_wheel import bdist_wheel
 
-from build_kernel.compiler import CompilerError, compile_kernel, system_compiler
+from build_fmu.platforms import PLATFORMS
+from build_kernel.compiler import CompilerError, compile_kernel, system_compiler, take_kernels
 
 if TYPE_CHECKING:
     Settings = dict[str, Any] | None
@@ -39,8 +41,16 @@ def get_requires_for_build_editable(config_settings: Settings = None) -> list[st
 def build_wheel(
     wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None
 ) -> str:
-    """Compile the kernel and build a wheel with it inside."""
-    _compile()
+    """Compile the kernel and build a wheel with it inside.
+
+    `make release` names a ``platform``: the wheel is for that, with kernels compiled before.
+    """
+    if name := (config_settings or {}).get("platform"):
+        take_kernels(ROOT, name)
+        shutil.rmtree(ROOT / "build/lib", ignore_errors=True)  # setuptools keeps others' there
+        config_settings = {"--build-option": f"--plat-name={PLATFORMS[name].wheel}"}
+    else:
+        _compile()
     return build_meta.build_wheel(wheel_directory, config_settings, metadata_directory)
 
 

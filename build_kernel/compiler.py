@@ -41,8 +41,10 @@ FLAGS = (
     "-fno-tree-vectorize",
     *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
 )
-PYTHON_PLATFORMS = {"linux64": "Linux", "win64": "Windows"}
-"""Systems of the platforms for which pythonfmu has a library."""
+KERNELS = Path("build/kernels")
+"""Python's kernels, below the names of their platforms, from which a wheel takes some."""
+PYTHONFMU_PLATFORMS = ("linux64", "win64")
+"""Those for which pythonfmu has a library; FMUs with Python carry the kernels of both."""
 SYSTEMS = {"windows": "Windows", "macos": "Darwin"}
 """What Python calls systems, by a word in zig's name of a platform; all else is Linux."""
 SYSTEM_COMPILERS = ("cc", "gcc", "clang")
@@ -98,11 +100,10 @@ def compile_kernel(root: Path) -> list[Path]:
     return found
 
 
-def compile_for_all(root: Path) -> list[Path]:
-    """Compile all libraries with zig for each platform; their paths.
+def compile_for_all(root: Path) -> None:
+    """Compile all libraries with zig, Python's and those of native FMUs, for each of `PLATFORMS`.
 
-    Python's are those of the platforms for which pythonfmu has a library; FMUs have one for each of
-    `PLATFORMS`.
+    Python's go to `KERNELS`, and those of this machine's platform to where Python loads them.
 
     Raises
     ------
@@ -116,13 +117,13 @@ def compile_for_all(root: Path) -> list[Path]:
         )
         raise CompilerError(text)
     write_headers((root / SOURCES).parent)
-    found = []
     with tempfile.TemporaryDirectory(dir=root) as folder:
         for name, dimension in itertools.product(PLATFORMS, DIMENSIONS):
-            jobs: dict[Path, Path | None] = {}
-            jobs[library_path(root / SLAVES, name, dimension)] = root / SLAVE_SOURCES
-            if system := PYTHON_PLATFORMS.get(name):
-                jobs[root / LIBRARIES / library_name(system, dimension)] = None
+            kernel = library_name(_system(PLATFORMS[name].targets[0]), dimension)
+            jobs: dict[Path, Path | None] = {
+                library_path(root / SLAVES, name, dimension): root / SLAVE_SOURCES,
+                root / KERNELS / name / kernel: None,
+            }
             for target, slave in jobs.items():
                 new, parts = Path(folder, target.name), []
                 for zig_name in PLATFORMS[name].targets:
@@ -130,15 +131,25 @@ def compile_for_all(root: Path) -> list[Path]:
                     parts.append(new.read_bytes())
                 new.write_bytes(universal(parts) if len(parts) > 1 else parts[0])
                 target.parent.mkdir(parents=True, exist_ok=True)
-                found.append(new.replace(target))
-    return found
+                new.replace(target)
+    take_kernels(root, own_platform())
+
+
+def take_kernels(root: Path, platform: str) -> None:
+    """Put the kernels of a platform, and those of pythonfmu's, where Python loads them."""
+    (root / LIBRARIES).mkdir(parents=True, exist_ok=True)
+    for old in (root / LIBRARIES).glob("libholonom_*"):
+        old.unlink()
+    for name in (*PYTHONFMU_PLATFORMS, platform):  # its own last: ARM's have the names of linux64's
+        for kernel in (root / KERNELS / name).glob("libholonom_*"):
+            shutil.copy(kernel, root / LIBRARIES)
 
 
 def _compile_with_zig(
     root: Path, zig_name: str, dimension: int, target: Path, slave: Path | None
 ) -> None:
     compiler = [sys.executable, "-m", "ziglang", "cc", "-target", zig_name]
-    system = next((s for word, s in SYSTEMS.items() if word in zig_name), "Linux")
+    system = _system(zig_name)
     options = [*_without_runtime(compiler)]
     if slave is not None:  # a quarter smaller, and a twentieth slower than what gcc makes
         options += ["-Os", "-fno-unwind-tables"]
@@ -148,6 +159,10 @@ def _compile_with_zig(
     compile_library(
         compiler, root / SOURCES, dimension, target, *options, system=system, slave=slave
     )
+
+
+def _system(zig_name: str) -> str:
+    return next((system for word, system in SYSTEMS.items() if word in zig_name), "Linux")
 
 
 def compile_library(

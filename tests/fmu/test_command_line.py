@@ -17,7 +17,6 @@ from build_fmu.errors import EnvironmentLackError
 from build_fmu.instance import check_unpack_folder
 from build_fmu.report import progress_bar
 from build_fmu.run import run_fmu
-from build_fmu.version import VERSION
 from examples import demo
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
@@ -147,10 +146,6 @@ def test_help_waits_for_nothing_heavy():
     modules = {line.split("|")[-1].strip() for line in process.stderr.splitlines()}
     heavy = {"numpy", "scipy", "rich", "fmpy", "pythonfmu", "solver", "zipfile"}
     assert not {name.split(".")[0] for name in modules} & heavy
-
-
-def test_the_version_is_the_distributions():
-    assert f'\nversion = "{VERSION}"\n' in (ROOT / "pyproject.toml").read_text()
 
 
 # -------------------------------------------------------------------------------------- demo
