@@ -152,7 +152,9 @@ def _compile_with_zig(
     system = _system(zig_name)
     options = [*_without_runtime(compiler)]
     if slave is not None:  # a quarter smaller, and a twentieth slower than what gcc makes
-        options += ["-Os", "-fno-unwind-tables"]
+        options.append("-Os")
+        if system != "Windows":  # whose start-up code, which zig compiles, needs them
+            options.append("-fno-unwind-tables")
     if system == "Darwin":
         options.append(f"-Wl,-install_name,@rpath/{target.name}")
     print("compiling", target.name, "for", zig_name)
