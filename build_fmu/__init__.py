@@ -29,6 +29,7 @@ def build(
     native: bool = False,
     fmi: int = 2,
     platforms: str | Sequence[str] | None = None,
+    sources: bool = False,
 ) -> Path:
     """Write the FMU of a scene; the same scene gives the same bytes.
 
@@ -51,7 +52,9 @@ def build(
         Version of the standard: 2 or, if it is native, 3.
     platforms
         Of a native FMU: "linux64", "win64", "darwin64", "linux-arm64", several of them, or "all";
-        None: that of this machine.
+        None: that of this machine; "none" of an FMU with sources.
+    sources
+        Whether a native FMU has its sources, too, in C.
 
     Returns
     -------
@@ -70,7 +73,7 @@ def build(
     from build_fmu.export import build_archive
     from build_fmu.package import chosen_package
 
-    return build_archive(scene, path, parameters, chosen_package(native, fmi, platforms))
+    return build_archive(scene, path, parameters, chosen_package(native, fmi, platforms, sources))
 
 
 _STUDIES = {"sweep": "build_fmu.study.sweep", "variants": "build_fmu.study.variants"}

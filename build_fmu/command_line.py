@@ -166,8 +166,10 @@ def _add_package(command: argparse.ArgumentParser) -> None:
     text = "version of the standard; 3 needs --native (default: 2)"
     command.add_argument("--fmi", type=int, choices=(2, 3), default=2, help=text)
     text = "of a native FMU, separated by commas: linux64, win64, darwin64, linux-arm64, or all "
-    text += "(default: this machine's)"
+    text += "(default: this machine's); with --sources also none"
     command.add_argument("--platforms", metavar="NAMES", help=text)
+    text = "with sources in C, too, which an importer compiles; needs --native"
+    command.add_argument("--sources", action="store_true", help=text)
 
 
 def _add_study(command: argparse.ArgumentParser) -> None:

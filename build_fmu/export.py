@@ -22,6 +22,7 @@ from build_fmu.payload import digest
 from build_fmu.picture import picture
 from build_fmu.ports import local_variables
 from build_fmu.self_check import SelfCheck, self_check
+from build_fmu.source_package import model_files
 from build_fmu.study.output_folder import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
@@ -130,8 +131,11 @@ def archive_entries(
     entries["model.png"] = picture(parts)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
-    of_fmi2 = partial(model_description, native=package.native)
+    of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
     describe = model_description_fmi3 if package.fmi == 3 else of_fmi2
+    if package.sources:
+        data = entries["resources/model.bin"]
+        entries |= model_files(model, data, package.fmi, name)
     entries["modelDescription.xml"] = describe(
         model, identifier=name, guid=own_guid, date=generation_date(), tool=TOOL,
         nominal=seen.nominal, source=parts.scene.source, local=local,

@@ -11,6 +11,7 @@ from itertools import starmap
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement
 
+from build_fmu.source_package import UNIT
 from build_fmu.xml_parts import base_unit_attributes, declared_types, document, element, legible
 from fmu_src.status import LOG_CATEGORIES
 from solver.scene.units import base_unit
@@ -44,7 +45,7 @@ UNKNOWNS = {"Outputs": ("output",), "InitialUnknowns": ("output", "calculatedPar
 def model_description(
     model: Model, *, identifier: str, guid: str, date: str, tool: str,
     nominal: Mapping[str, float] | None = None, source: Source | None = None,
-    native: bool = False, local: Collection[int] = (),
+    native: bool = False, sources: bool = False, local: Collection[int] = (),
 ) -> bytes:  # fmt: skip
     """Text of modelDescription.xml.
 
@@ -68,17 +69,20 @@ def model_description(
         Text of the scene, which becomes an annotation.
     native
         Whether it runs without Python.
+    sources
+        Whether its sources in C are in the archive.
     local
         Indices of the variables that are no ports.
     """
     types = declared_types(model.variables)
     capabilities = CAPABILITIES | (NATIVE if native else {})
+    files = [element("SourceFiles", element("File", name=UNIT))] if sources else []
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
     ports = with_local(model.variables, local)
     variables = (_variable(i, variable, types) for i, variable in enumerate(ports))
     return description(
         model, "2.0", {"guid": guid}, date, tool,
-        element("CoSimulation", modelIdentifier=identifier, **capabilities),
+        element("CoSimulation", *files, modelIdentifier=identifier, **capabilities),
         element("UnitDefinitions", *map(unit, types)),
         element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
         element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),

@@ -12,9 +12,10 @@ from xml.etree import ElementTree
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.payload import SLAVE_NAME, package_folder, payload, wrapper_libraries
 from build_fmu.platforms import PLATFORMS, library_path, own_platform
+from build_fmu.source_package import UNIT, source_files
 
-ALL = "all"
-"""All platforms that one archive can have."""
+ALL, NONE = "all", "none"
+"""Names of all platforms that one archive can have, and of none, for sources alone."""
 
 
 @dataclass(frozen=True)
@@ -29,11 +30,14 @@ class Package:
         Version of the standard, 2 or, if it is native, 3.
     platforms : tuple of str
         Of native libraries, names in `PLATFORMS`.
+    sources : bool
+        Whether its sources in C are in it, which an importer can compile.
     """
 
     native: bool = False
     fmi: int = 2
     platforms: tuple[str, ...] = ()
+    sources: bool = False
 
     def entries(self, name: str, dimension: int) -> dict[str, bytes]:
         """Entries of the archive that make it run, by path.
@@ -47,7 +51,7 @@ class Package:
         """
         if not self.native:
             return _python_entries(name, dimension)
-        found = {}
+        found = source_files(self.fmi) if self.sources else {}
         for platform in self.platforms:
             folders, library = self._folders(platform), _native_library(platform, dimension)
             parts = parts_of(library) if len(folders) > 1 else [library]
@@ -73,9 +77,10 @@ def parts_of(universal: bytes) -> list[bytes]:
 
 
 def chosen_package(
-    native: bool = False, fmi: int = 2, platforms: str | Sequence[str] | None = None
-) -> Package:
-    """Package by its options: whether native, version of FMI, names of platforms or "all".
+    native: bool = False, fmi: int = 2, platforms: str | Sequence[str] | None = None,
+    sources: bool = False,
+) -> Package:  # fmt: skip
+    """Package by its options: whether native, version of FMI, names of platforms, "all" or "none".
 
     Raises
     ------
@@ -88,8 +93,8 @@ def chosen_package(
         text = f"FMI {fmi}: an FMU is one of FMI 2 or 3"
         raise UsageError(text)
     if not native:
-        if fmi == 3 or platforms:
-            what = "FMI 3.0" if fmi == 3 else "platforms"
+        if fmi == 3 or platforms or sources:
+            what = "FMI 3.0" if fmi == 3 else "platforms" if platforms else "sources"
             text = f"{what}: for native FMUs alone, those with Python are of FMI 2.0 and for all "
             text += "platforms of pythonfmu; add --native"
             raise UsageError(text)
@@ -98,19 +103,22 @@ def chosen_package(
     names = [name.strip() for name in names]
     if names == [ALL]:  # FMI 2 has one folder for both kinds of Linux
         names = [name for name, known in PLATFORMS.items() if fmi == 3 or known.fmi2]
+    if names == [NONE] and sources:
+        return Package(True, fmi, (), sources)
     for name in names:
         if name not in PLATFORMS:
             text = f"platform {name!r}: must be one of {', '.join(PLATFORMS)}, or all"
+            text += "; or none of an FMU with --sources" if name == NONE else ""
             raise UsageError(text)
     if fmi == 2 and {"linux64", "linux-arm64"} <= {*names}:
         text = "platforms linux64 and linux-arm64: FMI 2.0 has one folder for both; "
         text += "build an FMU for each, or one of FMI 3.0"
         raise UsageError(text)
     own = own_platform()
-    if not names and not own:
+    if not names and not own and not sources:
         text = "FMI has no name for this platform; name others: --platforms linux64"
         raise EnvironmentLackError(text)
-    return Package(True, fmi, tuple(dict.fromkeys(names)) or (own,))
+    return Package(True, fmi, tuple(dict.fromkeys(names)) or ((own,) if own else ()), sources)
 
 
 def _python_entries(name: str, dimension: int) -> dict[str, bytes]:
@@ -145,5 +153,6 @@ def package_of(path: str) -> dict[str, object]:
     return {
         "fmi": root.get("fmiVersion"),
         "kind": "Python, by pythonfmu" if has_python else "native",
+        "sources": f"sources/{UNIT}" in names,
         "platforms": sorted(platforms),
     }

@@ -18,7 +18,9 @@ def run(arguments: argparse.Namespace) -> int:
     from build_fmu.package import chosen_package
     from build_fmu.ports import local_variables, summary
 
-    package = chosen_package(arguments.native, arguments.fmi, arguments.platforms)
+    package = chosen_package(
+        arguments.native, arguments.fmi, arguments.platforms, arguments.sources
+    )
     if is_fmu(arguments.scene):
         text = f"{arguments.scene}: an FMU, not a scene; build takes a .toml or .json file"
         raise UsageError(text)

@@ -153,7 +153,8 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
 
 
 def _package(package: Mapping[str, Any]) -> str:
-    return f"FMI {package['fmi']}, {package['kind']}, {', '.join(package['platforms'])}"
+    content = [*package["platforms"], *(["sources in C"] if package["sources"] else ())]
+    return f"FMI {package['fmi']}, {package['kind']}, {', '.join(content)}"
 
 
 def _taken(taken: Mapping[str, Any]) -> str:

@@ -23,7 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
         text = f"{scene}: an FMU, not a scene; sweep runs one FMU with many values"
         raise UsageError(text)
     given = study_arguments(arguments)
-    given |= {x: getattr(arguments, x) for x in ("native", "fmi", "platforms")}
+    given |= {x: getattr(arguments, x) for x in ("native", "fmi", "platforms", "sources")}
     begin = time.perf_counter()
     try:
         name = Path(scene).stem

@@ -51,6 +51,7 @@ def variants(
     native: bool = False,
     fmi: int = 2,
     platforms: str | Sequence[str] | None = None,
+    sources: bool = False,
 ) -> list[Variant]:
     """Write one FMU for each row of a grid or table, and a manifest of them, into a folder.
 
@@ -75,7 +76,7 @@ def variants(
         "auto", "serial", "processes" or "dask://host:port", and the number of processes.
     progress
         Called with the number of variants that are done, and of all.
-    native, fmi, platforms
+    native, fmi, platforms, sources
         How they are packaged, as of `build_fmu.build`.
 
     Returns
@@ -100,7 +101,7 @@ def variants(
     if mistakes:  # those of the names, which are in all rows, are told with them
         named = {name: entry for row in rows for name, entry in row.items()}
         scene_overrides(scene, {**entries, **named}, mistakes)
-    run_jobs, package = engine_of(engine, workers), chosen_package(native, fmi, platforms)
+    run_jobs, package = engine_of(engine, workers), chosen_package(native, fmi, platforms, sources)
     target = manifest_path(Path(folder), manifest)
     stem = Path(scene).stem
     scratch = target.parent / f".{stem}.variants"

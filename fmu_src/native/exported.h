@@ -1,14 +1,13 @@
-/* How a function of the standard is made visible. In sources that an importer compiles into a static program each has the prefix
-   that the importer or build_fmu/source_package.py defines. */
+/* How a function of the standard is made visible. */
 #ifndef HOLONOM_EXPORTED_H
 #define HOLONOM_EXPORTED_H
 
-#if defined(HOLONOM_SOURCE)
-#define EXPORTED
-#elif defined(_WIN32)
+#if defined(_WIN32)
 #define EXPORTED __declspec(dllexport)
-#else
+#elif defined(__GNUC__)
 #define EXPORTED __attribute__((visibility("default")))
+#else
+#define EXPORTED
 #endif
 
 #endif

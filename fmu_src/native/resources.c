@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#ifdef HOLONOM_MODEL /* the model is compiled in, as MODEL_BYTES bytes */
+#ifdef HOLONOM_MODEL /* the model is compiled in, as HOLONOM_MODEL_BYTES bytes */
 
 #include HOLONOM_MODEL
 

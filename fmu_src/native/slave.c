@@ -7,17 +7,15 @@
 #include "resources.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum { ROOM_PER_ROW = 512, MOST_ROWS = 500 };
 enum { MANY = 3 }; /* failures in a row at the same time after which it is said what else to change */
-static const double ROUNDING = 8.0, STOP_SLACK = 1e-3; /* a step may end after the stop time by so many last digits of it and this part
+static const double STOP_DIGITS = 8.0, STOP_SLACK = 1e-3; /* a step may end after the stop time by so many last digits of it and this part
                                                           of the step: communication points are often sums */
 
 double *slave_head(const slave *s) { return holonom_state_of(s->instance); }
 
-static int32_t index_of(const slave *s, const char *name)
+static int32_t variable_named(const slave *s, const char *name)
 {
     for (uint32_t k = 0; k < s->file->header->n_variables; k++)
         if (!strcmp(s->file->text + s->file->variable[k].name, name)) return (int32_t)k;
@@ -25,11 +23,11 @@ static int32_t index_of(const slave *s, const char *name)
 }
 
 /* Memory of a slave of a model: itself, its text, then the instance, 16-aligned. */
-static slave *lay_out(const hm_bytes *model, size_t size)
+static slave *make_in_memory(const hm_bytes *model, size_t size)
 {
     const hm_header *h = model->begin;
-    const size_t rows = (size_t)h->n_rows + h->n_rules, room = ROOM + ROOM_PER_ROW * (rows < MOST_ROWS ? rows : MOST_ROWS);
-    slave *s = calloc(1, sizeof *s + room + 16 + size);
+    const size_t rows = (size_t)h->n_rows + h->n_rules, room = slave_text_room(rows);
+    slave *s = slave_allocate(sizeof *s + room + 16 + size);
     if (!s) return NULL;
     char *behind = (char *)(s + 1);
     s->text = (hm_text){behind, room, 0};
@@ -53,9 +51,9 @@ static slave *made(const char *name, const char *guid, const char *resources, in
     slave *s = NULL;
     if (size && strcmp(guid ? guid : "", own))
         hm_say(why, "instantiate: the GUID %s is not that of this FMU, %s", guid ? guid : "NULL", own);
-    else if (size && !(s = lay_out(&model, (size_t)size)))
+    else if (size && !(s = make_in_memory(&model, (size_t)size)))
         hm_say(why, "instantiate: there is no memory for %d bytes", (int)size);
-    if (!s && model.is_owned) free((void *)(uintptr_t)model.begin);
+    if (!s && model.is_owned) slave_release((void *)(uintptr_t)model.begin);
     if (s && model.is_owned) s->model = model.begin;
     return s;
 }
@@ -73,7 +71,7 @@ slave *slave_make(const char *name, const char *guid, const char *resources, int
     if (s) {
         s->log = log;
         s->own_horizon = slave_head(s)[S_HORIZON];
-        s->status_index = index_of(s, "solver.status");
+        s->status_index = variable_named(s, "solver.status");
         slave_reset(s);
     } else slave_tell_text(&early, ANSWER_ERROR);
     fp_leave(host);
@@ -83,8 +81,8 @@ slave *slave_make(const char *name, const char *guid, const char *resources, int
 void slave_free(slave *s)
 {
     if (!s) return;
-    free((void *)(uintptr_t)s->model);
-    free(s);
+    slave_release((void *)(uintptr_t)s->model);
+    slave_release(s);
 }
 
 slave_answer slave_reset(slave *s)
@@ -100,7 +98,7 @@ slave_answer slave_reset(slave *s)
 
 static void take_tolerance(slave *s, double tolerance)
 {
-    const int32_t index = index_of(s, "solver.tolerance");
+    const int32_t index = variable_named(s, "solver.tolerance");
     const char *reason = tolerance > 0.0 ? "this run has fixed steps, set by solver.step_size and solver.order" : "it must be > 0";
     if (slave_head(s)[S_TOLERANCE] != 0.0 && tolerance > 0.0 && index >= 0) {
         if (slave_hears(s, holonom_set(s->instance, &index, 1, &tolerance, NULL))) return;
@@ -120,7 +118,7 @@ slave_answer slave_set_up(slave *s, double start, const double *stop, const doub
     const double last = stop ? fmax(fabs(*stop), fabs(start)) : 0.0, length = stop ? *stop - start : 0.0;
     s->memory.start_time = start;
     s->memory.is_assembled = 0;
-    s->latest = stop ? *stop + ROUNDING * (nextafter(last, INFINITY) - last) : INFINITY;
+    s->latest = stop ? *stop + STOP_DIGITS * (nextafter(last, INFINITY) - last) : INFINITY;
     slave_head(s)[S_HORIZON] = length > 0.0 && length < INFINITY ? length : s->own_horizon;
     if (tolerance) take_tolerance(s, *tolerance);
     return ANSWER_OK;
@@ -192,7 +190,7 @@ static slave_answer refuse_step(slave *s, double t, double step)
                               : "the size must be > 0 s");
 }
 
-static slave_answer try_step(slave *s, double t, double step)
+static slave_answer move_on(slave *s, double t, double step)
 {
     const int32_t result = holonom_move(s->instance, t, step);
     if (slave_hears(s, result)) {
@@ -216,7 +214,7 @@ slave_answer slave_step(slave *s, double t, double step)
     }
     if (!(step > 0.0) || !(t + (1.0 - STOP_SLACK) * step <= s->latest)) return refuse_step(s, t, step);
     const fp_environment host = fp_enter();
-    const slave_answer answer = try_step(s, t, step);
+    const slave_answer answer = move_on(s, t, step);
     fp_leave(host);
     return answer;
 }

@@ -29,7 +29,8 @@ typedef struct slave_log {
 enum { QUIET = 1 << ANSWER_DISCARD | 1 << ANSWER_ERROR, DEBUGGING = QUIET | 1 << ANSWER_OK | 1 << ANSWER_WARNING };
 
 enum { N_CATEGORIES = 4 };
-extern const char *const slave_categories[N_CATEGORIES]; /* by level, then that of all */
+/* By level, then that of all. */
+static const char *const slave_categories[N_CATEGORIES] = {"logAll", "logStatusWarning", "logStatusDiscard", "logStatusError"};
 
 /* What a slave knows besides its instance. */
 typedef struct slave_memory {

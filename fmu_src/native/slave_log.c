@@ -5,8 +5,6 @@
 
 #include <string.h>
 
-const char *const slave_categories[N_CATEGORIES] = {"logAll", "logStatusWarning", "logStatusDiscard", "logStatusError"};
-
 /* Writes each % twice: the text is a format of printf, and hosts in other languages can read no arguments. */
 static void double_percents(hm_text *t)
 {

@@ -7,7 +7,14 @@
 
 enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED };
 enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103 }; /* fmu_src/status.py has them all */
-enum { ROOM = 4096 };                                /* of a text, in bytes               */
+enum { ROOM = 4096, ROOM_OF_ROW = 512, ROWS_SAID = 500 }; /* of a text, in bytes; rows that it can have a sentence of */
+
+/* Room of a slave's text for a mechanism with so many rows and rules. */
+#define slave_text_room(rows) (ROOM + ROOM_OF_ROW * ((rows) < ROWS_SAID ? (rows) : ROWS_SAID))
+
+/* Memory of slaves, set to 0, and saved states; NULL if there is none. */
+void *slave_allocate(size_t size);
+void slave_release(void *memory);
 
 /* Scalars of the state, by S_TIME and the others. */
 double *slave_head(const slave *s);

@@ -6,7 +6,6 @@
 #include "fp_environment.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A state in memory, and as bytes: this, then what the core saves. */
@@ -19,7 +18,7 @@ struct slave_kept {
 
 static const char KEPT[8] = "holslv1"; /* the digit is the version of the format */
 
-static uint32_t checksum_of(const slave_kept *kept)
+static uint32_t checksum_of_kept(const slave_kept *kept)
 {
     const size_t begin = offsetof(slave_kept, size);
     return hm_checksum(0, (const char *)kept + begin, sizeof *kept - begin);
@@ -33,7 +32,7 @@ slave_answer slave_keep(slave *s, slave_kept **kept)
 {
     const size_t size = size_of(s);
     if (*kept && (*kept)->size != size) return slave_tell(s, ANSWER_ERROR, "the state to be overwritten is one of another FMU");
-    if (!*kept && !(*kept = malloc(size))) return slave_tell(s, ANSWER_ERROR, "there is no memory for a state of %d bytes", (int)size);
+    if (!*kept && !(*kept = slave_allocate(size))) return slave_tell(s, ANSWER_ERROR, "there is no memory for a state of %d bytes", (int)size);
     memset(*kept, 0, sizeof **kept);
     memcpy((*kept)->magic, KEPT, sizeof KEPT);
     (*kept)->size = size;
@@ -51,7 +50,7 @@ slave_answer slave_return_to(slave *s, const slave_kept *kept)
     return is_own ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, "the saved state belongs to another model; restore it where it was saved");
 }
 
-void slave_free_kept(slave_kept *kept) { free(kept); }
+void slave_free_kept(slave_kept *kept) { slave_release(kept); }
 
 slave_answer slave_bytes_of(slave *s, const slave_kept *kept, void *bytes, size_t size)
 {
@@ -59,7 +58,7 @@ slave_answer slave_bytes_of(slave *s, const slave_kept *kept, void *bytes, size_
         return slave_tell(s, ANSWER_ERROR, "a state needs %d bytes, %d are given", kept ? (int)kept->size : 0, (int)size);
     slave_kept *copy = bytes;
     slave_kept head = *kept;
-    head.checksum = checksum_of(&head);
+    head.checksum = checksum_of_kept(&head);
     memcpy(copy, kept, (size_t)kept->size);
     memcpy(copy, &head, sizeof head);
     holonom_seal((char *)bytes + sizeof head);
@@ -73,12 +72,12 @@ slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept 
     if (!bytes || size < sizeof head || memcmp(bytes, KEPT, sizeof KEPT))
         return slave_tell(s, ANSWER_ERROR, "the bytes are no FMU state of this version; save the state again with this FMU");
     memcpy(&head, bytes, sizeof head);
-    const int is_damaged = head.checksum != checksum_of(&head) || head.size != size || size != size_of(s) ||
+    const int is_damaged = head.checksum != checksum_of_kept(&head) || head.size != size || size != size_of(s) ||
                            head.memory.phase < INSTANTIATED || head.memory.phase > TERMINATED || !(fabs(head.memory.start_time) < INFINITY);
     if (is_damaged) return slave_tell(s, ANSWER_ERROR, "the bytes of the FMU state are damaged; save the state again");
     if (!slave_hears(s, holonom_check_saved(s->instance, (const char *)bytes + sizeof head, (int64_t)(size - sizeof head))))
         return slave_tell_message(s, ANSWER_ERROR);
-    if (!(*kept = malloc(size))) return slave_tell(s, ANSWER_ERROR, "there is no memory for a state of %d bytes", (int)size);
+    if (!(*kept = slave_allocate(size))) return slave_tell(s, ANSWER_ERROR, "there is no memory for a state of %d bytes", (int)size);
     memcpy(*kept, bytes, size);
     return ANSWER_OK;
 }

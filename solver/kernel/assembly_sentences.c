@@ -9,7 +9,7 @@ static const double DRAWN = 1e-9;      /* largest residual of a drawn mechanism 
                                           a larger one into a jolt */
 static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
                                           differences, which leaves of a signal at rest what rounding makes, less than DRAWN in a second */
-static const double ROUNDING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion */
+static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion */
 
 #define ASSEMBLE ", or set [solver] assemble = true"
 
@@ -154,7 +154,7 @@ static double fastest(const drawing *d)
 }
 
 /* How far a row is from what it demands; 0 where rounding explains it. */
-static double gap_of(const drawing *d, int32_t row)
+static double drawn_gap(const drawing *d, int32_t row)
 {
     const double size = d->numbers[d->m->row_scale_at + row], gap = fabs(d->phi[row]);
     const double twice = d->f->row[row].kind == ROW_LENGTH ? 2.0 : 1.0; /* of squared lengths */
@@ -189,7 +189,7 @@ static double speed_of(const drawing *d, int32_t row)
     const holonom_model *m = d->m;
     const double scale = d->numbers[m->row_scale_at + row], rate = fabs(d->rate[row]);
     const int32_t coincidence = row - m->n_form_rows;
-    double size = ROUNDING * scale * d->fastest; /* of velocities that were made consistent */
+    double size = REST_OF_SOLVING * scale * d->fastest; /* of velocities that were made consistent */
     if (rate <= size) return 0.0; /* then its bound, which takes long, need not be known */
     if (coincidence < 0) size += DRAWN * bound_of_rate(d, m->row_form[row]);
     else if (coincidence < DIM * m->n_coincidences) size += DRAWN * bound_of_rate(d, m->coincidence_form[coincidence / DIM]);
@@ -286,8 +286,8 @@ static int say_fighting(hm_text *text, const drawing *d)
     for (int32_t row = 0; row < d->m->n_rows; row++) {
         int32_t worst = row;
         double gap, length, drawn;
-        if (gap_of(d, row) == 0.0 || !gather(d, row, gap_of, 1, &worst, &gap)) continue;
-        gap = gap_of(d, worst);
+        if (drawn_gap(d, row) == 0.0 || !gather(d, row, drawn_gap, 1, &worst, &gap)) continue;
+        gap = drawn_gap(d, worst);
         if (d->f->row[worst].kind == ROW_LENGTH) {
             lengths_of(d, worst, &length, &drawn);
             gap = fabs(length - drawn);
@@ -301,7 +301,7 @@ static int say_fighting(hm_text *text, const drawing *d)
 static int has_gap(const drawing *d, uint32_t name)
 {
     for (int32_t i = 0; i < d->m->n_rows; i++)
-        if (d->f->row[i].name == name && gap_of(d, i) != 0.0) return 1;
+        if (d->f->row[i].name == name && drawn_gap(d, i) != 0.0) return 1;
     return 0;
 }
 
@@ -314,7 +314,7 @@ int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *nu
     drawn.fastest = fastest(d);
     if (s->head[S_ASSEMBLE] != 0.0) return say_fighting(text, d);
     for (int pass = 0; pass < 2; pass++) {
-        const row_value value = pass ? speed_of : gap_of;
+        const row_value value = pass ? speed_of : drawn_gap;
         for (int32_t row = 0; row < f->model.n_rows; row++) {
             int32_t worst = row;
             double whole;

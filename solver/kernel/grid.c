@@ -42,7 +42,7 @@ static void locate(const grid *g, const double *x, double *u, int32_t *cube)
 }
 
 /* A derivative of the four B-splines that a cube has, at t of its length. */
-static void weigh(int order, double t, double *w)
+static void weigh_splines(int order, double t, double *w)
 {
     const double s = 1.0 - t;
     if (order == 0) {
@@ -68,7 +68,7 @@ static void of_cube(const grid *g, int axis, const int32_t *cube, const double *
 {
     double w[AXES][2][SUPPORT];
     for (int a = 0; a < AXES; a++)
-        for (int slope = 0; slope < 2; slope++) weigh((a == axis) + slope, u[a] - cube[a], w[a][slope]);
+        for (int slope = 0; slope < 2; slope++) weigh_splines((a == axis) + slope, u[a] - cube[a], w[a][slope]);
     for (int i = 0; i <= AXES; i++) found[i] = 0.0;
     for (int i = 0; i < SUPPORT; i++) {
         double value = 0.0, along_y = 0.0, along_z = 0.0;

@@ -20,7 +20,7 @@ struct holonom_instance {
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
-static const double ROUNDING = 8.0, STEP_SLACK = 1e-6; /* a step begins at the present time, up to so many last digits and this part of it */
+static const double LAST_DIGITS = 8.0, STEP_SLACK = 1e-6; /* a step begins at the present time, up to so many last digits and this part of it */
 
 static const char *text_of(const holonom_instance *i, uint32_t at) { return i->file.text + at; }
 
@@ -400,7 +400,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
 {
     double *head = i->s.head;
     const double last_digit = nextafter(fabs(t), INFINITY) - fabs(t);
-    const double slack = fabs(t + step) < INFINITY ? ROUNDING * last_digit + STEP_SLACK * fabs(step) : 0.0;
+    const double slack = fabs(t + step) < INFINITY ? LAST_DIGITS * last_digit + STEP_SLACK * fabs(step) : 0.0;
     if (!(fabs(t - head[S_TIME]) <= slack))
         return answer(i, HOLONOM_UNTRIED, "step from t = %r s asked for, but the mechanism is at %r s", t, head[S_TIME]);
     if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);

@@ -150,7 +150,7 @@ static int has_composites(const checker *c)
     return 1;
 }
 
-static int has_loads(const checker *c)
+static int has_sound_loads(const checker *c)
 {
     const holonom_model *m = c->m;
     const int32_t end[] = {m->n_loads, m->n_moments, m->n_body_moments, m->n_elements};
@@ -292,7 +292,7 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     const hm_counts *count = &checked.count;
     checked.count = counts_of(m);
     if (!has_tables(m, count, table_length) || !has_forms(c) || !has_sections(m, count) || !has_turns_and_derived(c) ||
-        !has_quantities(c) || !has_composites(c) || !has_loads(c) || !has_contacts(c) || !has_tape(c) ||
+        !has_quantities(c) || !has_composites(c) || !has_sound_loads(c) || !has_contacts(c) || !has_tape(c) ||
         !has_islands(m, count))
         return 0;
     const holonom_elimination *factors[] = {&m->full, &m->lean, &m->open, &m->bare};

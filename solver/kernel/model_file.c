@@ -30,7 +30,7 @@ static const char *flaw_of_header(const hm_header *h, int64_t length)
 static uint64_t even(uint64_t count) { return count + (count & 1); }
 
 /* Lays the parts over the bytes, which must hold them. */
-static int lay_out(const char *bytes, hm_model_file *f)
+static int lay_parts(const char *bytes, hm_model_file *f)
 {
     const hm_header *h = f->header;
     const int32_t *ints = (const int32_t *)(const void *)(bytes + sizeof *h);
@@ -105,7 +105,7 @@ int hm_view(const void *bytes, hm_model_file *f)
 {
     memset(f, 0, sizeof *f);
     f->header = bytes;
-    return lay_out(bytes, f);
+    return lay_parts(bytes, f);
 }
 
 const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)

@@ -81,7 +81,7 @@ static void say_lasting_reason(hm_text *text, const hm_model_file *f, const doub
                hm_formulation_word(f, HOLONOM_CONSERVING_AL));
 }
 
-static int is_damped(const hm_model_file *f, const double *numbers)
+static int has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
         if (numbers[f->model.damping_at + j] != 0.0) return 1;
@@ -105,13 +105,13 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     say_lasting_reason(&reason, f, head);
     if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
     /* Order 2 may be the choice of the tolerance, unless it has none. */
-    if (chosen && (!reason.used || !is_damped(f, numbers))) return 0;
+    if (chosen && (!reason.used || !has_dampers(f, numbers))) return 0;
     const int lasting = reason.used > 0;
     if (!lasting) hm_say(&reason, "the motion changes too much in a step of this length, or not at all");
     if (chosen) hm_say(text, "solver.tolerance chooses the order");
     else hm_say(text, "solver.order is %6g", head[S_ORDER]);
     hm_say(text, ", but steps are of order 2: %s energy out, and %s%s",
-           is_damped(f, numbers) ? "dampers take" : "friction with smooth_speed takes", room,
+           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes", room,
            tight ? "; a tight solver.tolerance takes many steps of order 2" : "");
     return lasting;
 }

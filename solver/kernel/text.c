@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROOM = 336 }; /* the largest double has 309 digits before the point */
+enum { LONGEST = 336 }; /* the largest double has 309 digits before the point */
 
 static void append(hm_text *t, const char *from, size_t count)
 {
@@ -34,7 +34,7 @@ static void append_number(hm_text *t, const char *number)
 /* As `repr`: the fewest digits that give x back. */
 static void say_shortest(hm_text *t, double x)
 {
-    char text[ROOM];
+    char text[LONGEST];
     int digits = -1, exponent;
     do snprintf(text, sizeof text, "%.*e", ++digits, x); while (digits < 16 && strtod(text, NULL) != x);
     exponent = atoi(strchr(text, 'e') + 1);
@@ -44,7 +44,7 @@ static void say_shortest(hm_text *t, double x)
 
 static void say_double(hm_text *t, double x, char style, int digits)
 {
-    char text[ROOM];
+    char text[LONGEST];
     const char *format = style == 'f' ? "%.*f" : style == 'e' ? "%.*e" : "%.*g";
     if (x != x) append(t, "nan", 3);
     else if (style == 'r' && !isinf(x)) say_shortest(t, x);
