@@ -1,14 +1,11 @@
 /* Sentences with numbers as Python writes them. */
 #include "small.h"
 
+#include "decimal.h"
 #include "text.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-enum { LONGEST = 336 }; /* the largest double has 309 digits before the point */
 
 static void append(hm_text *t, const char *from, size_t count)
 {
@@ -20,38 +17,48 @@ static void append(hm_text *t, const char *from, size_t count)
     t->begin[t->used] = 0;
 }
 
-/* Appends a number that the C library has written, with a point for whatever its locale has instead. */
-static void append_number(hm_text *t, const char *number)
+static void append_digit(hm_text *t, int digit) { append(t, "0123456789" + digit, 1); }
+
+static void say_fixed(hm_text *t, const decimal *d, int decimals)
 {
-    while (*number) {
-        const size_t plain = strspn(number, "0123456789+-einf"), other = strcspn(number += plain, "0123456789");
-        append(t, number - plain, plain);
-        append(t, ".", other > 0);
-        number += other;
+    for (int place = d->exponent > 0 ? d->exponent : 0; place >= -decimals; place--) {
+        if (place == -1) append(t, ".", 1);
+        append_digit(t, digit_at(d, d->exponent - place));
     }
 }
 
-/* As `repr`: the fewest digits that give x back. */
-static void say_shortest(hm_text *t, double x)
+static void say_scientific(hm_text *t, const decimal *d, int decimals)
 {
-    char text[LONGEST];
-    int digits = -1, exponent;
-    do snprintf(text, sizeof text, "%.*e", ++digits, x); while (digits < 16 && strtod(text, NULL) != x);
-    exponent = atoi(strchr(text, 'e') + 1);
-    if (exponent >= -4 && exponent < 16) snprintf(text, sizeof text, "%.*f", digits > exponent ? digits - exponent : 1, x);
-    append_number(t, text);
+    const int size = d->exponent < 0 ? -d->exponent : d->exponent;
+    for (int k = 0; k <= decimals; k++) {
+        if (k == 1) append(t, ".", 1);
+        append_digit(t, digit_at(d, k));
+    }
+    append(t, d->exponent < 0 ? "e-" : "e+", 2);
+    if (size >= 100) append_digit(t, size / 100);
+    append_digit(t, size / 10 % 10);
+    append_digit(t, size % 10);
 }
 
+/* `style` r, g, e, f: see text.h; r and g choose between the other two by the exponent. */
 static void say_double(hm_text *t, double x, char style, int digits)
 {
-    char text[LONGEST];
-    const char *format = style == 'f' ? "%.*f" : style == 'e' ? "%.*e" : "%.*g";
-    if (x != x) append(t, "nan", 3);
-    else if (style == 'r' && !isinf(x)) say_shortest(t, x);
-    else {
-        snprintf(text, sizeof text, format, digits, x);
-        append_number(t, text);
+    decimal d;
+    if (x < 0.0 || (x == 0.0 && signbit(x))) append(t, "-", 1);
+    if (!(fabs(x) < INFINITY)) {
+        append(t, x != x ? "nan" : "inf", 3);
+        return;
     }
+    decimal_of(x, style == 'r', &d);
+    if (style != 'r') round_decimal(&d, style == 'f' ? d.exponent + 1 + digits : style == 'e' ? digits + 1 : digits);
+    if (style == 'e' || style == 'f') {
+        (style == 'e' ? say_scientific : say_fixed)(t, &d, digits);
+        return;
+    }
+    while (d.count > 1 && !d.digit[d.count - 1]) d.count--;
+    const int last = d.count > 1 ? d.count - 1 : 0, decimals = last > d.exponent ? last - d.exponent : style == 'r';
+    if (d.exponent < -4 || d.exponent >= (style == 'r' ? 16 : digits)) say_scientific(t, &d, last);
+    else say_fixed(t, &d, decimals);
 }
 
 void hm_take_back(hm_text *t, size_t begin)
