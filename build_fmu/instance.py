@@ -219,9 +219,13 @@ def check_platform(path: str) -> None:
     """Refuse an FMU that has no library for this machine."""
     from fmpy import platform, platform_tuple, supported_platforms
 
+    from build_fmu.package import package_of
+
     # FMI 3.0 has other names
     if not {platform, platform_tuple} & {*supported_platforms(path)}:
         text = f"{path} has no library for this platform, {platform}"
+        if package_of(path)["sources"]:
+            text += f"; compile its sources: fmpy compile {path}"
         raise EnvironmentLackError(text)
 
 

@@ -29,6 +29,12 @@ _UNIT = """/* All of this FMU, as one unit: compile this file alone. */
 /* Ahead of the others, so that what they say to the compiler holds for all of these. */
 #include "internal.h"
 
+#if __FLT_EVAL_METHOD__ == 2 || defined(_M_IX86)
+#error "numbers must have 53 bits in registers, too; on x86 compile with -msse2 -mfpmath=sse"
+#endif
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "the model is for processors whose numbers begin with the lowest byte"
+#endif
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-function"
 #endif
@@ -47,12 +53,12 @@ _CONFIGURATION = """/* What is known of the FMU when it is compiled. */
 #define HOLONOM_MODEL "model.h"
 #define HOLONOM_MODEL_BYTES {bytes}
 
-/* Memory of one instance, beside itself. A program without malloc says with HOLONOM_BLOCKS for how many instances and
-   saved states, together, there is room in static memory. */
+/* For memory of one instance. A program without malloc says with HOLONOM_BLOCKS for how many
+   instances and saved states, together, there is room in static memory. */
 #define HOLONOM_INSTANCE_BYTES {instance}
 #define HOLONOM_TEXT_ROWS {rows}
 
-/* With FMI{fmi}_FUNCTION_PREFIX, which a program of several FMUs defines, the functions have this before their names. */
+/* A program of several FMUs defines for each what its functions have before their names. */
 #if defined(FMI{fmi}_OVERRIDE_FUNCTION_PREFIX)
 #undef FMI{fmi}_FUNCTION_PREFIX
 #ifdef FMI{fmi}_ACTUAL_FUNCTION_PREFIX
@@ -120,7 +126,7 @@ def model_files(model: Model, data: bytes, fmi: int, identifier: str) -> dict[st
 
 def functions(header: str) -> list[str]:
     """Names of the functions in the tables of fmi2.h or fmi3.h."""
-    found = re.findall(r"\b(fmi\d[A-Z]\w+)\b(?!##)", header)
+    found = re.findall(r"X\((?:[\w *]+, )?(fmi\d[A-Z]\w+)[,)]", header)
     kinds = re.findall(r"FMI\d_VALUES\(X, \w+, ([A-Z]\w+)\)", header)
     ways = re.findall(r"(fmi\d(?:Get|Set))##", header)
     return list(dict.fromkeys([*found, *(way + kind for way in ways for kind in kinds)]))

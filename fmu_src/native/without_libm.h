@@ -14,10 +14,17 @@
 static inline uint64_t own_bits(double x) { uint64_t u; memcpy(&u, &x, 8); return u; }
 static inline double own_double(uint64_t u) { double x; memcpy(&x, &u, 8); return x; }
 
-static inline double own_fabs(double x) { return own_double(own_bits(x) & INT64_MAX); }
+static inline double own_fabs(double x)
+{
+#if defined(__GNUC__)
+    return __builtin_fabs(x); /* never a call */
+#else
+    return own_double(own_bits(x) & INT64_MAX);
+#endif
+}
 static inline int own_signbit(double x) { return own_bits(x) >> 63 != 0; }
 static inline int own_isinf(double x) { return own_fabs(x) > DBL_MAX; }
-static inline double own_copysign(double x, double sign) { return own_double((own_bits(x) & INT64_MAX) | (own_bits(sign) & ~(uint64_t)INT64_MAX)); }
+static inline double own_copysign(double x, double sign) { return (own_signbit(x) != own_signbit(sign)) ? -x : x; }
 
 /* The second of two that are equal, such as 0 and -0. */
 static inline double own_fmax(double x, double y) { return x > y || y != y ? x : y; }
@@ -43,8 +50,8 @@ static double own_ceil(double x)
     return whole < x ? own_copysign(whole + 1.0, x) : whole;
 }
 
-/* The next number above a finite x >= 0, which is all that is asked for. */
-static double own_nextafter(double x, double above) { return (void)above, own_double(own_bits(x) + 1); }
+/* The next number above an x >= 0, which is all that is asked for. */
+static double own_nextafter(double x, double above) { return x < above ? own_double(own_bits(x) + 1) : x; }
 
 /* 53 digits and the exponent of a positive finite number, of small ones, too. */
 static uint64_t own_digits(double x, int *exponent)
@@ -79,7 +86,7 @@ static double own_fmod(double a, double b)
     return own_copysign(own_composed(rest, from), a);
 }
 
-/* Digit by digit, where there is no instruction; 54 digits, of which the last rounds. */
+/* Where there is no instruction: 54 digits one by one, of which the last rounds; it is never a tie. */
 static inline double own_slow_sqrt(double x)
 {
     int exponent;
@@ -89,9 +96,7 @@ static inline double own_slow_sqrt(double x)
     const int odd = exponent & 1; /* x = digits 2^(exponent - 1075) */
     const uint64_t square = odd ? digits : digits << 1;
     for (int k = 0; k < 54; k++) {
-        const int at = 52 - 2 * k; /* the next two digits of square, then zeros */
-        const uint64_t two = at >= 0 ? square >> at & 3 : at == -1 ? square << 1 & 3 : 0;
-        rest = rest << 2 | two;
+        rest = rest << 2 | (k < 27 ? square >> (52 - 2 * k) & 3 : 0);
         root <<= 1;
         if (rest > 2 * root) rest -= 2 * root + 1, root++;
     }
