@@ -11,7 +11,7 @@
 /* A state in memory, and as bytes: this, then what the core saves. */
 struct slave_kept {
     char magic[8];
-    uint32_t checksum, unused; /* of what follows in this structure; 0 in memory */
+    uint32_t checksum, unused; /* of what follows it in this structure; 0 in memory */
     uint64_t size;             /* of all                                         */
     slave_memory memory;
 };
@@ -20,7 +20,7 @@ static const char KEPT[8] = "holslv1"; /* the digit is the version of the format
 
 static uint32_t checksum_of_kept(const slave_kept *kept)
 {
-    const size_t begin = offsetof(slave_kept, size);
+    const size_t begin = offsetof(slave_kept, unused);
     return hm_checksum(0, (const char *)kept + begin, sizeof *kept - begin);
 }
 

@@ -4,12 +4,13 @@ An instance gets legal and illegal calls, a twin the legal ones alone. After an 
 first one is brought back by a saved state or a reset; then all outputs agree bit for bit. It also
 goes back to states saved long before, or goes on as another instance that is given its bytes; the
 twin never sees a state, and repeats the calls that led there from the beginning.
+A refused call to an FMU without Python (``native_calls``) changes nothing, so that nothing is
+brought back after it.
 Not tried: what ends pythonfmu's library itself (docs/fmu.md, section 5).
 """
 
 from __future__ import annotations
 
-import contextlib
 import functools
 import logging
 import math
@@ -20,10 +21,10 @@ from typing import Any
 
 import fmpy
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import FMU2Slave
 
 import solver
 from build_fmu import build
+from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
 from build_fmu.instance import Log
 
 SCENE = """
@@ -76,12 +77,37 @@ def _instances(folder: Path) -> tuple[Unit, Unit, Unit]:
     return Unit(folder / "unpacked"), Unit(folder / "unpacked"), Unit(folder / "unpacked")
 
 
+class Fmi3(FMU3Run):
+    """A slave of FMI 3.0, called as one of FMI 2.0."""
+
+    getInteger, setInteger = FMU3Run.getInt32, FMU3Run.setInt32  # noqa: N815
+    experiment: tuple[float | None, ...] = None, 0.0, None
+
+    def setupExperiment(self, *experiment: float | None) -> None:  # noqa: N802
+        """Remember tolerance, start and stop for the call that takes them in FMI 3.0."""
+        self.experiment = experiment
+
+    def enterInitializationMode(self) -> None:  # noqa: N802
+        """Enter it with what was set up."""
+        super(FMU3Run, self).enterInitializationMode(*self.experiment)
+
+    def reset(self) -> None:
+        """Forget it."""
+        super().reset()
+        self.experiment = Fmi3.experiment
+
+    def cancelStep(self) -> None:  # noqa: N802
+        """Refuse what FMI 3.0 has not."""
+        raise FMICallException(function="cancelStep", status=3)
+
+
 class Unit:
     """An instance, whose calls answer with their result, or None where they are refused."""
 
     def __init__(self, folder: Path) -> None:
         description = fmpy.read_model_description(str(folder))
         variables = description.modelVariables
+        self.is_native = not any(folder.glob("resources/holonom_*"))
         self.references = {v.name: v.valueReference for v in variables}
         self.outputs = [
             v.valueReference
@@ -90,11 +116,11 @@ class Unit:
         ]
         assert description.coSimulation
         name = description.coSimulation.modelIdentifier
-        self.fmu: Any = FMU2Slave(
+        kind = Fmi3 if description.fmiVersion == "3.0" else FMU2Run
+        self.fmu: Any = kind(
             guid=description.guid, unzipDirectory=str(folder), modelIdentifier=name
         )
-        self.callbacks = Log().callbacks()
-        self.fmu.instantiate(callbacks=self.callbacks, loggingOn=True)
+        self.fmu.make(Log())
 
     def call(self, name: str, *arguments: object) -> object:
         """Result of a function; True where it has none."""
@@ -105,7 +131,7 @@ class Unit:
                 text = f"{name}{arguments} is fatal"
                 raise FatalError(text[:200]) from None
             return None
-        return True if result is None else result
+        return True if result in (None, 0) else result
 
     def set(self, name: str, value: float, kind: str = "Real") -> object:
         """Set one variable."""
@@ -243,13 +269,15 @@ class Sequence:
             self._bad_state,
         ]
         state = self.tried.fmu.getFMUState() if self.phase else None
-        self.chance.choice(calls)()
+        is_changed = self.chance.choice(calls)() or not self.tried.is_native
         if self.phase == 2 and self.chance.random() < 0.5:
-            self.tried.call("doStep", self.time, 0.01)
+            is_changed = self.tried.call("doStep", self.time, 0.01) or is_changed
         if state is None:
-            self.start()
+            if is_changed:
+                self.start()
             return
-        self.tried.fmu.setFMUState(state)
+        if is_changed:
+            self.tried.fmu.setFMUState(state)
         self.tried.fmu.freeFMUState(state)
 
     def _bad_step(self) -> None:
@@ -260,7 +288,7 @@ class Sequence:
             step = -step
         assert not self.tried.call("doStep", time, step), f"doStep({time}, {step}) was taken"
 
-    def _bad_order(self) -> None:
+    def _bad_order(self) -> object:
         chance = self.chance
         early = {1: "exitInitializationMode", 0: "enterInitializationMode", 2: "terminate"}
         names = [name for phase, name in early.items() if phase != self.phase]
@@ -268,7 +296,7 @@ class Sequence:
         times = [chance.choice([None, *TIMES]) for _ in range(3)]
         if name == "setupExperiment":
             times[1] = times[1] or 0.0
-        self.tried.call(name, *(times if name == "setupExperiment" else ()))
+        return self.tried.call(name, *(times if name == "setupExperiment" else ()))
 
     def _bad_read(self) -> None:
         chance, kind = self.chance, self.chance.choice(KINDS)
@@ -277,12 +305,12 @@ class Sequence:
         if kind == "Real" and isinstance(values, list):
             assert all(map(math.isfinite, values)), f"getReal({references}) gave {values}"
 
-    def _bad_value(self) -> None:
+    def _bad_value(self) -> object:
         chance, kind = self.chance, self.chance.choice(KINDS)
         references = [chance.choice(self._references()) for _ in range(chance.randrange(1, 4))]
         values = {"Real": REALS, "Integer": (0, -1, 2**31 - 1), "Boolean": (False, True)}
         given = [chance.choice(values.get(kind, TEXTS)) for _ in references]
-        self.tried.call(f"set{kind}", references, given)
+        return self.tried.call(f"set{kind}", references, given)
 
     def _references(self) -> list[int]:
         known = list(self.tried.references.values())
@@ -298,10 +326,13 @@ class Sequence:
             data[place] ^= 1 << chance.randrange(8)
         else:
             data[place : place + chance.randrange(1, 99)] = chance.randbytes(chance.randrange(9))
-        with contextlib.suppress(FMICallException):
+        try:
             state = fmu.deserializeFMUState(bytes(data))
             fmu.setFMUState(state)
             fmu.freeFMUState(state)
+        except FMICallException:
+            if self.tried.is_native:
+                return
         assert not self.tried.call("doStep", self.time, 0.01), "a damaged state was taken"
 
     def compare(self) -> None:

@@ -1,9 +1,10 @@
 /* A host of native FMUs that hands them damaged model files and states, each with good checksums, for a library with sanitizers:
 
-       native SEED FOLDER (LIBRARY MODEL STEP_SIZE)...
+       native SEED FOLDER (LIBRARY MODEL STEP_SIZE LONGEST_STEP)...
 
    It reads the number of a case from each line of stdin and answers with one: what came of it, or "!" and what is wrong. FOLDER is
-   where it writes model.bin, MODEL a good one, STEP_SIZE the reference of solver.step_size. What else ends it is a finding, too. */
+   where it writes model.bin, MODEL a good one, then come references of solver.step_size and solver.longest_step. What else ends it
+   is a finding, too. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "../c_host/fmi2.h"
@@ -20,9 +21,9 @@
 
 enum { MOST_MODELS = 16, STEPS = 3, MOST_VALUES = 2000, CPU_LIMIT = 20, CHECKED_FROM = offsetof(hm_header, abi) };
 /* A state: that of the slave, its head and the numbers; its two checksums, and what each is of (slave_states.c, instance.c). */
-enum { KEPT = 48, KEPT_CHECKSUM = 8, KEPT_CHECKED = 16, SAVED_CHECKSUM = 56, SAVED_HEAD = 64 };
+enum { KEPT = 48, KEPT_CHECKSUM = 8, KEPT_CHECKED = 12, SAVED_CHECKSUM = 56, SAVED_HEAD = 64 };
 
-struct target { struct fmu fmu; byte *model; size_t length; reference step_size; };
+struct target { struct fmu fmu; byte *model; size_t length; reference step_size[2]; };
 
 static char path[4000], uri[4000], said[20000];
 static const char *wrong;
@@ -184,9 +185,9 @@ static int move(const struct target *t, component c, double time, uint32_t n_var
     const struct fmu *f = &t->fmu;
     int taken = 0;
     for (int k = 0; k < STEPS; k++) {
-        double step = 0.0;
-        if (CALL(fmi2GetReal, c, &t->step_size, 1, &step) || !(step > 0.0)) step = 1e-3;
-        step = fmin(0.01, 2.0 * step);
+        double longest[2] = {0.0, 0.0}, step = 0.01;
+        CALL(fmi2GetReal, c, t->step_size, 2, longest);
+        for (int i = 0; i < 2; i++) step = longest[i] > 0.0 ? fmin(step, 2.0 * longest[i]) : step;
         if (CALL(fmi2DoStep, c, time, step, 1)) continue;
         time += step, taken++;
         if (k == 1) change_some(f, c, n_variables);
@@ -268,9 +269,9 @@ static text run_case(const struct target *t)
     return outcome;
 }
 
-static struct target load(text library, text model, text step_size)
+static struct target load(text library, text model, text step_size, text longest_step)
 {
-    struct target t = {.step_size = (reference)atoi(step_size)};
+    struct target t = {.step_size = {(reference)atoi(step_size), (reference)atoi(longest_step)}};
     FILE *file = fopen(model, "rb");
     t.fmu.library = dlopen(library, RTLD_NOW | RTLD_LOCAL);
     if (!t.fmu.library || !file) {
@@ -294,7 +295,8 @@ int main(int count, char **word)
     int n_targets = 0;
     long number;
     const struct itimerval limit = {.it_value = {CPU_LIMIT, 0}};
-    for (int k = 3; k + 2 < count && n_targets < MOST_MODELS; k += 3) targets[n_targets++] = load(word[k], word[k + 1], word[k + 2]);
+    for (int k = 3; k + 3 < count && n_targets < MOST_MODELS; k += 4)
+        targets[n_targets++] = load(word[k], word[k + 1], word[k + 2], word[k + 3]);
     if (!n_targets) return 3;
     snprintf(path, sizeof path, "%s/model.bin", word[2]);
     snprintf(uri, sizeof uri, "file://%s", word[2]);

@@ -34,8 +34,9 @@ def prepare(folder: Path) -> None:
     for name, scene in (models | {"calls": solver.loads(SCENE)}).items():
         model, file = solver.assemble(scene), folder / f"{name}.bin"
         file.write_bytes(model.file)
-        step_size = [variable.name for variable in model.variables].index("solver.step_size")
-        words += [str(sanitized_library(folder, model.sizes["dim"])), str(file), str(step_size)]
+        names = [variable.name for variable in model.variables]
+        steps = (str(names.index(f"solver.{name}")) for name in ("step_size", "longest_step"))
+        words += [str(sanitized_library(folder, model.sizes["dim"])), str(file), *steps]
     (folder / "targets").write_text("\n".join(words), encoding="utf-8")
 
 
