@@ -47,7 +47,8 @@ def build_wheel(
     """
     if name := (config_settings or {}).get("platform"):
         take_kernels(ROOT, name)
-        shutil.rmtree(ROOT / "build/lib", ignore_errors=True)  # setuptools keeps others' there
+        for kept in (ROOT / "build").glob("lib*"):  # by setuptools, with kernels of other platforms
+            shutil.rmtree(kept)
         config_settings = {"--build-option": f"--plat-name={PLATFORMS[name].wheel}"}
     else:
         _compile()
