@@ -17,7 +17,7 @@ static void append(hm_text *t, const char *from, size_t count)
     t->begin[t->used] = 0;
 }
 
-static void append_digit(hm_text *t, int digit) { append(t, "0123456789" + digit, 1); }
+static void append_digit(hm_text *t, int digit) { append(t, &"0123456789"[digit], 1); }
 
 static void say_fixed(hm_text *t, const decimal *d, int decimals)
 {
