@@ -6,8 +6,12 @@ import functools
 import tempfile
 from pathlib import Path
 
+import fmpy
+
 import solver
 from build_fmu.export import TOOL, generation_date, guid, identifier
+from build_fmu.fmpy_slaves import FMU3Run
+from build_fmu.instance import Log
 from build_fmu.model_description import model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import chosen_package
@@ -38,3 +42,16 @@ def native_fmu(model: Model, fmi: int = 2) -> Path:
     path = Path(_FOLDER.name, f"{name}_{own[1:9]}_{fmi}.fmu")
     path.write_bytes(packed(entries))
     return path
+
+
+def slave_of_fmi3(path: Path, folder: str, log: Log | None = None) -> FMU3Run:
+    """Return an instance of an FMU of FMI 3.0, unpacked into a folder."""
+    description = fmpy.read_model_description(str(path))
+    fmpy.extract(str(path), folder)
+    assert description.coSimulation
+    made = FMU3Run(
+        guid=description.guid, unzipDirectory=folder,
+        modelIdentifier=description.coSimulation.modelIdentifier,
+    )  # fmt: skip
+    made.make(log or Log())
+    return made

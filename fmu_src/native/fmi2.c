@@ -177,7 +177,7 @@ fmi2_status fmi2GetRealOutputDerivatives(fmi2_component c, const fmi2_reference 
 
 fmi2_status fmi2GetRealStatus(fmi2_component c, fmi2_status_kind kind, double *value)
 {
-    if (!c || !value) return FMI2_ERROR;
+    if (!c || !value) return c ? refuse(c, "there is no place for the status") : FMI2_ERROR;
     if (kind != FMI2_LAST_SUCCESSFUL_TIME) return FMI2_DISCARD;
     *value = slave_last_time(c);
     return FMI2_OK;
@@ -185,7 +185,7 @@ fmi2_status fmi2GetRealStatus(fmi2_component c, fmi2_status_kind kind, double *v
 
 fmi2_status fmi2GetBooleanStatus(fmi2_component c, fmi2_status_kind kind, fmi2_boolean *value)
 {
-    if (!c || !value) return FMI2_ERROR;
+    if (!c || !value) return c ? refuse(c, "there is no place for the status") : FMI2_ERROR;
     if (kind != FMI2_TERMINATED) return FMI2_DISCARD;
     *value = 0;
     return FMI2_OK;

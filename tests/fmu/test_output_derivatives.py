@@ -5,9 +5,7 @@ from __future__ import annotations
 import ctypes
 import random
 import tempfile
-from pathlib import Path
 
-import fmpy
 import numpy as np
 import pytest
 from fmpy.fmi1 import FMICallException
@@ -15,11 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import solver
-from build_fmu.fmpy_slaves import FMU3Run
 from build_fmu.instance import Log
 from tests.fmu.test_fmu_scenes import ALL_SCENES
 from tests.fmu_instance import Instance, instance, text_fmu
-from tests.native_fmus import native_fmu, native_scene_fmu
+from tests.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
 from tests.problems import assemble
 from tests.random_mechanisms import driven_systems, free_systems
 
@@ -184,18 +181,6 @@ def test_fmi_3_gives_the_derivatives_of_fmi_2_bit_for_bit(name):
             three.doStep(k * 0.01, 0.01)
         three.terminate()
         three.freeInstance()
-
-
-def slave_of_fmi3(path: Path, folder: str, log: Log | None = None) -> FMU3Run:
-    description = fmpy.read_model_description(str(path))
-    fmpy.extract(str(path), folder)
-    assert description.coSimulation
-    made = FMU3Run(
-        guid=description.guid, unzipDirectory=folder,
-        modelIdentifier=description.coSimulation.modelIdentifier,
-    )  # fmt: skip
-    made.make(log or Log())
-    return made
 
 
 REFUSED = {

@@ -7,15 +7,20 @@ initialization mode, and a step may be tried again after a failed one. Neither h
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import itertools
 import math
 import random
+import tempfile
 
 import pytest
 from fmpy.fmi1 import FMICallException
+from fmpy.fmi2 import fmi2DoStepStatus, fmi2LastSuccessfulTime, fmi2PendingStatus, fmi2Terminated
 
+import solver
 from fmu_src import status
 from tests.fmu_instance import Instance, instance, text_fmu
+from tests.native_fmus import native_fmu, slave_of_fmi3
 
 DISCARD, ERROR = 2, 3
 
@@ -179,6 +184,57 @@ def test_a_call_is_taken_where_the_standard_allows_it_and_else_refused_with_a_li
             assert fmu.outputs()[:-1] == before, state
             if name.startswith("doStep") and (native or name not in ELSEWHERE):
                 assert fmu.last_successful_time == before_time(before, fmu)
+
+
+def test_the_status_of_a_native_fmu_is_right_in_each_state():
+    with instance(text_fmu(SCENE, native=True)) as fmu:
+        library = ctypes.CDLL(fmu.fmu.dll._name)  # whose functions take any pointer
+        component, place = ctypes.c_void_p(fmu.fmu.component), ctypes.byref(ctypes.c_double())
+        for state in STATES:
+            fmu.fmu.reset()
+            state(fmu)
+            assert fmu.last_successful_time == time_of(fmu)
+            assert not fmu.fmu.getBooleanStatus(fmi2Terminated)
+            said = len(fmu.log)
+            for ask, kind in PENDING:
+                assert getattr(library, ask)(component, kind, place) == DISCARD
+            assert len(fmu.log) == said
+            for ask in ("fmi2GetRealStatus", "fmi2GetBooleanStatus"):
+                assert getattr(library, ask)(component, fmi2LastSuccessfulTime, None) == ERROR
+                assert "no place" in fmu.log[-1][2]
+
+
+PENDING = (
+    ("fmi2GetStatus", fmi2DoStepStatus), ("fmi2GetIntegerStatus", fmi2DoStepStatus),
+    ("fmi2GetStringStatus", fmi2PendingStatus), ("fmi2GetRealStatus", fmi2DoStepStatus),
+    ("fmi2GetBooleanStatus", fmi2PendingStatus),
+)  # fmt: skip
+"""What is asked of steps that run on their own, of which there are none."""
+
+
+def test_fmi_3_gives_the_last_successful_time_of_taken_refused_and_failed_steps():
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        model = solver.assemble(solver.loads(SCENE))
+        made = slave_of_fmi3(native_fmu(model, 3), folder)
+        flags, last = [ctypes.byref(ctypes.c_bool()) for _ in range(3)], ctypes.c_double()
+
+        def step(t: float, h: float) -> tuple[int, float]:
+            times = ctypes.c_double(t), ctypes.c_double(h)
+            status = made.dll.fmi3DoStep(made.component, *times, True, *flags, ctypes.byref(last))
+            return status, last.value
+
+        made.setupExperiment(startTime=0.5, stopTime=2.0)
+        made.enterInitializationMode()
+        assert step(0.5, 0.1) == (ERROR, 0.5)
+        made.exitInitializationMode()
+        assert step(0.4, 0.1) == (DISCARD, 0.5)
+        assert step(0.5, 0.1) == (0, 0.6)
+        made.setReal([model.index("push")], [-4.0])
+        assert step(0.6, 0.1) == (DISCARD, 0.6)
+        assert step(0.6, 3.0) == (DISCARD, 0.6)
+        made.terminate()
+        assert step(0.6, 0.1) == (ERROR, 0.6)
+        made.freeInstance()
 
 
 ELSEWHERE = ("doStep from earlier", "doStep from later")
