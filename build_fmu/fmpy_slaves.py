@@ -34,8 +34,13 @@ class FMU2Run(FMU2Slave):
         fmpy's own looks for a log of calls each time, which takes longer than a step of a small
         mechanism.
         """
-        call = partial(self.dll.fmi2DoStep, self.component)
-        return lambda time, step: require(call(time, step, True), "fmi2DoStep")
+        call, component = self.dll.fmi2DoStep, self.component
+
+        def advance(time: float, step: float) -> None:
+            if (status := call(component, time, step, True)) > WARNING:
+                raise FMICallException(function="fmi2DoStep", status=status)
+
+        return advance
 
     def reader(self, references: Sequence[int]) -> Callable[[], np.ndarray]:
         """Return a function that reads Real variables, into the same memory each time."""
@@ -77,7 +82,8 @@ class FMU3Run(FMU3Slave):
 
         def advance(time: float, step: float) -> None:
             status = call(self.component, fmi3Float64(time), fmi3Float64(step), True, *results)
-            require(status, "fmi3DoStep")
+            if status > WARNING:
+                raise FMICallException(function="fmi3DoStep", status=status)
 
         return advance
 
@@ -85,12 +91,6 @@ class FMU3Run(FMU3Slave):
         """As ``FMU2Run.reader``."""
         call = partial(self.dll.fmi3GetFloat64, self.component)
         return _reader(call, "fmi3GetFloat64", references, len(references))
-
-
-def require(status: int, name: str) -> None:
-    """Raise FMICallException where the FMI function of this name fails."""
-    if status > WARNING:
-        raise FMICallException(function=name, status=status)
 
 
 def _reader(
@@ -103,7 +103,8 @@ def _reader(
     get = partial(call, which, count, cast(values, POINTER(fmi2Real)), *more)
 
     def read() -> np.ndarray:
-        require(get(), name)
+        if (status := get()) > WARNING:
+            raise FMICallException(function=name, status=status)
         return seen
 
     return read

@@ -188,11 +188,14 @@ class CsvStore(FileStore):
             writer.writerow(self.plan.columns)
             writer.writerows(self._line(at) for at in self.is_done.nonzero()[0].tolist())
         other.replace(self._path)
+        self._latest, self._is_in_order = int(self.is_done.nonzero()[0].max(initial=-1)) + 1, True
         return self._path.open("a", newline="", encoding="utf-8")
 
     def keep(self, result: Result) -> None:
         """Write the line of a result at once."""
         super().keep(result)
+        self._is_in_order &= result.run > self._latest
+        self._latest = result.run
         with writing(self._path):
             csv.writer(self._file, lineterminator="\n").writerow(self._line(result.run - 1))
             self._file.flush()
@@ -201,7 +204,8 @@ class CsvStore(FileStore):
         """Put the lines into the order of the runs."""
         with contextlib.closing(self._lock), writing(self._path):
             self._file.close()
-            self._begin().close()
+            if not self._is_in_order:
+                self._begin().close()
 
 
 # ---------------------------------------------------------------------------------------- HDF5
