@@ -47,7 +47,7 @@ slave_answer slave_return_to(slave *s, const slave_kept *kept)
     const int is_own = kept && kept->size == size_of(s) && slave_hears(s, holonom_return_to(s->instance, kept + 1));
     if (is_own) s->memory = kept->memory;
     fp_leave(host);
-    return is_own ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, "the saved state belongs to another model; restore it where it was saved");
+    return is_own ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, "the saved state belongs to another model or version; restore it where it was saved");
 }
 
 void slave_free_kept(slave_kept *kept) { slave_release(kept); }

@@ -500,7 +500,7 @@ int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t leng
         return refuse_state(i, "is not one of this format; save it again with this FMU");
     memcpy(&head, bytes, sizeof head);
     if (memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
-        return refuse_state(i, "belongs to another model; restore it where it was saved");
+        return refuse_state(i, "belongs to another model or version; restore it where it was saved");
     if (length != holonom_saved_size(i) || head.length != i->state_size)
         return answer(i, HOLONOM_REFUSED, "the saved state is %d bytes long, not what its header says", (int)length);
     if (head.checksum != checksum_of(head, block) || head.phase < HOLONOM_CONFIGURED || head.phase > HOLONOM_MOVING)
@@ -516,7 +516,7 @@ int32_t holonom_return_to(holonom_instance *i, const void *bytes)
     memcpy(&head, bytes, sizeof head);
     if (memcmp(head.magic, SAVED, sizeof SAVED) || head.length != i->state_size ||
         memcmp(head.fingerprint, i->file.header->fingerprint, sizeof head.fingerprint))
-        return refuse_state(i, "belongs to another model; restore it where it was saved");
+        return refuse_state(i, "belongs to another model or version; restore it where it was saved");
     memcpy(i->state, (const char *)bytes + sizeof head, sizeof(double) * (size_t)i->state_size);
     i->phase = (int32_t)head.phase;
     i->is_measured = 0;

@@ -267,7 +267,7 @@ def add_contact(
             rows.rule(static - sliding, ">=", "static_friction - friction must be >= 0")
         slip_rows = tuple(rows.velocity(slip, METRES)[1] for slip in slips)
         friction = len(mechanism.frictions)
-        smooth = contact.smooth_speed or 0.0
+        smooth = 0.0 if contact.smooth_speed is None else contact.smooth_speed
         found = Friction(slip_rows, ((row,),), sliding, static, smooth_speed=smooth)
         mechanism.frictions.append(found)
     rows.parts.contacts.setdefault(rows.name, []).append(len(mechanism.contacts))

@@ -189,7 +189,7 @@ def _add_friction(pair: Pair, friction: JointFriction) -> None:
         rows.rule(static - friction.coefficient, ">=", "static - coefficient must be >= 0")
     found.friction = len(mechanism.frictions)
     cones = arm * friction.coefficient, arm * static, friction.preload
-    smooth = friction.smooth_speed or 0.0
+    smooth = 0.0 if friction.smooth_speed is None else friction.smooth_speed
     mechanism.frictions.append(Friction(slip_rows, (tuple(across),), *cones, smooth))
 
 

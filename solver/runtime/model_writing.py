@@ -160,7 +160,8 @@ def to_bytes(model: Model, guid: str = "") -> bytes:
         layout.ABI, len(ints), len(model.numbers), len(model.variables), len(model.rules),
         len(model.rows), len(model.sampled), len(text),
     )  # fmt: skip
-    fingerprint = hashlib.sha256(body).hexdigest()[:32].encode()
+    # A saved state, too, has the layout of its version.
+    fingerprint = hashlib.sha256(struct.pack("<I", layout.ABI) + body).hexdigest()[:32].encode()
     length = HEADER.size + len(body)
     data = HEADER.pack(MAGIC, 0, *counts, guid.encode(), fingerprint, length) + body
     checksum = zlib.crc32(data[BEFORE_CHECKED:]).to_bytes(4, "little")

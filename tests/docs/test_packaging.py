@@ -17,6 +17,9 @@ from pathlib import Path
 
 import pytest
 
+from build_fmu.export import TOOL
+from build_fmu.platforms import PLATFORMS
+from build_fmu.version import VERSION
 from build_kernel import compiler
 from solver.runtime.kernel import library_path
 
@@ -223,6 +226,7 @@ def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder, packa
     source = tmp_path / run_hook(tree, f"backend.build_sdist({str(tmp_path)!r})")
     with tarfile.open(source) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
+    assert not [name for name in names if name.endswith((".so", ".dll", ".dylib"))]
     assert {
         "solver/kernel/holonom.c",
         "solver/kernel/holonom.h",
@@ -249,6 +253,32 @@ def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder, packa
         assert (compiler.LIBRARIES / name).as_posix() in names
     # IEEE arithmetic without contraction: another compiler gives the same bits.
     assert four_bar(tmp_path / "site") == four_bar(ROOT)
+
+
+def test_a_wheel_of_a_release_has_the_kernels_and_the_name_of_its_platform(tmp_path):
+    tree = copy_of_repository(tmp_path / "tree")
+    for target, name in (
+        ("linux64", "planar.so"),
+        ("win64", "planar.dll"),
+        ("darwin64", "planar.dylib"),
+    ):
+        (tree / compiler.KERNELS / target).mkdir(parents=True)
+        (tree / compiler.KERNELS / target / f"libholonom_{name}").write_text(target)
+    found = []
+    for target in ("darwin64", "linux64"):  # what the first took stays out of the second
+        wheel = run_hook(
+            tree, f"backend.build_wheel({str(tmp_path)!r}, {{'platform': {target!r}}})"
+        )
+        assert wheel == f"holonom-{VERSION}-py3-none-{PLATFORMS[target].wheel}.whl"
+        with zipfile.ZipFile(tmp_path / wheel) as archive:
+            found.append({Path(n).suffix for n in archive.namelist() if "libholonom_" in n})
+    assert found == [{".dylib", ".so", ".dll"}, {".so", ".dll"}]
+
+
+def test_the_changelog_begins_with_the_version():
+    headings = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    assert headings[0] == VERSION
+    assert f"holonom {VERSION}" == TOOL  # of FMUs, as their generating tool
 
 
 def four_bar(packages: Path) -> str:

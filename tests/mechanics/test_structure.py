@@ -144,6 +144,13 @@ def test_a_model_of_another_version_is_refused(monkeypatch):
         Model.from_bytes(data)
 
 
+def test_the_fingerprint_of_saved_states_is_that_of_a_version(monkeypatch):
+    # Two versions may lay out states of one length differently, for one and the same model.
+    before = Model.from_bytes(model_of(PLANE).to_bytes()).fingerprint
+    monkeypatch.setattr("solver.runtime.layout.ABI", ABI + 1)
+    assert Model.from_bytes(model_of(PLANE).to_bytes()).fingerprint != before
+
+
 def test_a_model_with_a_damaged_bit_or_cut_off_is_refused():
     data = model_of(PLANE).to_bytes()
     for place in range(0, len(data), 7):

@@ -16,7 +16,7 @@ MU, SPEED = 0.3, 1.5
 """Coefficient of the slider, and its first speed [m/s]."""
 
 
-def smooth(content: Content, speed: float) -> Content:
+def smooth(content: Content, speed: float | str) -> Content:
     """Return a scene of contacts whose friction is smoothed over a speed [m/s]."""
     contacts = {name: x | {"smooth_speed": speed} for name, x in content["contacts"].items()}
     return content | {"contacts": contacts}
@@ -55,6 +55,11 @@ def test_steps_that_are_long_against_the_creeping_are_solved(speed, mode):
     passed = cover(integrator, even(1.0, 0.05))
     assert integrator["p.x"] == pytest.approx(way_of_slider(speed), abs=2e-5)
     assert passed.error < 1e-12
+
+
+def test_the_speed_may_be_a_parameter():
+    content = smooth(slider(), "slow") | {"parameters": {"slow": 0.3}}
+    assert begin(content, 0.002)["p.x"] == begin(smooth(slider(), 0.3), 0.002)["p.x"]
 
 
 def test_smooth_friction_has_no_events_and_errors_of_second_order():
