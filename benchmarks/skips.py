@@ -32,6 +32,7 @@ from build_kernel.compiler import (
     DIMENSIONS,
     SOURCES,
     CompilerError,
+    Kind,
     compile_library,
     system_compiler,
     zig_compiler,
@@ -87,7 +88,7 @@ def variant(without: int, dimension: int) -> ctypes.CDLL:
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         target = Path(folder, f"without{without}.library")
         skipped = f"-DHOLONOM_WITHOUT={without}"
-        compile_library(compiler, ROOT / SOURCES, dimension, target, skipped)
+        compile_library(compiler, ROOT / SOURCES, Kind(dimension), target, skipped)
         return load_library(dimension, str(target))
 
 

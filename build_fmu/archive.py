@@ -54,7 +54,7 @@ def _extended(content: bytes, entries: Iterable[tuple[str, bytes]]) -> bytes:
     """Bytes of a zip file with more entries, sorted by name."""
     file = io.BytesIO()
     file.write(content)
-    with zipfile.ZipFile(file, "a", zipfile.ZIP_DEFLATED) as target:
+    with zipfile.ZipFile(file, "a", zipfile.ZIP_DEFLATED, compresslevel=9) as target:
         for name, data in sorted(entries):
             entry = zipfile.ZipInfo(name, _EARLIEST)
             entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, _UNIX

@@ -125,7 +125,7 @@ def archive_entries(
 ) -> dict[str, bytes]:  # fmt: skip
     """Content of the archive by path."""
     name = identifier(model.name)
-    entries = package.entries(name, model.sizes["dim"])
+    entries = package.entries(name, model.sizes)
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
     entries |= documentation(model, seen, native=package.native, fmi=package.fmi)
     entries["model.png"] = picture(parts)

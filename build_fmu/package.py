@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import struct
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree
 
@@ -39,10 +39,11 @@ class Package:
     platforms: tuple[str, ...] = ()
     sources: bool = False
 
-    def entries(self, name: str, dimension: int) -> dict[str, bytes]:
+    def entries(self, name: str, sizes: Mapping[str, int]) -> dict[str, bytes]:
         """Entries of the archive that make it run, by path.
 
-        `name` is the model identifier, `dimension` that of the mechanism.
+        `name` is the model identifier; by the `sizes` of the model its dimension is known, and
+        whether it has contacts or frictions.
 
         Raises
         ------
@@ -50,10 +51,10 @@ class Package:
             If a library is missing here.
         """
         if not self.native:
-            return _python_entries(name, dimension)
+            return _python_entries(name, sizes["dim"])
         found = source_files(self.fmi) if self.sources else {}
         for platform in self.platforms:
-            folders, library = self._folders(platform), _native_library(platform, dimension)
+            folders, library = self._folders(platform), _native_library(platform, sizes)
             parts = parts_of(library) if len(folders) > 1 else [library]
             for folder, part in zip(folders, parts, strict=True):
                 found[f"binaries/{folder}/{name}{PLATFORMS[platform].suffix}"] = part
@@ -131,8 +132,9 @@ def _python_entries(name: str, dimension: int) -> dict[str, bytes]:
     return entries
 
 
-def _native_library(platform: str, dimension: int) -> bytes:
-    path = library_path(package_folder("fmu_src"), platform, dimension)
+def _native_library(platform: str, sizes: Mapping[str, int]) -> bytes:
+    folder = package_folder("fmu_src")
+    path = library_path(folder, platform, sizes["dim"], bool(sizes["unilateral"]))
     if path.is_file():
         return path.read_bytes()
     remedy = "python -m build_kernel"

@@ -62,7 +62,10 @@ def own_platform(system: str = "", machine: str = "") -> str:
     return "darwin64" if system == "Darwin" else ""
 
 
-def library_path(root: Path, name: str, dimension: int) -> Path:
-    """Library for a platform and mechanisms of this dimension, below the folder of `fmu_src`."""
-    word = {2: "planar", 3: "spatial"}[dimension]
+def library_path(root: Path, name: str, dimension: int, contacts: bool) -> Path:
+    """Library for a platform and mechanisms of this dimension, below the folder of `fmu_src`.
+
+    That without `contacts` is a quarter smaller; it refuses models with contacts or frictions.
+    """
+    word = {2: "planar", 3: "spatial"}[dimension] + ("_contacts" if contacts else "")
     return root / "native" / "_libraries" / name / f"{word}{PLATFORMS[name].suffix}"

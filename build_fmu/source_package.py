@@ -49,6 +49,7 @@ _FILE = """#if defined(__GNUC__) && !defined(__clang__)
 """
 _CONFIGURATION = """/* What is known of the FMU when it is compiled. */
 #define DIM {dimension}
+#define HM_CONTACTS {contacts}
 #define HOLONOM_SOURCE
 #define HOLONOM_MODEL "model.h"
 #define HOLONOM_MODEL_BYTES {bytes}
@@ -103,7 +104,7 @@ def model_files(model: Model, data: bytes, fmi: int, identifier: str) -> dict[st
     prefix = f"HOLONOM_PREFIXED(FMI{fmi}_FUNCTION_PREFIX, "
     dimension = model.sizes["dim"]
     configuration = _CONFIGURATION.format(
-        dimension=dimension, bytes=len(data), fmi=fmi,
+        dimension=dimension, contacts=int(bool(model.sizes["unilateral"])), bytes=len(data), fmi=fmi,
         instance=model.checked_file(shared_library(dimension))[1],
         rows=len(model.rows) + len(model.rules),
         names="".join(f"#define {name} {prefix}{name})\n" for name in names),

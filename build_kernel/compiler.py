@@ -12,7 +12,6 @@ arithmetic of a step the same on every machine of one architecture.
 from __future__ import annotations
 
 import importlib.util
-import itertools
 import os
 import platform
 import shlex
@@ -22,6 +21,7 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import NamedTuple
 
 from build_fmu.platforms import PLATFORMS, library_path, own_platform
 from build_kernel.model_tables import write_headers
@@ -51,6 +51,25 @@ SYSTEM_COMPILERS = ("cc", "gcc", "clang")
 PROBE = "#include <math.h>\ndouble probe(double x);\ndouble probe(double x) { return sin(x); }\n"
 
 
+class Kind(NamedTuple):
+    """What a library is for.
+
+    Attributes
+    ----------
+    dimension : int
+        2 or 3.
+    contacts : bool
+        Whether it serves models with contacts or frictions, too.
+    slave : Path, optional
+        Folder of a slave's sources: the library is that of an FMU, and shows the standard's
+        functions alone.
+    """
+
+    dimension: int
+    contacts: bool = True
+    slave: Path | None = None
+
+
 class CompilerError(Exception):
     """The kernel cannot be compiled; the text has the compiler's message and the remedy."""
 
@@ -73,24 +92,24 @@ def compile_kernel(root: Path) -> list[Path]:
     system, own = platform.system(), own_platform()
     print("compiling the kernel:", shlex.join([*compiler, *flags(system)]))
     options = _without_runtime(compiler)
-    libraries: dict[Path, tuple[int, Path | None]] = {
-        root / LIBRARIES / library_name(system, dimension): (dimension, None)
+    libraries: dict[Path, Kind] = {
+        root / LIBRARIES / library_name(system, dimension): Kind(dimension)
         for dimension in DIMENSIONS
     }
-    for dimension in DIMENSIONS if own else ():
-        libraries[library_path(root / SLAVES, own, dimension)] = dimension, root / SLAVE_SOURCES
+    for kind in _slaves(root) if own else ():
+        libraries[library_path(root / SLAVES, own, kind.dimension, kind.contacts)] = kind
 
-    def compiled(target: Path, dimension: int, slave: Path | None) -> Path:
+    def compiled(target: Path, kind: Kind) -> Path:
         # The new file takes the old one's place at once: a running process may have that mapped.
         target.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=target.parent, prefix="compile-") as scratch:
             new = Path(scratch, target.name)
-            compile_library(compiler, root / SOURCES, dimension, new, *options, slave=slave)
+            compile_library(compiler, root / SOURCES, kind, new, *options)
             return new.replace(target)
 
     write_headers((root / SOURCES).parent)
     with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
-        found = [*pool.map(lambda item: compiled(item[0], *item[1]), libraries.items())]
+        found = [*pool.map(lambda item: compiled(*item), libraries.items())]
     others = {
         *(root / LIBRARIES).glob("libholonom_*"),
         *(root / SLAVES).glob("native/_libraries/*/*"),
@@ -118,16 +137,18 @@ def compile_for_all(root: Path) -> None:
         raise CompilerError(text)
     write_headers((root / SOURCES).parent)
     with tempfile.TemporaryDirectory(dir=root) as folder:
-        for name, dimension in itertools.product(PLATFORMS, DIMENSIONS):
-            kernel = library_name(_system(PLATFORMS[name].targets[0]), dimension)
-            jobs: dict[Path, Path | None] = {
-                library_path(root / SLAVES, name, dimension): root / SLAVE_SOURCES,
-                root / KERNELS / name / kernel: None,
+        for name in PLATFORMS:
+            jobs = {
+                library_path(root / SLAVES, name, kind.dimension, kind.contacts): kind
+                for kind in _slaves(root)
             }
-            for target, slave in jobs.items():
+            system = _system(PLATFORMS[name].targets[0])
+            for dimension in DIMENSIONS:
+                jobs[root / KERNELS / name / library_name(system, dimension)] = Kind(dimension)
+            for target, kind in jobs.items():
                 new, parts = Path(folder, target.name), []
                 for zig_name in PLATFORMS[name].targets:
-                    _compile_with_zig(root, zig_name, dimension, new, slave)
+                    _compile_with_zig(root, zig_name, kind, new)
                     parts.append(new.read_bytes())
                 new.write_bytes(universal(parts) if len(parts) > 1 else parts[0])
                 target.parent.mkdir(parents=True, exist_ok=True)
@@ -145,22 +166,23 @@ def take_kernels(root: Path, platform: str) -> None:
             shutil.copy(kernel, root / LIBRARIES)
 
 
-def _compile_with_zig(
-    root: Path, zig_name: str, dimension: int, target: Path, slave: Path | None
-) -> None:
+def _slaves(root: Path) -> list[Kind]:
+    """Libraries of FMUs for one platform."""
+    return [Kind(d, c, root / SLAVE_SOURCES) for d in DIMENSIONS for c in (False, True)]
+
+
+def _compile_with_zig(root: Path, zig_name: str, kind: Kind, target: Path) -> None:
     compiler = [sys.executable, "-m", "ziglang", "cc", "-target", zig_name]
     system = _system(zig_name)
     options = [*_without_runtime(compiler)]
-    if slave is not None:  # a quarter smaller, and a twentieth slower than what gcc makes
+    if kind.slave is not None:
         options.append("-Os")
-        if system != "Windows":  # whose start-up code, which zig compiles, needs them
-            options.append("-fno-unwind-tables")
+        if system != "Windows":  # whose start-up code, which zig compiles, needs these tables
+            options += ["-fno-unwind-tables", "-fno-asynchronous-unwind-tables"]
     if system == "Darwin":
         options.append(f"-Wl,-install_name,@rpath/{target.name}")
     print("compiling", target.name, "for", zig_name)
-    compile_library(
-        compiler, root / SOURCES, dimension, target, *options, system=system, slave=slave
-    )
+    compile_library(compiler, root / SOURCES, kind, target, *options, system=system)
 
 
 def _system(zig_name: str) -> str:
@@ -170,16 +192,14 @@ def _system(zig_name: str) -> str:
 def compile_library(
     compiler: list[str],
     folder: Path,
-    dimension: int,
+    kind: Kind,
     target: Path,
     *options: str,
     system: str | None = None,
-    slave: Path | None = None,
 ) -> None:
-    """Compile the C sources in a folder for mechanisms of this dimension, 2 or 3.
+    """Compile the C sources in a folder into a library of this kind.
 
-    `system` is the operating system that it is for, this one where left out; `slave` the folder of
-    a slave's sources, for the library of an FMU, which shows the standard's functions alone.
+    `system` is the operating system that it is for, this one where left out.
 
     Raises
     ------
@@ -188,10 +208,11 @@ def compile_library(
     """
     write_headers(folder.parent)
     sources = sorted(path.name for path in folder.glob("*.c"))
-    if slave is not None:
-        sources += sorted(str(path.resolve()) for path in slave.glob("*.c"))
+    if kind.slave is not None:
+        sources += sorted(str(path.resolve()) for path in kind.slave.glob("*.c"))
         options = ("-DHOLONOM_STATIC", f"-I{folder.resolve()}", *options)
-    options = (*flags(system or platform.system()), f"-DDIM={dimension}", *options)
+    macros = f"-DDIM={kind.dimension}", f"-DHM_CONTACTS={int(kind.contacts)}"
+    options = (*flags(system or platform.system()), *macros, *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]
     run = _run(command, folder, str(target.parent))
     if run.returncode != 0:
@@ -245,8 +266,8 @@ def flags(system: str) -> list[str]:
 
 def _without_runtime(compiler: list[str]) -> list[str]:
     """Options that keep zig from compiling its run-time library: the kernel needs none of it."""
-    glibc = "ziglang" in compiler and any("-linux-gnu" in word for word in compiler)
-    return ["-nostdlib", "-lc"] if glibc else []
+    alone = any("-linux-gnu" in word or "-windows-gnu" in word for word in compiler)
+    return ["-nostdlib", "-lc"] if "ziglang" in compiler and alone else []
 
 
 def _works(compiler: str) -> bool:

@@ -18,7 +18,14 @@ from typing import NamedTuple
 
 import pytest
 
-from build_kernel.compiler import SOURCES, compile_library, flags, system_compiler, zig_compiler
+from build_kernel.compiler import (
+    SOURCES,
+    Kind,
+    compile_library,
+    flags,
+    system_compiler,
+    zig_compiler,
+)
 from solver.runtime import Integrator, Model
 from solver.runtime.kernel import load_library
 
@@ -60,7 +67,7 @@ def _compiled(dimension: int) -> Path:
         options += ["-DHOLONOM_ENERGY_DECIDES=holonom_energy_decides"]
         options += [*(WRAPPED if sys.platform == "linux" else ["-DUNWRAPPED"]), str(COUNTER)]
         options += [f"-I{FOLDER}", str(PROBE)]
-        compile_library(compiler, FOLDER, dimension, mine, *options)
+        compile_library(compiler, FOLDER, Kind(dimension), mine, *options)
         mine.replace(target)
     return target
 

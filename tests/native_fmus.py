@@ -30,7 +30,7 @@ def native_scene_fmu(name: str, fmi: int = 2) -> Path:
 def native_fmu(model: Model, fmi: int = 2) -> Path:
     """Native FMU of a model."""
     name = identifier(model.name)
-    entries = chosen_package(True, fmi).entries(name, model.sizes["dim"])
+    entries = chosen_package(True, fmi).entries(name, model.sizes)
     entries["resources/model.bin"] = model.file
     own = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own)

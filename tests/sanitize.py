@@ -21,6 +21,7 @@ from build_kernel.compiler import (
     LIBRARIES,
     SLAVE_SOURCES,
     SOURCES,
+    Kind,
     compile_library,
     library_name,
 )
@@ -67,8 +68,8 @@ def copy_with_sanitizers(folder: Path, optimisation: str) -> None:
     def compiled(dimension: int) -> None:
         target = sanitized_library(folder, dimension)
         target.parent.mkdir(exist_ok=True)
-        sources, slave = folder / SOURCES, ROOT / SLAVE_SOURCES
-        compile_library(["gcc"], sources, dimension, target, *options, slave=slave)
+        kind = Kind(dimension, slave=ROOT / SLAVE_SOURCES)
+        compile_library(["gcc"], folder / SOURCES, kind, target, *options)
 
     with ThreadPoolExecutor(len(DIMENSIONS)) as pool:
         list(pool.map(compiled, DIMENSIONS))

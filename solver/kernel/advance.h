@@ -37,8 +37,8 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     set_laws(&c, c.t, 0);
     const int has_new_parameters = memcmp(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters) != 0;
     double *before = values_at(&c, AT_LOW).value;
-    if (has_new_parameters && m->n_contacts) quantities_at_state(&c);
-    for (int32_t i = 0; i < m->n_contacts && has_new_parameters; i++) before[i] = gap_of(&c, i);
+    if (has_new_parameters && n_contacts(m)) quantities_at_state(&c);
+    for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) before[i] = gap_of(&c, i);
     const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
     if (has_new_parameters) start_anew(&c);
     if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
@@ -46,7 +46,7 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
     set_laws(&c, c.t, 1);
-    for (int32_t i = 0; i < m->n_contacts && has_new_parameters; i++) {
+    for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) {
         const double now = gap_of(&c, i);
         if (now < before[i] && now < -gap_tolerance(&c)) *gap = now, pressed = row_of(&c, m->contact_row[i]);
     }
@@ -103,11 +103,11 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     set_laws(&c, start, 0);
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = 0.0;
-    if (!status && m->unilateral && !is_stepped(&c)) {
+    if (!status && is_unilateral(m) && !is_stepped(&c)) {
         keep_start(&c);
         status = head[S_UNSETTLED] != 0.0 ? settle_changes(&c) : event_functions(&c, values_at(&c, AT_LOW));
     }
-    if (may_step_over(status)) {
+    if (is_unilateral(m) && may_step_over(status)) {
         undo_piece(&c, start, c.number[m->time_at]);
         status = step_over(&c, status, start, 0.0, step);
     } else if (!status && is_stepped(&c)) status = cover_stepped(&c, start, 0.0, step);

@@ -171,7 +171,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->constraints_only = c->careful = c->at_state = c->unweighted = c->damped = 0;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
-    for (int32_t f = 0; f < m->n_frictions; f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
+    for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
     c->lu = c->factors_lu = &m->full;
     c->factors_h = 0.0;
     c->fresh_increments = 0;

@@ -109,7 +109,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     double *head = c->s.head;
     step_error e = {0};
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
-    const int judged = estimate_error(c, order, h, &e) || (c->m->unilateral && judge_first_pair(c, t, h, law_time, &e));
+    const int judged = estimate_error(c, order, h, &e) || (is_unilateral(c->m) && judge_first_pair(c, t, h, law_time, &e));
     const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
     head[S_ACROSS] = defect;
     double share = 0.0;
@@ -135,24 +135,24 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     while (done < step) {
         const double rest = step - done;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
-        const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !c->m->unilateral ? 2.0 : 1.0;
+        const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !is_unilateral(c->m) ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, head[S_WANTED]));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
-        const double ahead = c->m->unilateral && !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
+        const double ahead = is_unilateral(c->m) && !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
         c->t = start + done;
         if (!(half_steps + ahead < MOST_HALF_STEPS)) {
-            if (c->m->unilateral && may_step_over(failed)) return step_over(c, failed, start, done, step);
+            if (is_unilateral(c->m) && may_step_over(failed)) return step_over(c, failed, start, done, step);
             return failed ? failed : HOLONOM_STEP_COLLAPSED;
         }
         c->unweighted = 0;
         c->damped = is_dissipative(c);
-        int32_t status = c->m->unilateral ? stop_before(c, &h) : HOLONOM_OK;
+        int32_t status = is_unilateral(c->m) ? stop_before(c, &h) : HOLONOM_OK;
         if (status) return status;
-        if (c->m->unilateral && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
-        if (c->m->unilateral) keep_start(c);
-        const int tiny = c->m->unilateral && is_short(c, h);
+        if (is_unilateral(c->m) && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
+        if (is_unilateral(c->m)) keep_start(c);
+        const int tiny = is_unilateral(c->m) && is_short(c, h);
         status = tiny ? short_piece(c, h) : internal_step(c, h);
         const int rejected = status ? 1 : tiny ? 0 : judge_step(c, start + done, h, law_time, step);
         half_steps += c->halves;
@@ -172,7 +172,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         repeats = 0;
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
-        if (c->m->unilateral && (status = end_piece(c, start + done, law_time, h, &covered))) {
+        if (is_unilateral(c->m) && (status = end_piece(c, start + done, law_time, h, &covered))) {
             if (!may_step_over(status)) return status;
             undo_piece(c, start + done, law_time);
             head[S_WANTED] = 0.5 * h;
@@ -226,7 +226,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
     if (is_dissipative(c) && !is_extrapolating(c)) head[S_ORDER_IN_USE] = 2.0;
-    if (!status && c->m->unilateral) return cover_between_events(c, start, step, h);
+    if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
         c->unweighted = 0;

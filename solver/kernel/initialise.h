@@ -185,13 +185,13 @@ static void open_ledger(context *c)
 static int allows_settings(const context *c)
 {
     const double *head = c->s.head;
-    return !c->m->unilateral ||
+    return !is_unilateral(c->m) ||
            (c->formulation == HOLONOM_CONSERVING_AL && head[S_PAIRED] != 0.0 && head[S_EQUILIBRIUM] == 0.0);
 }
 
 static int32_t refuse_penetration(context *c)
 {
-    for (int32_t i = 0; i < c->m->n_contacts; i++)
+    for (int32_t i = 0; i < n_contacts(c->m); i++)
         if (!(gap_of(c, i) >= -HOLONOM_DRAWN_INTO * c->number[c->m->extent_at])) {
             blame(c, c->m->contact_row[i]);
             return HOLONOM_PENETRATION;
@@ -224,7 +224,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     follow_angles(&c); /* from no direction, which is no turn */
     for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
     open_ledger(&c);
-    if (m->unilateral && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;
+    if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;
     if (status) return status;
     head[S_EVENTS] = 0.0;
     return all_finite(state, c.state_size) ? HOLONOM_OK : HOLONOM_NOT_FINITE;

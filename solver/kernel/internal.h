@@ -17,9 +17,12 @@
    which the compiler would call rather than copy to where they are needed, and which then cost 0.5 to 10 % more. */
 #if defined(__GNUC__)
 #define HM_SELDOM __attribute__((cold))
-#define HM_OFTEN static inline __attribute__((always_inline))
 #else
 #define HM_SELDOM
+#endif
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define HM_OFTEN static inline __attribute__((always_inline))
+#else
 #define HM_OFTEN static inline
 #endif
 
@@ -29,6 +32,14 @@
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-tree-loop-distribute-patterns", "peel-loops", "no-schedule-insns2", "align-jumps=1")
 #endif
+
+/* 0 in a library for models without contacts and frictions: it has nothing that only these need. */
+#ifndef HM_CONTACTS
+#define HM_CONTACTS 1
+#endif
+static inline int is_unilateral(const holonom_model *m) { return HM_CONTACTS && m->unilateral; }
+static inline int32_t n_contacts(const holonom_model *m) { return HM_CONTACTS ? m->n_contacts : 0; }
+static inline int32_t n_frictions(const holonom_model *m) { return HM_CONTACTS ? m->n_frictions : 0; }
 
 /* What a step leaves out where it can (docs/skips.md), and the places that ask. Always so, but for benchmarks/skips.py,
    which measures what each saves with kernels compiled with -DHOLONOM_WITHOUT=<sum of these>.                     */

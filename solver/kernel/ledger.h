@@ -22,7 +22,7 @@ static void book(context *c, int account, double amount)
 static inline int account_of(const context *c, int32_t j, enum row_state state)
 {
     const int32_t owner = c->stepping ? owner_of(c, j) : -1;
-    if (state == ROW_IS_SLIDING || owner >= c->m->n_contacts) return S_FRICTION;
+    if (state == ROW_IS_SLIDING || owner >= n_contacts(c->m)) return S_FRICTION;
     return owner < 0 ? S_DEFECT : S_IMPACT;
 }
 

@@ -50,7 +50,7 @@ static void extrapolate(const context *c, int32_t n, const double *mean, const d
 {
     const double *head = c->s.head, gap = head[S_MEAN_TIME] - head[S_MEAN_TIME_BEFORE];
     double ahead = gap > 0.0 && gap < INFINITY ? (head[S_TIME] - head[S_MEAN_TIME]) / gap : 0.0;
-    if (c->m->unilateral && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
+    if (is_unilateral(c->m) && !(ahead <= FARTHEST)) ahead = 0.0; /* a short piece lies between the means */
     for (int32_t i = 0; i < n; i++) y[i] = mean[i] + ahead * (mean[i] - before[i]);
 }
 
@@ -111,10 +111,10 @@ static void measure_contacts(const context *c, const hm_measured *y)
 {
     const holonom_model *m = c->m;
     const double *head = c->s.head;
-    if (!m->unilateral) return;
+    if (!is_unilateral(m)) return;
     quantities_at_state(c);
     signal_rates_at(c, head[S_TIME], c->k.signal_rate);
-    for (int32_t i = 0; i < m->n_contacts; i++) {
+    for (int32_t i = 0; i < n_contacts(m); i++) {
         const double *x = contact_of(c, i), *mu = y->multiplier;
         const int32_t f = m->contact_friction[i], j = m->contact_row[i];
         const int slides = f >= 0 && friction_mode(c, f) == FRICTION_SLIDES;
@@ -123,7 +123,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
                                  mode, x[C_IMPACTS], x[C_IMPULSE]};
         memcpy(y->contact + 5 * i, values, sizeof values);
     }
-    for (int32_t f = 0; f < m->n_frictions; f++) {
+    for (int32_t f = 0; f < n_frictions(m); f++) {
         const int mode = friction_mode(c, f);
         double force = 0.0, slip = 0.0;
         for (int k = 0; k < n_slips(c, f); k++) {

@@ -22,7 +22,7 @@ static void update_multipliers(context *c)
             lambda += c->k.phi0[i] / c->k.epsilon[i];
         c->k.lambda[i] = lambda;
     }
-    if (c->m->n_frictions) follow_cones(c);
+    if (n_frictions(c->m)) follow_cones(c);
 }
 
 /* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is

@@ -34,12 +34,12 @@ static inline int friction_mode(const context *c, int32_t f)
 /* Contact i, or friction f as n_contacts + f, that composite j is a row of; -1: of neither, it is always on. */
 static inline int32_t owner_of(const context *c, int32_t j)
 {
-    return c->m->unilateral && is_row(c, j) ? c->m->row_owner[j - first_function(c)] : -1;
+    return is_unilateral(c->m) && is_row(c, j) ? c->m->row_owner[j - first_function(c)] : -1;
 }
 
 static inline enum row_state state_of_row(const context *c, int32_t j)
 {
-    const int32_t owner = owner_of(c, j), f = owner - c->m->n_contacts;
+    const int32_t owner = owner_of(c, j), f = owner - n_contacts(c->m);
     if (owner < 0) return ROW_IS_ON;
     if (f < 0) return is_closed(c, owner) ? ROW_IS_ON : ROW_IS_OFF;
     const int mode = friction_mode(c, f);
@@ -56,7 +56,7 @@ static inline int32_t composite_of(const context *c, int32_t i)
 /* State of the row of multiplier i. */
 static inline enum row_state state_of_multiplier(const context *c, int32_t i)
 {
-    const int32_t j = c->m->unilateral ? composite_of(c, i) : -1;
+    const int32_t j = is_unilateral(c->m) ? composite_of(c, i) : -1;
     return j < 0 ? ROW_IS_ON : state_of_row(c, j);
 }
 
@@ -91,7 +91,7 @@ static void leave_rows_out(context *c)
 static inline double reference_of(const context *c, int32_t j)
 {
     const int32_t owner = owner_of(c, j);
-    return owner >= 0 && owner < c->m->n_contacts ? contact_of(c, owner)[C_REFERENCE] : 0.0;
+    return owner >= 0 && owner < n_contacts(c->m) ? contact_of(c, owner)[C_REFERENCE] : 0.0;
 }
 
 /* Whether friction f belongs to the islands at hand. */
@@ -114,7 +114,7 @@ static inline int32_t slip_row(const context *c, int32_t f, int k) { return c->m
 /* Whether a friction in space slides. Its direction turns the faster the slower it is. */
 static int slides_in_space(const context *c)
 {
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
+    for (int32_t f = 0; f < n_frictions(c->m); f++)
         if (n_slips(c, f) > 1 && friction_mode(c, f) == FRICTION_SLIDES) return 1;
     return 0;
 }
@@ -164,7 +164,7 @@ static inline int is_smooth(const context *c, int32_t f) { return c->number[c->m
 
 static int has_smooth(const context *c)
 {
-    for (int32_t f = 0; f < c->m->n_frictions; f++)
+    for (int32_t f = 0; f < n_frictions(c->m); f++)
         if (is_smooth(c, f)) return 1;
     return 0;
 }
@@ -205,7 +205,7 @@ static double slip_direction(const context *c, int32_t f, double *along)
 static void follow_cones(const context *c)
 {
     if (!c->sliding) return;
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+    for (int32_t f = 0; f < n_frictions(c->m); f++) {
         double along[3];
         if (friction_mode(c, f) != FRICTION_SLIDES || !is_at_hand(c, f)) continue;
         const double force = cone(c, f, 1, normal_in_cone(c, f, c->k.mu));
@@ -218,7 +218,7 @@ static void follow_cones(const context *c)
    they bring about would not be orthogonal to what rows allow.                                                  */
 static void suspend_sliding(const context *c, int suspended)
 {
-    for (int32_t f = 0; f < c->m->n_frictions; f++) {
+    for (int32_t f = 0; f < n_frictions(c->m); f++) {
         double *x = friction_of(c, f);
         if (x[F_MODE] == (suspended ? FRICTION_SLIDES : -FRICTION_SLIDES)) x[F_MODE] = -x[F_MODE];
     }

@@ -17,7 +17,7 @@ static int is_short(const context *c, double h) { return h < SHORTEST_PIECE * us
 HM_SELDOM static int has_loads(const context *c)
 {
     const holonom_model *m = c->m;
-    int has = m->n_signals > 0 || m->n_frictions > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0;
+    int has = m->n_signals > 0 || n_frictions(m) > 0 || m->n_loads > 0 || m->n_moments > 0 || m->n_body_moments > 0;
     for (int32_t j = 0; j < m->n_elements; j++) has |= c->number[m->drive_at + j] != 0.0;
     return has;
 }
@@ -38,7 +38,7 @@ HM_SELDOM static void powers_at_state(const context *c, double *damping, double 
         const double share = damping_at_state(c, j, &power);
         *damping += share * power;
     }
-    for (int32_t f = 0; f < m->n_frictions; f++)
+    for (int32_t f = 0; f < n_frictions(m); f++)
         if (friction_mode(c, f) == FRICTION_SLIDES)
             for (int k = 0; k < n_slips(c, f); k++)
                 *friction += c->k.event_mu[row_of(c, slip_row(c, f, k))] * rate_of_row(c, slip_row(c, f, k));

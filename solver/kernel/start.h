@@ -285,11 +285,11 @@ HM_SELDOM static void find_drifts(context *c)
     const holonom_model *m = c->m;
     const double delta = 1e-2 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5}, t = c->number[m->time_at];
     memset(c->k.drift, 0, sizeof(double) * (size_t)m->n_rows);
-    if (!m->time_dependent || !m->n_frictions) return;
+    if (!m->time_dependent || !n_frictions(m)) return;
     memset(c->k.ahead, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int i = 2; i >= 0; i--) {
         set_laws(c, t + i * delta, 0);
-        for (int32_t k = 0; k < m->friction_row_ptr[m->n_frictions]; k++) {
+        for (int32_t k = 0; k < m->friction_row_ptr[n_frictions(m)]; k++) {
             const int32_t j = m->friction_row[k];
             const double slip = function_rate(c, j, c->s.q, c->s.q_low, c->k.ahead, c->s.signal, c->k.signal_rate);
             c->k.drift[row_of(c, j)] += forward[i] * slip / delta;
@@ -321,14 +321,14 @@ HM_SELDOM static void row_biases(context *c)
     const double tau = 1e-3 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
     double *x = c->k.ahead, *rate = c->k.row_rate, *bias = c->k.row_bias, vu[DIM], vw[DIM];
     for (int32_t i = 0; i < m->n_rows; i++) bias[i] = 0.0;
-    for (int i = 0; i < 3 && first_potential(c) > first_function(c) && !m->unilateral; i++) {
+    for (int i = 0; i < 3 && first_potential(c) > first_function(c) && !is_unilateral(m); i++) {
         for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + i * tau * c->s.v[k];
         signals_at(c, c->t + i * tau, c->k.signal1);
         signal_rates_at(c, c->t + i * tau, c->k.signal_rate);
         row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, rate);
         for (int32_t k = 0; k < m->n_rows; k++) bias[k] += forward[i] * rate[k] / tau;
     }
-    if (m->unilateral) exact_biases(c);
+    if (is_unilateral(m)) exact_biases(c);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_of(c, m->row_form[i], c->s.v, vu, vw);
         bias[i] = 2.0 * dot(vu, vw); /* v'Hv */

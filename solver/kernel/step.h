@@ -27,7 +27,7 @@ static inline double round_off_of_places(const context *c) { return 32.0 * 2.3e-
    shorter one leaves those of the last step, which are as good, and the constraints' round-off as it is.       */
 static inline int is_telling(const context *c)
 {
-    return fabs(c->h) >= (c->m->unilateral ? 1e-3 : 1e-5) * usual_length(c); /* pieces between events are short */
+    return fabs(c->h) >= (is_unilateral(c->m) ? 1e-3 : 1e-5) * usual_length(c); /* pieces between events are short */
 }
 
 /* Rows at the beginning of the step, to the last digit where they are quadratic; 0 if not `exact`. */
@@ -131,7 +131,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
 static int32_t solve_island(context *c, int parity, effort *total)
 {
     newton_record r = {.theta = 1.0, .floor = round_off_of_places(c)};
-    if (c->m->unilateral) leave_rows_out(c);
+    if (is_unilateral(c->m)) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
     choose_factors(c);

@@ -138,7 +138,7 @@ static int32_t step_halving(context *c, double h, int halvings)
         return step_halving(c, h, halvings);
     }
     if (halvings == MAX_HALVINGS || slides_in_space(c)) return status; /* a slip may stop in it: the piece is cut instead */
-    if (c->m->unilateral && !c->divided) keep_start(c);
+    if (is_unilateral(c->m) && !c->divided) keep_start(c);
     status = step_halving(c, 0.5 * h, halvings + 1);
     return status ? status : step_halving(c, 0.5 * h, halvings + 1);
 }

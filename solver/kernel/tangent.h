@@ -151,7 +151,7 @@ static int32_t composite_tangent(const context *c, double *value)
         for (int32_t k = 0; k < size && row && state == ROW_IS_ON; k++, slot++)
             for (int32_t f = 0; f < forms; f++) value[*slot] += c->k.end[f] * c->k.gradient_end[size * f + k];
     }
-    return c->m->n_frictions ? cone_tangent(c, value) : HOLONOM_OK;
+    return n_frictions(c->m) ? cone_tangent(c, value) : HOLONOM_OK;
 }
 
 static int32_t law_tangent(const context *c, double *value)
@@ -273,7 +273,7 @@ static int32_t add_composites(const context *c)
         for (int32_t at = m->composite_form_ptr[j], f = 0; at < m->composite_form_ptr[j + 1]; at++, f++)
             add_gradient(c, m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
     }
-    if (m->n_frictions) follow_cones(c);
+    if (n_frictions(m)) follow_cones(c);
     return HOLONOM_OK;
 }
 
@@ -336,7 +336,7 @@ static void add_solution(const context *c, double *x)
 /* Many contacts, of which few are closed at a time, leave most of the pattern empty. */
 enum { FEW_CONTACTS = 8 };
 
-static inline int is_mostly_empty(const context *c) { return c->m->n_contacts > FEW_CONTACTS && !is_open(c); }
+static inline int is_mostly_empty(const context *c) { return n_contacts(c->m) > FEW_CONTACTS && !is_open(c); }
 
 /* Entries of each pivot that are not 0; behind these counts their columns. */
 static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *)c->k.live; }

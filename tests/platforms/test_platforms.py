@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import os
 import re
 import shutil
@@ -38,7 +39,8 @@ RUNNERS = {
 
 def why_not(platform: str) -> str:
     """Say what is missing here to run a platform; empty if nothing is."""
-    if not all(library_path(ROOT / "fmu_src", platform, d).is_file() for d in (2, 3)):
+    libraries = itertools.product((2, 3), (False, True))
+    if not all(library_path(ROOT / "fmu_src", platform, *x).is_file() for x in libraries):
         return f"no libraries for {platform}: python -m build_kernel --all"
     if importlib.util.find_spec("ziglang") is None:
         return "no compiler of hosts for other platforms: pip install ziglang"
@@ -156,11 +158,14 @@ OF_LINKERS = {"__dso_handle", "_mh_dylib_header"}
 """What zig's linker puts into every library for macOS."""
 
 
+@pytest.mark.parametrize("contacts", [False, True])
 @pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize("platform", PLATFORMS)
-def test_a_library_shows_the_functions_of_the_standard_and_nothing_else(platform, dimension):
+def test_a_library_shows_the_functions_of_the_standard_and_nothing_else(
+    platform, dimension, contacts
+):
     lief = pytest.importorskip("lief", reason="pip install lief, to look into libraries")
-    path = library_path(ROOT / "fmu_src", platform, dimension)
+    path = library_path(ROOT / "fmu_src", platform, dimension, contacts)
     if not path.is_file():
         pytest.skip(f"no library for {platform}: python -m build_kernel --all")
     mac = platform == "darwin64"
@@ -184,7 +189,7 @@ def test_a_library_shows_the_functions_of_the_standard_and_nothing_else(platform
 
 def test_a_library_for_linux_needs_no_newer_glibc_than_2_17():
     for platform in ("linux64", "linux-arm64"):
-        path = library_path(ROOT / "fmu_src", platform, 2)
+        path = library_path(ROOT / "fmu_src", platform, 2, False)
         if why_not(platform):
             pytest.skip(why_not(platform))
         wanted = re.findall(rb"GLIBC_([0-9.]+)", path.read_bytes())
@@ -192,9 +197,9 @@ def test_a_library_for_linux_needs_no_newer_glibc_than_2_17():
 
 
 def test_the_folders_of_macos_in_fmi_3_have_a_library_of_their_processor_each():
-    path = library_path(ROOT / "fmu_src", "darwin64", 2)
+    path = library_path(ROOT / "fmu_src", "darwin64", 2, False)
     if not path.is_file():
         pytest.skip("no library for darwin64: python -m build_kernel --all")
-    entries = chosen_package(True, 3, "darwin64").entries("a", 2)
+    entries = chosen_package(True, 3, "darwin64").entries("a", {"dim": 2, "unilateral": 0})
     processors = {name.split("/")[1]: data[4:8][::-1].hex() for name, data in entries.items()}
     assert processors == {"x86_64-darwin": "01000007", "aarch64-darwin": "0100000c"}
