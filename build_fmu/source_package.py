@@ -104,7 +104,8 @@ def model_files(model: Model, data: bytes, fmi: int, identifier: str) -> dict[st
     prefix = f"HOLONOM_PREFIXED(FMI{fmi}_FUNCTION_PREFIX, "
     dimension = model.sizes["dim"]
     configuration = _CONFIGURATION.format(
-        dimension=dimension, contacts=int(bool(model.sizes["unilateral"])), bytes=len(data), fmi=fmi,
+        dimension=dimension, contacts=int(bool(model.sizes["unilateral"])),
+        bytes=len(data), fmi=fmi,
         instance=model.checked_file(shared_library(dimension))[1],
         rows=len(model.rows) + len(model.rules),
         names="".join(f"#define {name} {prefix}{name})\n" for name in names),

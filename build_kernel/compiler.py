@@ -177,7 +177,9 @@ def _compile_with_zig(root: Path, zig_name: str, kind: Kind, target: Path) -> No
     options = [*_without_runtime(compiler)]
     if kind.slave is not None:
         options.append("-Os")
-        if system != "Windows":  # whose start-up code, which zig compiles, needs these tables
+        if system == "Windows":  # handlers of exceptions need its tables; stack_probe.c serves it
+            options += ["-nostdlib", "-lc"]
+        else:
             options += ["-fno-unwind-tables", "-fno-asynchronous-unwind-tables"]
     if system == "Darwin":
         options.append(f"-Wl,-install_name,@rpath/{target.name}")
@@ -266,8 +268,8 @@ def flags(system: str) -> list[str]:
 
 def _without_runtime(compiler: list[str]) -> list[str]:
     """Options that keep zig from compiling its run-time library: the kernel needs none of it."""
-    alone = any("-linux-gnu" in word or "-windows-gnu" in word for word in compiler)
-    return ["-nostdlib", "-lc"] if "ziglang" in compiler and alone else []
+    glibc = "ziglang" in compiler and any("-linux-gnu" in word for word in compiler)
+    return ["-nostdlib", "-lc"] if glibc else []
 
 
 def _works(compiler: str) -> bool:
