@@ -13,7 +13,10 @@ import sys
 from tests.importers.tools import REQUIRED, ROOT, TOOLS, Tool, version
 
 PAGE = ROOT / "docs" / "importers.md"
-HEAD = "| tool | version | what is run | result | remarks | since |\n|---|---|---|---|---|---|\n"
+HEAD = (
+    "| tool | version | our FMUs | what is run | result | remarks | since |\n"
+    "|---|---|---|---|---|---|---|\n"
+)
 ROW = re.compile(r"^\| (?P<name>\S+) \| (?P<version>\S+) \| .* \| (?P<date>[\d-]+) \|$", re.M)
 
 
@@ -24,7 +27,8 @@ def rows(page: str) -> dict[str, re.Match[str]]:
 
 def row_text(tool: Tool, number: str, date: str) -> str:
     """One row of the table."""
-    return f"| {tool.name} | {number} | {tool.ran} | passed | {tool.remark} | {date} |"
+    cells = (tool.name, number, tool.fmus, tool.ran, "passed", tool.remark, date)
+    return f"| {' | '.join(cells)} |"
 
 
 def renewed(tool: Tool, old: re.Match[str] | None) -> str:

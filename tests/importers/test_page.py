@@ -26,9 +26,17 @@ def test_make_runs_every_importer():
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     lists = re.findall(r"export IMPORTERS = (.*)", makefile)
     named = {name for line in lists for name in line.split()}
-    assert named == {tool.name for tool in TOOLS}
+    assert named == {tool.name for tool in TOOLS if not tool.program}
     coupled = {path.name.removesuffix("_driver.py") for path in DRIVERS.glob("*_driver.py")}
-    assert coupled == {tool.module for tool in TOOLS} - {"fmpy"}
+    assert coupled == {tool.module for tool in TOOLS if not tool.program} - {"fmpy"}
+
+
+def test_the_page_has_a_recipe_of_each_program():
+    page = PAGE.read_text(encoding="utf-8")
+    for tool in TOOLS:
+        if tool.program:
+            assert f"export {tool.program}=" in page
+            assert tool.revision.rpartition("-g")[2] in page.partition("## Recipes")[2]
 
 
 def test_what_has_to_be_there_is_there():

@@ -30,8 +30,14 @@ class Tool:
     module: str
     ran: str
     remark: str
+    fmus: str = "Python, native 2"
+    """kinds of our FMUs that it runs: with Python, or native ones of FMI 2 and 3"""
     interpreter: str = "IMPORTERS_PYTHON"
     """environment variable that names the Python which has it, this one if it is not set"""
+    program: str = ""
+    """environment variable that names a program built from sources, by docs/importers.md"""
+    revision: str = ""
+    """of these sources"""
 
     @property
     def python(self) -> str:
@@ -39,12 +45,14 @@ class Tool:
         return os.environ.get(self.interpreter, sys.executable)
 
 
+ALL_KINDS = "Python, native 2, native 3"
 TOOLS = (
     Tool(
         "fmpy",
         "fmpy",
         "`fmpy validate` and `fmpy simulate` of every scene; all tests of FMUs use its `FMU2Slave`",
         "`simulate_fmu` ends a run at a discarded step without a message; see `solver.status`",
+        ALL_KINDS,
     ),
     Tool(
         "libcosimpy",
@@ -79,7 +87,35 @@ TOOLS = (
         "the parallel scheme, and a sequential one; it sets inputs to 0 unless its configuration "
         "has `initialization`, and ignores their start values; its 86 packages need an older fmpy, "
         "and so an environment of its own",
-        "COFMUPY_PYTHON",
+        interpreter="COFMUPY_PYTHON",
+    ),
+    Tool(
+        "FMUComplianceChecker",
+        "",
+        "`fmuCheck` of every scene: description, 20 steps, outputs beside fmpy's",
+        "no warning and no error; it knows no FMI 3, and is not developed further",
+        program="FMUCHECK",
+        revision="c704b98",
+    ),
+    Tool(
+        "fmi4c",
+        "",
+        "`fmi4ctest` of every scene: 20 steps, outputs of FMI 3 beside fmpy's",
+        "it writes no outputs of FMI 2; in FMI 3 it always gives 10 s as the stop time, "
+        "and later steps are discarded",
+        ALL_KINDS,
+        program="FMI4C",
+        revision="cab0bb1",
+    ),
+    Tool(
+        "OMSimulator",
+        "",
+        "every scene alone: 20 steps, outputs beside fmpy's",
+        "it takes value references in `dependencies` of FMI 3 for places in the list of variables, "
+        "and so refuses `four_bar` of FMI 3: take FMI 2 where an output depends on the first input",
+        ALL_KINDS,
+        program="OMSIMULATOR",
+        revision="v3.0.0-114-gacb56d9d",
     ),
 )
 BY_NAME = {tool.name: tool for tool in TOOLS}
@@ -99,6 +135,10 @@ def need(name: str) -> Tool:
 @functools.cache
 def missing(tool: Tool) -> str:
     """Why a tool cannot be used, empty if it can."""
+    if tool.program:
+        named = os.environ.get(tool.program, "")
+        found = os.access(named, os.X_OK)
+        return "" if found else f"${tool.program} names no program (recipe: docs/importers.md)"
     if tool.python == sys.executable and importlib.util.find_spec(tool.module) is None:
         target = "make cofmupy" if tool.name == "cofmupy" else "make importers"
         return f"not installed ({target})"
@@ -109,18 +149,29 @@ def missing(tool: Tool) -> str:
 
 
 def version(tool: Tool) -> str:
-    """Version that is installed."""
+    """Version that is installed, or that of the recipe."""
+    if tool.program:
+        return tool.revision
     code = f"import importlib.metadata as m; print(m.version({tool.name!r}))"
     run = run_of(tool, [tool.python, "-c", code])
     run.check_returncode()
     return run.stdout.strip()
 
 
-def run_of(tool: Tool, program: list[str], given: str = "") -> subprocess.CompletedProcess[str]:
+def run_of(
+    tool: Tool, program: list[str], given: str = "", preload: str = ""
+) -> subprocess.CompletedProcess[str]:
     """Run a program of a tool; one that hangs fails the test, and is ended."""
+    environment = {**os.environ, "LD_PRELOAD": preload} if preload else None
     try:
         return subprocess.run(
-            program, input=given, capture_output=True, text=True, check=False, timeout=LONGEST
+            program,
+            input=given,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=LONGEST,
+            env=environment,
         )
     except subprocess.TimeoutExpired:
         pytest.fail(f"{tool.name}: ended, as it still ran after {LONGEST:g} s: {program}")
