@@ -159,10 +159,9 @@ def version(tool: Tool) -> str:
 
 
 def run_of(
-    tool: Tool, program: list[str], given: str = "", preload: str = ""
+    tool: Tool, program: list[str], given: str = "", **environment: str
 ) -> subprocess.CompletedProcess[str]:
     """Run a program of a tool; one that hangs fails the test, and is ended."""
-    environment = {**os.environ, "LD_PRELOAD": preload} if preload else None
     try:
         return subprocess.run(
             program,
@@ -171,7 +170,7 @@ def run_of(
             text=True,
             check=False,
             timeout=LONGEST,
-            env=environment,
+            env={**os.environ, **environment},
         )
     except subprocess.TimeoutExpired:
         pytest.fail(f"{tool.name}: ended, as it still ran after {LONGEST:g} s: {program}")
