@@ -14,7 +14,7 @@ def impossible_step(current_time: float, step_size: float) -> tuple[int, str]:
     if not step_size > 0.0:
         return status.STEP_REFUSED, f"{step}: the size must be > 0 s"
     return status.STEP_REFUSED, (
-        f"{step}: it ends after the stop time given to setupExperiment; take a shorter step "
+        f"{step}: it ends after the stop time that the importer gave; take a shorter step "
         "or define no stop time"
     )
 

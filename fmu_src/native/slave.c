@@ -186,7 +186,7 @@ static slave_answer refuse_step(slave *s, double t, double step)
 {
     s->memory.status = STEP_REFUSED;
     return slave_tell(s, ANSWER_DISCARD, "step from t = %r s with size %r s: %s", t, step,
-                   step > 0.0 ? "it ends after the stop time given to setupExperiment; take a shorter step or define no stop time"
+                   step > 0.0 ? "it ends after the stop time that the importer gave; take a shorter step or define no stop time"
                               : "the size must be > 0 s");
 }
 
