@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator
-from graphlib import TopologicalSorter
 from typing import Any
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid
@@ -28,8 +27,6 @@ from solver.scene import (
     PointReference,
     Rack,
     Scene,
-    evaluate,
-    symbols,
 )
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
@@ -46,7 +43,7 @@ def build_mechanism(scene: Scene) -> Parts:
     SceneError
         Where a part does not fit another one.
     """
-    parts = Parts(scene, Mechanism(scene.dimension, _defaults(scene), _varying(scene)))
+    parts = Parts(scene, Mechanism(scene.dimension, scene.values(), _varying(scene)))
     _add_points_and_bodies(parts)
     for table in ("joints", "constraints", "contacts", "forces", "drivers"):
         items = getattr(scene, table).items()
@@ -64,16 +61,6 @@ def build_mechanism(scene: Scene) -> Parts:
     if parts.problems:
         scene.fail(scene.error(location, text) for location, text in parts.problems)
     return parts
-
-
-def _defaults(scene: Scene) -> dict[str, float]:
-    values = {name: given.start for name, given in scene.inputs.items()}
-    values["t"] = scene.experiment.start_time
-    numbers = {name: parameter.value for name, parameter in scene.parameters.items()}
-    uses = {name: sorted(symbols(x) & numbers.keys()) for name, x in numbers.items()}
-    for name in TopologicalSorter(uses).static_order():
-        values[name] = float(evaluate(numbers[name], values))
-    return values
 
 
 def _varying(scene: Scene) -> frozenset[str]:

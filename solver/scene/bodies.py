@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 from solver.scene import fields as kind
 from solver.scene.expression import Number, Vector, cos, sin
 from solver.scene.fields import BROKEN, Part, shown
-from solver.scene.inertia import SHAPES, read_inertia
+from solver.scene.inertia import SHAPES, Shape, read_inertia
 from solver.scene.orientation import InBodyAxes, Orientation, read_orientation, read_spin
 from solver.scene.quantities import (
     MOTION,
@@ -175,6 +175,8 @@ class Rigid(Part):
     ] = None  # fmt: skip
     """A number in 2-D, a vector in global axes in 3-D; None: not given, at rest."""
     points: Annotated[dict[str, Vector], _NAMED_PLACES] = field(default_factory=dict)
+    shape: Shape | None = None
+    """That of which mass and inertia were calculated, about the centre of mass."""
 
     @property
     def rotation(self) -> tuple[Vector, ...]:
@@ -193,7 +195,8 @@ class Rigid(Part):
         }
         turned = read_orientation(reader, (*path, "orientation"), given.orientation)
         values["orientation"] = turned
-        values["mass"], values["inertia"] = read_inertia(reader, path, given, values.get("mass"))
+        mass, inertia, shape = read_inertia(reader, path, given, values.get("mass"))
+        values |= {"mass": mass, "inertia": inertia, "shape": shape}
         values["angular_velocity"] = read_spin(
             reader, (*path, "angular_velocity"), given.angular_velocity, turned
         )

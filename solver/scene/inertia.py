@@ -175,8 +175,8 @@ SHAPES: dict[str, type[Shape]] = {shape.type: shape for shape in (Box, Cylinder,
 
 def read_inertia(
     reader: "Reader", path: Path, given: Any, mass: Number | None
-) -> tuple[Number, Inertia]:
-    """Return mass in kg and inertia in kg.m2 of a rigid body; its own mass is read already."""
+) -> tuple[Number, Inertia, Shape | None]:
+    """Return mass in kg, inertia in kg.m2 and shape of a rigid body, whose own mass is read."""
     inertia = _inertia(reader, (*path, "inertia"), given.inertia)
     known = 0.0 if mass is None else mass
     if isinstance(given.shape, dict):
@@ -186,12 +186,12 @@ def read_inertia(
         message = f"{' and '.join(missing)} {'are' if len(missing) == 2 else 'is'} missing"
         help = "write mass and inertia, or a shape with a density"
         reader.draft.error(path, message, help)
-    return known, inertia
+    return known, inertia, None
 
 
 def _from_shape(
     reader: "Reader", path: Path, given: Any, mass: Number | None
-) -> tuple[Number, Inertia]:
+) -> tuple[Number, Inertia, Shape | None]:
     draft, where = reader.draft, (*path, "shape")
     otherwise: Inertia = 0.0 if reader.dimension == 2 else NOTHING
     if given.inertia is not None:
@@ -200,7 +200,7 @@ def _from_shape(
     title = f"shapes in dimension {reader.dimension or 3}"
     kind = draft.class_of(where, given.shape, SHAPES, title)
     if kind is None:
-        return (0.0 if mass is None else mass), otherwise
+        return (0.0 if mass is None else mass), otherwise, None
     fields = draft.part(where, kind, given.shape)
     shape = kind.read(reader, where, fields)
     if mass is not None and fields.density is not None:
@@ -219,7 +219,7 @@ def _from_shape(
             return own, own * radii[0]
         return own, _diagonal(*(own * radius for radius in radii))
 
-    return reader.calculated(where, scaled, (0.0, otherwise))
+    return *reader.calculated(where, scaled, (0.0, otherwise)), shape
 
 
 def _diagonal(x: Number, y: Number, z: Number) -> tuple[Vector, Vector, Vector]:

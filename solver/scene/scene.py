@@ -8,13 +8,14 @@ allows it, on inputs, the time ``t`` and the mechanism's own quantities.
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from graphlib import TopologicalSorter
 from typing import Annotated, Any, Literal, NoReturn
 
 from solver.scene import fields as kind
 from solver.scene.bodies import BODIES, Body, Point
 from solver.scene.contacts import CONTACTS
 from solver.scene.drivers import DRIVERS, Constraint
-from solver.scene.expression import Number, Vector
+from solver.scene.expression import Number, Vector, evaluate, symbols
 from solver.scene.fields import Part, fields_of, schema_of
 from solver.scene.forces import FORCES
 from solver.scene.joints import JOINTS
@@ -99,6 +100,16 @@ class Scene(Part):
     """The text it was read from, so that later findings can name file and line."""
     warnings: tuple[Problem, ...] = field(default=(), repr=False, compare=False)
     """What is legal in that text and seldom meant."""
+
+    def values(self, given: Mapping[str, float] | None = None) -> dict[str, float]:
+        """Values of parameters and inputs, and the time, at the start; `given` replaces some."""
+        values = {name: found.start for name, found in self.inputs.items()}
+        values["t"] = self.experiment.start_time
+        numbers = {name: parameter.value for name, parameter in self.parameters.items()}
+        uses = {name: sorted(symbols(x) & numbers.keys()) for name, x in numbers.items()}
+        for name in TopologicalSorter(uses).static_order():
+            values[name] = float((given or {}).get(name, evaluate(numbers[name], values)))
+        return values
 
     def sentences(self) -> tuple[str, ...]:
         """Each warning as it is reported, with its line and help."""

@@ -8,7 +8,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-CODE = ("solver", "fmu_src", "build_fmu", "build_kernel", "holonom", "benchmarks", "examples")
+CODE = (
+    *("solver", "fmu_src", "build_fmu", "viewer", "build_kernel", "holonom"),
+    *("benchmarks", "examples"),
+)
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
 SOURCES = sorted(
     path

@@ -12,7 +12,10 @@ else:
     import tomli as tomllib
 
 ROOT = Path(__file__).resolve().parents[2]
-CODE = ("holonom", "solver", "fmu_src", "build_fmu", "build_kernel", "benchmarks", "examples")
+CODE = (
+    *("holonom", "solver", "fmu_src", "build_fmu", "viewer", "build_kernel"),
+    *("benchmarks", "examples"),
+)
 TEXT = (*CODE, "docs", "scenes", "tests")
 MACHINE_PATH = re.compile(r"(?<![\w.])/(?:home|root|Users|work|tmp)/\w|[A-Z]:\\\\?Users", re.ASCII)
 

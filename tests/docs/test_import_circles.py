@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGES = ("holonom", "solver", "fmu_src", "build_fmu", "build_kernel")
+PACKAGES = ("holonom", "solver", "fmu_src", "build_fmu", "viewer", "build_kernel")
 
 
 def modules(root: Path, packages: tuple[str, ...]) -> dict[str, Path]:

@@ -24,7 +24,7 @@ from build_kernel import compiler
 from solver.runtime.kernel import library_path
 
 ROOT = Path(__file__).resolve().parents[2]
-TRAVELS = ("build_fmu", "build_kernel", "fmu_src", "holonom", "scenes", "solver")
+TRAVELS = ("build_fmu", "build_kernel", "fmu_src", "holonom", "scenes", "solver", "viewer")
 TOP_FILES = ("CHANGELOG.md", "LICENSE", "MANIFEST.in", "README.md", "pyproject.toml")
 UNUSED = re.compile(
     r"ziglang/lib/(libcxx|libtsan|libc/mingw|libc/include/(?![^/]*(linux|glibc|musl|darwin)))"
@@ -247,6 +247,7 @@ def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder, packa
         "fmu_src",
         "holonom",
         "solver",
+        "viewer",
     }
     for dimension in compiler.DIMENSIONS:
         name = compiler.library_name(platform.system(), dimension)
