@@ -6,7 +6,7 @@ numbers are those of a run: places depend on parameters.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,11 +14,17 @@ import numpy as np
 from solver.scene import (
     Bar,
     BodyJoint,
+    ClearanceContact,
+    CornersContact,
+    CylinderContact,
     Damper,
     Distance,
     DistanceDriver,
     Gravitation,
+    JournalContact,
     Number,
+    PairContact,
+    PlaneContact,
     PointOn,
     PointOnLine,
     PointReference,
@@ -26,12 +32,14 @@ from solver.scene import (
     Rigid,
     Rolling,
     Scene,
+    SphereContact,
     Spring,
     Stop,
     Vector,
 )
 from viewer.places import Array, Place, Places, tidy
 from viewer.solids import Solids
+from viewer.touching import Touching
 
 FORMAT = 1
 MOST = 2000
@@ -79,6 +87,11 @@ class _Drawing:
         for part in (self._joints, self._forces, self._drivers, self._contacts, self._points):
             part()
         solids = Solids(self.places, self.held, self._seen())
+        touching = Touching(solids)
+        for table in (scene.joints, scene.contacts):
+            for item in _some(table.items()):
+                touching.add(*item)
+        solids.add_bodies()
         return {
             "format": FORMAT,
             "name": scene.name,
@@ -87,7 +100,7 @@ class _Drawing:
             "gravity": tidy(self.places.vector(scene.gravity)),
             "size": tidy(solids.size),
             "frames": self.places.frames,
-            "solids": solids.all(),
+            "solids": [*solids.solids.values()],
             "links": self.links,
             "joints": self.joints,
             "contacts": self.contacts,
@@ -126,7 +139,7 @@ class _Drawing:
         self.links.append({"name": name, "kind": kind, "ends": places, **more})
 
     def _rail(self, name: str, ends: list[Place], axis: Array) -> None:
-        """Add a rail through the first end, along an axis in its frame, on which the other slides."""
+        """Add a rail through the first end, along an axis of its frame, for the other one."""
         self.links.append({"name": name, "kind": "rail", "ends": ends, "axis": tidy(axis)})
 
     def _joint(self, name: str, kind: str, place: Place, **more: Any) -> None:
@@ -210,6 +223,38 @@ class _Drawing:
         for name, contact in _some(self.scene.contacts.items()):
             if isinstance(contact, Stop) and contact.points is not None:
                 self._link("rope", name, contact.points, force=[f"{name}.force"])
+            place, more = self._touch(contact)
+            if place is not None:
+                offers = (offer.word for offer in contact.offered(contact.given()))
+                force = [f"{name}.{word}" for word in offers if word in ("force", "friction")]
+                known = {"name": name, "kind": contact.type, "place": place, "force": force}
+                self.contacts.append({**known, **more})
+
+    def _touch(self, contact: Any) -> tuple[Place | None, dict[str, Any]]:
+        """Return the middle of what touches, and from where it is pushed, as far as that is known.
+
+        That is a normal in a frame, or another place.
+        """
+        points: Sequence[PointReference] = getattr(contact, "points", None) or ()
+        point = getattr(contact, "point", None) or getattr(contact, "follower", None)
+        body = getattr(contact, "body", None) or getattr(contact, "part", None)
+        if isinstance(contact, SphereContact | ClearanceContact):
+            first, second = map(self._end, points)
+            return second, {"from": first}
+        if isinstance(contact, PairContact | JournalContact):
+            first, second = (self.places.drawn(x, self._origin(x)) for x in contact.bodies)
+            return second, {"from": first}
+        if isinstance(contact, Stop):
+            return None, {}
+        place = self._end(point or points[0]) if point or points else self.places.named(body or "")
+        if not isinstance(contact, PlaneContact | CornersContact | CylinderContact):
+            return place, {}
+        carrier = contact.body if isinstance(contact, PlaneContact) else contact.on
+        axis = self.places.own(carrier, self.places.direction(contact.axis))
+        return place, {"normal": {"frame": self.places.frame(carrier), "axis": tidy(axis)}}
+
+    def _origin(self, body: str | None) -> Array:
+        return self.places.poses[self.places.frame(body)][0]
 
     def _points(self) -> None:
         for k, (name, body) in enumerate(self.scene.bodies.items()):

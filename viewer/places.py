@@ -26,7 +26,11 @@ def tidy(numbers: Any) -> Any:
 
     In a vector what is small against the others is round-off.
     """
-    array = np.asarray(numbers, float)
+    if numbers is None:
+        return None
+    if isinstance(numbers, list) and any(x is None or isinstance(x, list) for x in numbers):
+        return [tidy(x) for x in numbers]  # rows, in which some numbers may be missing
+    array = np.asarray(numbers, None if isinstance(numbers, np.ndarray) else float)
     if array.ndim == 0:
         value = float(f"{float(array):.{DIGITS}g}")
         return int(value) if value.is_integer() and abs(value) < 1e15 else value

@@ -7,11 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from solver.scene import Bar, Rigid, Rolling
+from solver.scene import Bar, Rigid
 from solver.scene.inertia import Box, Cylinder, Disc, Rod, Round, Shape, Sphere
 from viewer.places import Array, Place, Places, quaternion, tidy, turned_to
 
-AXES = dict(zip("xyz", np.eye(3), strict=True))
+AXES: dict[str, Array] = dict(zip("xyz", np.eye(3), strict=True))
+Z = AXES["z"]
 FLAT = 0.04
 """Thickness of what is flat, over the size of the mechanism."""
 
@@ -27,24 +28,14 @@ class Solids:
         self.size = self.size or max(map(self._own_size, self.scene.bodies.values()), default=1.0)
         self.colours = {name: k for k, name in enumerate(self.scene.bodies)}
 
-    def all(self) -> list[dict[str, Any]]:
-        """Return those of all parts."""
-        for name, joint in self.scene.joints.items():
-            if isinstance(joint, Rolling):
-                radius = self.places.number(joint.radius)
-                axis = np.array((0.0, 0.0, 1.0))
-                if joint.axis is not None:
-                    axis = self.places.own(joint.body, self.places.direction(joint.axis))
-                place = self.places.named(joint.body)
-                self.add(name, "contact", joint.body, place, "cylinder", turned_to(axis),
-                         radius=radius, length=self.thickness(0.1 * radius))  # fmt: skip
+    def add_bodies(self) -> None:
+        """Add the shapes of all bodies, after what touches: a body may consist of that alone."""
         for name, body in self.scene.bodies.items():
             if isinstance(body, Rigid):
                 self._body(name, body)
-        return [*self.solids.values()]
 
     def thickness(self, otherwise: float) -> float:
-        """Return the thickness of what is flat: in the plane one for all."""
+        """Return the thickness of what is flat in the plane; in space another one."""
         return FLAT * self.size if self.scene.dimension == 2 else otherwise
 
     def add(
@@ -52,7 +43,7 @@ class Solids:
         turn: Array | None = None, opacity: float = 1.0, **fields: Any,
     ) -> None:  # fmt: skip
         """Add a solid of a body, unless an equal one is there."""
-        sizes = {name: x if isinstance(x, str) else tidy(x) for name, x in fields.items()}
+        sizes = {word: tidy(x) for word, x in fields.items()}
         where = {
             **place, "turn": tidy(quaternion(np.eye(3) if turn is None else turn)),
             "shape": shape, **sizes,
