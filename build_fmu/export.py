@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import time
@@ -15,11 +16,10 @@ from typing import TYPE_CHECKING
 from build_fmu.archive import write_archive
 from build_fmu.documentation import documentation
 from build_fmu.errors import UsageError, writing
-from build_fmu.model_description import model_description
+from build_fmu.model_description import DRAWING, model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import PYTHON, Package
 from build_fmu.payload import digest
-from build_fmu.picture import picture
 from build_fmu.ports import local_variables
 from build_fmu.self_check import SelfCheck, self_check
 from build_fmu.source_package import model_files
@@ -128,7 +128,7 @@ def archive_entries(
     entries = package.entries(name, model.sizes)
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
     entries |= documentation(model, seen, native=package.native, fmi=package.fmi)
-    entries["model.png"] = picture(parts)
+    entries |= drawn(parts.scene)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
     of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
@@ -141,6 +141,16 @@ def archive_entries(
         nominal=seen.nominal, source=parts.scene.source, local=local,
     )  # fmt: skip
     return entries
+
+
+def drawn(scene: Scene) -> dict[str, bytes]:
+    """Drawing of a scene and its picture, by path in the archive."""
+    from viewer.drawing import drawing
+    from viewer.picture import picture
+
+    found = drawing(scene)
+    text = json.dumps(found, separators=(",", ":"))
+    return {DRAWING: text.encode(), "model.png": picture(found)}
 
 
 def identifier(name: str) -> str:

@@ -39,6 +39,8 @@ EXPERIMENT = {
     "tolerance": "tolerance",
     "stepSize": "step_size",
 }
+DRAWING = "resources/drawing.json"
+"""Path in the archive of the drawing of the mechanism, which an annotation names."""
 UNKNOWNS = {"Outputs": ("output",), "InitialUnknowns": ("output", "calculatedParameter")}
 
 
@@ -87,7 +89,10 @@ def model_description(
         element("TypeDefinitions", *(_type(u, x, nominal or {}) for u, x in types.items())),
         element("LogCategories", *starmap(category, LOG_CATEGORIES.items())),
         element("DefaultExperiment", **experiment),
-        *_annotations(source),
+        element(
+            "VendorAnnotations",
+            *(element("Tool", each, name=name) for name, each in vendor_annotations(source)),
+        ),
         element("ModelVariables", *variables),
         _structure(model, ports),
         numberOfEventIndicators="0",
@@ -134,20 +139,20 @@ def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
     return element("SimpleType", real, name=name)
 
 
-def _annotations(source: Source | None) -> list[Element]:
-    scene = scene_element(source)
-    return [element("VendorAnnotations", element("Tool", s, name="holonom")) for s in scene]
+def vendor_annotations(source: Source | None) -> list[tuple[str, Element]]:
+    """Names and content of annotations: the scene, and where its drawing is.
 
-
-def scene_element(source: Source | None) -> list[Element]:
-    """The scene, so that an FMU can be built again from what it carries."""
+    From the scene an FMU can be built again; the drawing is for tools without holonom. FMI 2 has
+    room for one element in each.
+    """
+    found = [("holonom.drawing", element("Drawing", file=DRAWING))]
     if source is None or not source.text:
-        return []
+        return found
     scene = element("Scene", format=source.notation)
     SubElement(scene, "Text").text = legible(source.text)
     for text in source.overrides.values():
         SubElement(scene, "Override").text = legible(text)
-    return [scene]
+    return [("holonom", scene), *found]
 
 
 def with_local(variables: Sequence[Variable], local: Collection[int]) -> list[Variable]:

@@ -18,8 +18,8 @@ from build_fmu.model_description import (
     category,
     dependencies_of,
     description,
-    scene_element,
     unit,
+    vendor_annotations,
     with_local,
 )
 from build_fmu.xml_parts import declared_types, element
@@ -74,7 +74,7 @@ def model_description_fmi3(
         _structure(model, ports),
         element(
             "Annotations",
-            *(element("Annotation", s, type="holonom") for s in scene_element(source)),
+            *(element("Annotation", each, type=name) for name, each in vendor_annotations(source)),
         ),
     )  # fmt: skip
 

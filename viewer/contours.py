@@ -14,7 +14,7 @@ from solver.mechanics.curves import separated
 from solver.scene import HeightFieldContact, Profile
 from solver.scene.expression import Curve, apply
 from solver.scene.profiles import table_of
-from viewer.places import Array
+from viewer.places import Array, rounded
 
 Triangles: TypeAlias = NDArray[np.int64]
 
@@ -117,19 +117,26 @@ def traced(value: Callable[[Array], float], start: Array, size: float) -> Array:
         e = 1e-5 * step
         return np.array([(value(at + d) - value(at - d)) / (2.0 * e) for d in e * np.eye(2)])
 
-    def onto(at: Array) -> Array:
-        for _ in range(8):
-            g = slope(at)
-            at = at - value(at) * g / (float(g @ g) or 1.0)
+    def onto(at: Array, g: Array) -> Array:
+        for k in range(8):
+            if k in (3, 5):  # there is an edge
+                g = slope(at)
+            change = value(at) * g / (float(g @ g) or 1.0)
+            at = at - change
+            if float(change @ change) < (1e-3 * step) ** 2:
+                break
         return at
 
-    first = onto(start)
+    first = start
+    for _ in range(8):
+        first = onto(first, slope(first))
     branches = []
     for sign in (1.0, -1.0):
         at, found = first, []
-        for _ in range(8 * STEPS):
+        for _ in range(4 * STEPS):
             g = slope(at)
-            at = onto(at + sign * step * np.array((-g[1], g[0])) / (np.linalg.norm(g) or 1.0))
+            along = np.array((-g[1], g[0])) / (np.linalg.norm(g) or 1.0)
+            at = onto(at + sign * step * along, g)
             found.append(at)
             if len(found) > 2 and np.linalg.norm(at - first) < step:
                 return np.array([first, *found, first])
@@ -177,8 +184,9 @@ def heights_over(
             grid[i, k] = found
     if not grid:
         return None
+    grid = dict(zip(grid, rounded(np.array([*grid.values()])).tolist(), strict=True))
     z = [[grid.get((i, k)) for k in range(CELLS + 1)] for i in range(CELLS + 1)]
-    return axes, {"x": own[0] + ways, "y": own[1] + ways, "z": z}
+    return axes, {"x": rounded(own[0] + ways), "y": rounded(own[1] + ways), "z": z}
 
 
 def heights_of(contact: HeightFieldContact) -> dict[str, Any]:
@@ -192,4 +200,4 @@ def heights_of(contact: HeightFieldContact) -> dict[str, Any]:
         )
         along = [apply("spline", at, first) for at in x]
         z += np.outer(along, [apply("spline", at, second) for at in y])
-    return {"x": x, "y": y, "z": z.tolist()}
+    return {"x": rounded(x), "y": rounded(y), "z": rounded(z).tolist()}

@@ -6,6 +6,7 @@ numbers are those of a run: places depend on parameters.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -44,6 +45,8 @@ from viewer.touching import Touching
 FORMAT = 1
 MOST = 2000
 """Parts of a kind that are drawn; of more, each second, third, ..."""
+AZIMUTH, ELEVATION = math.radians(-55.0), math.radians(22.0)
+"""Of the eye, unless the scene says from where it is seen."""
 SLIDES = ("prismatic", "cylindrical", "screw")
 
 
@@ -92,6 +95,8 @@ class _Drawing:
             for item in _some(table.items()):
                 touching.add(*item)
         solids.add_bodies()
+        for item in scene.looks.items():
+            solids.add_look(*item)
         return {
             "format": FORMAT,
             "name": scene.name,
@@ -246,7 +251,8 @@ class _Drawing:
             return second, {"from": first}
         if isinstance(contact, Stop):
             return None, {}
-        place = self._end(point or points[0]) if point or points else self.places.named(body or "")
+        end = point or next(iter(points), None)
+        place = self.places.named(body or "") if end is None else self._end(end)
         if not isinstance(contact, PlaneContact | CornersContact | CylinderContact):
             return place, {}
         carrier = contact.body if isinstance(contact, PlaneContact) else contact.on
@@ -274,5 +280,17 @@ class _Drawing:
     # ----------------------------------------------------------------------------- view
 
     def _view(self) -> dict[str, Any]:
-        """Direction towards the eye, what it follows, traces and plots."""
-        return {"direction": None, "follow": None, "traces": [], "plots": []}
+        """Direction towards the eye, what it follows, places whose paths are drawn, plots."""
+        view, towards = self.scene.view, self._up()
+        if self.scene.dimension == 2:
+            towards = np.array((0.0, 0.0, 1.0))
+        elif view.direction is not None:
+            towards = self.places.direction(view.direction)
+        else:
+            first = np.roll(np.abs(towards), 1)
+            level = math.cos(AZIMUTH) * first + math.sin(AZIMUTH) * np.cross(towards, first)
+            towards = math.cos(ELEVATION) * level + math.sin(ELEVATION) * towards
+        traces = [{"name": name, "place": self.places.named(name)} for name in view.traces]
+        follow = view.follow and self.places.named(view.follow)
+        plots = [[*names] for names in view.plots]
+        return {"direction": tidy(towards), "follow": follow, "traces": traces, "plots": plots}

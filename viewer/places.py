@@ -19,6 +19,15 @@ Array: TypeAlias = NDArray[np.float64]
 Place: TypeAlias = dict[str, Any]
 DIGITS = 14
 """Of numbers of a drawing, so that those with few digits are short."""
+SEEN = 4
+"""Of numbers of a curve or surface."""
+
+
+def rounded(numbers: Any) -> Any:
+    """Return numbers of a curve or surface with as many digits as one can see."""
+    if not isinstance(numbers, np.ndarray) or not numbers.any():
+        return numbers
+    return np.round(numbers, max(0, SEEN - math.ceil(math.log10(np.abs(numbers).max()))))
 
 
 def tidy(numbers: Any) -> Any:

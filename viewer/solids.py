@@ -9,6 +9,7 @@ import numpy as np
 
 from solver.scene import Bar, Rigid
 from solver.scene.inertia import Box, Cylinder, Disc, Rod, Round, Shape, Sphere
+from solver.scene.looks import BoxLook, SphereLook, WheelLook
 from viewer.places import Array, Place, Places, quaternion, tidy, turned_to
 
 AXES: dict[str, Array] = dict(zip("xyz", np.eye(3), strict=True))
@@ -34,13 +35,42 @@ class Solids:
             if isinstance(body, Rigid):
                 self._body(name, body)
 
+    def add_look(self, name: str, look: Any) -> None:
+        """Add a shape that is there for the drawing alone."""
+        on = look.on.point
+        place = self.places.named(on) if on else self.places.fixed_to(0, np.zeros(3))
+        at = np.array(place["at"], float) + self.places.vector(look.at)
+        place, body = self.places.fixed_to(place["frame"], at), (on or "").partition(".")[0]
+        axis = getattr(look, "axis", None)
+        turn = turned_to(Z if axis is None else self.places.direction(axis))
+
+        def add(shape: str, **fields: Any) -> None:
+            self.add(name, "look", body, place, shape, turn, look.opacity, look.colour, **fields)
+
+        numbers = {
+            word: self.places.number(getattr(look, word))
+            for word in ("radius", "inner_radius", "length", "width")
+            if hasattr(look, word)
+        }
+        if isinstance(look, BoxLook):
+            size = self.places.vector(look.size)
+            size[2] = size[2] or self.thickness(0.0)
+            add("box", size=size)
+        elif isinstance(look, WheelLook):
+            radius, width = numbers["radius"], numbers["width"]
+            add("cylinder", radius=radius, inner_radius=0.65 * radius, length=width)
+            add("cylinder", radius=0.65 * radius, length=0.15 * width)
+            add("box", size=(1.3 * radius, 0.12 * radius, 0.4 * width))
+        else:
+            add("sphere" if isinstance(look, SphereLook) else "cylinder", **numbers)
+
     def thickness(self, otherwise: float) -> float:
         """Return the thickness of what is flat in the plane; in space another one."""
         return FLAT * self.size if self.scene.dimension == 2 else otherwise
 
     def add(
         self, owner: str, kind: str, body: str | None, place: Place, shape: str,
-        turn: Array | None = None, opacity: float = 1.0, **fields: Any,
+        turn: Array | None = None, opacity: float = 1.0, colour: str = "", **fields: Any,
     ) -> None:  # fmt: skip
         """Add a solid of a body, unless an equal one is there."""
         sizes = {word: tidy(x) for word, x in fields.items()}
@@ -49,8 +79,8 @@ class Solids:
             "shape": shape, **sizes,
         }  # fmt: skip
         known = {"owner": owner, "kind": kind, **where, "opacity": opacity}
-        colour = {"colour": self.colours.get(body or "", -1)}
-        self.solids.setdefault(str(where), {**colour, **known})
+        known["colour"] = colour or self.colours.get(body or "", -1)
+        self.solids.setdefault(str(where), known)
 
     # ----------------------------------------------------------------------------- bodies
 

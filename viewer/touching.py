@@ -36,7 +36,7 @@ from solver.scene import (
 )
 from solver.scene.meshes import triangles_of
 from viewer import contours
-from viewer.places import Array, Place, turned_to
+from viewer.places import Array, Place, rounded, turned_to
 from viewer.solids import Solids, Z
 
 WALL = 0.3
@@ -51,6 +51,8 @@ class Touching:
     def __init__(self, solids: Solids) -> None:
         self.solids, self.places, self.scene = solids, solids.places, solids.scene
         self.flat = self.scene.dimension == 2
+        self._drawn: set[tuple[str | None, Number]] = set()
+        """Surfaces of formulas that several contacts may share."""
 
     def add(self, name: str, part: Any) -> None:
         """Add what is seen of a contact, or of a joint with a surface."""
@@ -106,12 +108,15 @@ class Touching:
         elif self.flat:
             hull = contours.around(places, size)
             thick = self.solids.thickness(0.0)
-            self.solids.add(name, "contact", body, origin, "prism", corners=hull, thickness=thick)
+            self.solids.add(
+                name, "contact", body, origin, "prism", corners=rounded(hull), thickness=thick
+            )
         else:
             self._mesh(name, body, origin, np.array(places), None)
 
     def _mesh(
-        self, name: str, body: str | None, place: Place, vertices: Array, triangles: contours.Triangles | None,
+        self, name: str, body: str | None, place: Place, vertices: Array,
+        triangles: contours.Triangles | None,
         kind: str = "contact", opacity: float = 1.0,
     ) -> None:  # fmt: skip
         """Add a mesh, or the hull of its corners."""
@@ -119,7 +124,7 @@ class Touching:
             vertices = vertices[:: 1 + len(vertices) // 32]
             triangles = contours.hull(vertices)
         vertices, triangles = contours.coarser(vertices, triangles)
-        more: dict[str, Any] = {"vertices": vertices, "triangles": triangles}
+        more: dict[str, Any] = {"vertices": rounded(vertices), "triangles": triangles}
         self.solids.add(name, kind, body, place, "mesh", opacity=opacity, **more)
 
     def _file(self, mesh: Any, scale: float) -> tuple[Array, contours.Triangles]:
@@ -128,7 +133,7 @@ class Touching:
 
     def _curve(self, name: str, body: str | None, place: Place, points: Array, turn: Any) -> None:
         places = np.column_stack((points, np.zeros((len(points), 3 - points.shape[1]))))
-        self.solids.add(name, "surface", body, place, "curve", turn, points=places)
+        self.solids.add(name, "surface", body, place, "curve", turn, points=rounded(places))
 
     # ----------------------------------------------------------------------------- contacts
 
@@ -249,7 +254,7 @@ class Touching:
         place = self.places.drawn(joint.bodies[1], self.places.vector(joint.position))
         turn, thick = self.places.poses[place["frame"]][1].T, self.solids.thickness(0.0)
         corners = contours.cam_curve(self.scene.profiles[part.profile])
-        more: dict[str, Any] = {"corners": corners, "thickness": thick}
+        more: dict[str, Any] = {"corners": rounded(corners), "thickness": thick}
         self.solids.add(name, "contact", joint.bodies[1], place, "prism", turn, **more)
         self._ball(name, part.follower, part.radius)
         if part.face is not None:
@@ -260,6 +265,10 @@ class Touching:
             self._curve(name, body, self.places.of(part.follower), points, None)
 
     def _surface(self, name: str, part: SurfaceContact | PointOnSurface) -> None:
+        self._ball(name, part.point, getattr(part, "ball_radius", 0.0))
+        if (part.body, part.surface) in self._drawn:
+            return
+        self._drawn.add((part.body, part.surface))
         place, n = self._place(part.body, None), self.scene.dimension
         at = self.places.at_start(self.places.of(part.point)) - self.places.at_start(place)
         start = (self.places.poses[place["frame"]][1].T @ at)[:n]
@@ -277,7 +286,6 @@ class Touching:
                 self.solids.add(name, "surface", part.body, place, "heights", axes, 0.6, **grid)
         except (ArithmeticError, ValueError):  # the formula has no value somewhere around
             return
-        self._ball(name, part.point, getattr(part, "ball_radius", 0.0))
 
     def _point_on_plane(self, name: str, part: PointOnPlane) -> None:
         at = part.position

@@ -21,6 +21,7 @@ from solver.scene.contacts import check_settings
 from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, Part, fields_of
+from solver.scene.looks import read_view
 from solver.scene.names import check_body_points, check_name, check_names, known_names
 from solver.scene.overrides import apply_overrides
 from solver.scene.parameters import read_parameters
@@ -147,6 +148,7 @@ def _build(draft: Draft) -> Scene:
     if heading.gravity is not None:
         gravity = reader.vector(("gravity",), heading.gravity)
     reader.read("outputs")
+    reader.read("looks")
     solver, experiment = read_settings(reader)
     check_settings(reader, solver)
     if not draft.problems:
@@ -161,6 +163,7 @@ def _build(draft: Draft) -> Scene:
         solver=solver,
         experiment=experiment,
         fmu=read_ports(reader),
+        view=read_view(reader),
         source=_without_files(draft.source, profiles, reader.parts["contacts"]),
         warnings=in_order(draft.warnings),
     )

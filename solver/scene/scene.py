@@ -19,6 +19,7 @@ from solver.scene.expression import Number, Vector, evaluate, symbols
 from solver.scene.fields import Part, fields_of, schema_of
 from solver.scene.forces import FORCES
 from solver.scene.joints import JOINTS
+from solver.scene.looks import LOOKS, View
 from solver.scene.meshes import MESHES
 from solver.scene.parameters import TEXT, UNIT, Input, Parameter
 from solver.scene.profiles import Profile
@@ -96,6 +97,8 @@ class Scene(Part):
     )
     experiment: Annotated[Experiment, _table("", Experiment)] = field(default_factory=Experiment)
     fmu: Annotated[Ports, _table("", Ports)] = field(default_factory=Ports)
+    looks: Annotated[dict[str, Part], _table("look", LOOKS)] = field(default_factory=dict)
+    view: Annotated[View, _table("", View)] = field(default_factory=View)
     source: Source = field(default_factory=Source, repr=False, compare=False)
     """The text it was read from, so that later findings can name file and line."""
     warnings: tuple[Problem, ...] = field(default=(), repr=False, compare=False)

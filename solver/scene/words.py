@@ -28,6 +28,8 @@ _WORDS = {
         outputs: sensors results measurements measures
         experiment: simulation run
         solver: settings integrator
+        looks: visuals appearance
+        view: camera
         """,
     "bodies": """
         rigid: body solid
@@ -70,7 +72,16 @@ _WORDS = {
         superquadric: ellipsoid superellipsoid ellipse
         mesh: stl obj trimesh triangles
         """,
+    "looks": """
+        box: block cube cuboid
+        cylinder: disc rod drum
+        sphere: ball
+        wheel: tyre tire
+        tube: pipe ring
+        """,
     "fields": """
+        opacity: alpha transparency
+        colour: color
         stiffness: k spring_constant spring_rate rate
         damping: c d damping_coefficient viscosity
         free_length: l0 rest_length natural_length length length0 l

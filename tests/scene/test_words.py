@@ -81,6 +81,7 @@ def example(table, word):
         "points": ["O", "A"], "point": "A", "bodies": ["ground", "slider"], "body": "slider",
         "joint": "bearing", "joints": ["bearing", "guide"], "axis": [0, 0, 1], "value": "1.0",
         "position": [0, 0, 0], "axes": [[1, 0, 0], [0, 1, 0]], "surface": "x", "follower": "A",
+        "on": "slider", "size": [1, 1, 1], "inner_radius": 0.5,
     }  # fmt: skip
     if word == "torque" or (table, word) in (("forces", "force"), ("drivers", "position")):
         known["value"] = [1, 0, 0]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import struct
 import zlib
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -22,10 +23,12 @@ Pixel = tuple[float, float]
 PAPER: Colour = (1.0, 1.0, 1.0)
 DARK: Colour = (0.13, 0.15, 0.18)
 HATCHING: Colour = (0.72, 0.74, 0.77)
-SHADES = 8
+SHADES = 3
 """Of an edge, from outside to inside: enough for the eye, and few colours in all."""
 MOST_COLOURS = 256
 """Of a PNG file with one byte a pixel, which is a third as large as one with three."""
+SEAM = 0.5
+"""Pixels by which a face is larger than it is."""
 RAIL = 24.0
 """Half the length of a rail."""
 
@@ -41,27 +44,59 @@ class Canvas:
         for a, b in pairwise(pixels):
             self._line(a, b, width, colour)
 
-    def _line(self, a: Pixel, b: Pixel, width: float, colour: Colour) -> None:
-        window = []  # rows and columns that the line can touch
+    def _window(self, pixels: Sequence[Pixel], reach: float) -> tuple[slice, ...]:
+        """Rows and columns that a shape can touch; none where it lies beside the canvas."""
+        window = []
         for k, end in ((1, self._pixels.shape[0]), (0, self._pixels.shape[1])):
-            first = max(0, int(min(a[k], b[k]) - 0.5 * width - 1.0))
-            window.append(slice(first, min(end, int(max(a[k], b[k]) + 0.5 * width + 2.0))))
-        if any(span.start >= span.stop for span in window):
+            first = max(0, int(min(p[k] for p in pixels) - reach - 1.0))
+            window.append(slice(first, min(end, int(max(p[k] for p in pixels) + reach + 2.0))))
+        return tuple(window) if all(span.start < span.stop for span in window) else ()
+
+    def _ink(self, window: tuple[slice, ...], gap: Array, colour: Colour, opacity: float) -> None:
+        """Colour what lies nearer than nothing to a shape."""
+        cover = np.rint(SHADES * np.clip(0.5 - gap, 0.0, 1.0))[:, :, None] / SHADES * opacity
+        part = self._pixels[window]
+        part += cover * (np.array(colour) - part)
+
+    def face(
+        self, *pixels: Pixel, colour: Colour, opacity: float = 1.0, outline: Colour | None = None
+    ) -> None:
+        """Fill a polygon, and draw lines around it."""
+        window = self._window(pixels, 1.0)
+        if window:
+            y, x = np.mgrid[window] + 0.5
+            inside, gap = np.zeros(x.shape, bool), np.full(x.shape, np.inf)
+            for a, b in zip(pixels, (*pixels[1:], pixels[0]), strict=True):
+                ux, uy = b[0] - a[0], b[1] - a[1]
+                square = ux * ux + uy * uy
+                if square == 0.0:
+                    continue
+                along = np.clip(((x - a[0]) * ux + (y - a[1]) * uy) / square, 0.0, 1.0)
+                gap = np.minimum(gap, np.hypot(x - a[0] - along * ux, y - a[1] - along * uy))
+                if uy:  # a ray to the left crosses the edge
+                    crossed = (a[1] > y) != (b[1] > y)
+                    inside ^= crossed & (x > a[0] + (y - a[1]) / uy * ux)
+            # Half a pixel more, so that neighbours leave no seam.
+            self._ink(window, np.where(inside, -gap, gap) - SEAM, colour, opacity)
+        if outline is not None:
+            self.path(*pixels, pixels[0], width=1.0, colour=outline)
+
+    def _line(self, a: Pixel, b: Pixel, width: float, colour: Colour, opacity: float = 1.0) -> None:
+        window = self._window((a, b), 0.5 * width)
+        if not window:
             return
-        y, x = np.mgrid[tuple(window)] + 0.5
+        y, x = np.mgrid[window] + 0.5
         ux, uy = b[0] - a[0], b[1] - a[1]
         square = ux * ux + uy * uy
         along = np.zeros_like(x)
         if square > 0.0:
             along = np.clip(((x - a[0]) * ux + (y - a[1]) * uy) / square, 0.0, 1.0)
         gap = np.hypot(x - a[0] - along * ux, y - a[1] - along * uy) - 0.5 * width
-        cover = np.rint(SHADES * np.clip(0.5 - gap, 0.0, 1.0))[:, :, None] / SHADES
-        part = self._pixels[tuple(window)]
-        part += cover * (np.array(colour) - part)
+        self._ink(window, gap, colour, opacity)
 
-    def disc(self, centre: Pixel, *, radius: float, colour: Colour) -> None:
+    def disc(self, centre: Pixel, *, radius: float, colour: Colour, opacity: float = 1.0) -> None:
         """Draw a filled circle."""
-        self._line(centre, centre, 2.0 * radius, colour)
+        self._line(centre, centre, 2.0 * radius, colour, opacity)
 
     def ring(self, centre: Pixel, *, radius: float, width: float, colour: Colour) -> None:
         """Draw a circle."""
