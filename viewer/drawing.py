@@ -38,13 +38,11 @@ from solver.scene import (
     Stop,
     Vector,
 )
-from viewer.places import Array, Place, Places, tidy
+from viewer.places import Array, Place, Places, some, tidy
 from viewer.solids import Solids
 from viewer.touching import Touching
 
 FORMAT = 1
-MOST = 2000
-"""Parts of a kind that are drawn; of more, each second, third, ..."""
 AZIMUTH, ELEVATION = math.radians(-55.0), math.radians(22.0)
 """Of the eye, unless the scene says from where it is seen."""
 SLIDES = ("prismatic", "cylindrical", "screw")
@@ -63,12 +61,6 @@ def drawing(scene: Scene, values: Mapping[str, float] | None = None) -> dict[str
     return _Drawing(scene, values or {}).data()
 
 
-def _some(parts: Iterable) -> list:
-    """All parts, or so many of them, evenly chosen, that they are quickly drawn."""
-    listed = list(parts)
-    return listed[:: 1 + len(listed) // MOST]
-
-
 class _Drawing:
     """Links, joints and contacts of a scene; its solids are made of where they hold its bodies."""
 
@@ -84,7 +76,7 @@ class _Drawing:
         """Return everything of the scene that can be seen."""
         scene = self.scene
         for names in (scene.points, scene.bodies):
-            for name in _some(names):
+            for name in some(names):
                 if not isinstance(scene.bodies.get(name), Bar):
                     self.places.frame(name)
         for part in (self._joints, self._forces, self._drivers, self._contacts, self._points):
@@ -92,7 +84,7 @@ class _Drawing:
         solids = Solids(self.places, self.held, self._seen())
         touching = Touching(solids)
         for table in (scene.joints, scene.contacts):
-            for item in _some(table.items()):
+            for item in some(table.items()):
                 touching.add(*item)
         solids.add_bodies()
         for item in scene.looks.items():
@@ -155,7 +147,7 @@ class _Drawing:
         return [f"{name}.force.{axis}" for axis in "xyz"[: self.scene.dimension]]
 
     def _joints(self) -> None:
-        for name, joint in _some(self.scene.joints.items()):
+        for name, joint in some(self.scene.joints.items()):
             if isinstance(joint, Distance):
                 self._link("rod", name, joint.points, force=[f"{name}.force"])
             elif isinstance(joint, BodyJoint):
@@ -209,7 +201,7 @@ class _Drawing:
 
     def _forces(self) -> None:
         kinds = {Spring: "spring", Damper: "damper"}
-        for name, force in _some(self.scene.forces.items()):
+        for name, force in some(self.scene.forces.items()):
             if type(force) in kinds:
                 assert isinstance(force, Spring | Damper)
                 self._link(kinds[type(force)], name, force.points, force=[f"{name}.force"])
@@ -217,7 +209,7 @@ class _Drawing:
                 self._end(force.point)
 
     def _drivers(self) -> None:
-        for name, driver in _some(self.scene.drivers.items()):
+        for name, driver in some(self.scene.drivers.items()):
             if isinstance(driver, DistanceDriver):
                 self._link("actuator", name, driver.points, force=[f"{name}.force"])
             elif isinstance(driver, PositionDriver):
@@ -225,7 +217,7 @@ class _Drawing:
                 self._joint(name, "driven", place, force=self._force(name))
 
     def _contacts(self) -> None:
-        for name, contact in _some(self.scene.contacts.items()):
+        for name, contact in some(self.scene.contacts.items()):
             if isinstance(contact, Stop) and contact.points is not None:
                 self._link("rope", name, contact.points, force=[f"{name}.force"])
             place, more = self._touch(contact)
@@ -263,13 +255,13 @@ class _Drawing:
         return self.places.poses[self.places.frame(body)][0]
 
     def _points(self) -> None:
-        for k, (name, body) in enumerate(self.scene.bodies.items()):
+        for k, (name, body) in some(enumerate(self.scene.bodies.items())):
             if isinstance(body, Bar):
                 ends = [self.places.named(end) for end in body.points]
                 self.links.append({"name": name, "kind": "bar", "ends": ends, "colour": k})
         masses = {name: self._mass(point.mass) for name, point in self.scene.points.items()}
         heaviest = max(masses.values(), default=0.0) or 1.0
-        for name, point in _some(self.scene.points.items()):
+        for name, point in some(self.scene.points.items()):
             kind, share = "fixed" if point.fixed else "point", (masses[name] / heaviest) ** (1 / 3)
             more = {"ground": point.fixed, "share": tidy(share)}
             self._joint(name, kind, self.places.named(name), **more)

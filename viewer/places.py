@@ -7,8 +7,8 @@ variables of the model that say where it is. A place has a frame and coordinates
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import Any, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +17,19 @@ from solver.scene import Bar, Number, PointReference, PositionDriver, Rigid, Sce
 
 Array: TypeAlias = NDArray[np.float64]
 Place: TypeAlias = dict[str, Any]
+T = TypeVar("T")
 DIGITS = 14
 """Of numbers of a drawing, so that those with few digits are short."""
+MOST = 2000
+"""Parts of a kind that are drawn; of more, each second, third, ..."""
 SEEN = 4
 """Of numbers of a curve or surface."""
+
+
+def some(parts: Iterable[T]) -> list[T]:
+    """All parts, or so many of them, evenly chosen, that they are quickly drawn."""
+    listed = list(parts)
+    return listed[:: 1 + len(listed) // MOST]
 
 
 def rounded(numbers: Any) -> Any:

@@ -10,7 +10,7 @@ import numpy as np
 from solver.scene import Bar, Rigid
 from solver.scene.inertia import Box, Cylinder, Disc, Rod, Round, Shape, Sphere
 from solver.scene.looks import BoxLook, SphereLook, WheelLook
-from viewer.places import Array, Place, Places, quaternion, tidy, turned_to
+from viewer.places import Array, Place, Places, quaternion, some, tidy, turned_to
 
 AXES: dict[str, Array] = dict(zip("xyz", np.eye(3), strict=True))
 Z = AXES["z"]
@@ -31,7 +31,7 @@ class Solids:
 
     def add_bodies(self) -> None:
         """Add the shapes of all bodies, after what touches: a body may consist of that alone."""
-        for name, body in self.scene.bodies.items():
+        for name, body in some(self.scene.bodies.items()):
             if isinstance(body, Rigid):
                 self._body(name, body)
 
