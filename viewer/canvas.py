@@ -28,7 +28,7 @@ SHADES = 3
 MOST_COLOURS = 256
 """Of a PNG file with one byte a pixel, which is a third as large as one with three."""
 SEAM = 0.5
-"""Pixels by which a face is larger than it is."""
+"""Pixels by which a face is larger than it is, so that neighbours leave none between them."""
 RAIL = 24.0
 """Half the length of a rail."""
 
@@ -76,8 +76,8 @@ class Canvas:
                 if uy:  # a ray to the left crosses the edge
                     crossed = (a[1] > y) != (b[1] > y)
                     inside ^= crossed & (x > a[0] + (y - a[1]) / uy * ux)
-            # Half a pixel more, so that neighbours leave no seam.
-            self._ink(window, np.where(inside, -gap, gap) - SEAM, colour, opacity)
+            seam = SEAM if opacity == 1.0 else 0.0
+            self._ink(window, np.where(inside, -gap, gap) - seam, colour, opacity)
         if outline is not None:
             self.path(*pixels, pixels[0], width=1.0, colour=outline)
 

@@ -21,7 +21,7 @@ from solver.scene import (
     Damper,
     Distance,
     DistanceDriver,
-    Gravitation,
+    Force,
     JournalContact,
     Number,
     PairContact,
@@ -205,7 +205,7 @@ class _Drawing:
             if type(force) in kinds:
                 assert isinstance(force, Spring | Damper)
                 self._link(kinds[type(force)], name, force.points, force=[f"{name}.force"])
-            elif not isinstance(force, Gravitation) and hasattr(force, "point"):
+            elif isinstance(force, Force):
                 self._end(force.point)
 
     def _drivers(self) -> None:

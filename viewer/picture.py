@@ -166,9 +166,14 @@ class _Picture:
                 self._seen += points
             self._stroke(SURFACES, points, Canvas.path, False, **style)
         for face in faces_of(solid):
-            self._face(layer, np.array(placed(face)), colour, opacity, shape == "heights")
+            sharp = opacity == 1.0 and (shape in ("box", "prism") or len(face) > 4)
+            outline = _mixed(colour, DARK, 0.6) if sharp else None
+            if shape == "heights":
+                outline = _mixed(colour, PAPER, 0.4)
+            style: dict[str, Any] = {"opacity": opacity, "outline": outline}
+            self._face(layer, np.array(placed(face)), colour, shape == "heights", **style)
 
-    def _face(self, layer: int, corners: Array, colour: Colour, opacity: float, both: bool) -> None:
+    def _face(self, layer: int, corners: Array, colour: Colour, both: bool, **style: Any) -> None:
         """Draw a face that looks towards the eye, brighter where it looks towards the light."""
         after = np.roll(corners, -1, axis=0)
         normal = self._view @ np.cross(corners - corners[0], after - corners[0]).sum(axis=0)
@@ -179,11 +184,7 @@ class _Picture:
         towards = abs(float(normal @ LIGHT)) if both else float(normal @ LIGHT)
         bright = round(SHADES * max(0.0, towards) / length) / SHADES
         shade = _mixed(_mixed(colour, DARK, 0.5 - 0.5 * bright), PAPER, 0.1 + 0.25 * bright)
-        edge = _mixed(colour, DARK, 0.6)
-        style = {"colour": shade, "opacity": opacity}
-        rough = len(corners) == 3 or both
-        outline = None if rough or opacity < 1.0 else edge
-        self._stroke(layer, [*corners], Canvas.face, False, outline=outline, **style)
+        self._stroke(layer, [*corners], Canvas.face, False, colour=shade, **style)
 
     def _ball(
         self, at: Array, radius: float, colour: Colour, opacity: float, draw: bool = True
@@ -241,6 +242,9 @@ class _Picture:
     def _link(self, link: dict[str, Any]) -> None:
         a, b = (self._at(end) for end in link["ends"])
         kind = link["kind"]
+        for end in link["ends"] if kind != "rail" else ():
+            if end["frame"] == 0:
+                self._pin(self._at(end), ground=True, axis=None, turns=True)
         if kind == "bar":
             style = {"width": 6.0, "colour": self._colour(link)}
             self._stroke(SOLIDS, (a, b), Canvas.path, **style)
