@@ -140,6 +140,7 @@ def _add_variants(commands: argparse._SubParsersAction) -> None:
     command.add_argument("--manifest", default="manifest.csv", metavar="FILE", help=text)
     text = "remove the FMUs of an earlier study that are in that folder"
     command.add_argument("--fresh", action="store_true", help=text)
+    _add_report(command)
     _add_package(command)
     _add_study(command)
     _add_settings(command, "replace a parameter or any number of the scene, in all of them")
@@ -191,8 +192,14 @@ def _add_settings(command: argparse.ArgumentParser, text: str) -> None:
     command.add_argument("--parameters", "-p", **MANY, metavar="FILE", help=text)
 
 
+def _add_report(command: argparse.ArgumentParser) -> None:
+    text = "write a page that shows the mechanism in motion, with plots, for any browser"
+    command.add_argument("--report", metavar="FILE", help=text)
+
+
 def _add_run(command: argparse.ArgumentParser, *, inputs: bool = False) -> None:
     command.add_argument("target", metavar="SCENE|FMU")
+    _add_report(command)
     text = "(default: that of the scene)"
     command.add_argument("--stop", type=float, metavar="TIME", help=f"stop time in s {text}")
     command.add_argument("--step", type=float, metavar="SIZE", help=f"step in s {text}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
@@ -64,15 +65,24 @@ def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
         runnable(arguments.target, entries) as (path, left),
         progress_bar(f"simulating {Path(path).stem}") as progress,
     ):
-        return run_fmu(
+        result = run_fmu(
             path,
             stop_time=arguments.stop,
             step_size=arguments.step,
             settings=left,
             inputs=arguments.inputs,
             progress=progress,
-            with_local=with_local,
+            with_local=with_local or bool(arguments.report),
         )
+        if not arguments.report:
+            return result
+        from build_fmu.reporting import Carried, plain_values
+
+        carried = Carried(path, arguments.target)
+        said = [*arguments.warnings, *result.messages]
+        carried.write(arguments.report, [carried.of_run(result, plain_values(left))], said)
+        sys.stderr.write(f"{arguments.report}: a page of this run, for any browser\n")
+        return result if with_local else replace(result, values=result.values[carried.ports])
 
 
 def write_csv(values: ndarray, file: TextIO) -> None:
