@@ -105,7 +105,7 @@ export class Mechanism {
     this.instances();
   }
   solid(s, lift) {
-    const T = this.thick, colour = typeof s.colour === 'string' ? s.colour : PALETTE[(s.colour ?? 7) % PALETTE.length], more = { opacity: s.opacity ?? 1 };
+    const T = this.thick, colour = typeof s.colour === 'string' ? s.colour : s.colour < 0 ? GROUND : PALETTE[(s.colour ?? 7) % PALETTE.length], more = { opacity: s.opacity ?? 1 };
     const p = { frame: s.frame, at: s.at || [0, 0, 0] }, turn = quaternion(s.turn), flat = x => x || 1.4 * T, put = (shape, scale, q = turn, at = p) => this.add(shape, colour, s.owner, this.fixed(at, q, scale), more);
     const ends = (from, to) => [from, to].map(x => ({ frame: s.frame, at: vector(x).applyQuaternion(turn).add(vector(s.at)).toArray() }));
     if (s.kind === 'surface') Object.assign(more, { layer: 'ground', surface: true, opacity: s.opacity ?? .85 });
@@ -152,12 +152,19 @@ export class Mechanism {
       put('cylinder', DAMPER, this.between(a, b, .55 * T)); put('cylinder', DAMPER, this.between(a, b, 1.35 * T, { from: .08, to: .55 }));
     } else if (l.kind === 'actuator') {
       put('cylinder', '#c9ced6', this.between(a, b, .9 * T)); put('cylinder', '#4a5361', this.between(a, b, 1.7 * T, { from: .03, to: .55 }));
-    } else if (l.kind === 'rail') put('cylinder', '#b9bec6', this.between(a, b, .7 * T), { layer: 'ground' });
+    } else if (l.kind === 'rail') this.rail(l);
+    else if (l.kind === 'rope') put('cylinder', '#7a6a4f', this.between(a, b, .4 * T));
     else put('cylinder', STEEL, this.between(a, b, .75 * T));
+  }
+  rail(l) {                               // as far as what slides on it goes
+    const { run } = this, [a, b] = l.ends, axis = vector(l.axis).normalize(), p = new Vector3(), q = new Vector3(), d = new Vector3(); let low = 0, high = 0;
+    for (let i = 0; i < run.n; i += Math.max(1, run.n >> 7)) { this.pose(run.pose(i, this.live)); this.place(a, p); this.place(b, q); const u = q.sub(p).dot(d.copy(axis).applyQuaternion(this.turns[a.frame])); low = Math.min(low, u); high = Math.max(high, u); }
+    this.pose(run.pose(0, this.live)); const more = .1 * this.size, end = u => ({ frame: a.frame, at: vector(a.at).addScaledVector(axis, u).toArray() });
+    this.add('cylinder', '#b9bec6', l.name, this.between(end(low - more), end(high + more), .6 * this.thick), { layer: a.frame ? 'joints' : 'ground' });
   }
   joint(j) {
     const T = this.thick, more = { layer: 'joints' }, put = (shape, colour, x, y, z, q = NONE, extra = more) => this.add(shape, colour, j.name, this.fixed(j.place, q, new Vector3(x, y, z).multiplyScalar(T)), extra);
-    if (j.kind === 'point' || j.kind === 'fixed point') put('sphere', DARK, 1.4 + 2.2 * (j.share || 0), 1.4 + 2.2 * (j.share || 0), 1.4 + 2.2 * (j.share || 0), NONE, j.kind === 'point' ? {} : more);
+    if (j.kind === 'point' || j.kind === 'fixed'&& j.share !== undefined) put('sphere', DARK, 1.4 + 2.2 * (j.share || 0), 1.4 + 2.2 * (j.share || 0), 1.4 + 2.2 * (j.share || 0), NONE, j.kind === 'point' ? {} : more);
     else if (this.flat) { put('cylinder', PIN, 1.1, 1.1, 7); put('cylinder', DARK, 1.7, 1.7, 5.6); }
     else if (j.axis) { const q = along(j.axis), long = j.kind === 'prismatic' ? 14 : 7; put('cylinder', PIN, 1.2, 1.2, long, q); put(j.kind === 'prismatic' ? 'box' : 'cylinder', DARK, j.kind === 'prismatic' ? 4 : 2, j.kind === 'prismatic' ? 4 : 2, 4.6, q); }
     else put('sphere', DARK, 1.9, 1.9, 1.9);
@@ -206,9 +213,14 @@ export class Mechanism {
   }
   // Points of paths: what the scene asks for, else moving points, else bodies.
   paths() {
+    this.pose(this.run.pose(0, this.live));
     const frames = this.drawing.frames, wanted = this.drawing.view?.traces;
-    if (wanted) return wanted.map(x => typeof x === 'string' ? { frame: frames.findIndex(f => f.name === x), at: [0, 0, 0] } : x).filter(x => x.between || x.frame >= 0);
-    const points = frames.map((f, k) => ({ frame: k, at: [0, 0, 0], kind: f.kind })).filter(x => x.kind === 'point'), all = points.length ? points : frames.map((f, k) => ({ frame: k, at: [0, 0, 0], kind: f.kind })).filter(x => x.kind === 'body');
+    if (wanted?.length) return wanted.map(x => typeof x === 'string' ? { frame: frames.findIndex(f => f.name === x), at: [0, 0, 0] } : x).filter(x => x.between || x.frame >= 0);
+    const moves = k => frames[k].variables.length, ends = this.drawing.links.filter(l => l.kind === 'bar').flatMap(l => l.ends), joints = this.drawing.joints.map(j => j.place);
+    let all = [...joints.filter((p, k) => ['point', 'driven'].includes(this.drawing.joints[k].kind)), ...ends].filter(p => p.frame !== undefined && moves(p.frame));
+    const fixed = [...this.drawing.joints.filter(j => j.ground).map(j => this.place(j.place, new Vector3()).clone())];
+    all = all.filter((p, k) => { const v = this.place(p, new Vector3()); return !fixed.some(x => x.distanceTo(v) < 1e-6 * this.size) && !all.slice(0, k).some(x => this.place(x, new Vector3()).distanceTo(v) < 1e-6 * this.size); });
+    if (!all.length) all = frames.map((f, k) => ({ frame: k, at: [0, 0, 0] })).filter(p => moves(p.frame));
     return all.length > 8 ? all.slice(-1) : all;
   }
   path(p) {
