@@ -7,6 +7,8 @@
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
 # make platforms   native FMUs of other platforms, in wine and qemu-user where these are installed
 # make release     an archive of the sources and wheels of all platforms in dist/, and tests of these
+# make viewer      bundle the scripts of reports again (needs node and npm)
+# make browser     look at reports in a browser of this machine: chromium
 # make cofmupy     the same in cofmupy, which is large
 # make kernel      compile the C kernel and nothing else
 # make clean       back to a fresh clone
@@ -27,7 +29,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint lint-python lint-c sanitize hostile benchmark importers platforms release cofmupy kernel clean
+.PHONY: demo test long lint lint-python lint-c sanitize hostile benchmark importers platforms viewer browser release cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
@@ -74,6 +76,12 @@ release: $(VENV)/installed-release
 	$(BIN)/python -m build_kernel.release
 	$(BIN)/python -m pytest -rs tests/release
 
+viewer:
+	cd viewer && npm ci --silent && npm run --silent build
+
+browser: $(VENV)/installed-browser
+	$(BIN)/python -m pytest -rs tests/viewer
+
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
 cofmupy: $(VENV)/installed-importers $(COFMUPY)/installed
@@ -84,7 +92,7 @@ kernel:
 	$(PYTHON) -m build_kernel
 
 clean:
-	rm -rf $(VENV) $(COFMUPY) build dist *.egg-info solver/runtime/_kernel fmu_src/native/_libraries
+	rm -rf $(VENV) $(COFMUPY) viewer/node_modules build dist *.egg-info solver/runtime/_kernel fmu_src/native/_libraries
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -127,6 +135,11 @@ $(VENV)/installed-platforms: $(VENV)/created $(BUILD)
 $(VENV)/installed-release: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and compilers for all platforms (400 MB)"
 	@$(PIP) install --quiet --editable '.[test,release]'
+	@touch $@
+
+$(VENV)/installed-browser: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and what drives a browser"
+	@$(PIP) install --quiet --editable '.[test,browser]'
 	@touch $@
 
 $(COFMUPY)/installed: $(VENV)/created

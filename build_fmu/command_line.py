@@ -119,6 +119,13 @@ def _parser() -> argparse.ArgumentParser:
     for name in ("energy", "constraint"):
         text = f"largest relative {name} error that passes (default: %(default)s)"
         check.add_argument(f"--{name}", type=float, default=1e-9, metavar="LIMIT", help=text)
+    report = commands.add_parser("report", help="write a page of a run of any importer")
+    report.add_argument("target", metavar="SCENE|FMU")
+    text = "CSV file of the run: a column 'time', and the outputs by their names; several compare"
+    report.add_argument("--results", metavar="FILE", action="append", required=True, help=text)
+    text = "(default: <name of the first file>.html)"
+    report.add_argument("-o", "--output", metavar="FILE", help=f"the page {text}")
+    _add_settings(report, "the parameters that the run had")
     info = commands.add_parser("info", help="bodies, joints, mobility, redundant rows, variables")
     info.add_argument("target", metavar="SCENE|FMU")
     text = "find the static equilibrium next to the drawn configuration, and what holds it there"

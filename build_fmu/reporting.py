@@ -1,4 +1,4 @@
-"""From runs of FMUs to a page: the scene that an FMU carries, and its drawing with a run's values."""
+"""From runs of FMUs to a page: the scene that an FMU carries, drawn with the values of a run."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 import warnings
 import zipfile
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
@@ -14,10 +15,12 @@ from xml.etree import ElementTree
 
 from build_fmu.errors import UsageError, writing
 from build_fmu.instance import description_of
-from build_fmu.run import RECORDED
-from build_fmu.study.values import nearest, read_value
+from build_fmu.report import as_text
+from build_fmu.run import RECORDED, run_fmu
+from build_fmu.study.values import read_value
 
 if TYPE_CHECKING:
+    from fmpy.model_description import ModelDescription
     from numpy import ndarray
 
     from build_fmu.run import Run
@@ -28,8 +31,8 @@ if TYPE_CHECKING:
 
 DRAWING = "resources/drawing.json"
 """In the archive, how the mechanism is drawn with the values that it was built with."""
-MOST_TOLD = 8
-"""Names of missing columns."""
+MOST_RUNS = 24
+"""Of a sweep, that one page shows; of more, evenly chosen ones."""
 
 
 def plain_values(entries: Mapping[str, Entry]) -> dict[str, Any]:
@@ -80,17 +83,24 @@ class Carried:
             raise UsageError(str(error)) from None
 
     @cached_property
+    def description(self) -> ModelDescription:
+        """Its model description, checked."""
+        return description_of(self.path)
+
+    @cached_property
     def ports(self) -> list[str]:
         """Names of the columns of a run that are ports of the FMU."""
-        shown = [v for v in description_of(self.path).modelVariables if v.causality in RECORDED]
+        shown = [v for v in self.description.modelVariables if v.causality in RECORDED]
         return ["time", *(v.name for v in shown if v.type != "String")]
 
     def drawing(self, values: Mapping[str, object] | None = None) -> Mapping[str, Any]:
         """How it is drawn with these values of its parameters."""
         from viewer.drawing import drawing
 
-        known = {v.name: v.start for v in self.model.variables if v.kind == "parameter"}
-        changed = {name: x for name, x in (values or {}).items() if name in known}
+        known: dict[str, Any] = {
+            v.name: v.start for v in self.model.variables if v.kind == "parameter"
+        }
+        changed: dict[str, Any] = {n: x for n, x in (values or {}).items() if n in known}
         try:
             return drawing(self.scene, known | changed)
         except UsageError:
@@ -110,18 +120,12 @@ class Carried:
         UsageError
             If columns are missing that say where its parts are; `where` is named.
         """
-        from viewer.packing import channels
-        from viewer.report import ReportRun
+        from viewer.report import ReportRun, missing_columns
 
         drawing = self.drawing(values)
-        needed = channels(drawing)[0]
-        missing = [name for name in needed if name not in columns]
-        if missing:
-            told = ", ".join(missing[:MOST_TOLD])
-            rest = f" and {len(missing) - MOST_TOLD} more" if len(missing) > MOST_TOLD else ""
-            hint = nearest(missing[0], [*columns])
-            text = f"{where}: has no column {told}{rest}, by which {self.model.name} is drawn; "
-            text += f"record all outputs of the FMU under their own names ({hint})"
+        if missing := missing_columns(drawing, columns):
+            text = f"{where}: has no column {missing}, by which {self.model.name} is drawn; "
+            text += "record all outputs of the FMU under their own names"
             raise UsageError(text)
         return ReportRun(drawing, times, columns, settings=values, **more)
 
@@ -151,3 +155,31 @@ class Carried:
                 variables=self.model.variables, outputs=outputs, warnings=sentences,
                 compare=compare,
             )  # fmt: skip
+
+
+def report_rows(
+    path: str, rows: Sequence[tuple[str, Mapping[str, Any], Mapping[str, Any]]], beside: str = "",
+    *, stop_time: float | None = None, step_size: float | None = None,
+) -> str:  # fmt: skip
+    """Run FMUs, and write one page of all of them; return a sentence about it.
+
+    `rows` has an FMU, the values that all runs have, and those that tell it from the others; where
+    these are in the FMU already, the values to run it with are empty.
+    """
+    chosen = rows[:: 1 + (len(rows) - 1) // MOST_RUNS]
+    runs, carried = [], None
+    for number, (fmu, values, shown) in enumerate(rows, start=1):
+        if not any(values is row[1] for row in chosen):
+            continue
+        if carried is None or carried.path != fmu:
+            carried = Carried(fmu, beside)
+        result = run_fmu(
+            fmu, stop_time=stop_time, step_size=step_size, settings=values, with_local=True
+        )
+        label = ", ".join(f"{name} = {as_text(value)}" for name, value in shown.items())
+        run = carried.of_run(result, values, label or f"run {number}")
+        runs.append(replace(run, parameters={"number": number, **shown}))
+    assert carried is not None
+    some = f"{len(runs)} of {len(rows)} runs" if len(runs) < len(rows) else f"{len(runs)} runs"
+    carried.write(path, runs, [f"This page shows {some}."] if len(runs) < len(rows) else [])
+    return f"{path}: a page of {some}, for any browser"

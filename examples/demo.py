@@ -37,6 +37,7 @@ LOOPS = 2
 GRAVITY = 9.81
 STOP_TIME = 10.0
 ENERGY_LOST = 0.01
+PAGE = "four_bar_formulations.html"
 FORMULATIONS = ("conserving-al", "midpoint-al")
 
 
@@ -53,8 +54,10 @@ def main() -> int:
             f"{fmu.stat().st_size / 1e3:.0f} kB, built in {time.perf_counter() - begin:.2f} s\n\n"
         )
         runs = [run(fmu, formulation) for formulation in FORMULATIONS]
+        write_page(fmu, runs)
     title = f"two-loop four-bar, {STOP_TIME:g} s in fmpy, by solver.formulation"
     print_table(title, ("", *FORMULATIONS), table(runs))
+    sys.stdout.write(f"{PAGE}: both in motion, side by side; open it in a browser\n")
     for formulation, result in zip(FORMULATIONS, runs, strict=True):
         if result["reason"]:
             sys.stdout.write(f"{formulation}: {result['reason']}\n")
@@ -71,6 +74,21 @@ def run(fmu: Path, formulation: str) -> dict:
     if process.returncode not in (0, 3):
         raise UsageError(process.stderr)
     return json.loads(process.stdout) | errors(trajectory)
+
+
+def write_page(fmu: Path, runs: Sequence[dict]) -> None:
+    """Write the page that shows the runs side by side."""
+    from build_fmu.reference import columns_of
+    from build_fmu.reporting import Carried
+
+    carried, shown = Carried(fmu, str(SCENE)), []
+    for formulation, result in zip(FORMULATIONS, runs, strict=True):
+        columns = dict(columns_of(fmu.with_name(f"{formulation}.csv")))
+        known = {name: result[name] for name in ("stop_time", "wall_time", "reason")}
+        values = {"solver.formulation": formulation}
+        times = columns.pop("time")
+        shown.append(carried.report_run(times, columns, values, "", label=formulation, **known))
+    carried.write(PAGE, shown, compare=True)
 
 
 def errors(trajectory: Path) -> dict[str, float | None]:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -31,6 +33,12 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
     names: tuple[str, ...]
     table: NDArray[np.float64]
     """ndarray, shape (n, len(names))."""
+    model: Model | None = None
+    """What was moved."""
+    given: Mapping[str, Any] = field(default_factory=dict)
+    """Parameters, inputs and settings that were given for the whole run."""
+    wall_time: float | None = None
+    """Of the run [s]."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Return the values of one variable."""
@@ -54,6 +62,20 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
         return self.names == other.names and all(np.array_equal(a, b) for a, b in pairs)
 
     __hash__ = None  # type: ignore[assignment] - arrays may be changed
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Write a page that shows the mechanism in motion, with plots and tables; return its path.
+
+        It is one HTML file that any browser opens, without a network.
+
+        Raises
+        ------
+        OptionError
+            If it was not run from a scene, or not all of the positions were collected.
+        """
+        from viewer.report import report_of_trajectory
+
+        return report_of_trajectory(path, self)
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a data frame: a row for each time, a column for each name; needs pandas."""
@@ -117,13 +139,15 @@ def simulate(
     start, stop, step, _ = model.experiment
     stop, step = (x if y is None else y for x, y in ((stop, stop_time), (step, step_size)))
     times = communication_points(start, stop, step, step_is_chosen=step_size is not None)
+    begin = perf_counter()
     integrator.state.head["horizon"] = stop - start
     signals = _sampled(inputs or {}, held, times)
     rows = _rows(integrator, times, signals, [model.index(name) for name in names])
     table = np.array(rows, dtype=float)
     for name in signals.keys() & set(names):
         table[:, names.index(name)] = signals[name]
-    return Trajectory(np.array(times), names, table)
+    given = {**(parameters or {}), **held, **settings}
+    return Trajectory(np.array(times), names, table, model, given, perf_counter() - begin)
 
 
 def _rows(

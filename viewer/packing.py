@@ -101,8 +101,10 @@ def _stride(
 ) -> int:  # fmt: skip
     """Rows to leave out while the page would be too large and the motion stays as it is."""
     stride, cost = 1, 2 * len(kinds) + 4 * columns
-    while cost * rows / stride > 2 * budget and rows // stride > 8 and _close(
-        poses, kinds, size, 2 * stride
+    while (
+        cost * rows / stride > 2 * budget
+        and rows // stride > 8
+        and _close(poses, kinds, size, 2 * stride)
     ):
         stride *= 2
     return stride
@@ -160,7 +162,9 @@ def _pose_block(
 def _planes(table: NDArray[Any]) -> bytes:
     """All first bytes of the numbers, then all second ones, and so on."""
     numbers = np.ascontiguousarray(table).reshape(-1)
-    return np.ascontiguousarray(numbers.view(np.uint8).reshape(-1, table.dtype.itemsize).T).tobytes()
+    return np.ascontiguousarray(
+        numbers.view(np.uint8).reshape(-1, table.dtype.itemsize).T
+    ).tobytes()
 
 
 def _text(content: bytes) -> str:

@@ -12,7 +12,7 @@ import hashlib
 import html
 import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from solver.runtime import Variable
+    from solver.trajectory import Trajectory
 
 FORMAT = 1
 HOME = Path(__file__).parent
@@ -34,6 +35,8 @@ GOOD = 1e-9
 LOSSES = ("energy.damping", "energy.friction", "energy.impact")
 MOST_LINES = 6
 """Of one plot."""
+MOST_TOLD = 8
+"""Names of missing columns."""
 
 
 @dataclass(frozen=True)
@@ -102,12 +105,44 @@ def write_report(
         Whether the page begins with two runs side by side.
     """
     target = Path(path)
-    page = page_text(
-        runs, name, description, [*variables], outputs, [*warnings], compare=compare
-    )
+    page = page_text(runs, name, description, [*variables], outputs, [*warnings], compare=compare)
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(page, encoding="utf-8")
     return target
+
+
+def report_of_trajectory(path: str | PathLike[str], trajectory: Trajectory) -> Path:
+    """Write the page of a run in Python; see ``Trajectory.report``."""
+    from solver.runtime import OptionError
+    from viewer.drawing import drawing
+
+    model = trajectory.model
+    scene: Any = model and model.scene
+    if model is None or scene is None:
+        text = "report: the trajectory knows no scene; run one with holonom.simulate(scene)"
+        raise OptionError(text)
+    free = {v.name for v in model.variables if v.kind == "parameter"}
+    values = {n: float(x) for n, x in trajectory.given.items() if n in free}
+    drawn = drawing(scene, values)
+    columns = dict(trajectory.items())
+    if missing := missing_columns(drawn, columns):
+        text = f"report: {missing} not collected, by which {model.name} is drawn; "
+        text += "leave out 'outputs', or name them there"
+        raise OptionError(text)
+    run = ReportRun(
+        drawn, trajectory.t, columns, settings=trajectory.given, wall_time=trajectory.wall_time
+    )
+    return write_report(
+        path, [run], name=model.name, description=model.description,
+        variables=model.variables, outputs=[*scene.outputs], warnings=scene.sentences(),
+    )  # fmt: skip
+
+
+def missing_columns(drawing: Mapping[str, Any], columns: Container[str]) -> str:
+    """Names of the columns that a drawing needs and that are not there; empty if none are."""
+    missing = [name for name in channels(drawing)[0] if name not in columns]
+    rest = f" and {len(missing) - MOST_TOLD} more" if len(missing) > MOST_TOLD else ""
+    return ", ".join(missing[:MOST_TOLD]) + rest
 
 
 def page_text(

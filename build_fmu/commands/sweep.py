@@ -46,9 +46,26 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         _print(found, path, spent)
     _tell(found.warnings, "warnings")
+    if arguments.report:
+        _report(arguments, found)
     failed = [f"run {run} ended at t = {time:g} s: {why}" for run, time, why in _failures(found)]
     _tell(failed, "runs")
     return UNFINISHED if failed else 0
+
+
+def _report(arguments: argparse.Namespace, found: Sweep) -> None:
+    from build_fmu.reporting import report_rows
+    from build_fmu.study.settings import given_on_the_command_line
+    from build_fmu.target import runnable
+
+    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
+    with runnable(arguments.target, entries) as (path, _):
+        rows = [(path, {**found.plan.fixed, **row}, row) for row in found.plan.rows]
+        said = report_rows(
+            arguments.report, rows, arguments.target,
+            stop_time=arguments.stop, step_size=arguments.step,
+        )  # fmt: skip
+    sys.stderr.write(f"{said}\n")
 
 
 def _failures(found: Sweep) -> list[tuple[int, float, str]]:

@@ -32,6 +32,11 @@ def run(arguments: argparse.Namespace) -> int:
             made = variants(scene, folder, manifest=arguments.manifest, progress=progress, **given)
     except SceneError as error:
         raise UsageError(str(error)) from None
+    if arguments.report:
+        from build_fmu.reporting import report_rows
+
+        rows = [(str(folder / v.fmu), {}, v.parameters) for v in made]
+        sys.stderr.write(f"{report_rows(arguments.report, rows, scene)}\n")
     manifest = folder / arguments.manifest
     if arguments.json:
         rows = [{"fmu": str(folder / v.fmu), "parameters": v.parameters} for v in made]

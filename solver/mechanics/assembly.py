@@ -112,6 +112,7 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
         ),
     )
     model.dependencies = dependencies(scene, structure, known, variables)
+    model.scene = scene
     return parts, model
 
 

@@ -129,9 +129,12 @@ class Model(
     dependencies : dict or None
         Variables on which outputs and calculated parameters depend, by the index of each: at a
         communication point, and in the initialization mode. The bytes do not have it.
+    scene : solver.scene.Scene or None
+        What it was assembled from. The bytes do not have it.
     """
 
     dependencies: dict | None = None
+    scene: object = None
     _checked: tuple[ctypes.Array[ctypes.c_double], int] | None = None
 
     @property
