@@ -76,7 +76,7 @@ def packed(
     """
     names, kinds = channels(drawing)
     times, keep = np.unique(np.asarray(times, float), return_index=True)
-    poses = _continuous([np.asarray(columns[n], float)[keep] for n in names], names)
+    poses = _continuous([np.asarray(columns[n], float)[keep] for n in names], names, len(times))
     size, notes = _size(drawing, poses, kinds), []
     stride = _stride(poses, kinds, size, len(times), len(order), budget)
     if stride > 1:
@@ -119,9 +119,11 @@ def _close(poses: NDArray[np.float64], kinds: Sequence[str], size: float, stride
     return bool((off.max(axis=1, initial=0.0) <= CLOSE * scale).all())
 
 
-def _continuous(poses: Sequence[NDArray[np.float64]], names: Sequence[str]) -> NDArray[np.float64]:
+def _continuous(
+    poses: Sequence[NDArray[np.float64]], names: Sequence[str], count: int
+) -> NDArray[np.float64]:
     """Poses as rows; a quaternion and its negative are the same turn, and here do not alternate."""
-    table = np.array(poses).reshape(len(names), -1)
+    table = np.array(poses).reshape(len(names), count)
     for k, name in enumerate(names):
         if name.endswith(".qw"):
             turned = table[k : k + 4]
@@ -131,7 +133,7 @@ def _continuous(poses: Sequence[NDArray[np.float64]], names: Sequence[str]) -> N
 
 
 def _size(drawing: Mapping[str, Any], poses: NDArray[np.float64], kinds: Sequence[str]) -> float:
-    """Size of the mechanism [m], roughly: how far apart its parts begin, and the largest of them."""
+    """Size of the mechanism [m], roughly: how far apart its parts begin, or its largest part."""
     first = [poses[k, 0] for k, kind in enumerate(kinds) if kind == "x"] if poses.size else []
     largest = max(first, default=0.0) - min(first, default=0.0) if len(first) > 3 else 0.0
     for solid in drawing.get("solids", ()):

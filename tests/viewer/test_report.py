@@ -1,0 +1,141 @@
+"""Pages of runs: what is in the file, and what is said where none can be written."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import solver
+from build_fmu import build
+from build_fmu.command_line import main
+
+SCENES = Path(__file__).parents[2] / "scenes"
+PENDULUM = str(SCENES / "double_pendulum.toml")
+ANY_ADDRESS = re.compile(r"""(?:src|href|url)\s*[=(]\s*["']?(?:https?:)?//""")
+
+
+def data_of(page: Path) -> dict:
+    text = page.read_text(encoding="utf-8")
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.DOTALL)
+    assert found
+    return json.loads(found[1])
+
+
+@pytest.mark.parametrize("name", ["four_bar", "stewart", "double_wishbone", "slider_crank"])
+def test_a_page_is_small_and_quickly_written(name, tmp_path):
+    trajectory = solver.simulate(SCENES / f"{name}.toml")
+    trajectory.report(tmp_path / "first.html")
+    begin = time.perf_counter()
+    page = trajectory.report(tmp_path / "page.html")
+    assert time.perf_counter() - begin < 0.3
+    assert page.stat().st_size < 1_000_000
+    assert not ANY_ADDRESS.search(page.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("command", ["simulate", "check"])
+def test_commands_write_a_page(command, tmp_path):
+    page = tmp_path / "run.html"
+    assert main([command, PENDULUM, "--stop", "1", "--report", str(page)]) == 0
+    data = data_of(page)
+    assert data["name"] == "double_pendulum"
+    assert data["runs"][0]["facts"][0]["value"] == "finished"
+
+
+def test_a_page_does_not_change_what_a_command_prints(tmp_path, capsys):
+    assert main(["simulate", PENDULUM, "--stop", "1", "--csv", "-"]) == 0
+    without = capsys.readouterr().out
+    page = str(tmp_path / "run.html")
+    assert main(["simulate", PENDULUM, "--stop", "1", "--csv", "-", "--report", page]) == 0
+    assert capsys.readouterr().out == without
+
+
+def test_a_sweep_shows_each_run_with_its_values(tmp_path):
+    page, grid = tmp_path / "sweep.html", "length=0.5:1.5:3"
+    results = str(tmp_path / "sweep.csv")
+    command = [
+        "sweep",
+        PENDULUM,
+        "--grid",
+        grid,
+        "--stop",
+        "1",
+        "-o",
+        results,
+        "--engine",
+        "serial",
+    ]
+    assert main([*command, "--output", "B.x", "--report", str(page)]) == 0
+    data = data_of(page)
+    assert [run["parameters"]["length"] for run in data["runs"]] == [0.5, 1.0, 1.5]
+    assert len(data["drawings"]) == 3  # places depend on the length
+
+
+def test_variants_show_each_fmu(tmp_path):
+    page = tmp_path / "variants.html"
+    command = ["variants", PENDULUM, "--grid", "points.A.mass=1,2", "-o", str(tmp_path / "fmus")]
+    assert main([*command, "--engine", "serial", "--report", str(page)]) == 0
+    assert [run["parameters"]["points.A.mass"] for run in data_of(page)["runs"]] == [1, 2]
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """An FMU, and the results of a run in another program."""
+    folder = tmp_path_factory.mktemp("results")
+    fmu, table = build(PENDULUM, folder), folder / "any.csv"
+    trajectory = solver.simulate(PENDULUM, stop_time=1.0)
+    rows = [",".join(["time", *trajectory.names])]
+    rows += [
+        ",".join(map(repr, [float(t), *row.tolist()]))
+        for t, row in zip(trajectory.t, trajectory.table, strict=True)
+    ]
+    table.write_text("\n".join(rows))
+    return str(fmu), table
+
+
+def test_results_of_any_program_become_a_page(results, tmp_path):
+    fmu, table = results
+    page = tmp_path / "page.html"
+    assert main(["report", fmu, "--results", str(table), "-o", str(page)]) == 0
+    assert data_of(page)["runs"][0]["n"] == len(table.read_text().splitlines()) - 1
+
+
+def test_missing_columns_are_named(results, tmp_path, capsys):
+    fmu, table = results
+    other = tmp_path / "other.csv"
+    other.write_text(table.read_text().replace("B.y", "height", 1))
+    assert main(["report", fmu, "--results", str(other), "-o", str(tmp_path / "p.html")]) == 2
+    assert "has no column B.y, by which double_pendulum is drawn" in capsys.readouterr().err
+
+
+def test_results_without_times_are_refused(results, tmp_path, capsys):
+    fmu, table = results
+    other = tmp_path / "other.csv"
+    other.write_text(table.read_text().replace("time", "t", 1))
+    assert main(["report", fmu, "--results", str(other), "-o", str(tmp_path / "p.html")]) == 2
+    assert "time" in capsys.readouterr().err
+
+
+def test_a_trajectory_of_few_outputs_says_what_is_missing(tmp_path):
+    trajectory = solver.simulate(PENDULUM, outputs=["energy.error"], stop_time=0.1)
+    with pytest.raises(solver.OptionError, match=r"A\.x, A\.y, B\.x, B\.y not collected"):
+        trajectory.report(tmp_path / "page.html")
+
+
+def test_what_is_no_number_is_null(tmp_path):
+    from viewer.report import filled
+
+    page = tmp_path / "page.html"
+    page.write_text(filled({"name": "x", "values": [float("nan"), float("inf")]}))
+    assert data_of(page)["values"] == [None, None]
+
+
+@pytest.mark.parametrize("module", ["holonom", "build_fmu.command_line", "solver.trajectory"])
+def test_nothing_of_the_viewer_is_imported_unless_it_is_used(module):
+    code = f"import sys, {module}; sys.exit(any(m.startswith('viewer') for m in sys.modules))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
