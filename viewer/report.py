@@ -12,6 +12,7 @@ import hashlib
 import html
 import json
 import math
+import re
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
@@ -200,18 +201,15 @@ def filled(data: Mapping[str, Any], blocks: Sequence[str] = (), connect: str = "
     )
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     parts = {
-        "@@TITLE@@": html.escape(data["name"]),
-        "@@CONNECT@@": connect,
-        "@@DIGEST@@": digest,
-        "@@STYLE@@": style,
-        "@@DATA@@": _json(data),
-        "@@BLOCKS@@": inside,
-        "@@SCRIPT@@": script,
+        "TITLE": html.escape(data["name"]),
+        "CONNECT": connect,
+        "DIGEST": digest,
+        "STYLE": style,
+        "DATA": _json(data),
+        "BLOCKS": inside,
+        "SCRIPT": script,
     }
-    for mark, text in parts.items():
-        before, _, after = page.partition(mark)  # names of a scene may look like a mark
-        page = before + text + after if mark != "@@TITLE@@" else page.replace(mark, text)
-    return page
+    return re.sub("@@([A-Z]+)@@", lambda mark: parts[mark[1]], page)
 
 
 @functools.cache

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import time
 from pathlib import Path
 
 import pytest
@@ -56,8 +57,10 @@ def look(launch):
         page.on("pageerror", lambda error: page.said.append(str(error)))
         page.on("request", lambda request: page.asked.append(request.url))
         page.goto(f"{path.as_uri()}#{hash}")
-        ready = "window.holonom && (holonom.first || holonom.error)"
-        page.wait_for_function(ready, polling=50, timeout=60_000)
+        end = time.monotonic() + 60.0  # wait_for_function needs eval, which the page forbids
+        while not page.evaluate("!!(window.holonom && (holonom.first || holonom.error))"):
+            assert time.monotonic() < end, ("the page is not ready", page.said)
+            page.wait_for_timeout(50)
         return page
 
     yield look

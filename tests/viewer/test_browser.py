@@ -1,4 +1,4 @@
-"""What a browser shows of a page: where things are drawn, what keys do, what happens when it cannot."""
+"""What a browser shows of a page: where things are drawn, what keys do, what faults say."""
 
 from __future__ import annotations
 
@@ -211,7 +211,7 @@ def test_a_run_of_a_sweep_is_chosen_and_another_is_its_ghost(look, tmp_path):
     assert value(page, "holonom.stage.shown.length") == 2
 
 
-def test_two_runs_stand_side_by_side(pendulum, look, tmp_path):
+def test_two_runs_stand_side_by_side(look, tmp_path):
     runs = [solver.simulate(scene("four_bar"), stop_time=1.0, formulation=f) for f in
             ("conserving-al", "midpoint-al")]  # fmt: skip
     from viewer.drawing import drawing

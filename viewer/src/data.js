@@ -74,7 +74,8 @@ export class Run {
       const [step, low] = this.scaled(c), x = this.channels[c], p = x[i];
       let d0 = x[a] - p, d = x[j] - p, d3 = x[b] - p;
       if (this.kinds[c] === 'angle') { d0 = d0 << 16 >> 16; d = d << 16 >> 16; d3 = d + ((x[b] - x[j]) << 16 >> 16); }
-      const m0 = before > 0 ? (d - d0) / before : 0, m1 = after > 0 ? d3 / after : 0;
+      let m0 = before > 0 ? (d - d0) / before : 0, m1 = after > 0 ? d3 / after : 0;
+      if (b === j && h > 0) m1 = 2 * d / h - m0; else if (a === i && h > 0) m0 = 2 * d / h - m1;     // a parabola at both ends of the run
       out[c] = low + step * (p + h01 * d + h10 * m0 + h11 * m1);
     }
     return out;
