@@ -100,7 +100,7 @@ def _stride(
     budget: int,
 ) -> int:  # fmt: skip
     """Rows to leave out while the page would be too large and the motion stays as it is."""
-    stride, cost = 1, 2 * len(kinds) + 4 * columns
+    stride, cost = 1, 8 + 2 * len(kinds) + 4 * columns
     while (
         cost * rows / stride > 2 * budget
         and rows // stride > 8

@@ -99,7 +99,7 @@ def test_what_does_not_fit_is_left_out_and_said():
 def test_rows_of_a_slow_motion_are_thinned_before_columns():
     times = np.linspace(0.0, 10.0, 20_001)
     columns = {"b.x": np.sin(times), "b.y": np.cos(times), "e": times}
-    run = packed(drawing("b.x", "b.y"), times, columns, ["e"], budget=60_000)
+    run = packed(drawing("b.x", "b.y"), times, columns, ["e"], budget=120_000)
     assert run.meta["n"] <= 10_001
     assert run.meta["values"] == ["e"]
     assert "rows" in run.notes[0]

@@ -5,8 +5,13 @@
 
 const TURN = 2 * Math.PI / 65536, PARTS = 2 / 65000;
 
+function decoded(text) {                  // for browsers of before 2025
+  const raw = atob(text.trim()), bytes = new Uint8Array(raw.length);
+  for (let i = 0; i < raw.length; i++) bytes[i] = raw.charCodeAt(i);
+  return bytes;
+}
 async function inflated(text) {
-  const raw = atob(text.trim()), bytes = Uint8Array.from(raw, c => c.charCodeAt(0));
+  const bytes = Uint8Array.fromBase64 ? Uint8Array.fromBase64(text) : decoded(text);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
