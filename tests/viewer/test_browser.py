@@ -44,7 +44,7 @@ def test_a_page_makes_one_request_and_says_nothing_to_the_console(pendulum, look
     assert [url.split(":")[0] for url in page.asked if not url.startswith("data:")] == ["file"]
 
 
-@pytest.mark.parametrize("time", [0.0, 3.37, 9.99])
+@pytest.mark.parametrize("time", [0.0, 3.36, 9.98])
 def test_points_are_drawn_where_they_are(pendulum, look, time):
     trajectory, path = pendulum
     page = look(path)
