@@ -63,8 +63,9 @@ export class Mechanism {
     for (const s of this.drawing.solids) { const x = s.to ? 1.5 * Math.max(...s.to.map(t => vector(t).distanceTo(vector(s.at)))) : Math.max(2 * (s.radius || 0), s.length || 0, ...(s.size || [])); if (x > 0) list.push(x); }
     return list.sort((x, y) => x - y)[list.length >> 1] || this.size;
   }
-  middle() {
-    const out = new Vector3(); let n = 0;
+  middle() {                              // of what moves, or the place that the scene follows
+    const out = new Vector3(), { follow } = this.drawing.view || {}; let n = 0;
+    if (follow) return this.place(follow, out);
     this.drawing.frames.forEach((f, k) => { if (f.variables.length) { out.add(this.positions[k]); n++; } });
     return n ? out.divideScalar(n) : out;
   }
@@ -129,7 +130,7 @@ export class Mechanism {
       }
       case 'plane': {
         const n = vector(s.normal || [0, 0, 1]).normalize(), L = 1.6 * this.extent, depth = .6 * T, at = vector(s.at).addScaledVector(n, -depth / 2).toArray();
-        return put('box', this.flat ? new Vector3(3 * T, L, depth) : new Vector3(L, L, depth), turn.clone().multiply(along(n.toArray())), { frame: s.frame, at });
+        return put('box', this.flat ? new Vector3(3 * T, L, depth) : new Vector3(L, L, depth), along(n.toArray()), { frame: s.frame, at });
       }
       case 'curve': {
         const points = s.points.map(x => ends(x, x)[0]);
@@ -173,9 +174,13 @@ export class Mechanism {
     this.add('cone', GROUND, 'ground', at(-4.8, 3, this.flat ? 1 : 3, 4.8), { layer: 'ground' }); this.add('box', '#7c838e', 'ground', at(-5.2, 8, this.flat ? 3 : 8, 1), { layer: 'ground' });
   }
   arrow(j, colour) {                      // as long as the square root of the force, so that small ones are seen
-    if (!(j.force?.length > 1) || !j.force.every(n => this.run.columns.has(n))) return;
+    if (!j.force?.length || (j.force.length < 2 && !j.normal && !j.from) || !j.force.every(n => this.run.columns.has(n))) return;
     const T = this.thick, p = new Vector3(), f = new Vector3(), d = new Vector3(), turn = new Quaternion(), scale = new Vector3();
-    const length = () => { f.set(0, 0, 0); j.force.forEach((n, k) => f.setComponent(k, this.run.value(n, this.time) || 0)); return .28 * this.size * Math.sqrt(Math.min(1, f.length() / this.strongest)); };
+    const force = j.force.length > 1 ? () => { f.set(0, 0, 0); j.force.forEach((n, k) => f.setComponent(k, this.run.value(n, this.time) || 0)); } : () => {      // along a normal, or away from a place
+      if (j.normal) f.set(...j.normal.axis).applyQuaternion(this.turns[j.normal.frame]); else { this.place(j.place, f); f.sub(this.place(j.from, p)).normalize(); }
+      f.multiplyScalar(this.run.value(j.force[0], this.time) || 0);
+    };
+    const length = () => { force(); return .28 * this.size * Math.sqrt(Math.min(1, f.length() / this.strongest)); };
     const put = (shape, write) => this.add(shape, colour, j.name, out => { const L = length(); if (L < 2 * T) return out.copy(HIDDEN); turn.setFromUnitVectors(Z, d.copy(f).normalize()); this.place(j.place, p); write(L); return out.compose(p, turn, scale); }, { layer: 'forces' });
     put('cylinder', L => { p.addScaledVector(d, L / 2); scale.set(.55 * T, .55 * T, L); }); put('cone', L => { p.addScaledVector(d, L); scale.set(1.5 * T, 1.5 * T, 4 * T); });
     (this.arrows ||= []).push(j); this.strongest = 1; this.weigh();
@@ -215,7 +220,7 @@ export class Mechanism {
   paths() {
     this.pose(this.run.pose(0, this.live));
     const frames = this.drawing.frames, wanted = this.drawing.view?.traces;
-    if (wanted?.length) return wanted.map(x => typeof x === 'string' ? { frame: frames.findIndex(f => f.name === x), at: [0, 0, 0] } : x).filter(x => x.between || x.frame >= 0);
+    if (wanted?.length) return wanted.map(x => x.place);
     const moves = k => frames[k].variables.length, ends = this.drawing.links.filter(l => l.kind === 'bar').flatMap(l => l.ends), joints = this.drawing.joints.map(j => j.place);
     let all = [...joints.filter((p, k) => ['point', 'driven'].includes(this.drawing.joints[k].kind)), ...ends].filter(p => p.frame !== undefined && moves(p.frame));
     const fixed = [...this.drawing.joints.filter(j => j.ground).map(j => this.place(j.place, new Vector3()).clone())];

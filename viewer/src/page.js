@@ -58,7 +58,7 @@ export function page(data, runs, options = {}) {
     limits(); $('run').value = k; $('other').value = other ? with_ : -1; loop();
     const list = other ? [run, other] : [run];
     stage.show(list.map(r => ({ run: r, drawing: drawingOf(r) })), beside); charts.show(list); label();
-    cards(run); tables(data, runs, run, i => choose(i)); view(stage.travels ? 'iso' : 'fit'); move(Math.min(t1, Math.max(t0, state.time)));
+    cards(run); tables(data, runs, run, i => choose(i)); view('fit'); move(Math.min(t1, Math.max(t0, state.time)));
   }
   const names = new Vector3(); let labels = [], tags = [];
   function label() {
@@ -135,7 +135,7 @@ export function page(data, runs, options = {}) {
   const prefers = query => matchMedia(query).matches;
   document.documentElement.dataset.theme = prefers('(prefers-color-scheme: dark)') ? 'dark' : 'light'; state.dark = document.documentElement.dataset.theme === 'dark';
   stage.show([{ run, drawing: drawingOf(run) }], false); fit(); charts.runs = [run]; limits();
-  if (stage.travels) box('follow').checked = true;
+  if (stage.travels || drawingOf(run).view?.follow) box('follow').checked = true;
   for (const p of data.plots) charts.add(p);
   charts.resize();
   choose(0, data.compare && runs.length > 1 ? 1 : -1); view('iso'); if (stage.flat) view('front'); theme(state.dark);

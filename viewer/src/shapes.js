@@ -47,13 +47,14 @@ function smooth(columns, rows, place) {
   const g = new BufferGeometry(); g.setAttribute('position', new Float32BufferAttribute(points, 3)); g.setIndex(triangles); g.computeVertexNormals(); return g;
 }
 function superquadric(solid) {
-  const [a, b, c] = solid.half_axes, [e, n] = solid.exponents || [2, 2], power = (x, k) => Math.sign(x) * Math.abs(x) ** (2 / k);
+  const [a, b, c] = solid.half_axes, e = solid.exponent ?? 2, n = e, power = (x, k) => Math.sign(x) * Math.abs(x) ** (2 / k);
   return smooth(32, 20, (u, v) => {
     const w = 2 * Math.PI * u, z = Math.PI * (v - .5), ring = power(Math.cos(z), n);
     return [a * ring * power(Math.cos(w), e), b * ring * power(Math.sin(w), e), c * power(Math.sin(z), n)];
   });
 }
-function heights({ x, y, z }) {
-  const nx = x.length - 1, ny = y.length - 1;
-  return smooth(nx, ny, (u, v) => { const i = Math.round(u * nx), j = Math.round(v * ny); return [x[i], y[j], z[i][j]]; });
+function heights({ x, y, z }) {           // null where there is no surface
+  const vertices = x.flatMap((u, i) => y.map((v, j) => [u, v, z[i][j]])), triangles = [], n = y.length;
+  for (let i = 0; i + 1 < x.length; i++) for (let j = 0; j + 1 < n; j++) for (const t of [[i * n + j, (i + 1) * n + j, i * n + j + 1], [(i + 1) * n + j, (i + 1) * n + j + 1, i * n + j + 1]]) if (t.every(k => vertices[k][2] !== null)) triangles.push(t);
+  return faceted(vertices.map(v => [v[0], v[1], v[2] ?? 0]), triangles);
 }
