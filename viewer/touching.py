@@ -279,8 +279,10 @@ class Touching:
 
         try:
             if self.flat:
-                points = contours.traced(value, start, self.solids.size)
-                self._curve(name, part.body, place, points, None)
+                with np.errstate(all="ignore"):
+                    points = contours.traced(value, start, self.solids.size)
+                if np.isfinite(points).all():
+                    self._curve(name, part.body, place, points, None)
             elif found := contours.heights_over(value, start, self.solids.size):
                 axes, grid = found
                 self.solids.add(name, "surface", part.body, place, "heights", axes, 0.6, **grid)
