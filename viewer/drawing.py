@@ -58,7 +58,8 @@ def drawing(scene: Scene, values: Mapping[str, float] | None = None) -> dict[str
     values
         Values of parameters by name; those of the scene unless given.
     """
-    return _Drawing(scene, values or {}).data()
+    with np.errstate(all="ignore"):  # sizes of 1e90 m have no squares
+        return _Drawing(scene, values or {}).data()
 
 
 class _Drawing:

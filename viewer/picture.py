@@ -36,7 +36,8 @@ SURFACES, SOLIDS, RODS, FORCES, JOINTS, DRIVEN, NAMES = range(7)
 
 def picture(drawing: dict[str, Any]) -> bytes:
     """PNG file of a drawing (``viewer.drawing``)."""
-    return _Picture(drawing).png()
+    with np.errstate(all="ignore"):
+        return _Picture(drawing).png()
 
 
 def _mixed(first: Colour, second: Colour, share: float) -> Colour:

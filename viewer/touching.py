@@ -279,8 +279,7 @@ class Touching:
 
         try:
             if self.flat:
-                with np.errstate(all="ignore"):
-                    points = contours.traced(value, start, self.solids.size)
+                points = contours.traced(value, start, self.solids.size)
                 if np.isfinite(points).all():
                     self._curve(name, part.body, place, points, None)
             elif found := contours.heights_over(value, start, self.solids.size):
