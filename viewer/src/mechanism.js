@@ -69,7 +69,7 @@ export class Mechanism {
     this.drawing.frames.forEach((f, k) => { if (f.variables.length) { out.add(this.positions[k]); n++; } });
     return n ? out.divideScalar(n) : out;
   }
-  box() { const shift = this.middle().sub(this.began); return this.drawn.clone().translate(shift).expandByScalar(.15 * this.size); }
+  box() { const shift = this.middle().sub(this.began); return this.drawn.clone().translate(shift).expandByScalar(.5 * this.size); }
 
   add(shape, colour, owner, matrix, more = {}) { this.items.push({ shape, colour, owner, matrix, opacity: 1, layer: '', ...more }); }
   fixed(p, turn, scale) {
@@ -174,9 +174,10 @@ export class Mechanism {
     this.add('cone', GROUND, 'ground', at(-4.8, 3, this.flat ? 1 : 3, 4.8), { layer: 'ground' }); this.add('box', '#7c838e', 'ground', at(-5.2, 8, this.flat ? 3 : 8, 1), { layer: 'ground' });
   }
   arrow(j, colour) {                      // as long as the square root of the force, so that small ones are seen
-    if (!j.force?.length || (j.force.length < 2 && !j.normal && !j.from) || !j.force.every(n => this.run.columns.has(n))) return;
+    const parts = !!j.force?.[0]?.endsWith('.x');              // of a reaction; a contact has the size of its force, and perhaps a direction
+    if (!j.force?.length || (!parts && !j.normal && !j.from) || !j.force.every(n => this.run.columns.has(n))) return;
     const T = this.thick, p = new Vector3(), f = new Vector3(), d = new Vector3(), turn = new Quaternion(), scale = new Vector3();
-    const force = j.force.length > 1 ? () => { f.set(0, 0, 0); j.force.forEach((n, k) => f.setComponent(k, this.run.value(n, this.time) || 0)); } : () => {      // along a normal, or away from a place
+    const force = parts ? () => { f.set(0, 0, 0); j.force.forEach((n, k) => f.setComponent(k, this.run.value(n, this.time) || 0)); } : () => {      // along a normal, or away from a place
       if (j.normal) f.set(...j.normal.axis).applyQuaternion(this.turns[j.normal.frame]); else { this.place(j.place, f); f.sub(this.place(j.from, p)).normalize(); }
       f.multiplyScalar(this.run.value(j.force[0], this.time) || 0);
     };
@@ -187,7 +188,7 @@ export class Mechanism {
   }
   weigh() {
     let most = 0;
-    for (const j of this.arrows || []) { const c = j.force.map(n => this.run.columns.get(n)); for (let i = 0; i < this.run.n; i++) { let s = 0; for (const x of c) s += x[i] * x[i]; if (s > most) most = s; } }
+    for (const j of this.arrows || []) { const c = (j.force[0].endsWith('.x') ? j.force : j.force.slice(0, 1)).map(n => this.run.columns.get(n)); for (let i = 0; i < this.run.n; i++) { let s = 0; for (const x of c) s += x[i] * x[i]; if (s > most) most = s; } }
     this.strongest = Math.sqrt(most) || 1;
   }
   instances() {
