@@ -113,6 +113,7 @@ def _parser() -> argparse.ArgumentParser:
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
     _add_run(simulate, inputs=True)
     simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
+    _add_plot(simulate, "plot the run into a file")
     _add_sweep(commands)
     check = commands.add_parser("check", help="run it and test that energy and constraints hold")
     _add_run(check, inputs=True)
@@ -164,6 +165,7 @@ def _add_sweep(commands: argparse._SubParsersAction) -> None:
     text += " there, of the same sweep, is continued"
     command.add_argument("-o", "--results", metavar="FILE", help=text)
     command.add_argument("--fresh", action="store_true", help="replace what is in that file")
+    _add_plot(command, "plot outputs over one parameter, or heat maps over two, into a file")
     command.add_argument("--json", action="store_true", help="print JSON instead of a table")
 
 
@@ -202,6 +204,14 @@ def _add_settings(command: argparse.ArgumentParser, text: str) -> None:
 def _add_report(command: argparse.ArgumentParser) -> None:
     text = "write a page that shows the mechanism in motion, with plots, for any browser"
     command.add_argument("--report", metavar="FILE", help=text)
+
+
+def _add_plot(command: argparse.ArgumentParser, text: str) -> None:
+    text += ", .png, .svg or .pdf; needs holonom[plot]"
+    command.add_argument("--plot", metavar="FILE", help=text)
+    text = "what it shows, names or patterns such as 'energy.*' separated by commas (default: the "
+    text += "scene's own outputs, else energies and errors)"
+    command.add_argument("--plot-of", metavar="NAMES", help=text)
 
 
 def _add_run(command: argparse.ArgumentParser, *, inputs: bool = False) -> None:

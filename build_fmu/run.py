@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from typing import TYPE_CHECKING
@@ -26,7 +26,7 @@ from solver.runtime import OptionError
 from solver.signals import communication_points
 
 if TYPE_CHECKING:
-    from fmpy.model_description import ModelDescription
+    from fmpy.model_description import ModelDescription, ScalarVariable
 
 RECORDED = ("input", "output")
 """What a run collects, by causality."""
@@ -52,6 +52,8 @@ class Run:
     """Whether any position or orientation changed."""
     largest_by_unit: Mapping[str, float] = field(default_factory=dict)
     """Largest magnitude of what moves, by unit."""
+    variables: Sequence[ScalarVariable] = ()
+    """What the FMU says of the columns."""
 
     @property
     def end_time(self) -> float:
@@ -144,6 +146,7 @@ def run_fmu(
         reason=record.reason,
         moved=poses.moved(motion),
         largest_by_unit=largest_by_unit(outputs, largest),
+        variables=variables,
     )
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from solver.extras import imported
 from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.errors import UnknownNameError
@@ -19,6 +20,8 @@ from solver.signals import Problem, changes, communication_points, sampled
 
 if TYPE_CHECKING:
     import pandas  # pyright: ignore[reportMissingImports]
+    import xarray  # pyright: ignore[reportMissingImports]
+    from matplotlib.figure import Figure  # pyright: ignore[reportMissingImports]
     from numpy.typing import NDArray
 
 
@@ -79,10 +82,54 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a data frame: a row for each time, a column for each name; needs pandas."""
-        import pandas as pd  # pyright: ignore[reportMissingImports]
-
+        pd = imported("pandas", "pandas")
         index = pd.Index(self.t, name="time")
         return pd.DataFrame(self.table, index=index, columns=list(self.names))
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a data set along "time", whose variables have `units` and `long_name`.
+
+        These stand in the attributes of each variable as far as the model knows them; the data set
+        has the model's name and description as `title` and `comment`. Needs xarray.
+        """
+        known = {v.name: v for v in self.model.variables} if self.model else {}
+        values = {}
+        for name, column in zip(self.names, self.table.T, strict=True):
+            about = known.get(name)
+            told = {"units": about.unit, "long_name": about.description} if about else {}
+            values[name] = ("time", column, {key: text for key, text in told.items() if text})
+        model = self.model
+        of_all = {"title": model.name, "comment": model.description} if model else {}
+        times = {"time": ("time", self.t, {"units": "s"})}
+        return imported("xarray", "xarray").Dataset(values, times, of_all)
+
+    def plot(self, names: Sequence[str] | str | None = None) -> Figure:
+        """Return a figure of matplotlib with variables over time, a plot for each unit.
+
+        Parameters
+        ----------
+        names : sequence of str, optional
+            Names, or patterns such as ``"energy.*"``; where left out, the scene's own outputs, else
+            energies and errors.
+
+        Raises
+        ------
+        ModuleNotFoundError
+            If matplotlib is not installed; the sentence says how to get it.
+        OptionError
+            If a name or pattern matches no variable.
+        """
+        from viewer.plots import over_time
+
+        variables, title = (self.model.variables, self.model.name) if self.model else ((), "")
+        return over_time(self.t, self, variables, names, title)
+
+    def _repr_html_(self) -> str:
+        """Rows, duration, largest errors and a small curve, for notebooks."""
+        from viewer.plots import summary_html
+
+        variables, title = (self.model.variables, self.model.name) if self.model else ((), "")
+        return summary_html(self.t, self, variables, title)
 
 
 def simulate(

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from build_fmu.errors import UNFINISHED, UsageError, writing
+from build_fmu.plotting import check_plot, plot_run
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
 from build_fmu.study.settings import given_on_the_command_line
@@ -24,6 +25,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.csv == "-" and arguments.json:
         text = "--csv - and --json both want stdout; name a file for one of them"
         raise UsageError(text)
+    check_plot(arguments)
     result = simulate(arguments)
     if arguments.csv == "-":
         write_csv(result.values, sys.stdout)
@@ -40,7 +42,10 @@ def run(arguments: argparse.Namespace) -> int:
         print_json(summary(result) | {"warnings": arguments.warnings})
     elif not arguments.csv and begun(result):
         _print_end(arguments.target, result)
-    return report_end(result)
+    code = report_end(result)
+    if arguments.plot and begun(result):
+        plot_run(arguments, result)
+    return code
 
 
 def begun(result: Run) -> bool:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from build_fmu.errors import UNFINISHED, UsageError
+from build_fmu.plotting import check_plot, plot_sweep
 from build_fmu.report import count_bar, number, print_json, print_table
 from build_fmu.study.settings import study_arguments
 from build_fmu.study.sweep import Sweep, sweep
@@ -21,6 +22,7 @@ MOST_TOLD = 10
 def run(arguments: argparse.Namespace) -> int:
     """Sweep; exit code 3 if a run did not come to its end."""
     given = study_arguments(arguments)
+    check_plot(arguments)
     names = [name.strip() for text in arguments.output for name in text.split(",")]
     if "" in names:
         listed = ",".join(arguments.output)
@@ -50,6 +52,8 @@ def run(arguments: argparse.Namespace) -> int:
         _report(arguments, found)
     failed = [f"run {run} ended at t = {time:g} s: {why}" for run, time, why in _failures(found)]
     _tell(failed, "runs")
+    if arguments.plot:
+        plot_sweep(arguments, found)
     return UNFINISHED if failed else 0
 
 

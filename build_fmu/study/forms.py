@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import EnvironmentLackError, UsageError
+from solver.extras import missing
 
 if TYPE_CHECKING:
     from numpy import ndarray
@@ -15,13 +16,10 @@ if TYPE_CHECKING:
 
 def form_of(name: str) -> Callable[[Sweep], Any]:
     """Function that has the results of a sweep in a form, whose package is installed."""
-    import importlib.util
-
     if name not in _FORMS:
         text = f"there is no form {name!r}; write one of {', '.join(_FORMS)}"
         raise UsageError(text)
-    if name in ("pandas", "xarray") and importlib.util.find_spec(name) is None:
-        text = f"the package {name} is missing; install it: pip install 'holonom[{name}]'"
+    if name in ("pandas", "xarray") and (text := missing(name, name)):
         raise EnvironmentLackError(text)
     return _FORMS[name]
 
