@@ -132,6 +132,14 @@ def _parser() -> argparse.ArgumentParser:
     text = "find the static equilibrium next to the drawn configuration, and what holds it there"
     info.add_argument("--equilibrium", action="store_true", help=text)
     _add_settings(info, "replace a parameter or any number of the scene")
+    init = commands.add_parser("init", help="write a scene to begin with")
+    init.add_argument("name", metavar="NAME", help="of the scene and its file, NAME.toml")
+    text = "scene of this package that it is like, such as slider_crank (default: %(default)s)"
+    init.add_argument("--like", default="double_pendulum", metavar="SCENE", help=text)
+    watch = commands.add_parser("watch", help="check a scene at each save, until Ctrl-C")
+    watch.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
+    schema = commands.add_parser("schema", help="JSON Schema of scenes, for editors")
+    schema.add_argument("-o", "--output", metavar="FILE", help="(default: to stdout)")
     validate = commands.add_parser("validate", help="check an FMU against the standard with fmpy")
     validate.add_argument("target", metavar="FMU")
     for command in (build, simulate, check, info, validate):

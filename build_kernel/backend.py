@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from setuptools import build_meta
 from setuptools.command.bdist_wheel import bdist_wheel
+from setuptools.command.build_py import build_py
 
 from build_fmu.platforms import PLATFORMS
 from build_kernel.compiler import CompilerError, compile_kernel, system_compiler, take_kernels
@@ -74,6 +75,19 @@ class KernelWheel(bdist_wheel):
     def get_tag(self) -> tuple[str, str, str]:
         """Tag such as py3-none-linux_x86_64."""
         return "py3", "none", super().get_tag()[2]
+
+
+class PackagesWithScenes(build_py):
+    """Packages, and the scenes of a clone as data of one of them, which `holonom init` copies."""
+
+    def run(self) -> None:
+        """Copy the scenes too; an editable install finds them where they are."""
+        super().run()
+        if not self.editable_mode:
+            folder = Path(self.build_lib, "build_fmu", "scenes")
+            self.mkpath(str(folder))
+            for scene in sorted((ROOT / "scenes").glob("*.toml")):
+                self.copy_file(str(scene), str(folder / scene.name))
 
 
 def _compiler_package() -> list[str]:

@@ -32,9 +32,20 @@ POINTS = 120
 class Variable(Protocol):
     """What a model or an FMU says of a variable."""
 
-    name: str
-    unit: str | None
-    causality: str
+    @property
+    def name(self) -> str:
+        """Its name."""
+        ...
+
+    @property
+    def unit(self) -> str | None:
+        """Its unit, as the scene has it."""
+        ...
+
+    @property
+    def causality(self) -> str:
+        """Its causality, a word of FMI."""
+        ...
 
 
 def chosen(

@@ -445,11 +445,41 @@ def fields_of(part: type[Part]) -> Mapping[str, Field]:
     return found | {name: Field(kind, False, None, False) for name, kind in part.also.items()}
 
 
+USUAL_TEXTS = {
+    "name": "of the mechanism and its FMU",
+    "description": "one sentence",
+    "dimension": "2 or 3: every vector has as many numbers",
+    "type": "which kind of part it is",
+    "unit": "of SI; describes the number and converts nothing",
+    "variability": "tunable: may change during a run",
+    "interpolation": "between communication points: hold the value, or ramp to the next one",
+    "limit": "beyond min and max: an error, or clip to the limit",
+    "x": "first coordinates of the given points, increasing",
+    "y": "second coordinates of the given points",
+    "periodic": "whether it repeats; its period is the distance of its ends",
+    "integrate": "whether the function is the integral of the curve, from the first x on",
+    "fixed": "whether it is held in its place",
+    "point": "name of a point, or of a point of a body such as arm.tip",
+    "points": "names of two points, or of points of bodies such as arm.tip",
+    "body": "name of a body",
+    "bodies": "names of two bodies; one may be ground",
+    "joint": "name of a joint",
+    "joints": "names of two joints",
+    "profile": "name of a profile",
+    "axes": "an axis of each body",
+    "law": "rigid, or how the force grows with the penetration",
+    "side": "on which side of the surface it stays",
+}
+"""Descriptions of fields whose kind has none, by their names."""
+
+
 def schema_of(part: type[Part]) -> dict[str, Any]:
     """JSON Schema of a part."""
     properties = {}
     for name, found in fields_of(part).items():
         properties[name] = found.kind.schema()
+        if name in USUAL_TEXTS and "$ref" not in properties[name]:
+            properties[name].setdefault("description", USUAL_TEXTS[name])
         told = isinstance(found.default, (str, bool, int, float, dict))
         if told and found.kind.required is None:
             properties[name]["default"] = found.default

@@ -58,7 +58,8 @@ class Parts(kind.Kind):
         if self.types == (Parameter,):
             forms.insert(0, kind.NUMBER.schema())
         one = forms[0] if len(forms) == 1 else {"anyOf": forms}
-        return {"type": "object", "additionalProperties": one}
+        text = f"a name for each {self.noun}, and what it is"
+        return {"type": "object", "description": text, "additionalProperties": one}
 
 
 def _table(noun: str, types: Mapping[str, type[Part]] | type[Part]) -> Parts:

@@ -242,6 +242,8 @@ def test_a_machine_without_a_compiler_gets_a_kernel(tmp_path, path_folder, packa
     assert wheel.name.startswith("holonom-")
     assert "-py3-none-" in wheel.name
     assert not wheel.name.endswith("-any.whl")
+    scenes = {f"build_fmu/scenes/{path.name}" for path in ROOT.glob("scenes/*.toml")}
+    assert scenes == {name for name in names if "/scenes/" in name}  # for holonom init
     assert {name.partition("/")[0] for name in names if "dist-info" not in name} == {
         "build_fmu",
         "fmu_src",

@@ -10,7 +10,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def test_the_published_schema_is_current():
-    """To renew it: json.dumps(solver.scene.json_schema(), indent=2) into docs/scene.schema.json."""
+    """To renew it: python -m build_fmu schema -o docs/scene.schema.json."""
     published = (ROOT / "docs" / "scene.schema.json").read_text(encoding="utf-8")
     assert json.loads(published) == json_schema()
 

@@ -1,0 +1,172 @@
+"""What helps to write a scene: its schema, a scene to begin with, a check at each save."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from build_fmu.commands import watch
+from solver.scene import json_schema, load, loads
+from tests.commands import run
+
+ROOT = Path(__file__).parents[2]
+SCENES = sorted([*ROOT.glob("scenes/*.toml"), *ROOT.glob("examples/*.toml")])
+GOOD = (ROOT / "scenes" / "double_pendulum.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda path: path.stem)
+def test_every_scene_begins_with_its_schema_which_lies_there(scene):
+    word, file = scene.read_text(encoding="utf-8").splitlines()[0].split()
+    assert word == "#:schema"
+    assert json.loads((scene.parent / file).read_text(encoding="utf-8")) == json_schema()
+
+
+def test_every_field_of_the_schema_has_a_description():
+    schema = json_schema()
+    parts = {"": schema, **schema["$defs"]}
+    silent = [
+        f"{part}.{name}"
+        for part, about in parts.items()
+        for name, field in about["properties"].items()
+        if not (field.get("description") or "$ref" in field)
+    ]
+    assert silent == []
+    assert all(part["description"] for part in parts.values())
+
+
+def test_the_command_schema_writes_the_schema(capsys, tmp_path):
+    code, out, _ = run(capsys, "schema")
+    assert (code, json.loads(out)) == (0, json_schema())
+    file = tmp_path / "a.json"
+    assert run(capsys, "schema", "-o", file) == (0, f"{file}: the schema of scenes\n", "")
+    assert file.read_text(encoding="utf-8") == out
+
+
+# ---------------------------------------------------------------------------------------- init
+
+
+def test_init_writes_a_scene_like_another_with_its_comments_and_the_schema(capsys, tmp_path):
+    code, out, err = run(capsys, "init", tmp_path / "press", "--like", "slider_crank")
+    assert (code, err) == (0, "")
+    assert "press.toml: a scene like slider_crank; try: holonom check" in out
+    text = (tmp_path / "press.toml").read_text(encoding="utf-8")
+    assert text.startswith("#:schema ./scene.schema.json\n# Slider-crank whose crank")
+    assert json.loads((tmp_path / "scene.schema.json").read_text("utf-8")) == json_schema()
+    scene, like = load(tmp_path / "press.toml"), load(ROOT / "scenes" / "slider_crank.toml")
+    assert scene.name == "press"
+    assert (scene.bodies, scene.joints) == (like.bodies, like.joints)
+
+
+def test_init_keeps_a_schema_that_is_there(capsys, tmp_path):
+    (tmp_path / "scene.schema.json").write_text("mine")
+    assert run(capsys, "init", tmp_path / "a")[0] == 0
+    assert (tmp_path / "scene.schema.json").read_text() == "mine"
+
+
+def test_init_refuses_a_file_that_is_there_and_changes_nothing(capsys, tmp_path):
+    (tmp_path / "a.toml").write_text("mine")
+    code, out, err = run(capsys, "init", tmp_path / "a")
+    assert (code, out) == (2, "")
+    assert "a.toml: there is such a file already; choose another name or remove it" in err
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.toml", "mine")]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("a", "--like", "slidercrank"), "did you mean 'slider_crank'?"),
+        (("a", "--like", "zebra"), "scenes are andrews, "),
+        (("a", "--like", "die_in_a_bowl"), "there is no such scene"),  # it needs two meshes
+        (("2 arms",), "'2 arms' cannot be the name of a scene; write letters"),
+    ],
+)
+def test_init_refuses_a_wrong_name_with_those_there_are(
+    capsys, monkeypatch, tmp_path, arguments, sentence
+):
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run(capsys, "init", *arguments)
+    assert (code, out) == (2, "")
+    assert sentence in err
+    assert ("spring_pendulum" in err) == ("--like" in arguments)
+    assert list(tmp_path.iterdir()) == []
+
+
+# --------------------------------------------------------------------------------------- watch
+
+
+def saves(file: Path, *texts: str | None):
+    """Stamps of a file that is written anew before each; None: it is away."""
+    for size, text in enumerate(texts):
+        if text is not None:
+            file.write_text(text, encoding="utf-8")
+        yield None if text is None else (size, 0)
+
+
+def test_each_save_is_checked_once_and_a_file_that_is_away_is_waited_for(tmp_path):
+    file = tmp_path / "a.toml"
+    wrong = GOOD.replace("mass =", "mas =")
+    found = list(watch.findings(str(file), saves(file, GOOD, wrong, None, GOOD)))
+    assert [found[0], found[2]] == [f"{file}: fine"] * 2
+    assert f"{file}:" in found[1]
+    assert "did you mean 'mass'?" in found[1]
+    assert list(watch.findings(str(file), [(1, 1), (1, 1), None, (1, 1)])) == [found[0]]
+
+
+def test_a_mechanism_that_does_not_fit_together_is_not_fine(tmp_path):
+    file = tmp_path / "a.toml"
+    fixed = "B = { position = [2, 0], fixed = true }"
+    text = f"""
+name = "a"
+dimension = 2
+[points]
+A = {{ position = [0, 0], fixed = true }}
+{fixed}
+C = {{ position = [1, 0], mass = 1 }}
+[joints]
+left = {{ type = "distance", points = ["A", "C"], length = 0.4 }}
+right = {{ type = "distance", points = ["B", "C"], length = 0.4 }}
+"""
+    loads(text)
+    (found,) = watch.findings(str(file), saves(file, text))
+    assert "fine" not in found
+    assert "left" in found
+
+
+def test_warnings_of_a_scene_are_told_at_each_save(tmp_path):
+    file = tmp_path / "a.toml"
+    text = GOOD.replace("[parameters]", "[parameters]\nspare = 1.0")
+    assert text != GOOD
+    found = list(watch.findings(str(file), saves(file, text, text)))
+    assert len(found) == 2
+    assert all("parameters.spare: nothing depends on it" in each for each in found)
+
+
+def test_watch_ends_with_ctrl_c_and_0(capsys, monkeypatch, tmp_path):
+    file = tmp_path / "a.toml"
+    file.write_text(GOOD, encoding="utf-8")
+
+    def interrupt(_seconds):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(watch.time, "sleep", interrupt)
+    assert run(capsys, "watch", file) == (0, f"{file}: fine\n", "")
+
+
+def test_what_is_no_scene_cannot_be_watched(capsys, tmp_path):
+    code, _, err = run(capsys, "watch", tmp_path / "a.toml")
+    assert (code, err) == (2, f"holonom: {tmp_path / 'a.toml'}: no such file\n")
+
+
+def test_stamps_follow_the_file(monkeypatch, tmp_path):
+    monkeypatch.setattr(watch.time, "sleep", lambda _seconds: None)
+    file = tmp_path / "a.toml"
+    stamps = watch._stamps(str(file))
+    assert next(stamps) is None
+    file.write_text("a")
+    first = next(stamps)
+    assert next(stamps) == first
+    os.utime(file, ns=(1, 1))
+    assert next(stamps) == (1, 1)
