@@ -13,6 +13,7 @@ from build_fmu.study.values import counted
 from solver.options import TINY
 
 if TYPE_CHECKING:
+    from build_fmu.package import Package
     from build_fmu.self_check import SelfCheck
     from solver.runtime import Model, Variable
 
@@ -57,6 +58,10 @@ _NEEDS = (
 _NEEDS_NOTHING = (
     "It needs nothing but the platform of one of its libraries, in the folder binaries."
 )
+_NEEDS_COMPILER = (
+    "It has no library: the importer compiles its sources, in the folder sources, with a compiler "
+    "of C99; they need no library, not even libm."
+)
 _SETTINGS = "Settings of the solver"
 _SECTIONS = {
     "input": "Inputs",
@@ -69,11 +74,14 @@ _SECTIONS = {
 
 
 def documentation(
-    model: Model, seen: SelfCheck, *, native: bool = False, fmi: int = 2
+    model: Model, seen: SelfCheck, package: Package | None = None
 ) -> dict[str, bytes]:
     """Files below `documentation/` by path in the archive; `seen` is what a run of it showed."""
-    needs = _NEEDS_NOTHING if native else _NEEDS
-    text = page(model, seen, needs, fmi)
+    native = package is not None and package.native
+    needs = _NEEDS
+    if package and native:
+        needs = _NEEDS_NOTHING if package.platforms else _NEEDS_COMPILER
+    text = page(model, seen, needs, package.fmi if package else 2)
     licence, theirs = "documentation/licenses/license.txt", "documentation/licenses/pythonfmu.txt"
     files = {
         "documentation/index.html": text,

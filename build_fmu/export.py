@@ -59,18 +59,20 @@ def write_fmu(
     path: str | PathLike[str],
     tell: Callable[[str], object] | None = None,
     package: Package = PYTHON,
+    local: Collection[int] | None = None,
 ) -> Path:
     """Write the FMU of a model, and beside it its parameter set; `path` as in `fmu_path`.
 
     The scene of its parts travels along, as text and as a picture. `tell` is called
-    with what the trial run has to say, which stands on the page of the FMU as well.
+    with what the trial run has to say, which stands on the page of the FMU as well. `local` is what
+    `local_variables` finds, where that is known.
     """
     from solver.mechanics.meshes import accuracy
 
     target = fmu_path(path, identifier(model.name))
     beside = target.with_suffix(".ssv")
     require_own_set(target)
-    local = local_variables(model, parts.scene)
+    local = local_variables(model, parts.scene) if local is None else local
     seen = self_check(model)
     write_archive(target, archive_entries(parts, model, seen, package, local))
     with writing(beside):
@@ -127,7 +129,7 @@ def archive_entries(
     name = identifier(model.name)
     entries = package.entries(name, model.sizes)
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
-    entries |= documentation(model, seen, native=package.native, fmi=package.fmi)
+    entries |= documentation(model, seen, package)
     entries |= drawn(parts.scene)
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)

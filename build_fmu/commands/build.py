@@ -35,7 +35,8 @@ def run(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"{model.name}: {sentence}\n")
 
     path = fmu_path(arguments.output, Path(arguments.scene).stem)
-    write_fmu(parts, model, path, tell, package)
+    local = local_variables(model, parts.scene)
+    write_fmu(parts, model, path, tell, package, local)
     size, beside = path.stat().st_size, str(path.with_suffix(".ssv"))
     if arguments.json:
         document = {"fmu": str(path), "name": model.name, "bytes": size, "parameters": beside}
@@ -43,7 +44,7 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         sys.stdout.write(f"{path}\n")
         sys.stderr.write(
-            f"{model.name}: {summary(model, local_variables(model, parts.scene))}; "
+            f"{model.name}: {summary(model, local)}; "
             f"{size / 1e3:.0f} kB; its parameter set is in {beside}\n"
         )
     return 0
