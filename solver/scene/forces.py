@@ -28,7 +28,7 @@ _AGAINST = Offer(
     "N.m",
     "torque of {name}, positive against the angle of {part.joint}: it turns it back",
 )
-_AXES = kind.Choice(words=("global", "body"))
+_AXES = kind.Choice(text="axes of the components", words=("global", "body"))
 _JOINT = kind.joint_with("angle", "bearing")
 
 

@@ -115,21 +115,22 @@ def test_each_save_is_checked_once_and_a_file_that_is_away_is_waited_for(tmp_pat
     assert list(watch.findings(str(file), [(1, 1), (1, 1), None, (1, 1)])) == [found[0]]
 
 
-def test_a_mechanism_that_does_not_fit_together_is_not_fine(tmp_path):
+def test_a_mechanism_that_cannot_be_closed_is_not_fine(tmp_path):
+    """Each part is in order; together two rods are too short."""
     file = tmp_path / "a.toml"
-    fixed = "B = { position = [2, 0], fixed = true }"
-    text = f"""
+    text = """
 name = "a"
 dimension = 2
+solver = { assemble = true }
 [points]
-A = {{ position = [0, 0], fixed = true }}
-{fixed}
-C = {{ position = [1, 0], mass = 1 }}
+A = { position = [0, 0], fixed = true }
+B = { position = [2, 0], fixed = true }
+C = { position = [1, 0.1], mass = 1 }
 [joints]
-left = {{ type = "distance", points = ["A", "C"], length = 0.4 }}
-right = {{ type = "distance", points = ["B", "C"], length = 0.4 }}
+left = { type = "distance", points = ["A", "C"], length = 0.4 }
+right = { type = "distance", points = ["B", "C"], length = 0.4 }
 """
-    loads(text)
+    assert loads(text).warnings == ()
     (found,) = watch.findings(str(file), saves(file, text))
     assert "fine" not in found
     assert "left" in found

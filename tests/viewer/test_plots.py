@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 from xml.etree import ElementTree
 
@@ -43,6 +44,13 @@ def test_inputs_are_not_taken_for_outputs_of_the_scene():
     drive = cart._replace(name="drive", causality="input")
     assert plots.chosen(["drive", "energy.error"], None, [drive]) == ["energy.error"]
     assert plots.chosen(["drive", "energy.error"], "dr*", [drive]) == ["drive"]
+
+
+def test_nothing_is_imported_for_plots_by_runs_without_them():
+    code = "import sys, holonom, build_fmu.commands.simulate, build_fmu.commands.sweep\n"
+    code += f"holonom.simulate({str(PENDULUM)!r}, stop_time=0.1)\n"
+    code += "assert not {'viewer.plots', 'matplotlib', 'xarray'} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], cwd=SCENES.parent, check=True)
 
 
 def test_patterns_choose_in_their_order_and_each_name_once():
