@@ -16,6 +16,7 @@ from build_fmu.source_package import UNIT, source_files
 
 ALL, NONE = "all", "none"
 """Names of all platforms that one archive can have, and of none, for sources alone."""
+NATIVE = "native"
 
 
 @dataclass(frozen=True)
@@ -154,7 +155,7 @@ def package_of(path: str) -> dict[str, object]:
     has_python = f"resources/{SLAVE_NAME}" in names
     return {
         "fmi": root.get("fmiVersion"),
-        "kind": "Python, by pythonfmu" if has_python else "native",
+        "kind": "Python, by pythonfmu" if has_python else NATIVE,
         "sources": f"sources/{UNIT}" in names,
         "platforms": sorted(platforms),
     }

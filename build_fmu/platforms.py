@@ -67,5 +67,10 @@ def library_path(root: Path, name: str, dimension: int, contacts: bool) -> Path:
 
     That without `contacts` is a quarter smaller; it refuses models with contacts or frictions.
     """
-    word = {2: "planar", 3: "spatial"}[dimension] + ("_contacts" if contacts else "")
+    word = library_word(dimension, contacts)
     return root / "native" / "_libraries" / name / f"{word}{PLATFORMS[name].suffix}"
+
+
+def library_word(dimension: int, contacts: bool) -> str:
+    """Name of a library on every platform."""
+    return {2: "planar", 3: "spatial"}[dimension] + ("_contacts" if contacts else "")

@@ -27,10 +27,12 @@ def native_scene_fmu(name: str, fmi: int = 2) -> Path:
     return native_fmu(solver.assemble(solver.load(SCENES / f"{name}.toml")), fmi)
 
 
-def native_fmu(model: Model, fmi: int = 2) -> Path:
-    """Native FMU of a model."""
+def native_fmu(model: Model, fmi: int = 2, contacts: bool | None = None) -> Path:
+    """Native FMU of a model, with its library or, if `contacts` is given, that one."""
     name = identifier(model.name)
-    entries = chosen_package(True, fmi).entries(name, model.sizes)
+    unilateral = model.sizes["unilateral"] if contacts is None else int(contacts)
+    sizes = model.sizes | {"unilateral": unilateral}
+    entries = chosen_package(True, fmi).entries(name, sizes)
     entries["resources/model.bin"] = model.file
     own = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own)

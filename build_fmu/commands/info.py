@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
 from build_fmu.errors import UsageError
 from build_fmu.motion import LOSSES
-from build_fmu.package import package_of
+from build_fmu.package import NATIVE, package_of
+from build_fmu.platforms import library_word
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
@@ -62,6 +63,8 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     counts = survey(model)
     package = package_of(arguments.target) if is_fmu(arguments.target) else {}
+    if package.get("kind") == NATIVE:
+        package["library"] = library_word(model.sizes["dim"], bool(model.sizes["unilateral"]))
     document = _document(model, counts) | _ledger(model) | ({"package": package} if package else {})
     if arguments.json:
         print_json(document | {"warnings": arguments.warnings})
@@ -154,7 +157,8 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
 
 def _package(package: Mapping[str, Any]) -> str:
     content = [*package["platforms"], *(["sources in C"] if package["sources"] else ())]
-    return f"FMI {package['fmi']}, {package['kind']}, {', '.join(content)}"
+    kind = package["kind"] + (f" ({package['library']})" if "library" in package else "")
+    return f"FMI {package['fmi']}, {kind}, {', '.join(content)}"
 
 
 def _taken(taken: Mapping[str, Any]) -> str:

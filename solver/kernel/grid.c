@@ -3,6 +3,8 @@
    A table of numbers is the origin (3), the length of a cube, the numbers of coefficients n along each axis (3), and the
    coefficients, the last index first. Coefficient (i, j, k) belongs to the origin plus i - 1, j - 1, k - 1 cubes, so that
    the spline stands from the origin to n - 3 cubes along each axis; beyond, the polynomials of the last cubes go on.   */
+#include "small.h"
+
 #include "internal.h"
 
 enum { HEADING = 7, AXES = 3, SUPPORT = 4, NODES = 5 };

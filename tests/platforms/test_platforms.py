@@ -187,6 +187,23 @@ def test_a_library_shows_the_functions_of_the_standard_and_nothing_else(
         assert shown - OF_LINKERS == functions_of_the_standard()
 
 
+LARGEST = {
+    (2, "linux64"): 110_000, (2, "linux-arm64"): 103_000, (2, "win64"): 117_000,
+    (2, "darwin64"): 204_000, (2, "all"): 407_000, (3, "all"): 500_000,
+}  # fmt: skip
+"""Bytes of an FMU of the double pendulum, by version of FMI and platforms."""
+
+
+@pytest.mark.parametrize(("fmi", "platforms"), LARGEST)
+def test_an_fmu_stays_small(fmi, platforms, tmp_path):
+    for name in PLATFORMS:  # where all are there, zig compiled this machine's, too
+        if not library_path(ROOT / "fmu_src", name, 2, False).is_file():
+            pytest.skip(f"no library for {name}: python -m build_kernel --all")
+    scene, target = SCENES / "double_pendulum.toml", tmp_path / "a.fmu"
+    fmu = build(scene, target, native=True, fmi=fmi, platforms=platforms)
+    assert fmu.stat().st_size <= LARGEST[fmi, platforms]
+
+
 def test_a_library_for_linux_needs_no_newer_glibc_than_2_17():
     for platform in ("linux64", "linux-arm64"):
         path = library_path(ROOT / "fmu_src", platform, 2, False)

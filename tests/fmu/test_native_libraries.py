@@ -1,0 +1,68 @@
+"""Models with contacts or frictions have a library of their own; that of all others is smaller."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import solver
+from build_fmu.instance import Log
+from build_fmu.platforms import library_path, own_platform
+from solver.runtime import Model
+from tests.commands import run
+from tests.fmu_instance import SCENES, instance
+from tests.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
+
+ROOT = Path(__file__).parents[2]
+STEPS = 20
+
+
+def model_of(name: str) -> Model:
+    return solver.assemble(solver.load(SCENES / f"{name}.toml"))
+
+
+@pytest.mark.parametrize("name", ["double_pendulum", "four_bar", "bricard", "stewart"])
+def test_a_model_without_contacts_has_the_same_bits_in_either_library(name):
+    found = []
+    for contacts in (False, True):
+        model = model_of(name)
+        h = model.experiment.step_size
+        with instance(native_fmu(model, contacts=contacts)) as fmu:
+            fmu.initialise()
+            rows = [fmu.outputs()]
+            for k in range(STEPS):
+                assert fmu.step(k * h, h)
+                rows.append(fmu.outputs())
+        found.append(rows)
+    assert found[0] == found[1]
+
+
+@pytest.mark.parametrize("name", ["bouncing_ball", "pendulum_with_stop"])
+def test_a_library_without_contacts_refuses_a_model_with_some(name, tmp_path):
+    log = Log()
+    with pytest.raises(Exception, match="instantiate"):
+        slave_of_fmi3(native_fmu(model_of(name), 3, contacts=False), str(tmp_path), log)
+    told = "it has contacts or frictions, and this library is for models without them"
+    assert told in str([*vars(log).values()])
+
+
+@pytest.mark.parametrize(
+    ("name", "library"),
+    [
+        ("double_pendulum", "planar"),
+        ("bricard", "spatial"),
+        ("pendulum_with_stop", "planar_contacts"),
+        ("die_in_a_bowl", "spatial_contacts"),
+    ],
+)
+def test_an_fmu_has_the_library_of_its_model_and_info_names_it(capsys, name, library):
+    fmu, model = native_scene_fmu(name), model_of(name)
+    contacts = library.endswith("_contacts")
+    path = library_path(ROOT / "fmu_src", own_platform(), model.sizes["dim"], contacts)
+    assert path.stem == library
+    with zipfile.ZipFile(fmu) as archive:
+        binary = next(name for name in archive.namelist() if name.startswith("binaries/"))
+        assert archive.read(binary) == path.read_bytes()
+    assert f"native ({library}), {own_platform()}" in run(capsys, "info", fmu)[1]
