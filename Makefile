@@ -3,6 +3,7 @@
 # make long        what takes longer: long tests, sanitize, hostile
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
 # make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
+# make docs        the documentation site, in build/docs; its examples are run, and a warning is an error
 # make benchmark   time and accuracy, on this machine
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
 # make platforms   native FMUs of other platforms, in wine and qemu-user where these are installed
@@ -29,7 +30,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint lint-python lint-c sanitize hostile benchmark importers platforms viewer browser release cofmupy kernel clean
+.PHONY: demo test long lint lint-python lint-c sanitize hostile docs benchmark importers platforms viewer browser release cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
@@ -59,6 +60,10 @@ sanitize: $(VENV)/installed-tools
 
 hostile: $(VENV)/installed-tools
 	$(BIN)/python -m tests.hostile --seed $(SEED) --count $(N) $(ATTACKS)
+
+docs: $(VENV)/installed-docs
+	$(BIN)/python -m sphinx -W --keep-going -q -d build/doctrees docs build/docs
+	@echo build/docs/index.html
 
 benchmark: $(VENV)/installed-benchmarks
 	$(BIN)/python -m benchmarks
@@ -92,7 +97,7 @@ kernel:
 	$(PYTHON) -m build_kernel
 
 clean:
-	rm -rf $(VENV) $(COFMUPY) viewer/node_modules build dist *.egg-info solver/runtime/_kernel fmu_src/native/_libraries
+	rm -rf $(VENV) $(COFMUPY) viewer/node_modules build dist docs/generated *.egg-info solver/runtime/_kernel fmu_src/native/_libraries
 	rm -rf .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
@@ -115,6 +120,11 @@ $(VENV)/installed: $(VENV)/created $(BUILD)
 $(VENV)/installed-tools: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and the tools that check it (a minute, the first time)"
 	@$(PIP) install --quiet --editable '.[test,lint]'
+	@touch $@ $(VENV)/installed
+
+$(VENV)/installed-docs: $(VENV)/created $(BUILD)
+	@echo "installing holonom, what it needs, and what its documentation needs"
+	@$(PIP) install --quiet --editable '.[docs]'
 	@touch $@ $(VENV)/installed
 
 $(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)

@@ -1,0 +1,1 @@
+"""Pages of the site that are written from scenes and from the table of a scene's parts."""

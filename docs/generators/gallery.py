@@ -1,0 +1,95 @@
+"""The gallery: a picture, the text and, where it can be written, the report of each scene.
+
+Groups and their order are those of the table in scenes/README.md.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import holonom
+from build_fmu.picture import picture
+from solver.mechanics.build_mechanism import build_mechanism
+
+SCENES = Path(__file__).resolve().parents[2] / "scenes"
+
+
+def groups() -> dict[str, list[Path]]:
+    """Files of the scenes of each group, as scenes/README.md has them."""
+    table = (SCENES / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ([a-z][^|]*) \| (.*) \|$", table, re.MULTILINE)
+    found = {
+        name: [SCENES / f"{x}.toml" for x in re.findall(r"`(\w+)`", row)] for name, row in rows
+    }
+    kept = {name: [path for path in paths if path.is_file()] for name, paths in found.items()}
+    return {name: paths for name, paths in kept.items() if paths}
+
+
+def write(folder: Path) -> None:
+    """Write gallery.md, and a page and a picture of each scene, into a folder."""
+    pages, reports = folder / "scenes", folder / "reports"
+    for path in (pages, reports):
+        path.mkdir(parents=True, exist_ok=True)
+    parts = [
+        "# Gallery",
+        "The scenes of the repository, in `scenes/`. Run one with `holonom simulate "
+        "scenes/NAME.toml`, or build its FMU with `holonom build scenes/NAME.toml`.",
+    ]
+    shown: list[Path] = []
+    for name, paths in groups().items():
+        parts.append(f"## {name[0].upper()}{name[1:]}")
+        cards = []
+        for path in paths:
+            scene = holonom.load(path)
+            _write(pages / f"{path.stem}.png", picture(build_mechanism(scene)))
+            _write(pages / f"{path.stem}.md", _page(path, scene, reports).encode())
+            link = f"scenes/{path.stem}"
+            cards.append(f"[![{title(path)}]({link}.png)]({link}.md)\n[{title(path)}]({link}.md)")
+            shown.append(path)
+        parts.append(
+            ":::::{div} cards\n" + "".join(f":::{{div}}\n{x}\n:::\n" for x in cards) + ":::::"
+        )
+    tree = "\n".join(f"scenes/{path.stem}" for path in shown)
+    parts.append(f"```{{toctree}}\n:hidden:\n\n{tree}\n```\n")
+    _write(folder / "gallery.md", "\n\n".join(parts).encode())
+
+
+def title(path: Path) -> str:
+    """Name of a scene in words."""
+    words = path.stem.replace("_", " ")
+    return words[0].upper() + words[1:]
+
+
+def _page(path: Path, scene: holonom.Scene, reports: Path) -> str:
+    sentence = scene.description.rstrip(".")
+    seen = _report(path, reports)
+    moving = f"[Look at it moving](../{seen}) in its report.\n\n" if seen else ""
+    return f"""# {title(path)}
+
+{sentence}.
+
+![The mechanism as drawn]({path.stem}.png)
+
+{moving}Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
+
+```{{literalinclude}} ../../../scenes/{path.name}
+:language: toml
+:caption: scenes/{path.name}
+```
+"""
+
+
+def _report(path: Path, reports: Path) -> str | None:
+    """Name of the report of a scene's default run, or None if this version writes none."""
+    if not hasattr(holonom.Trajectory, "report"):
+        return None
+    target = reports / f"{path.stem}_report.html"
+    holonom.simulate(path).report(target)  # pyright: ignore[reportAttributeAccessIssue]
+    return target.name
+
+
+def _write(path: Path, content: bytes) -> None:
+    """Leave a file that is as it should be alone, so that Sphinx does not read it again."""
+    if not path.is_file() or path.read_bytes() != content:
+        path.write_bytes(content)
