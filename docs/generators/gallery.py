@@ -8,8 +8,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import holonom
 from build_fmu.picture import picture
+
+import holonom
 from solver.mechanics.build_mechanism import build_mechanism
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
