@@ -168,7 +168,7 @@ static int32_t measure(holonom_instance *i)
 }
 
 /* Where an output is among the numbers. */
-static int32_t place_of(const holonom_instance *i, const hm_variable *v)
+static int32_t place_of_variable(const holonom_instance *i, const hm_variable *v)
 {
     return v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0);
 }
@@ -188,7 +188,7 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
             const int32_t result = measure(i);
             if (result) return result;
         }
-        value[k] = i->numbers[place_of(i, v)];
+        value[k] = i->numbers[place_of_variable(i, v)];
         if (!(fabs(value[k]) < INFINITY))
             return answer(i, HOLONOM_UNTRIED, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
     }
@@ -212,7 +212,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
         holonom_move_on(m, i->numbers, i->state, i->work, step);
         holonom_measure(m, i->numbers, i->state, i->work);
         for (int32_t k = 0; k < count; k++) {
-            const int32_t place = place_of(i, i->file.variable + index[k]);
+            const int32_t place = place_of_variable(i, i->file.variable + index[k]);
             double known;
             if (!holonom_knows_rate(m, i->numbers, place, &known)) value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
         }
@@ -235,7 +235,7 @@ int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t cou
             const int32_t result = measure(i);
             if (result) return result;
         }
-        differs |= !holonom_knows_rate(&i->file.model, i->numbers, place_of(i, v), value + k);
+        differs |= !holonom_knows_rate(&i->file.model, i->numbers, place_of_variable(i, v), value + k);
     }
     const int32_t result = differs ? differ(i, index, count, value) : HOLONOM_DONE;
     for (int32_t k = 0; k < count && !result; k++)

@@ -45,7 +45,7 @@ def test_a_library_without_contacts_refuses_a_model_with_some(name, tmp_path):
     with pytest.raises(Exception, match="instantiate"):
         slave_of_fmi3(native_fmu(model_of(name), 3, contacts=False), str(tmp_path), log)
     told = "it has contacts or frictions, and this library is for models without them"
-    assert told in str([*vars(log).values()])
+    assert told in str(log.messages)
 
 
 @pytest.mark.parametrize(
