@@ -63,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     counts = survey(model)
     package = package_of(arguments.target) if is_fmu(arguments.target) else {}
-    if package.get("kind") == NATIVE:
+    if package.get("kind") == NATIVE and package["platforms"]:
         package["library"] = library_word(model.sizes["dim"], bool(model.sizes["unilateral"]))
     document = _document(model, counts) | _ledger(model) | ({"package": package} if package else {})
     if arguments.json:
