@@ -191,7 +191,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
 static int32_t cover_between_events(context *c, double start, double step, double h)
 {
     double done = 0.0, cut = INFINITY;
-    int cuts = 0;
+    int cuts = 0, stalls = 0;
     while (done < step) {
         const double law_time = c->number[c->m->time_at], grid = (floor(done / h + SLIVER) + 1.0) * h;
         const double next = grid > step - SLIVER * h ? step : grid;
@@ -213,7 +213,10 @@ static int32_t cover_between_events(context *c, double start, double step, doubl
             return step_over(c, status, start, done, step);
         }
         cut = INFINITY;
+        const double before = done;
         done = covered == next - done ? next : done + covered;
+        if (done > before) stalls = 0;
+        else if (++stalls > MOST_CUTS) return HOLONOM_STEP_COLLAPSED; /* a slip stops again and again, in no time */
     }
     return HOLONOM_OK;
 }
