@@ -6,6 +6,7 @@ that fails, or any warning, fails the build.
 """
 
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -13,6 +14,9 @@ DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS))
 # Code cells run the command `holonom` of this environment, not one that happens to be on the path.
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+
+# The kernel of code cells starts with generators/shell_cell.py, which has the cell %%bash.
+os.environ["IPYTHONDIR"] = str(DOCS / "generated" / "ipython")
 
 from generators import gallery, scene_format  # noqa: E402
 
@@ -24,7 +28,7 @@ copyright = author
 version = release = VERSION
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
-exclude_patterns = ["generators"]
+exclude_patterns = ["generators", "generated/ipython"]
 templates_path = []
 
 html_theme = "furo"
@@ -36,6 +40,7 @@ html_extra_path = ["generated/reports"]
 html_copy_source = False
 
 highlight_language = "none"
+myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 """The anchors of headings are those of code hosts."""
 nb_execution_mode = "force"
@@ -61,6 +66,9 @@ def _stay_on_the_site(app, docname, source):  # noqa: ARG001
 
 
 def _generate(app):  # noqa: ARG001
+    start = DOCS / "generated" / "ipython" / "profile_default" / "startup"
+    start.mkdir(parents=True, exist_ok=True)
+    shutil.copy(DOCS / "generators" / "shell_cell.py", start)
     gallery.write(DOCS / "generated")
     scene_format.write(DOCS / "generated")
 

@@ -49,7 +49,9 @@ def write(folder: Path) -> None:
             cards.append(f"[![{title(path)}]({link}.png)]({link}.md)\n[{title(path)}]({link}.md)")
             shown.append(path)
         parts.append(
-            ":::::{div} cards\n" + "".join(f":::{{div}}\n{x}\n:::\n" for x in cards) + ":::::"
+            ":::::{container} cards\n"
+            + "".join(f":::{{container}} card\n{x}\n:::\n" for x in cards)
+            + ":::::"
         )
     tree = "\n".join(f"scenes/{path.stem}" for path in shown)
     parts.append(f"```{{toctree}}\n:hidden:\n\n{tree}\n```\n")

@@ -69,7 +69,8 @@ def _default(field: Schema) -> str:
 
 
 def _meaning(field: Schema) -> str:
-    text = field.get("description", "").replace("|", "\\|").replace("[", "\\[")
+    text = field.get("description", "").replace("a number, or an expression as text", "")
+    text = text.replace("|", "\\|").replace("[", "\\[")
     examples = ", ".join(f"`{json.dumps(x)}`" for x in field.get("examples", []))
     return f"{text}{'; ' if text and examples else ''}{f'such as {examples}' if examples else ''}"
 
