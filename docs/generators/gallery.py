@@ -8,10 +8,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from build_fmu.picture import picture
-
 import holonom
-from solver.mechanics.build_mechanism import build_mechanism
+from viewer.drawing import drawing
+from viewer.picture import picture
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
@@ -43,7 +42,7 @@ def write(folder: Path) -> None:
         cards = []
         for path in paths:
             scene = holonom.load(path)
-            _write(pages / f"{path.stem}.png", picture(build_mechanism(scene)))
+            _write(pages / f"{path.stem}.png", picture(drawing(scene)))
             _write(pages / f"{path.stem}.md", _page(path, scene, reports).encode())
             link = f"scenes/{path.stem}"
             cards.append(f"[![{title(path)}]({link}.png)]({link}.md)\n[{title(path)}]({link}.md)")
@@ -67,14 +66,15 @@ def title(path: Path) -> str:
 def _page(path: Path, scene: holonom.Scene, reports: Path) -> str:
     sentence = scene.description.rstrip(".")
     seen = _report(path, reports)
-    moving = f"[Look at it moving](../{seen}) in its report.\n\n" if seen else ""
     return f"""# {title(path)}
 
 {sentence}.
 
 ![The mechanism as drawn]({path.stem}.png)
 
-{moving}Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
+[Look at it moving](../{seen}) in its report.
+
+Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
 
 ```{{literalinclude}} ../../../scenes/{path.name}
 :language: toml
@@ -83,12 +83,10 @@ def _page(path: Path, scene: holonom.Scene, reports: Path) -> str:
 """
 
 
-def _report(path: Path, reports: Path) -> str | None:
-    """Name of the report of a scene's default run, or None if this version writes none."""
-    if not hasattr(holonom.Trajectory, "report"):
-        return None
+def _report(path: Path, reports: Path) -> str:
+    """Write the report of a scene's default run; its name."""
     target = reports / f"{path.stem}_report.html"
-    holonom.simulate(path).report(target)  # pyright: ignore[reportAttributeAccessIssue]
+    holonom.simulate(path).report(target)
     return target.name
 
 
