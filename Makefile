@@ -62,7 +62,7 @@ hostile: $(VENV)/installed-tools
 	$(BIN)/python -m tests.hostile --seed $(SEED) --count $(N) $(ATTACKS)
 
 docs: $(VENV)/installed-docs
-	$(BIN)/python -m sphinx -W --keep-going -q -d build/doctrees docs build/docs
+	$(BIN)/python -m sphinx -W --keep-going -q -E -d build/doctrees docs build/docs
 	@echo build/docs/index.html
 
 benchmark: $(VENV)/installed-benchmarks

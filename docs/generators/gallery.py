@@ -72,7 +72,7 @@ def _page(path: Path, scene: holonom.Scene, reports: Path) -> str:
 
 ![The mechanism as drawn]({path.stem}.png)
 
-[Look at it moving](../{seen}) in its report.
+<a href="../../{seen}">Look at it moving</a> in its report.
 
 Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
 
