@@ -127,6 +127,13 @@ def _parser() -> argparse.ArgumentParser:
     text = "(default: <name of the first file>.html)"
     report.add_argument("-o", "--output", metavar="FILE", help=f"the page {text}")
     _add_settings(report, "the parameters that the run had")
+    view = commands.add_parser("view", help="show it live in a browser, with sliders")
+    view.add_argument("target", metavar="SCENE|FMU")
+    text = "print the address, and open no browser"
+    view.add_argument("--no-browser", action="store_true", help=text)
+    text = "of the address (default: any that is free)"
+    view.add_argument("--port", type=int, default=0, metavar="N", help=f"port {text}")
+    _add_settings(view, "set a parameter or input (of a scene: any number of it)")
     info = commands.add_parser("info", help="bodies, joints, mobility, redundant rows, variables")
     info.add_argument("target", metavar="SCENE|FMU")
     text = "find the static equilibrium next to the drawn configuration, and what holds it there"

@@ -93,6 +93,14 @@ class Carried:
         shown = [v for v in self.description.modelVariables if v.causality in RECORDED]
         return ["time", *(v.name for v in shown if v.type != "String")]
 
+    @property
+    def scene_outputs(self) -> list[str]:
+        """Names of the scene's own outputs; none if it has no scene."""
+        try:
+            return [*self.scene.outputs]
+        except UsageError:
+            return []
+
     def drawing(self, values: Mapping[str, object] | None = None) -> Mapping[str, Any]:
         """How it is drawn with these values of its parameters."""
         from viewer.drawing import drawing
@@ -145,14 +153,10 @@ class Carried:
         """Write the page of runs of this FMU."""
         from viewer.report import write_report
 
-        try:
-            outputs = [*self.scene.outputs]
-        except UsageError:
-            outputs = []
         with writing(path):
             return write_report(
                 path, runs, name=self.model.name, description=self.model.description,
-                variables=self.model.variables, outputs=outputs, warnings=sentences,
+                variables=self.model.variables, outputs=self.scene_outputs, warnings=sentences,
                 compare=compare,
             )  # fmt: skip
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from build_fmu.errors import UsageError
 
 if TYPE_CHECKING:
+    from build_fmu.package import Package
     from build_fmu.study.values import Entry
     from solver.mechanics.parts import Parts
     from solver.runtime import Model
@@ -61,17 +62,19 @@ def fmu_model(target: str) -> Model:
 
 @contextlib.contextmanager
 def runnable(
-    target: str, entries: Mapping[str, Entry]
+    target: str, entries: Mapping[str, Entry], package: Package | None = None
 ) -> Iterator[tuple[str, Mapping[str, Entry]]]:
     """FMU to run, and the values that are left for the run itself.
 
-    A scene is built into a temporary folder with the values as overrides of its numbers.
+    A scene is built into a temporary folder with the values as overrides of its numbers,
+    packaged with Python unless a package is given.
     """
     if is_fmu(target):
         yield target, entries
         return
     from build_fmu.export import write_fmu
+    from build_fmu.package import PYTHON
 
     parts, model = parts_and_model(target, entries)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        yield str(write_fmu(parts, model, folder)), {}
+        yield str(write_fmu(parts, model, folder, package=package or PYTHON)), {}

@@ -158,7 +158,7 @@ def page_text(
 ) -> str:
     """Text of the page."""
     have = {v.name: v for v in variables}
-    order = _order([n for n in have if n in runs[0].columns], outputs, have)
+    order = ordered([n for n in have if n in runs[0].columns], outputs, have)
     drawings: list[Mapping[str, Any]] = []
     metas, blocks, notes = [], [], []
     for run in runs:
@@ -182,7 +182,7 @@ def page_text(
         "description": description,
         "drawings": drawings,
         "kinds": channels(runs[0].drawing)[1],
-        "variables": [_variable(v) for v in variables],
+        "variables": [described(v) for v in variables],
         "plots": default_plots(order, outputs, have, runs[0]),
         "runs": metas,
         "notes": notes,
@@ -235,14 +235,17 @@ def _finite(data: Any) -> Any:
     return None if isinstance(data, float) and not math.isfinite(data) else data
 
 
-def _variable(variable: Variable) -> dict[str, Any]:
+def described(variable: Variable) -> dict[str, Any]:
+    """What a page says of a variable."""
     role = "setting" if variable.kind == "option" else variable.causality
     known = {"name": variable.name, "unit": variable.unit, "description": variable.description}
     given = {} if variable.start is None else {"start": variable.start}
     return known | {"role": role} | given
 
 
-def _order(names: Sequence[str], outputs: Sequence[str], have: Mapping[str, Variable]) -> list[str]:
+def ordered(
+    names: Sequence[str], outputs: Sequence[str], have: Mapping[str, Variable]
+) -> list[str]:
     """Names of columns, the most important first: what stays when the page would be too large."""
     inputs = [n for n in names if have[n].causality == "input"]
     first = [n for n in names if n in outputs]

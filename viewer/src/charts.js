@@ -60,6 +60,9 @@ export class Charts {
     over.addEventListener('mouseup', e => { if (Math.abs(e.clientX - down) < 4) this.seek(item.plot.posToVal(e.clientX - over.getBoundingClientRect().left, 'x')); });
     this.write(item);
   }
+  update() {                              // new rows of a live run
+    for (const item of this.list) { item.traces = this.traces(item.spec); item.plot.setData([this.runs[0].t, ...item.traces.map(x => x.values)]); this.write(item); }
+  }
   redraw() { this.list.forEach(item => this.draw(item)); }
   height() { const n = this.list.length || 1, room = this.root.parentElement.clientHeight - 40; return Math.max(110, Math.min(190, (room - 46 * n) / n)); }
   resize() { for (const item of this.list) { const width = item.box.querySelector('.plot').clientWidth; if (width > 50) item.plot.setSize({ width, height: this.height() }); } }

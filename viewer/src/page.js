@@ -15,7 +15,7 @@ const LABELS = 80;
 
 export const state = window.holonom = { ready: false, time: 0, playing: false, speed: 1, frames: 0, first: 0 };
 
-// options: `play(on)` of a live page, which moves time by itself; `still`: do not begin to play.
+// options: `play(on)`, `speed(s)` and `step()` of a live page, whose rows come by themselves; `still`: do not begin to play.
 export function page(data, runs, options = {}) {
   const began = performance.now(), hash = new URLSearchParams(location.hash.slice(1));
   const drawingOf = run => data.drawings[run.meta.drawing ?? 0];
@@ -37,10 +37,11 @@ export function page(data, runs, options = {}) {
     slider.value = time; slider.setAttribute('aria-valuetext', text.replace(' s', ' seconds')); $('now').textContent = text; $('clock').textContent = `t = ${text}`;
   }
   const base = () => { from = state.time; clock = performance.now(); };
-  function seek(time) { move(Math.min(t1, Math.max(t0, time))); if (state.playing) base(); }
+  let past = false;                       // whether a live page shows what was before
+  function seek(time) { past = time < t1; if (options.play && past && state.playing) play(false); move(Math.min(t1, Math.max(t0, time))); if (state.playing) base(); }
   function play(on) {
     state.playing = on; $('play').innerHTML = on ? ICONS.pause : ICONS.play; $('play').setAttribute('aria-label', on ? 'Pause' : 'Play');
-    if (options.play) return options.play(on);
+    if (options.play) { past = past && !on; return options.play(on); }
     if (!on) { $('live').textContent = `paused at ${state.time.toFixed(2)} seconds`; return; }
     const [a, b] = range || [t0, t1]; if (state.time >= b - 1e-9 || state.time < a) move(a);
     base();
@@ -103,12 +104,12 @@ export function page(data, runs, options = {}) {
     $('layout').onchange = e => { beside = e.target.value === 'beside'; choose(runs.indexOf(run)); };
   }
   addEventListener('keydown', e => {
-    const typing = e.target.matches('input:not([type=range]):not([type=checkbox]), select, textarea'), presses = e.target.matches('button, summary, input[type=checkbox]');
+    const typing = e.target.matches('input:not([type=range]):not([type=checkbox]), select, textarea, #controls input'), presses = e.target.matches('button, summary, input[type=checkbox]');
     if (typing || e.ctrlKey || e.metaKey || e.altKey || (e.key === ' ' && presses)) return;
     const i = run.index(state.time), on = run.t[i] < state.time - 1e-12, far = (t1 - t0) / 20;
     const keys = {
       ' ': toggle, Home: () => seek(t0), End: () => seek(t1), d: flip, l: () => $('loop').click(), '[': loopFrom, ']': loopTo, '\\': () => loop(),
-      ArrowRight: () => seek(e.shiftKey ? state.time + far : run.t[Math.min(run.n - 1, i + 1)]), ArrowLeft: () => seek(e.shiftKey ? state.time - far : run.t[on ? i : Math.max(0, i - 1)]),
+      ArrowRight: () => options.step && i === run.n - 1 ? options.step() : seek(e.shiftKey ? state.time + far : run.t[Math.min(run.n - 1, i + 1)]), ArrowLeft: () => seek(e.shiftKey ? state.time - far : run.t[on ? i : Math.max(0, i - 1)]),
       0: () => stage.view('fit'), 1: () => stage.view('iso'), 2: () => stage.view('front'), 3: () => stage.view('side'), 4: () => stage.view('top'),
       n: () => box('names').click(), p: () => box('traces').click(), f: () => box('forces').click(), j: () => box('joints').click(),
     };
@@ -139,7 +140,7 @@ export function page(data, runs, options = {}) {
   for (const p of data.plots) charts.add(p);
   charts.resize();
   choose(0, data.compare && runs.length > 1 ? 1 : -1); view('iso'); if (stage.flat) view('front'); theme(state.dark);
-  const span = t1 - t0; speed(span >= 2 && span <= 30 ? 1 : SPEEDS.reduce((a, b) => Math.abs(Math.log(span / b / 8)) < Math.abs(Math.log(span / a / 8)) ? b : a, 1));
+  const span = options.span ?? t1 - t0; speed(span >= 2 && span <= 30 ? 1 : SPEEDS.reduce((a, b) => Math.abs(Math.log(span / b / 8)) < Math.abs(Math.log(span / a / 8)) ? b : a, 1));
   $('foot').innerHTML = '<kbd>space</kbd> play <kbd>←</kbd> <kbd>→</kbd> step <kbd>Home</kbd> <kbd>End</kbd> <kbd>[</kbd> <kbd>]</kbd> loop range <kbd>0</kbd>–<kbd>4</kbd> views <kbd>n</kbd> names <kbd>f</kbd> forces <kbd>d</kbd> dark';
   function frame(now) {
     if (state.playing && !options.play) {
@@ -156,7 +157,11 @@ export function page(data, runs, options = {}) {
   }
   move(t0); requestAnimationFrame(frame);
   if (hash.has('t')) seek(+hash.get('t')); else if (!options.still && !prefers('(prefers-reduced-motion: reduce)')) play(true);
-  Object.assign(state, { seek, play, choose, loop, range: () => range, flip, ready: true, loaded: performance.now() - began });
+  Object.assign(state, { seek, play, pace: speed, choose, loop, range: () => range, flip, ready: true, loaded: performance.now() - began });
   // For a live page: new rows at the end of the run.
-  return { newest() { limits(); move(t1, true); }, charts, stage, seek, state };
+  return { newest(all) {                  // all: plots and paths, too
+    limits(); if (past) return;
+    move(t1, true); if (!all) return;
+    charts.update(); stage.trace(); if (stage.left()) view('fit'); move(t1);
+  } };
 }

@@ -83,6 +83,12 @@ export class Stage {
     for (const x of [this.shadow, this.grid]) { x.position.copy(at); x.quaternion.copy(turn); x.scale.setScalar((this.flat ? 4 : 5) * S); }
     this.cell = 10 ** Math.floor(Math.log10(S / 2)); this.grid.material.uniforms.cell.value = this.cell; if (this.flat) this.grid.material.uniforms.origin.value.set(at.x, at.y);
   }
+  left() {                                // whether something of a live mechanism is beyond what is seen: then that grows
+    const [m] = this.shown, far = m.drawing.frames.filter((f, k) => f.variables.length && this.whole.distanceToPoint(m.positions[k]) > .3 * this.size).length;
+    if (!far || this.following) return false;
+    m.positions.forEach((p, k) => { if (m.drawing.frames[k].variables.length && Number.isFinite(p.x)) this.whole.expandByPoint(p); }); this.whole.expandByScalar(.5 * this.size);
+    this.extent = this.whole.getSize(new Vector3()).length(); this.settle(); return true;
+  }
   axes(x, y, z) {                         // right, away and up, whatever axis is up
     const k = ['x', 'y', 'z'].findIndex(c => Math.abs(this.up[c]) > .5), right = new Vector3().setComponent((k + 1) % 3, 1), away = new Vector3().crossVectors(this.up, right);
     return right.multiplyScalar(x).addScaledVector(away, y).addScaledVector(this.up, z);

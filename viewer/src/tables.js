@@ -17,14 +17,14 @@ export function tables(data, runs, run, choose) {
   }
   const rows = role => data.variables.filter(v => role.includes(v.role) && v.start !== undefined).map(v => `<tr>${code(v.name)}${number(given(v))}${cell(unitOf(v.unit))}${cell(v.description)}</tr>`);
   const own = rows(['parameter', 'input']), settings = rows(['setting']), head = ['name', 'value', 'unit', 'meaning'];
-  if (own.length) parts.push(section(`Parameters and inputs (${own.length})`, table('Parameters and inputs', head, own), own.length <= 30));
+  if (own.length && !data.live) parts.push(section(`Parameters and inputs (${own.length})`, table('Parameters and inputs', head, own), own.length <= 30));
   if (settings.length) parts.push(section('Settings of the solver', table('Settings of the solver', head, settings), false));
   const statistics = data.variables.filter(v => run.columns.has(v.name)).map(v => {
     const x = run.columns.get(v.name); let low = Infinity, high = -Infinity, sum = 0;
     for (let i = 0; i < run.n; i++) { if (x[i] < low) low = x[i]; if (x[i] > high) high = x[i]; sum += x[i]; }
     return `<tr>${code(v.name)}${[x[0], low, high, sum / run.n, x[run.n - 1]].map(number).join('')}${cell(unitOf(v.unit))}${cell(v.description)}</tr>`;
   });
-  if (statistics.length) parts.push(section(`Variables (${statistics.length})`, table('Variables', ['name', 'start', 'least', 'largest', 'mean', 'end', 'unit', 'meaning'], statistics), false));
+  if (statistics.length && !data.live) parts.push(section(`Variables (${statistics.length})`, table('Variables', ['name', 'start', 'least', 'largest', 'mean', 'end', 'unit', 'meaning'], statistics), false));
   $('tables').innerHTML = parts.join('');
   for (const row of document.querySelectorAll('tr[data-run]')) {
     row.onclick = () => choose(+row.dataset.run);

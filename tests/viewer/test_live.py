@@ -1,0 +1,364 @@
+"""Live pages: what a session does with commands and its clock, and whom its server answers."""
+
+from __future__ import annotations
+
+import base64
+import http.client
+import json
+import threading
+
+import numpy as np
+import pytest
+
+from build_fmu.reporting import Carried
+from build_fmu.stepping import SteppedFmu
+from tests.viewer.conftest import scene
+from viewer.live import BUSY, GRACE, Server, Session, StoppedError, live_page
+
+
+class Clock:
+    """A clock that goes on when it is told, and by `each` whenever it is read."""
+
+    def __init__(self, each=0.0):
+        self.now, self.each = 0.0, each
+
+    def __call__(self):
+        self.now += self.each
+        return self.now
+
+
+class Falling:
+    """A source: height of a thing that falls with a gravity that can be set, and stops at 0."""
+
+    columns, start_time, stop_time, step_size = ("g", "height"), 0.0, 1.0, 0.01
+
+    def begin(self, values):
+        if values.get("height", 1.0) <= 0.0:
+            text = "height: must be > 0 m"
+            raise StoppedError(text)
+        self.g, self.height = values.get("g", 1.0), values.get("height", 1.0)
+        return self._row(0.0)
+
+    def set(self, name, value):
+        setattr(self, name, value)
+
+    def step(self, time, step):
+        if self._row(time + step)[1] < 0.0:
+            text = "it has come to the ground"
+            raise StoppedError(text)
+        return self._row(time + step)
+
+    def _row(self, time):
+        return np.array([self.g, self.height - self.g * time**2 / 2.0])
+
+    def drawing(self, values):
+        return {"height": values.get("height", 1.0)}
+
+
+CONTROLS = [
+    {"name": "g", "live": True, "start": 1.0},
+    {"name": "height", "live": False, "start": 1.0},
+]
+
+
+def begun(clock=None):
+    """Session with one page, and the function that makes a turn after some time and its events."""
+    clock = clock or Clock()
+    session = Session(Falling(), CONTROLS, clock)
+    page = session.join()
+
+    def turn(after=0.0, **command):
+        clock.now += after
+        if command:
+            session.do(command)
+        session.turn()
+        return events(page)
+
+    return session, page, turn
+
+
+def events(page):
+    found = []
+    while not page.empty():
+        kind, data = page.get().decode().split("\n")[:2]
+        found.append((kind.removeprefix("event: "), json.loads(data.removeprefix("data: "))))
+    return found
+
+
+def numbers(data):
+    return np.frombuffer(base64.b64decode(data["values"]), "<f4")
+
+
+def test_a_page_is_greeted_with_the_drawing_values_and_a_row():
+    _, _, turn = begun()
+    ((kind, data),) = turn()
+    assert kind == "start"
+    assert data["set"] == {"g": 1.0, "height": 1.0}
+    assert (data["time"], data["playing"]) == (0.0, False)
+    assert list(numbers(data)) == [1.0, 1.0]
+
+
+def test_time_goes_as_fast_as_the_clock_times_the_speed():
+    session, _, turn = begun()
+    turn()
+    turn(play=True)
+    turn(0.5)
+    assert session.time == pytest.approx(0.5, abs=0.011)
+    turn(speed=0.1)
+    turn(1.0)
+    assert session.time == pytest.approx(0.6, abs=0.011)
+    turn(play=False)
+    turn(3.0)
+    assert session.time == pytest.approx(0.6, abs=0.011)
+
+
+def test_a_session_that_cannot_keep_up_goes_on_from_where_it_is():
+    clock = Clock()
+    session, _, turn = begun(clock)
+    turn()
+    turn(play=True)
+    clock.each = BUSY / 3.5  # a step takes that long
+    (row,) = turn(0.5)
+    assert row[0] == "row"
+    assert row[1]["late"]
+    assert session.time < 0.05
+    clock.each = 0.0
+    before = session.time
+    turn(0.1)
+    assert session.time - before == pytest.approx(0.1, abs=0.011)
+
+
+def test_a_single_step_is_one_of_the_scene_and_pauses():
+    session, _, turn = begun()
+    turn()
+    turn(play=True)
+    turn(0.1)
+    before = session.time
+    turn(step=True)
+    assert session.time == before + 0.01
+    assert not session.playing
+
+
+def test_what_acts_at_once_changes_the_next_row_and_nothing_else():
+    session, _, turn = begun()
+    turn()
+    for _ in range(5):
+        turn(step=True)
+    (*_, (kind, data)) = turn(step=True, set={"g": 4.0})
+    assert kind == "row"
+    assert numbers(data)[0] == 4.0
+    assert session.time == pytest.approx(0.06)
+
+
+def test_a_fixed_parameter_restarts_with_all_values():
+    session, _, turn = begun()
+    turn(step=True, set={"g": 4.0})
+    (*_, (kind, data)) = turn(set={"height": 2.0})
+    assert (kind, session.time) == ("start", 0.0)
+    assert list(numbers(data)) == [4.0, 2.0]
+    assert data["drawing"] == {"height": 2.0}
+    (*_, (kind, data)) = turn(original=True)
+    assert (kind, list(numbers(data))) == ("start", [1.0, 1.0])
+
+
+def test_a_reset_begins_again_and_goes_on_playing():
+    session, _, turn = begun()
+    turn()
+    turn(play=True)
+    turn(0.5)
+    ((kind, data),) = turn(reset=True)
+    assert (kind, data["time"], session.playing) == ("start", 0.0, True)
+    turn(0.2)
+    assert session.time == pytest.approx(0.2, abs=0.011)
+
+
+def test_a_failed_step_is_told_with_its_sentence_and_a_reset_helps():
+    session, _, turn = begun()
+    turn(set={"g": 200.0})
+    turn(play=True)
+    told = dict(turn(0.5))
+    assert told["failed"] == {"time": session.time, "reason": "it has come to the ground"}
+    assert told["row"]["time"] == session.time == pytest.approx(0.1)
+    assert not session.playing
+    turn(original=True)
+    assert (session.reason, session.time) == ("", 0.0)
+
+
+def test_a_value_with_which_it_cannot_begin_is_told_and_another_one_begins():
+    session, _, turn = begun()
+    turn()
+    ((kind, data),) = turn(set={"height": -1.0})
+    assert (kind, data["reason"]) == ("failed", "height: must be > 0 m")
+    assert not any(kind == "row" for kind, _ in turn(play=True))
+    (*_, (kind, _)) = turn(set={"height": 3.0})
+    assert (kind, session.reason) == ("start", "")
+
+
+def test_a_session_ends_when_its_last_page_has_been_closed_for_a_while():
+    clock = Clock()
+    session = Session(Falling(), CONTROLS, clock)
+    session.turn()
+    clock.now += 100.0
+    assert not session.ended  # nobody has come yet
+    pages = [session.join(), session.join()]
+    session.turn()
+    session.leave(pages[0])
+    session.turn()
+    clock.now += 10.0 * GRACE
+    assert not session.ended
+    session.leave(pages[1])
+    session.turn()
+    assert not session.ended
+    clock.now += 1.01 * GRACE
+    assert session.ended
+
+
+def test_a_page_that_is_loaded_again_keeps_the_session():
+    clock = Clock()
+    session = Session(Falling(), CONTROLS, clock)
+    page = session.join()
+    session.turn()
+    session.leave(page)
+    session.turn()
+    session.join()
+    session.turn()
+    clock.now += 10.0 * GRACE
+    assert not session.ended
+
+
+@pytest.mark.parametrize(
+    "command",
+    [None, [], 3, {"set": 1}, {"set": {"f": 1.0}}, {"set": {"g": "1"}}, {"set": {"g": True}},
+     {"set": {"g": float("nan")}}, {"speed": 0.0}, {"speed": -1.0}, {"speed": "fast"}],
+)  # fmt: skip
+def test_a_wrong_command_is_refused_with_a_sentence(command):
+    assert Session(Falling(), CONTROLS, Clock()).mistake(command)
+
+
+# ---------------------------------------------------------------------------------------- server
+
+
+@pytest.fixture
+def server():
+    session = Session(Falling(), CONTROLS, Clock())
+    server = Server(session, "<p>page</p>", beat=0.01)
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    yield server
+    session.close()
+    server.shutdown()
+    server.server_close()
+    thread.join()
+
+
+def asked(server, path, body=None, **headers):
+    """Status and text of an answer."""
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=20)
+    method = "GET" if body is None else "POST"
+    headers = {"Host": f"127.0.0.1:{server.server_port}"} | headers
+    connection.request(method, path, body, headers)
+    answer = connection.getresponse()
+    text = answer.read().decode()
+    connection.close()
+    return answer.status, text
+
+
+def test_only_the_own_page_is_answered(server):
+    good, port = f"/?k={server.token}", server.server_port
+    assert asked(server, good) == (200, "<p>page</p>")
+    assert (
+        asked(server, good, Host=f"localhost:{port}", Origin=f"http://localhost:{port}")[0] == 200
+    )
+    for path in ("/", "/?k=", "/?k=guess", f"/?x={server.token}", "/events", "/nowhere"):
+        assert asked(server, path)[0] == 403
+    for host in ("evil.example", f"evil.example:{port}", "127.0.0.1", f"127.0.0.1:{port + 1}"):
+        assert asked(server, good, Host=host)[0] == 403
+    for origin in ("http://evil.example", "null", f"https://127.0.0.1:{port}", "http://127.0.0.1"):
+        assert asked(server, good, Origin=origin)[0] == 403
+        assert asked(server, f"/do?k={server.token}", "{}", Origin=origin)[0] == 403
+
+
+def test_a_posted_value_acts(server):
+    path = f"/do?k={server.token}"
+    assert asked(server, path, json.dumps({"set": {"g": 7.0}}))[0] == 204
+    server.session.turn()
+    assert server.session.values == {"g": 7.0}
+
+
+@pytest.mark.parametrize("body", ["", "{", "[" * 60000, "x" * 70000, '{"set": {"g": NaN}}'])
+def test_a_post_that_is_no_command_is_refused(server, body):
+    assert asked(server, f"/do?k={server.token}", body)[0] == 400
+    server.session.turn()
+    assert server.session.values == {}
+
+
+def test_events_come_until_the_page_is_closed_and_then_the_session_ends(server):
+    session, clock = server.session, server.session._clock
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=20)
+    connection.request("GET", f"/events?k={server.token}")
+    stream = connection.getresponse()
+    while not session._pages:
+        session.turn()
+    lines = [stream.readline() for _ in range(2)]
+    assert lines[0] == b"event: start\n"
+    stream.close()
+    connection.close()
+    while session._pages:  # a write finds out that nobody is there
+        session.turn()
+    clock.now += 2.0 * GRACE
+    assert session.ended
+
+
+def test_the_server_runs_until_the_session_ends():
+    session = Session(Falling(), CONTROLS, Clock())
+    turns = []
+
+    def between():
+        turns.append(session.time)
+        session._alone_since = -10.0 * GRACE if len(turns) == 3 else session._alone_since
+
+    Server(session, "").run(between)
+    assert len(turns) == 3
+
+
+# ------------------------------------------------------------------------------------------ FMUs
+
+
+@pytest.fixture(scope="module")
+def slider_crank(tmp_path_factory):
+    from build_fmu.export import build_archive
+
+    return build_archive(scene("slider_crank"), tmp_path_factory.mktemp("fmu") / "m.fmu", None)
+
+
+def test_an_fmu_is_stepped_as_simulate_does(slider_crank):
+    from build_fmu.run import run_fmu
+
+    with_step = SteppedFmu(Carried(slider_crank), {})
+    rows, times = [with_step.begin({})], [0.0]
+    for _ in range(20):
+        rows.append(with_step.step(times[-1], with_step.step_size))
+        times.append(times[-1] + with_step.step_size)
+    with_step.close()
+    whole = run_fmu(slider_crank, with_local=True)
+    for k, name in enumerate(with_step.columns):
+        assert rows[20][k] == pytest.approx(whole.values[name][20], rel=1e-9, abs=1e-9)
+
+
+def test_the_page_of_an_fmu_has_its_controls_and_connects_to_its_server_alone(slider_crank):
+    carried = Carried(slider_crank)
+    fmu = SteppedFmu(carried, {})
+    controls = fmu.controls()
+    for control in controls:
+        assert control["low"] <= control["start"] <= control["high"]
+        assert control["low"] < control["high"]
+    page = live_page(
+        Session(fmu, controls), fmu, controls, name="x", description="",
+        variables=carried.model.variables, outputs=[],
+    )  # fmt: skip
+    fmu.close()
+    assert "connect-src 'self'" in page
+    assert {c["name"] for c in controls} == {
+        v.name for v in carried.model.variables
+        if v.causality in ("parameter", "input") and v.kind != "option"
+    }  # fmt: skip
