@@ -4,6 +4,7 @@
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
 # make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
 # make docs        the documentation site, in build/docs; its examples are run, and a warning is an error
+# make linkcheck   whether the site's links to other sites lead somewhere
 # make benchmark   time and accuracy, on this machine
 # make importers   run our FMUs in the tools of docs/importers.md (ecospy needs Debian's libtbb12)
 # make platforms   native FMUs of other platforms, in wine and qemu-user where these are installed
@@ -30,7 +31,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint lint-python lint-c sanitize hostile docs benchmark importers platforms viewer browser release cofmupy kernel clean
+.PHONY: demo test long lint lint-python lint-c sanitize hostile docs linkcheck benchmark importers platforms viewer browser release cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
@@ -64,6 +65,11 @@ hostile: $(VENV)/installed-tools
 docs: $(VENV)/installed-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -E -d build/doctrees docs build/docs
 	@echo build/docs/index.html
+
+linkcheck: $(VENV)/installed-docs
+	@if $(BIN)/python -c 'import socket; socket.create_connection(("github.com", 443), 10)' 2>/dev/null; \
+	then $(BIN)/python -m sphinx -b linkcheck -q -D nb_execution_mode=off -d build/doctrees docs build/links; \
+	else echo "no network: links to other sites are not looked at"; fi
 
 benchmark: $(VENV)/installed-benchmarks
 	$(BIN)/python -m benchmarks

@@ -1,8 +1,8 @@
 """Settings of the documentation site, which `make docs` builds with Sphinx.
 
 The pages are those that a code host shows, `docs/**/*.md`. Before they are read, `generators/`
-writes the gallery and the scene format to `generated/`. Pages with code cells are run, and a cell
-that fails, or any warning, fails the build.
+writes the gallery, the scene format and the commands to `generated/`. Pages with code cells are
+run, and a cell that fails, or any warning, fails the build.
 """
 
 import os
@@ -18,7 +18,7 @@ os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.envir
 # The kernel of code cells starts with generators/shell_cell.py, which has the cell %%bash.
 os.environ["IPYTHONDIR"] = str(DOCS / "generated" / "ipython")
 
-from generators import gallery, scene_format  # noqa: E402
+from generators import commands, gallery, scene_format  # noqa: E402
 
 from build_fmu.version import VERSION  # noqa: E402
 
@@ -36,10 +36,12 @@ html_title = f"holonom {VERSION}"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_extra_path = ["generated/reports"]
-"""Reports of the gallery's scenes are pages of their own; they keep their names."""
+"""Reports of the gallery's scenes are pages of their own, which keep their names; and pictures."""
 html_copy_source = False
 
 highlight_language = "none"
+smartquotes = False
+"""Of --option they would make a dash."""
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 """The anchors of headings are those of code hosts."""
@@ -71,6 +73,7 @@ def _generate(app):  # noqa: ARG001
     shutil.copy(DOCS / "generators" / "shell_cell.py", start)
     gallery.write(DOCS / "generated")
     scene_format.write(DOCS / "generated")
+    commands.write(DOCS / "generated")
 
 
 def setup(app):

@@ -138,12 +138,15 @@ class Canvas:
             ends = (x - half * u, y - half * w), (x + half * u, y + half * w)
             self.path(*ends, width=width, colour=colour)
 
+    def rgb(self, level: int = 1) -> NDArray[np.uint8]:
+        """Red, green and blue of all pixels, in multiples of a level."""
+        return np.rint(self._pixels * (255 / level)).astype(np.uint8) * level
+
     def png(self) -> bytes:
         """PNG file of a palette; a picture of too many colours is rounded to fewer."""
         for level in (1, 5, 17, 51, 85):  # of 255; the last leaves 4 of each of three colours
-            levels = np.rint(self._pixels * (255 / level)).astype(np.uint8) * level
             # One number for each colour, and the few that are not the background sorted.
-            colours = levels.astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
+            colours = self.rgb(level).astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
             ground = colours[0, 0]
             palette = np.unique(np.append(colours[colours != ground], ground))
             if len(palette) <= MOST_COLOURS:

@@ -6,7 +6,7 @@ Everything is drawn layer by layer, in a layer what is far away first, in parall
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -36,8 +36,18 @@ SURFACES, SOLIDS, RODS, FORCES, JOINTS, DRIVEN, NAMES = range(7)
 
 def picture(drawing: dict[str, Any]) -> bytes:
     """PNG file of a drawing (``viewer.drawing``)."""
+    return next(canvases([drawing], names=True)).png()
+
+
+def canvases(drawings: Sequence[dict[str, Any]], *, names: bool = False) -> Iterator[Canvas]:
+    """Draw states of one mechanism, all at one scale."""
     with np.errstate(all="ignore"):
-        return _Picture(drawing).png()
+        pictures = [_Picture(drawing) for drawing in drawings]
+        seen = np.concatenate([each.collected() for each in pictures])
+    for each in pictures:
+        with np.errstate(all="ignore"):
+            canvas = each.canvas(seen.min(axis=0), seen.max(axis=0), names=names)
+        yield canvas
 
 
 def _mixed(first: Colour, second: Colour, share: float) -> Colour:
@@ -100,32 +110,33 @@ class _Picture:
         x, y = (self._scale * (self._view[:2] @ place - self._middle)).tolist()
         return 0.5 * WIDTH + x, 0.5 * HEIGHT - y
 
-    def png(self) -> bytes:
-        """Collect all strokes, choose the scale by which they are seen, and draw them."""
-        surfaces = []
+    def collected(self) -> Array:
+        """Collect all strokes but those of planes; places to be seen, along the view."""
         for solid in self.drawing["solids"]:
-            if solid["shape"] == "plane":
-                surfaces.append(solid)
-            else:
+            if solid["shape"] != "plane":
                 self._solid(solid)
         for link in self.drawing["links"]:
             self._link(link)
         for joint in self.drawing["joints"]:
             self._joint(joint)
-        seen = np.array(self._seen or [np.zeros(3)]) @ self._view.T
-        least, most = seen.min(axis=0), seen.max(axis=0)
+        return np.array(self._seen or [np.zeros(3)]) @ self._view.T
+
+    def canvas(self, least: Array, most: Array, *, names: bool) -> Canvas:
+        """Draw all strokes at the scale by which a space, along the view, is seen."""
         self._middle = 0.5 * (least + most)[:2]
         rooms = zip((WIDTH - 2 * MARGIN, HEIGHT - 2 * MARGIN), (most - least)[:2], strict=True)
         self._scale = min((room / span for room, span in rooms if span > 0.0), default=1.0)
-        for solid in surfaces:
-            self._plane(solid, self._view.T @ (0.5 * (least + most)))
+        for solid in self.drawing["solids"]:
+            if solid["shape"] == "plane":
+                self._plane(solid, self._view.T @ (0.5 * (least + most)))
         canvas = Canvas(WIDTH, HEIGHT)
         for _, _, draw in sorted(self._strokes, key=lambda stroke: stroke[:2]):
             draw(canvas)
-        self._names(canvas)
-        if len(seen) > 1 and (most - least)[:2].any():
+        if names:
+            self._names(canvas)
+        if (most - least)[:2].any():
             self._scale_bar(canvas)
-        return canvas.png()
+        return canvas
 
     # ----------------------------------------------------------------------------- parts
 

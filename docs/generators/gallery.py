@@ -1,4 +1,4 @@
-"""The gallery: a picture, the text and, where it can be written, the report of each scene.
+"""The gallery: a moving picture, the text and the report of each scene.
 
 Groups and their order are those of the table in scenes/README.md.
 """
@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 
 import holonom
+from generators import moving  # pyright: ignore[reportMissingImports]
 from viewer.drawing import drawing
 from viewer.picture import picture
 
@@ -42,10 +43,14 @@ def write(folder: Path) -> None:
         cards = []
         for path in paths:
             scene = holonom.load(path)
-            _write(pages / f"{path.stem}.png", picture(drawing(scene)))
-            _write(pages / f"{path.stem}.md", _page(path, scene, reports).encode())
-            link = f"scenes/{path.stem}"
-            cards.append(f"[![{title(path)}]({link}.png)]({link}.md)\n[{title(path)}]({link}.md)")
+            (reports / f"{path.stem}.png").write_bytes(picture(drawing(scene)))
+            trajectory = holonom.simulate(path)
+            trajectory.report(reports / f"{path.stem}_report.html")
+            moving.write(reports / f"{path.stem}.gif", moving.states(trajectory))
+            _write(pages / f"{path.stem}.md", _page(path, scene).encode())
+            seen = f'<a href="scenes/{path.stem}.html">{_picture(path, "..")}</a>'
+            link = f"[{title(path)}](scenes/{path.stem}.md)"
+            cards.append(f"{seen}\n\n{link}\n\n{scene.description}.")
             shown.append(path)
         parts.append(
             ":::::{container} cards\n"
@@ -63,16 +68,21 @@ def title(path: Path) -> str:
     return words[0].upper() + words[1:]
 
 
-def _page(path: Path, scene: holonom.Scene, reports: Path) -> str:
-    sentence = scene.description.rstrip(".")
-    seen = _report(path, reports)
+def _picture(path: Path, top: str) -> str:
+    """HTML of the moving picture, which stands still for readers who asked for that."""
+    start = f'<source srcset="{top}/{path.stem}.png" media="(prefers-reduced-motion: reduce)">'
+    moves = f'<img src="{top}/{path.stem}.gif" width="480" height="360" loading="lazy" alt="">'
+    return f"<picture>{start}{moves}</picture>"
+
+
+def _page(path: Path, scene: holonom.Scene) -> str:
     return f"""# {title(path)}
 
-{sentence}.
+{scene.description}.
 
-![The mechanism as drawn]({path.stem}.png)
+{_picture(path, "../..")}
 
-<a href="../../{seen}">Look at it moving</a> in its report.
+<a href="../../{path.stem}_report.html">Its report</a> shows the run with plots, forces and numbers.
 
 Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
 
@@ -81,13 +91,6 @@ Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
 :caption: scenes/{path.name}
 ```
 """
-
-
-def _report(path: Path, reports: Path) -> str:
-    """Write the report of a scene's default run; its name."""
-    target = reports / f"{path.stem}_report.html"
-    holonom.simulate(path).report(target)
-    return target.name
 
 
 def _write(path: Path, content: bytes) -> None:

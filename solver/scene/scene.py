@@ -54,7 +54,7 @@ class Parts(kind.Kind):
         """JSON Schema, which refers to that of each part."""
         forms: list[dict[str, Any]] = [{"$ref": f"#/$defs/{x.__name__}"} for x in self.types]
         if not self.noun:
-            return forms[0]
+            return forms[0] | {"description": (self.types[0].__doc__ or "").partition("\n")[0]}
         if self.types == (Parameter,):
             forms.insert(0, kind.NUMBER.schema())
         one = forms[0] if len(forms) == 1 else {"anyOf": forms}

@@ -6,7 +6,11 @@ import re
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+
+from build_fmu.errors import EXIT_CODES
+from viewer.picture import canvases
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
@@ -61,6 +65,36 @@ def test_every_scene_is_in_the_gallery():
 
     shown = [path for paths in gallery.groups().values() for path in paths]
     assert sorted(shown) == sorted((ROOT / "scenes").glob("*.toml"))
+
+
+@pytest.mark.usefixtures("_generators")
+def test_every_command_and_exit_code_is_on_the_page_of_commands(tmp_path):
+    from generators import commands  # pyright: ignore[reportMissingImports]
+
+    commands.write(tmp_path)
+    text = (tmp_path / "commands.md").read_text("utf-8")
+    names = {path.stem for path in (ROOT / "build_fmu" / "commands").glob("[a-z]*.py")}
+    assert set(re.findall(r"^## holonom (\w+)$", text, re.M)) == names
+    assert all(f"| {code} | {meaning} |" in text for code, meaning in EXIT_CODES.items())
+    assert "| `--fmi {2,3}` | version of the standard; 3 needs --native (default: 2) |" in text
+    assert "(default: 1e-09)" in text
+
+
+@pytest.mark.usefixtures("_generators")
+def test_the_picture_of_the_readme_is_small_and_shows_a_run_of_today():
+    images = pytest.importorskip("PIL.Image")
+    from generators import moving  # pyright: ignore[reportMissingImports]
+
+    assert f"](docs/{moving.README.name})" in (ROOT / "README.md").read_text("utf-8")
+    assert moving.README.stat().st_size <= 300_000
+    drawn = [canvas.rgb() for canvas in canvases(moving.turn())]
+    with images.open(moving.README) as picture:
+        assert picture.n_frames == len(drawn)
+        for k in range(0, len(drawn), 10):
+            picture.seek(k)
+            seen = np.asarray(picture.convert("RGB"), float)
+            # Colours are rounded; another frame is off by 1.2.
+            assert np.abs(seen - drawn[k]).mean() < 0.3
 
 
 @pytest.mark.usefixtures("_generators")
