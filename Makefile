@@ -68,7 +68,7 @@ docs: $(VENV)/installed-docs
 
 linkcheck: $(VENV)/installed-docs
 	@if $(BIN)/python -c 'import socket; socket.create_connection(("github.com", 443), 10)' 2>/dev/null; \
-	then $(BIN)/python -m sphinx -b linkcheck -q -D nb_execution_mode=off -d build/doctrees docs build/links; \
+	then $(BIN)/python -m sphinx -b linkcheck -q -D nb_execution_mode=off -D suppress_warnings=myst-nb.lexer -d build/doctrees docs build/links; \
 	else echo "no network: links to other sites are not looked at"; fi
 
 benchmark: $(VENV)/installed-benchmarks

@@ -19,6 +19,7 @@ from tests.random_mechanisms import driven_systems
 from tests.scene_files import ALL
 from viewer.drawing import drawing
 from viewer.faces import faces_of
+from viewer.picture import picture
 from viewer.touching import SOLIDS
 
 WHOLE = Path(__file__).parents[1] / "whole_scenes"
@@ -217,11 +218,13 @@ def test_looks_and_view_change_nothing_of_the_model():
     assert view["plots"] == [["arm.x", "energy.error"]]
 
 
-def test_the_drawing_travels_in_the_archive_and_the_description_names_it():
+def test_the_drawing_travels_in_the_archive_whose_page_shows_it():
     with zipfile.ZipFile(scene_fmu("four_bar")) as archive:
         text = archive.read("modelDescription.xml").decode()
         assert '<Tool name="holonom.drawing">' in text
         assert '<Drawing file="resources/drawing.json" />' in text
         found = json.loads(archive.read("resources/drawing.json"))
+        assert archive.read("model.png") == picture(found)
+        assert b'src="../model.png"' in archive.read("documentation/index.html")
     assert found == drawing(loaded(SCENES / "four_bar.toml"))
     assert found["format"] == 1
