@@ -225,6 +225,9 @@ def test_two_runs_stand_side_by_side(look, tmp_path):
     page = look(path)
     assert value(page, "holonom.stage.shown[1].group.position.x") > 1.0
     assert page.locator("#tags span").all_inner_texts() == ["run 0", "run 1"]
+    energies = page.locator("figure.chart", has_text="kinetic · run 1").first.locator(".chips i")
+    colours = energies.evaluate_all("chips => chips.map(x => x.style.backgroundColor)")
+    assert len(set(colours)) == len(colours) == 6
 
 
 def test_names_of_a_scene_are_harmless(look, tmp_path):

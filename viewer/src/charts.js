@@ -34,7 +34,7 @@ export class Charts {
   traces({ names, stack, against, log }) {
     if (stack) return stacked(this.runs[0], names, against || []);
     return this.runs.flatMap((run, r) => names.filter(n => run.columns.has(n)).map((n, k) => ({
-      run, label: this.runs.length > 1 ? `${short(n, names)} · ${run.label}` : short(n, names), dash: DASHES[r % 4], colour: PALETTE[(this.runs.length > 1 && names.length === 1 ? r : k) % PALETTE.length],
+      run, label: this.runs.length > 1 ? `${short(n, names)} · ${run.label}` : short(n, names), dash: DASHES[r % 4], colour: PALETTE[(r * names.length + k) % PALETTE.length],
       values: log ? Array.from(run.columns.get(n), x => x ? Math.max(Math.abs(x), FLOOR) : null) : run.columns.get(n), read: t => run.value(n, t),
     })));
   }
