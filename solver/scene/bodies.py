@@ -140,7 +140,7 @@ class Rigid(Part):
         )
     }
 
-    mass: Annotated[Number, kind.Quantity("kg", rule=POSITIVE, required=False)]
+    mass: Annotated[Number, kind.Quantity("kg", "its shape's by default", POSITIVE, required=False)]
     inertia: Annotated[
         Number | tuple[Vector, Vector, Vector],
         kind.ByShape(
@@ -164,12 +164,12 @@ class Rigid(Part):
         ),
     ]  # fmt: skip
     """An angle in 2-D; in 3-D the rotation matrix, whose columns are the body's axes."""
-    velocity: Annotated[Vector | None, kind.Components("m/s", "of the origin, at the start")] = None
+    velocity: Annotated[Vector | None, kind.Components("m/s", "of the origin; 0 by default")] = None
     """None: not given, at rest."""
     angular_velocity: Annotated[
         Number | Vector | None,
         kind.ByShape(
-            text="rad/s: a number in 2-D; in 3-D a vector, or { body = [...] }",
+            text="rad/s: a number in 2-D; in 3-D a vector, or { body = [...] }; 0 by default",
             number=kind.NUMBER, vector=kind.COMPONENTS, table=kind.Table(parts=(InBodyAxes,)),
         ),
     ] = None  # fmt: skip

@@ -73,7 +73,9 @@ class Scene(Part):
     name: Annotated[str, kind.Plain(example="double_pendulum", pattern=f"^{NAME.pattern}$")]
     description: Annotated[str, kind.Plain()] = ""
     dimension: Annotated[Literal[2, 3], kind.Choice(words=(2, 3))] = 3
-    gravity: Annotated[Vector, kind.Components("m/s2", example=[0, 0, -9.81])] = (0.0, 0.0, 0.0)
+    gravity: Annotated[Vector, kind.Components("m/s2", "0 by default", example=[0, 0, -9.81])] = (
+        0.0,
+    ) * 3
     parameters: Annotated[dict[str, Parameter], _table("parameter", Parameter)] = field(
         default_factory=dict
     )

@@ -68,7 +68,10 @@ class Experiment(Part):
         float, kind.setting("s", "one second after the start unless given", required=False)
     ] = 1.0
     step_size: Annotated[
-        float, kind.setting("s", "the communication step", POSITIVE, required=False)
+        float,
+        kind.setting(
+            "s", "of the FMU; 1 to 10 of the solver's by default", POSITIVE, required=False
+        ),
     ] = 0.1
     tolerance: Annotated[float | None, kind.setting(rule=_TOLERANCE)] = None
 
