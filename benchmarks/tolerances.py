@@ -18,9 +18,9 @@ from tests.kernel_calls import kernel_of
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
 STOP = 5.0
-TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9)
+TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
 POINTS = 10
-SHARPEST = 1e-11
+SHARPEST = 1e-12
 """Tolerance of the run that others are compared with."""
 
 SMOOTH = (

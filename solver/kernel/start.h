@@ -117,17 +117,20 @@ static int32_t derive_scales(context *c)
 /* Length of the step without forces whose tangent is the matrix of solve_at_state. */
 #define AT_STATE 1.4142135623730951
 
-/* Factors of the equations of solve_at_state, with links at the present state. */
-static int32_t factorise_at_state(const context *c, const double *weight)
+/* Factors of the equations of solve_at_state, with links at the present state; with h > 0 those of a step of length h, with
+   springs and dampers.                                                                                          */
+static int32_t factorise_with_forces(const context *c, const double *weight, double h)
 {
     const holonom_model *m = c->m;
+    const double length2 = h > 0.0 ? 0.5 * h * h : 1.0;
     context rows = *c;
     rows.lu = &m->full;
-    rows.h = AT_STATE;
-    rows.constraints_only = rows.at_state = 1;
+    rows.h = h > 0.0 ? h : AT_STATE;
+    rows.constraints_only = !(h > 0.0);
+    rows.at_state = 1;
     use_formulation(&rows, HOLONOM_CONSERVING_AL);
     memset(c->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * c->number[m->row_sigma_at + i];
+    for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * length2 * c->number[m->row_sigma_at + i];
     const int32_t status = assemble_tangent(&rows);
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
@@ -136,6 +139,8 @@ static int32_t factorise_at_state(const context *c, const double *weight)
     }
     return factorise_matrix(&rows);
 }
+
+static int32_t factorise_at_state(const context *c, const double *weight) { return factorise_with_forces(c, weight, 0.0); }
 
 /* Solves  A x + G' mu = -f,  G x = -g  with A the mass matrix of the factors at hand and G at the present links; a sliding
    row has mu - (that of its cone) = g instead. f is `momentum` over sqrt 2, g is `phi` (both not modified); x in rhs order

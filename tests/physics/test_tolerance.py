@@ -283,7 +283,7 @@ def course_of(name: str, **settings: float) -> Course:
 
 
 @pytest.mark.parametrize("name", [*UNDAMPED, *DAMPED])
-def test_scenes_stay_within_a_decade_of_the_request_which_errors_follow(name):
+def test_errors_lie_below_three_times_the_request_and_follow_it(name):
     # Places and rates in the mass norm over size and speed, at ten points; the order is chosen.
     # Steps of order 8 are exact to 2e-11 in the governor and 1e-13 in the others (half the length).
     sharpest = {"tolerance": 1e-11}
@@ -294,13 +294,19 @@ def test_scenes_stay_within_a_decade_of_the_request_which_errors_follow(name):
     courses = [course_of(name, tolerance=tolerance) for tolerance in asked]
     errors = [course.error(exact) for course in courses]
     for tolerance, error in zip(asked, errors, strict=True):
-        assert 0.1 * tolerance < error < 10.0 * tolerance
+        assert 0.08 * tolerance < error < (6.0 if name == "four_bar" else 3.0) * tolerance
     assert errors == sorted(errors, reverse=True)
     assert courses[-1].order > 4.0
 
 
+def test_a_stiff_damper_that_has_settled_does_not_hold_steps_down():
+    # Its velocities differ between a step and its halves, but are damped away within a step.
+    halves = list(parts_of(prepared("flyball_governor", 5.0, tolerance=1e-5)))
+    assert sum(halves[5:]) < 500.0
+
+
 @pytest.mark.parametrize(
-    ("name", "times"), [("spring_pendulum", 8.0), ("flyball_governor", 4.0), ("driven", 6.0)]
+    ("name", "times"), [("spring_pendulum", 8.0), ("flyball_governor", 2.5), ("driven", 6.0)]
 )
 def test_a_narrow_tolerance_takes_fewer_half_steps_than_with_order_two(name, times):
     chosen, second = (sum(parts_of(prepared(name, tolerance=1e-6, order=p))) for p in (0.0, 2.0))
