@@ -64,7 +64,7 @@ static inline double increments_left(const newton_record *r)
    tolerance; or below the tolerance, where round-off has stalled the contraction.                              */
 static int has_converged(const context *c, const newton_record *r)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], added = residual_energy(c);
+    const double tolerance = newton_tolerance(c->s.head), added = residual_energy(c);
     const int stalled = r->iteration > 1 && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
     if (increments_left(r) <= NEWTON_MARGIN * r->target && r->defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
         added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
@@ -75,7 +75,7 @@ static int has_converged(const context *c, const newton_record *r)
 /* Status of an iteration that has taken as many increments as it may. */
 static int32_t outcome_at_limit(const context *c, const newton_record *r)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    const double tolerance = newton_tolerance(c->s.head);
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;
     return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
@@ -85,7 +85,7 @@ static int32_t outcome_at_limit(const context *c, const newton_record *r)
    slowly, or not at all; it need not go on where its energy is that margin below round-off.                       */
 static int rows_hold(const context *c, const newton_record *r, double defect, double last)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    const double tolerance = newton_tolerance(c->s.head);
     if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) return 1;
     return defect > 0.5 * last && defect <= tolerance && constraint_energy(c) <= CONSTRAINT_MARGIN * tolerance * r->energy;
 }
@@ -93,14 +93,14 @@ static int rows_hold(const context *c, const newton_record *r, double defect, do
 /* Whether the contraction of the rows has ended, and what is left is round-off. */
 static int is_stalled_round_off(const context *c, const newton_record *r, double defect, double last)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    const double tolerance = newton_tolerance(c->s.head), round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
     return defect > 0.9 * last && defect <= tolerance && constraint_energy(c) <= round_off;
 }
 
 /* Status after as many updates of the multipliers as may be. */
 static int32_t outcome_of_updates(const context *c, const newton_record *r, double defect)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
+    const double tolerance = newton_tolerance(c->s.head);
     const int holds = defect <= tolerance && constraint_energy(c) <= tolerance * r->energy + r->noise;
     return holds ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }

@@ -267,7 +267,7 @@ HEAD = (
     "status",  # of the last step
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
-    "tolerance", "absolute_tolerance", "longest_step", "rest_speed", "rest_time",
+    "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
     "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
     "unsettled",  # whether contacts and frictions are to be looked at before the next step

@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import pytest
@@ -28,7 +29,7 @@ POINTS = [f"{point}.{part}" for part in "xy" for point in "AB"]
 RELATIVE = math.sqrt(2.0 * (2.0 * math.sin(math.pi / 6)) ** 2)
 
 
-def swinging(tolerance: float, **settings: float) -> Integrator:
+def swinging(tolerance: float, **settings: Any) -> Integrator:
     """Double pendulum from 30 degrees over 10 s."""
     return Integrator(assemble(SWING, tolerance=tolerance, **settings))
 
@@ -233,11 +234,11 @@ brake = { type = "damper", points = ["A", "ground"], at = [2, 0], damping = 5 }
 """A pendulum that comes to rest within a few seconds."""
 
 
-def prepared(name: str, stop: float = 0.0, **settings: float) -> Integrator:
+def prepared(name: str, stop: float = 0.0, **settings: Any) -> Integrator:
     """Scene that is about to run for `stop` s, or as long as `STOPS` says if that is 0."""
     drawn = solver.loads(TEXTS[name]) if name in TEXTS else solver.load(scene(name))
     run = Integrator(solver.assemble(drawn))
-    for setting, value in ({"longest_step": 1e6, "order": 0.0} | settings).items():
+    for setting, value in ({"longest_step": 1e6, "order": 0.0, **settings}).items():
         run[f"solver.{setting}"] = value
     run.initialise()
     stop = stop or STOPS.get(name, min(5.0, drawn.experiment.stop_time))
@@ -267,7 +268,7 @@ class Course:
         return max(float(np.linalg.norm(part, axis=1).max()) for part in (of_q, of_v))
 
 
-def course_of(name: str, **settings: float) -> Course:
+def course_of(name: str, **settings: Any) -> Course:
     run, found, halves = prepared(name, **settings), list[Array](), 0.0
     sizes, at = run.model.sizes, run.model.offsets["node_mass"]
     free = sizes["dim"] * sizes["n_free"]
@@ -297,6 +298,23 @@ def test_errors_lie_below_three_times_the_request_and_follow_it(name):
         assert 0.08 * tolerance < error < (6.0 if name == "four_bar" else 3.0) * tolerance
     assert errors == sorted(errors, reverse=True)
     assert courses[-1].order > 4.0
+
+
+@pytest.mark.parametrize("name", ["bricard", "double_pendulum", "rolling_disc"])
+def test_energy_within_the_tolerance_saves_iterations_and_leaves_the_path(name):
+    exact, iterations, energies = course_of(name, tolerance=1e-10), list[float](), list[float]()
+    for energy in ("exact", "tolerance"):
+        assert course_of(name, tolerance=1e-6, energy=energy).error(exact) < 3e-6
+        run = prepared(name, tolerance=1e-6, energy=energy)
+        iterations.append(sum(run.state.head["newton_iterations"] for _ in parts_of(run)))
+        energies.append(float(run["energy.error"]))
+    assert 1.2 * iterations[1] < iterations[0]
+    assert energies[0] < 1e-14 < energies[1] < 1e-10
+
+
+def test_energy_within_the_tolerance_changes_nothing_without_one():
+    first, second = (swinging(0.0, energy=energy) for energy in ("exact", "tolerance"))
+    assert error_at_the_end(first, 0.1) == error_at_the_end(second, 0.1)
 
 
 def test_a_stiff_damper_that_has_settled_does_not_hold_steps_down():
