@@ -89,7 +89,7 @@ class Kernel:
 
     def measure(self) -> None:
         """Fill the measurements in the numbers from the state."""
-        self._library.holonom_measure(*self._pointers)
+        self._library.holonom_measure(*self._pointers, 255)
 
     def set_inputs(self, inputs: Sequence[float], parameters: Sequence[float]) -> None:
         """Change inputs and tunable parameters; a jump of stored energy is booked as work."""

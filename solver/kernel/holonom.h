@@ -73,8 +73,23 @@ HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers,
 HOLONOM_API int32_t holonom_set_inputs(const holonom_model *model, double *numbers, double *state, double *work,
                                        const double *inputs, const double *parameters, double *gap);
 
-/* Fills the section `measured` of `numbers`, hm_measured, from `state` (not modified) and runs the fourth tape. */
-HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work);
+/* Groups of measurements. Contacts read the forces, outputs by formula (the fourth tape) all others. */
+enum {
+    HOLONOM_MEASURE_MOTION = 1,
+    HOLONOM_MEASURE_FORCES = 2,
+    HOLONOM_MEASURE_BODIES = 4,
+    HOLONOM_MEASURE_ENERGIES = 8,
+    HOLONOM_MEASURE_MOMENTA = 16,
+    HOLONOM_MEASURE_SOLVER = 32,
+    HOLONOM_MEASURE_CONTACTS = 64 + HOLONOM_MEASURE_FORCES,
+    HOLONOM_MEASURE_ALL = 255
+};
+
+/* Fills groups of the section `measured` of `numbers`, hm_measured, from `state` (not modified). */
+HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work, int32_t groups);
+
+/* Groups that the output at `place` of the numbers is found with. */
+int32_t holonom_groups_of(const holonom_model *model, double *numbers, int32_t place);
 
 /* Whether the rate of an output is known, and it, or 0: that of a position, an angle or a length is measured, and an error is zero up to
    round-off, or up to that of the method. `place` is that of the output among `numbers`. */

@@ -16,7 +16,7 @@ struct holonom_instance {
     char *clipped;               /* of each variable: whether it was said that it is clipped               */
     hm_text message, remarks;
     int64_t state_size;
-    int32_t phase, is_measured, heard, has_rules_of_laws, said, has_remarks;
+    int32_t phase, measured, heard, has_rules_of_laws, said, has_remarks;
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -103,7 +103,7 @@ void holonom_reset(holonom_instance *i)
     hm_clear(&i->message);
     hm_clear(&i->remarks);
     i->phase = HOLONOM_CONFIGURED;
-    i->is_measured = i->said = i->has_remarks = 0;
+    i->measured = i->said = i->has_remarks = 0;
 }
 
 const char *holonom_message(const holonom_instance *i) { return i->message.begin; }
@@ -156,14 +156,16 @@ static int32_t refuse_index(holonom_instance *i, int32_t index)
     return answer(i, HOLONOM_REFUSED, "no variable has the index %d", index);
 }
 
-static int32_t measure(holonom_instance *i)
+/* Measures those groups which have not been since the state has changed. */
+static int32_t measure(holonom_instance *i, int32_t groups)
 {
+    if (!(groups & ~i->measured)) return HOLONOM_DONE;
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
         if (result) return result;
     }
-    holonom_measure(&i->file.model, i->numbers, i->state, i->work);
-    i->is_measured = 1;
+    holonom_measure(&i->file.model, i->numbers, i->state, i->work, groups);
+    i->measured |= groups;
     return HOLONOM_DONE;
 }
 
@@ -172,6 +174,8 @@ static int32_t place_of_variable(const holonom_instance *i, const hm_variable *v
 {
     return v->place + (v->kind == KIND_MEASURED ? i->file.model.measured_at : 0);
 }
+
+enum { FEW_VALUES = 8 }; /* of these each is measured with its group alone: fewer than there are groups to ask for */
 
 int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, double *value)
 {
@@ -184,11 +188,13 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
         case KIND_OPTION: value[k] = i->state[v->place]; continue;
         default: break;
         }
-        if (!i->is_measured) {
-            const int32_t result = measure(i);
+        const int32_t place = place_of_variable(i, v);
+        if (i->measured != HOLONOM_MEASURE_ALL) {
+            const int few = v->kind == KIND_MEASURED && count <= FEW_VALUES;
+            const int32_t result = measure(i, few ? holonom_groups_of(&i->file.model, i->numbers, place) : HOLONOM_MEASURE_ALL);
             if (result) return result;
         }
-        value[k] = i->numbers[place_of_variable(i, v)];
+        value[k] = i->numbers[place];
         if (!(fabs(value[k]) < INFINITY))
             return answer(i, HOLONOM_UNTRIED, "%s is not finite at t = %6g s", text_of(i, v->name), i->s.head[S_TIME]);
     }
@@ -206,11 +212,11 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     const size_t state = sizeof(double) * (size_t)i->state_size, numbers = sizeof(double) * (size_t)m->n_numbers;
     memcpy(i->before, i->state, state);
     const int32_t status = holonom_begin_moving_on(m, i->numbers, i->state, i->work, POINTS * step);
-    holonom_measure(m, i->numbers, i->state, i->work);
+    holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
     memcpy(i->before + i->state_size, i->numbers, numbers);
     for (int p = 0; p < POINTS && !status; p++) {
         holonom_move_on(m, i->numbers, i->state, i->work, step);
-        holonom_measure(m, i->numbers, i->state, i->work);
+        holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
         for (int32_t k = 0; k < count; k++) {
             const int32_t place = place_of_variable(i, i->file.variable + index[k]);
             double known;
@@ -219,7 +225,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
     }
     memcpy(i->state, i->before, state);
     memcpy(i->numbers, now, numbers);
-    i->is_measured = 0;
+    i->measured = 0;
     return !status ? HOLONOM_DONE
                    : answer(i, HOLONOM_UNTRIED, "rates of outputs at t = %6g s: %s", i->s.head[S_TIME], hm_about_step(status));
 }
@@ -231,10 +237,8 @@ int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t cou
         if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
         const hm_variable *v = i->file.variable + index[k];
         if (v->causality != CAUSALITY_OUTPUT) return answer(i, HOLONOM_REFUSED, "%s has no derivative: it is no output", text_of(i, v->name));
-        if (!i->is_measured) {
-            const int32_t result = measure(i);
-            if (result) return result;
-        }
+        const int32_t measured = measure(i, HOLONOM_MEASURE_ALL);
+        if (measured) return measured;
         differs |= !holonom_knows_rate(&i->file.model, i->numbers, place_of_variable(i, v), value + k);
     }
     const int32_t result = differs ? differ(i, index, count, value) : HOLONOM_DONE;
@@ -324,7 +328,7 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
         if (v->kind == KIND_OPTION) i->state[v->place] = value[k];
         say_clipped(i, index[k], value[k], shown ? shown[k] : NULL);
     }
-    i->is_measured = 0;
+    i->measured = 0;
     return done(i);
 }
 
@@ -374,7 +378,7 @@ int32_t holonom_assemble(holonom_instance *i)
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
     }
-    i->is_measured = 0;
+    i->measured = 0;
     holonom_rows(i, i->phi, i->rate);
     problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
@@ -391,7 +395,7 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     double *head = i->s.head;
     const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
     head[S_STATUS] = status;
-    i->is_measured = 0;
+    i->measured = 0;
     return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
                   name_at_fault(i, status), hm_about_step(status));
 }
@@ -410,7 +414,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
     const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step);
-    i->is_measured = 0;
+    i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;
     i->phase = HOLONOM_MOVING;
@@ -519,7 +523,7 @@ int32_t holonom_return_to(holonom_instance *i, const void *bytes)
         return refuse_state(i, "belongs to another model or version; restore it where it was saved");
     memcpy(i->state, (const char *)bytes + sizeof head, sizeof(double) * (size_t)i->state_size);
     i->phase = (int32_t)head.phase;
-    i->is_measured = 0;
+    i->measured = 0;
     /* Numbers are no part of the state: those that depend on parameters, inputs and the time are computed again. */
     if (i->phase != HOLONOM_CONFIGURED) evaluate(i);
     return HOLONOM_DONE;

@@ -166,6 +166,7 @@ static void measure_momenta(const context *c, const hm_measured *y)
     const holonom_model *m = c->m;
     const double *p = c->k.momentum;
     double moment[TURNING];
+    momenta(c, c->k.momentum);
     EACH(k) y->momentum[k] = 0.0;
     for (int k = 0; k < TURNING; k++) y->angular_momentum[k] = 0.0;
     for (int32_t a = 0; a < c->n_moving; a++, p += DIM) {
@@ -175,7 +176,19 @@ static void measure_momenta(const context *c, const hm_measured *y)
     }
 }
 
-void holonom_measure(const holonom_model *m, double *number, double *state, double *work)
+int32_t holonom_groups_of(const holonom_model *m, double *number, int32_t place)
+{
+    hm_measured y;
+    hm_map_measured(m, number + m->measured_at, &y);
+    const double *const end[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy, y.momentum, y.solver, y.contact};
+    static const int32_t groups[] = {HOLONOM_MEASURE_MOTION,  HOLONOM_MEASURE_FORCES,   HOLONOM_MEASURE_BODIES,  HOLONOM_MEASURE_FORCES,
+                                     HOLONOM_MEASURE_ENERGIES, HOLONOM_MEASURE_MOMENTA, HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS};
+    int k = 0;
+    while (k < 7 && number + place >= end[k]) k++;
+    return groups[k];
+}
+
+void holonom_measure(const holonom_model *m, double *number, double *state, double *work, int32_t groups)
 {
     context c;
     hm_measured measured;
@@ -183,20 +196,21 @@ void holonom_measure(const holonom_model *m, double *number, double *state, doub
     open_context(&c, m, number, state, work);
     hm_map_measured(m, number + m->measured_at, &measured);
     const double *head = c.s.head;
+    const int all = groups == HOLONOM_MEASURE_ALL, loads = groups & HOLONOM_MEASURE_SOLVER;
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
-    measure_motion(&c, y);
-    measure_rows(&c, y);
-    measure_bodies(&c, y);
-    measure_reactions(&c, y);
-    measure_contacts(&c, y);
-    measure_energies(&c, y);
-    measure_momenta(&c, y);
+    if (groups & HOLONOM_MEASURE_MOTION) measure_motion(&c, y);
+    if (groups & HOLONOM_MEASURE_FORCES) measure_rows(&c, y);
+    if (groups & HOLONOM_MEASURE_BODIES) measure_bodies(&c, y);
+    if (groups & HOLONOM_MEASURE_FORCES) measure_reactions(&c, y);
+    if (groups & (HOLONOM_MEASURE_CONTACTS & ~HOLONOM_MEASURE_FORCES)) measure_contacts(&c, y);
+    if (groups & HOLONOM_MEASURE_ENERGIES) measure_energies(&c, y);
+    if (groups & HOLONOM_MEASURE_MOMENTA) measure_momenta(&c, y);
     const double of_solver[] = {head[S_NEWTON_ITERATIONS], head[S_UZAWA_ITERATIONS], head[S_SUBSTEPS], head[S_ORDER_IN_USE],
-                                sampling(&c), head[S_STATUS]};
-    memcpy(y->solver, of_solver, sizeof of_solver);
+                                loads ? sampling(&c) : 0.0, head[S_STATUS]};
+    if (loads) memcpy(y->solver, of_solver, sizeof of_solver);
     load_inputs(&c, head[S_TIME]); /* rates of signals have looked at other times */
-    hm_run_tape(m, number, 3);
+    if (all) hm_run_tape(m, number, 3);
 }
 
 #endif
