@@ -81,8 +81,6 @@ FIRST = {
 """Steps of the coarsest run of order 8; the lower orders begin with more of them."""
 WHEEL = 5e-4
 """Mass of the car's driven wheel in our scene [kg]; gravity is 1 m/s2 there."""
-NESTED = ("chain_100", "chain_1000")
-"""Problems that Uzawa's iteration solves sooner than the simultaneous one."""
 
 
 def methods(problem: Problem) -> list[Method]:
@@ -140,8 +138,7 @@ class _Runs:
         content = CONTENTS[problem.key]()
         experiment = {"stop_time": problem.stop, "step_size": problem.stop}
         own: Mapping[str, Any] = content.get("solver", {})
-        algorithm = "nested" if problem.key in NESTED else "simultaneous"
-        settings = {**own, "step_size": problem.stop, "algorithm": algorithm}
+        settings = {**own, "step_size": problem.stop}
         self._model = assemble(scene(content | {"experiment": experiment}, **settings))
 
     def method(self, curve: Curve) -> Method:
