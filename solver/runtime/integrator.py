@@ -61,9 +61,10 @@ class Integrator:
         self.message = "done"
 
     def _vector(self, name: str, size: int) -> ctypes.Array[ctypes.c_double]:
-        """Return a vector of doubles in the memory of the instance."""
+        """Return a vector of doubles in the memory of the instance, which it keeps alive."""
         address = getattr(self._library, f"holonom_{name}_of")(self._instance)
-        return (ctypes.c_double * size).from_address(address)
+        first = address - ctypes.addressof(self._memory)
+        return (ctypes.c_double * size).from_buffer(self._memory, first)
 
     @property
     def numbers(self) -> ctypes.Array[ctypes.c_double]:

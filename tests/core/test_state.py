@@ -133,3 +133,11 @@ def test_a_step_that_slides_and_has_no_solution_ends_after_a_bounded_number_of_c
     with pytest.raises(StepError, match="near contact 'lane'"):
         run.advance(run.time, 0.01)
     assert process_time() - begun < 10.0
+
+
+def test_a_state_outlives_the_name_of_its_integrator():
+    state = start(PENDULUM).state
+    others = [start(PENDULUM) for _ in range(20)]
+    for other in others:
+        other.state.head["horizon"] = 7.0
+    assert state.head["horizon"] != 7.0
