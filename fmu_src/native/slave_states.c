@@ -75,8 +75,10 @@ slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept 
     const int is_damaged = head.checksum != checksum_of_kept(&head) || head.size != size || size != size_of(s) ||
                            head.memory.phase < INSTANTIATED || head.memory.phase > TERMINATED || !(fabs(head.memory.start_time) < INFINITY);
     if (is_damaged) return slave_tell(s, ANSWER_ERROR, "the bytes of the FMU state are damaged; save the state again");
-    if (!slave_hears(s, holonom_check_saved(s->instance, (const char *)bytes + sizeof head, (int64_t)(size - sizeof head))))
-        return slave_tell_message(s, ANSWER_ERROR);
+    const fp_environment host = fp_enter();
+    const int is_good = slave_hears(s, holonom_check_saved(s->instance, (const char *)bytes + sizeof head, (int64_t)(size - sizeof head)));
+    fp_leave(host);
+    if (!is_good) return slave_tell_message(s, ANSWER_ERROR);
     if (!(*kept = slave_allocate(size))) return slave_tell(s, ANSWER_ERROR, "there is no memory for a state of %d bytes", (int)size);
     memcpy(*kept, bytes, size);
     return ANSWER_OK;

@@ -476,6 +476,9 @@ static int32_t refuse_state(holonom_instance *i, const char *why)
     return answer(i, HOLONOM_REFUSED, "the saved state %s", why);
 }
 
+/* Part of its size up to which a row may be off: loosely solved steps left up to 4e-4. */
+static const double FARTHEST_OFF = 0.1;
+
 /* Whether a saved block has only numbers that a run can come to; they steer what is not checked again. */
 static const char *flaw_of_block(holonom_instance *i, const double *block)
 {
@@ -496,6 +499,39 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
     return NULL;
 }
 
+static void swap_states(holonom_instance *i)
+{
+    for (int64_t k = 0; k < i->state_size; k++) {
+        const double x = i->state[k];
+        i->state[k] = i->before[k];
+        i->before[k] = x;
+    }
+}
+
+/* Refuses a state in motion that deforms a rigid part, as no run with these formulations does: its steps, none of which can be
+   solved, would take thousands of iterations. The state to look at is the one before. */
+static int32_t refuse_deformed(holonom_instance *i)
+{
+    const holonom_model *m = &i->file.model;
+    const size_t numbers = sizeof(double) * (size_t)m->n_numbers;
+    const int32_t n_rigid = m->n_form_rows + DIM * m->n_coincidences;
+    double *scale = i->numbers + m->row_scale_at, most = FARTHEST_OFF;
+    int32_t worst = -1;
+    memcpy(i->before + i->state_size, i->numbers, numbers);
+    swap_states(i);
+    evaluate(i);
+    holonom_rows(i, i->phi, i->rate);
+    for (int32_t row = 0; row < n_rigid && hm_conserves_all((int)i->s.head[S_FORMULATION]); row++) {
+        const double off = fabs(i->phi[row]) / scale[row];
+        if (!(off <= most)) most = off, worst = row;
+    }
+    swap_states(i);
+    memcpy(i->numbers, i->before + i->state_size, numbers);
+    if (worst < 0) return HOLONOM_DONE;
+    return answer(i, HOLONOM_REFUSED, "the saved state does not fit %s, by %3g of its size; save it again", text_of(i, i->file.row[worst].name),
+                  most);
+}
+
 int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t length)
 {
     saved_state head;
@@ -511,7 +547,8 @@ int32_t holonom_check_saved(holonom_instance *i, const void *bytes, int64_t leng
         return refuse_state(i, "is damaged: its checksum does not fit; save it again");
     memcpy(i->before, block, sizeof(double) * (size_t)i->state_size);
     const char *flaw = flaw_of_block(i, i->before);
-    return flaw ? refuse_state(i, flaw) : HOLONOM_DONE;
+    if (flaw) return refuse_state(i, flaw);
+    return head.phase == HOLONOM_CONFIGURED ? HOLONOM_DONE : refuse_deformed(i);
 }
 
 int32_t holonom_return_to(holonom_instance *i, const void *bytes)
