@@ -204,7 +204,7 @@ def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
         unknowns = []
         for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
-            known = dependencies_of(of_unknown, i, place, ports, 1)
+            known = dependencies_of(of_unknown, i, place, ports)
             unknowns.append(element("Unknown", index=str(i + 1), dependencies=known))
         lists += [element(name, *unknowns)] if unknowns else []
     return element("ModelStructure", *lists)
@@ -212,10 +212,10 @@ def _structure(model: Model, ports: Sequence[Variable]) -> Element:
 
 def dependencies_of(
     of_unknown: Mapping[int, Sequence[Sequence[int]]], unknown: int, place: int,
-    ports: Sequence[Variable], first: int,
+    ports: Sequence[Variable],
 ) -> str | None:  # fmt: skip
-    """List the ports that an unknown depends on, counted from `first`; None: it may be all."""
+    """List the ports that an unknown depends on, counted from 1; None: it may be all."""
     if unknown not in of_unknown:
         return None
     known = (k for k in of_unknown[unknown][place] if ports[k].causality != "local")
-    return " ".join(str(k + first) for k in known)
+    return " ".join(str(k + 1) for k in known)

@@ -1,6 +1,7 @@
 """modelDescription.xml of a compiled model, as FMI 3.0 wants it.
 
-Value references are those of FMI 2, the index in `Model.variables`; behind them is the time.
+Value references are places in the list, from 1, since OMSimulator takes those in `dependencies` for
+such: the index in `Model.variables` and 1. That of the time, which comes last, is 0.
 """
 
 from __future__ import annotations
@@ -58,9 +59,9 @@ def model_description_fmi3(
     types = declared_types(model.variables)
     experiment = {name: getattr(model.experiment, field) for name, field in EXPERIMENT.items()}
     ports = with_local(model.variables, local)
-    variables = (_variable(i, variable, types) for i, variable in enumerate(ports))
+    variables = (_variable(i, variable, types) for i, variable in enumerate(ports, 1))
     time = element(  # no name of a scene is `time`
-        "Float64", name="time", valueReference=str(len(model.variables)),
+        "Float64", name="time", valueReference="0",
         causality="independent", variability="continuous", unit="s" if "s" in types else None,
     )  # fmt: skip
     return description(
@@ -99,8 +100,8 @@ def _structure(model: Model, ports: Sequence[Variable]) -> Element:
     of_unknown, found = model.dependencies or {}, []
     for place, (name, kinds) in enumerate(UNKNOWNS.items()):
         for i in (i for i, variable in enumerate(ports) if variable.causality in kinds):
-            known = dependencies_of(of_unknown, i, place, ports, 0)
-            found.append(element(TAGS[name], valueReference=str(i), dependencies=known))
+            known = dependencies_of(of_unknown, i, place, ports)
+            found.append(element(TAGS[name], valueReference=str(i + 1), dependencies=known))
     return element("ModelStructure", *found)
 
 

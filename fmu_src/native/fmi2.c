@@ -37,7 +37,7 @@ fmi2_component fmi2Instantiate(fmi2_text name, fmi2_type type, fmi2_text guid, f
         .logger = hears ? (void *)(uintptr_t)callbacks : NULL, .environment = hears ? callbacks->environment : NULL,
         .say_line = say_line, .wanted = is_logging ? DEBUGGING : QUIET, .is_format = 1,
     };
-    if (type == FMI2_CO_SIMULATION) return slave_make(name, guid, resources, 1, log);
+    if (type == FMI2_CO_SIMULATION) return slave_make(name, guid, resources, 2, log);
     if (hears)
         callbacks->logger(callbacks->environment, name ? name : "", FMI2_ERROR, slave_categories[ANSWER_ERROR],
                           "instantiate: this FMU is for co-simulation, not for model exchange");

@@ -55,7 +55,7 @@ fmi3_instance fmi3InstantiateCoSimulation(fmi3_text name, fmi3_text token, fmi3_
         .logger = logger ? (either){.function = logger}.address : NULL, .environment = environment, .say_line = say_line,
         .wanted = is_logging ? DEBUGGING : QUIET,
     };
-    return slave_make(name, token, resources, 0, log);
+    return slave_make(name, token, resources, 3, log);
 }
 
 fmi3_instance fmi3InstantiateModelExchange(fmi3_text name, fmi3_text token, fmi3_text resources, fmi3_boolean is_visible,
@@ -107,8 +107,8 @@ static fmi3_status check_counts(fmi3_instance c, size_t count, size_t n_values)
     return refuse(c, "as many values as value references are needed: no variable of this FMU is an array");
 }
 
-/* The time is a variable of FMI 3, behind those of the model. */
-static uint32_t time_reference(const slave *s) { return s->file->header->n_variables; }
+/* Those of the model count from 1, since OMSimulator takes the references of dependencies for places in the list. */
+enum { TIME_REFERENCE };
 
 fmi3_status fmi3GetFloat64(fmi3_instance c, const fmi3_reference index[], size_t count, double value[], size_t n_values)
 {
@@ -116,7 +116,7 @@ fmi3_status fmi3GetFloat64(fmi3_instance c, const fmi3_reference index[], size_t
     size_t begin = 0;
     if (wrong) return wrong;
     for (size_t k = 0; index && value && k < count; k++) { /* those between two that are the time */
-        if (index[k] != time_reference(c)) continue;
+        if (index[k] != TIME_REFERENCE) continue;
         const slave_answer answer = slave_get(c, TYPE_REAL, index + begin, k - begin, value + begin);
         if (answer) return status_of(answer);
         value[k] = slave_last_time(c);

@@ -18,7 +18,7 @@ double *slave_head(const slave *s) { return holonom_state_of(s->instance); }
 static int32_t variable_named(const slave *s, const char *name)
 {
     for (uint32_t k = 0; k < s->file->header->n_variables; k++)
-        if (!strcmp(s->file->text + s->file->variable[k].name, name)) return (int32_t)k;
+        if (!strcmp(s->file->text + s->file->variable[k].name, name)) return (int32_t)k + s->first;
     return -1;
 }
 
@@ -58,18 +58,20 @@ static slave *made(const char *name, const char *guid, const char *resources, in
     return s;
 }
 
-slave *slave_make(const char *name, const char *guid, const char *resources, int32_t is_uri, slave_log log)
+slave *slave_make(const char *name, const char *guid, const char *resources, int32_t fmi, slave_log log)
 {
     char reason[ROOM];
     slave early = {.log = log, .text = {reason, sizeof reason, 0}};
     const fp_environment host = fp_enter();
     hm_clear(&early.text);
-    slave *s = made(name, guid, resources, is_uri, &early.text);
+    slave *s = made(name, guid, resources, fmi == 2, &early.text);
     hm_text short_name = {s ? s->name : early.name, sizeof early.name, 0};
     hm_clear(&short_name);
     if (name && slave_is_utf8(name)) hm_say(&short_name, "%s", name);
     if (s) {
         s->log = log;
+        s->first = fmi - 2;
+        holonom_count_from(s->instance, s->first);
         s->own_horizon = slave_head(s)[S_HORIZON];
         s->status_index = variable_named(s, "solver.status");
         slave_reset(s);

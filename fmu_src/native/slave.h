@@ -45,7 +45,7 @@ struct slave {
     const void *model; /* bytes that the slave owns, NULL if they are the program's */
     slave_log log;
     slave_memory memory;
-    int32_t status_index;       /* of the variable solver.status */
+    int32_t first, status_index; /* value references of the first variable, and of solver.status */
     double latest, own_horizon; /* no communication step ends after it [s]; of the model [s] */
     double failed_at, shortest, longest;
     int32_t n_failures;         /* in a row from the time failed_at, and the lengths tried [s] */
@@ -53,8 +53,9 @@ struct slave {
     char name[128];
 };
 
-/* Makes a slave of the model in a folder of resources, a URI or a path; NULL where it cannot, for a reason that the log has. */
-slave *slave_make(const char *name, const char *guid, const char *resources, int32_t is_uri, slave_log log);
+/* Makes a slave of FMI 2 or 3 of the model in a folder of resources, in FMI 2 a URI, in FMI 3 a path; NULL where it cannot, for a reason
+   that the log has. */
+slave *slave_make(const char *name, const char *guid, const char *resources, int32_t fmi, slave_log log);
 void slave_free(slave *s);
 slave_answer slave_reset(slave *s);
 
@@ -72,7 +73,7 @@ slave_answer slave_step(slave *s, double t, double step);
 slave_answer slave_terminate(slave *s);
 double slave_last_time(const slave *s);
 
-/* Values of variables of one type (TYPE_REAL, ...) by their indices, words as their places in a list. `shown`: how a sentence
+/* Values of variables of one type (TYPE_REAL, ...) by their value references, from 0 in FMI 2 and from 1 in FMI 3, words as their places in a list. `shown`: how a sentence
    shows each value, or NULL. */
 slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value);
 slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown);

@@ -20,16 +20,18 @@ int slave_is_utf8(const char *text)
     return 1;
 }
 
-static const hm_variable *variable(const slave *s, uint32_t index) { return s->file->variable + index; }
+static const hm_variable *variable(const slave *s, uint32_t index) { return holonom_variable_at(s->instance, (int32_t)index); }
 
 static slave_answer check_type(slave *s, int32_t type, const uint32_t *index, size_t count)
 {
     if (count && !index) return slave_tell(s, ANSWER_ERROR, "no value references are given");
-    for (size_t k = 0; k < count; k++)
-        if (index[k] >= s->file->header->n_variables || variable(s, index[k])->type != type) {
+    for (size_t k = 0; k < count; k++) {
+        const hm_variable *v = variable(s, index[k]);
+        if (!v || v->type != type) {
             static const char *const names[] = {"Real", "Boolean", "String", "Integer"};
             return slave_tell(s, ANSWER_ERROR, "value references [%d] are not those of %s variables", (int)index[k], names[type]);
         }
+    }
     return ANSWER_OK;
 }
 

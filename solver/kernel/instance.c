@@ -17,6 +17,7 @@ struct holonom_instance {
     hm_text message, remarks;
     int64_t state_size;
     int32_t phase, measured, heard, has_rules_of_laws, said, has_remarks;
+    int32_t first;               /* number of the first variable                                           */
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -126,9 +127,17 @@ static int32_t done(const holonom_instance *i) { return i->has_remarks ? HOLONOM
 
 /* ------------------------------------------------------------------------------------------------------ values */
 
+void holonom_count_from(holonom_instance *i, int32_t first) { i->first = first; }
+
+const hm_variable *holonom_variable_at(const holonom_instance *i, int32_t index)
+{
+    const uint32_t place = (uint32_t)index - (uint32_t)i->first;
+    return place < i->file.header->n_variables ? i->file.variable + place : NULL;
+}
+
 const char *holonom_word(const holonom_instance *i, int32_t index, double value)
 {
-    return hm_word(&i->file, i->file.variable + index, value);
+    return hm_word(&i->file, holonom_variable_at(i, index), value);
 }
 
 double holonom_number_of_word(const holonom_instance *i, int32_t index, const char *word)
@@ -180,8 +189,8 @@ enum { FEW_VALUES = 8 }; /* of these each is measured with its group alone: fewe
 int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, double *value)
 {
     for (int32_t k = 0; k < count; k++) {
-        if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
-        const hm_variable *v = i->file.variable + index[k];
+        const hm_variable *v = holonom_variable_at(i, index[k]);
+        if (!v) return refuse_index(i, index[k]);
         switch (v->kind) {
         case KIND_PARAMETER: value[k] = i->s.parameters[v->place]; continue;
         case KIND_INPUT: value[k] = i->s.inputs[v->place]; continue;
@@ -218,7 +227,7 @@ static int32_t differ(holonom_instance *i, const int32_t *index, int32_t count, 
         holonom_move_on(m, i->numbers, i->state, i->work, step);
         holonom_measure(m, i->numbers, i->state, i->work, HOLONOM_MEASURE_ALL);
         for (int32_t k = 0; k < count; k++) {
-            const int32_t place = place_of_variable(i, i->file.variable + index[k]);
+            const int32_t place = place_of_variable(i, holonom_variable_at(i, index[k]));
             double known;
             if (!holonom_knows_rate(m, i->numbers, place, &known)) value[k] += weight[p] / (12.0 * step) * (i->numbers[place] - now[place]);
         }
@@ -234,8 +243,8 @@ int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t cou
 {
     int differs = 0;
     for (int32_t k = 0; k < count; k++) {
-        if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
-        const hm_variable *v = i->file.variable + index[k];
+        const hm_variable *v = holonom_variable_at(i, index[k]);
+        if (!v) return refuse_index(i, index[k]);
         if (v->causality != CAUSALITY_OUTPUT) return answer(i, HOLONOM_REFUSED, "%s has no derivative: it is no output", text_of(i, v->name));
         const int32_t measured = measure(i, HOLONOM_MEASURE_ALL);
         if (measured) return measured;
@@ -244,7 +253,7 @@ int32_t holonom_get_rates(holonom_instance *i, const int32_t *index, int32_t cou
     const int32_t result = differs ? differ(i, index, count, value) : HOLONOM_DONE;
     for (int32_t k = 0; k < count && !result; k++)
         if (!(fabs(value[k]) < INFINITY))
-            return answer(i, HOLONOM_UNTRIED, "the derivative of %s is not finite at t = %6g s", text_of(i, i->file.variable[index[k]].name),
+            return answer(i, HOLONOM_UNTRIED, "the derivative of %s is not finite at t = %6g s", text_of(i, holonom_variable_at(i, index[k])->name),
                           i->s.head[S_TIME]);
     return result;
 }
@@ -277,8 +286,8 @@ static int32_t check_values(holonom_instance *i, const int32_t *index, int32_t c
 {
     hm_clear(&i->message);
     for (int32_t k = 0; k < count; k++) {
-        if (index[k] < 0 || (uint32_t)index[k] >= i->file.header->n_variables) return refuse_index(i, index[k]);
-        const hm_variable *v = i->file.variable + index[k];
+        const hm_variable *v = holonom_variable_at(i, index[k]);
+        if (!v) return refuse_index(i, index[k]);
         if (hm_objects(&i->message, &i->file, v, value[k], shown ? shown[k] : NULL, i->phase == HOLONOM_MOVING)) return HOLONOM_REFUSED;
     }
     return HOLONOM_DONE;
@@ -288,13 +297,13 @@ static int32_t check_values(holonom_instance *i, const int32_t *index, int32_t c
 static double clipping_limit(const hm_variable *v, double value) { return v->flags & CLIPS ? hm_limit_before(v, value) : NAN; }
 
 /* Says once of an input that it is clipped. */
-static void say_clipped(holonom_instance *i, int32_t index, double value, const char *shown)
+static void say_clipped(holonom_instance *i, const hm_variable *v, double value, const char *shown)
 {
-    const hm_variable *v = i->file.variable + index;
     const double limit = clipping_limit(v, value);
     const char *unit = text_of(i, v->unit);
-    if (limit != limit || i->clipped[index]) return;
-    i->clipped[index] = 1;
+    char *said = i->clipped + (v - i->file.variable);
+    if (limit != limit || *said) return;
+    *said = 1;
     begin_remark(i);
     hm_say(&i->remarks, "%s: ", text_of(i, v->name));
     hm_say_value(&i->remarks, value, shown);
@@ -309,7 +318,7 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
     memcpy(i->inputs, i->s.inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(i->parameters, i->s.parameters, sizeof(double) * (size_t)m->n_parameters);
     for (int32_t k = 0; k < count; k++) {
-        const hm_variable *v = i->file.variable + index[k];
+        const hm_variable *v = holonom_variable_at(i, index[k]);
         const double limit = clipping_limit(v, value[k]), taken = limit == limit ? limit : value[k];
         arriving &= v->kind == KIND_INPUT;
         if (v->kind == KIND_INPUT) i->inputs[v->place] = taken;
@@ -324,9 +333,9 @@ int32_t holonom_set(holonom_instance *i, const int32_t *index, int32_t count, co
         i->phase = HOLONOM_CONFIGURED;
     }
     for (int32_t k = 0; k < count; k++) {
-        const hm_variable *v = i->file.variable + index[k];
+        const hm_variable *v = holonom_variable_at(i, index[k]);
         if (v->kind == KIND_OPTION) i->state[v->place] = value[k];
-        say_clipped(i, index[k], value[k], shown ? shown[k] : NULL);
+        say_clipped(i, v, value[k], shown ? shown[k] : NULL);
     }
     i->measured = 0;
     return done(i);

@@ -25,6 +25,10 @@ HOLONOM_API const char *holonom_message(const holonom_instance *instance);
 /* What was noticed and not yet fetched, one sentence a line, each once; overwritten by the next call. */
 HOLONOM_API const char *holonom_remarks(holonom_instance *instance);
 
+/* Lets indices of variables begin with `first`, not with 0; and the variable of an index, or NULL. */
+void holonom_count_from(holonom_instance *instance, int32_t first);
+const struct hm_variable *holonom_variable_at(const holonom_instance *instance, int32_t index);
+
 /* Values of variables by their index. One that is not finite is refused (HOLONOM_UNTRIED), the mechanism is assembled first
    where an output is asked for. */
 HOLONOM_API int32_t holonom_get(holonom_instance *instance, const int32_t *index, int32_t count, double *value);

@@ -18,6 +18,7 @@ from build_fmu.model_description import model_description
 from solver.runtime import Model
 from solver.scene.units import BaseUnit, base_unit
 from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
+from tests.native_fmus import native_scene_fmu
 from tests.scene_files import ALL
 
 ERROR = 3
@@ -75,6 +76,17 @@ def test_value_references_are_the_indices_of_the_models_variables():
     root = root_of(scene_fmu("four_bar"))
     written = [(v.get("name"), v.get("valueReference")) for v in root.find("ModelVariables")]
     assert written == [(v.name, str(i)) for i, v in enumerate(model.variables)]
+
+
+def test_value_references_of_fmi_3_are_places_in_the_list_from_1_and_0_for_the_time():
+    """OMSimulator takes those of dependencies for places: from 0, it refused this scene."""
+    root = root_of(native_scene_fmu("four_bar", 3))
+    written = [v.get("valueReference") for v in root.find("ModelVariables")]
+    assert written == [*map(str, range(1, len(written))), "0"]
+    assert root.find("ModelVariables")[-1].get("name") == "time"
+    depends = [set(x.get("dependencies").split()) for x in root.find("ModelStructure")]
+    assert set.union(*depends) <= set(written) - {"0"}
+    assert any("1" in each for each in depends)
 
 
 def test_every_unit_of_the_scenes_has_base_units():

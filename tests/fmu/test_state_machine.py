@@ -229,7 +229,7 @@ def test_fmi_3_gives_the_last_successful_time_of_taken_refused_and_failed_steps(
         made.exitInitializationMode()
         assert step(0.4, 0.1) == (DISCARD, 0.5)
         assert step(0.5, 0.1) == (0, 0.6)
-        made.setReal([model.index("push")], [-4.0])
+        made.setReal([model.index("push") + 1], [-4.0])
         assert step(0.6, 0.1) == (DISCARD, 0.6)
         assert step(0.6, 3.0) == (DISCARD, 0.6)
         made.terminate()

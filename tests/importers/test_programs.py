@@ -64,8 +64,6 @@ def expected(scene: str, h: float) -> dict[str, float]:
 @pytest.mark.parametrize(("name", "kind"), RUNS)
 def test_a_program_runs_a_scene_as_fmpy_does(name, kind, scene, tmp_path):
     tool = need(name)
-    if (name, kind, scene) == ("OMSimulator", "native 3", "four_bar"):
-        pytest.skip("OMSimulator takes value references for places in the list of variables")
     python = kind == "Python"
     path = scene_fmu(scene) if python else native_scene_fmu(scene, int(kind[-1]))
     description = fmpy.read_model_description(str(path))

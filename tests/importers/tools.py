@@ -112,7 +112,7 @@ TOOLS = (
         "",
         "every scene alone: 20 steps, outputs beside fmpy's",
         "it takes value references in `dependencies` of FMI 3 for places in the list of variables, "
-        "and so refuses `four_bar` of FMI 3: take FMI 2 where an output depends on the first input",
+        "which ours therefore are",
         ALL_KINDS,
         program="OMSIMULATOR",
         revision="v3.0.0-114-gacb56d9d",
