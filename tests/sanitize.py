@@ -43,14 +43,20 @@ def can_sanitize() -> bool:
     return bool(shutil.which("gcc")) and all(Path(path).is_absolute() for path in _preloaded())
 
 
+def has_thread_sanitizer() -> bool:
+    """Whether there is a gcc with that."""
+    return bool(shutil.which("gcc")) and Path(_library_of_gcc("libtsan.so")).is_absolute()
+
+
+def _library_of_gcc(name: str) -> str:
+    """Path of a library; its bare name where gcc has none."""
+    command = ["gcc", f"-print-file-name={name}"]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
 def _preloaded() -> list[str]:
     """Libraries that must be loaded before Python; bare names where gcc has none."""
-    return [
-        subprocess.run(
-            ["gcc", f"-print-file-name={name}"], capture_output=True, text=True, check=True
-        ).stdout.strip()
-        for name in ("libasan.so", "libubsan.so")
-    ]
+    return [_library_of_gcc(name) for name in ("libasan.so", "libubsan.so")]
 
 
 def sanitized_library(folder: Path, dimension: int) -> Path:

@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
 import solver
+from tests.sanitize import has_thread_sanitizer
 
 HERE = Path(__file__).parents[1]
 KERNEL = HERE.parent / "solver" / "kernel"
 SCENES = HERE.parent / "scenes"
 THREADS = 16
-
-
-def has_thread_sanitizer() -> bool:
-    if not shutil.which("gcc"):
-        return False
-    name = subprocess.run(["gcc", "-print-file-name=libtsan.so"], capture_output=True, text=True)
-    return Path(name.stdout.strip()).is_absolute()
 
 
 @pytest.mark.skipif(not has_thread_sanitizer(), reason="gcc has no thread sanitizer here")

@@ -13,9 +13,12 @@ import pytest
 
 import solver
 from build_fmu import build
+from build_kernel.compiler import SLAVE_SOURCES, SOURCES, Kind, compile_library
 from tests.fmu_instance import PENDULUM
+from tests.sanitize import has_thread_sanitizer
 
-HOST = Path(__file__).parents[1] / "c_host" / "threads.cpp"
+ROOT = Path(__file__).parents[2]
+HOST = ROOT / "tests" / "c_host" / "threads.cpp"
 FLAGS = ("-std=c++11", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-pthread")
 
 pytestmark = [
@@ -24,8 +27,8 @@ pytestmark = [
 ]
 
 
-def shown(folder: Path, host: Path, fmi: int) -> list[str]:
-    """Last output of an instance alone, and of eight in threads."""
+def shown(folder: Path, host: Path, fmi: int, library: Path | None = None) -> list[str]:
+    """Last output of an instance alone, and of eight in threads; of another library if given."""
     scene = solver.loads(PENDULUM.format(length=1.0, mass=1.0, push="push"))
     fmu = build(scene, folder / f"{fmi}.fmu", native=True, fmi=fmi)
     fmpy.extract(str(fmu), str(folder / str(fmi)))
@@ -33,7 +36,7 @@ def shown(folder: Path, host: Path, fmi: int) -> list[str]:
     token = re.search(r'(?:guid|instantiationToken)="(\S+)"', description)
     assert token
     of = {v.name: v.valueReference for v in fmpy.read_model_description(str(fmu)).modelVariables}
-    library = next((folder / str(fmi)).glob("binaries/*/*.so"))
+    library = library or next((folder / str(fmi)).glob("binaries/*/*.so"))
     resources = folder / str(fmi) / "resources"
     place = resources.as_uri() if fmi == 2 else f"{resources}/"
     words = (fmi, library, place, token[1], of["push"], of["A.x"], 8)
@@ -48,3 +51,14 @@ def test_instances_in_threads_of_cpp_move_as_one_alone_in_fmi_2_and_3(tmp_path):
     of_both = [shown(tmp_path, host, fmi) for fmi in (2, 3)]
     assert len({*of_both[0], *of_both[1]}) == 1
     assert [len(values) for values in of_both] == [9, 9]
+
+
+@pytest.mark.skipif(not has_thread_sanitizer(), reason="gcc has no thread sanitizer here")
+def test_instances_in_threads_of_cpp_share_nothing_that_changes(tmp_path):
+    """Made, moved and freed at once; the library and the host speak up where two threads race."""
+    host, library, flags = tmp_path / "host", tmp_path / "planar.so", ("-O1", "-fsanitize=thread")
+    subprocess.run(["g++", *FLAGS, *flags, str(HOST), "-o", str(host), "-ldl"], check=True)
+    kind = Kind(2, slave=ROOT / SLAVE_SOURCES)
+    compile_library(["gcc"], ROOT / SOURCES, kind, library, *flags)
+    of_both = [shown(tmp_path, host, fmi, library) for fmi in (2, 3)]
+    assert len({*of_both[0], *of_both[1]}) == 1

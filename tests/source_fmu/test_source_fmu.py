@@ -55,10 +55,10 @@ def unpacked(path: Path) -> Path:
 
 
 @functools.cache
-def compiled(path: Path, prefix: str, *flags: str) -> Path:
+def compiled(path: Path, fmi: int, prefix: str, *flags: str) -> Path:
     """Object of the one unit of an FMU."""
     target = path.with_name(f"{path.stem}{prefix}{'_'.join(flags)}.o")
-    prefixed = [f"-DFMI2_FUNCTION_PREFIX={prefix}"] if prefix else []
+    prefixed = [f"-DFMI{fmi}_FUNCTION_PREFIX={prefix}"]
     source = unpacked(path) / "sources" / "all.c"
     run(*(system_compiler() or []), *flags, *prefixed, "-c", source, "-o", target)
     return target
@@ -73,21 +73,23 @@ def symbols(path: Path, kinds: str, *options: str) -> set[str]:
     return {words[-1] for words in lines if words[-2] in kinds}
 
 
-def driven(path: Path, steps: int, h: float) -> tuple[list[str], list[float]]:
-    """Arguments of the host for an FMU, and what its library gives in the host's run."""
-    with instance(path) as fmu:
+def driven(name: str, folder: Path, fmi: int, h: float) -> tuple[list[str], list[float]]:
+    """Arguments of the host for an FMU, and what the library of FMI 2 gives in the host's run."""
+    with instance(source_fmu(folder, name)) as fmu:
         named = fmu.description.modelVariables
         outputs = [v.name for v in named if v.causality == "output" and v.type == "Real"]
         inputs = [v.name for v in named if v.causality == "input"][:1]
         fmu.initialise()
         found: list[float] = []
-        for k in range(steps):
+        for k in range(STEPS):
             fmu.set(**dict.fromkeys(inputs, 0.25 * (k % 4)))
             assert fmu.step(k * h, h)
             found += fmu.fmu.getReal([fmu.references[name] for name in outputs])
-        references = [fmu.references[name] for name in [*inputs, *outputs]]
-        first = [] if inputs else [-1]
-        return [fmu.description.guid, str(h), *map(str, [*first, *references])], found
+    described = fmpy.read_model_description(str(source_fmu(folder, name, fmi)))
+    references = {v.name: v.valueReference for v in described.modelVariables}
+    first = [references[name] for name in inputs] or [-1]
+    used = [*first, *(references[name] for name in outputs)]
+    return [described.guid, str(h), *map(str, used)], found
 
 
 # ------------------------------------------------------------------------------------- compiled
@@ -129,20 +131,31 @@ def test_what_fmpy_compiles_of_the_sources_has_the_bits_of_the_library(folder, n
     assert runs[0].values.tobytes() == runs[1].values.tobytes()
 
 
-def test_two_fmus_in_one_static_program_without_malloc_have_the_bits_of_their_libraries(folder):
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_two_fmus_in_one_static_program_without_malloc_have_the_bits_of_a_library(folder, fmi):
     """One driven, not optimised; one with contacts, optimised for a processor that may fuse."""
-    planar, contact = source_fmu(folder, "four_bar"), source_fmu(folder, "pendulum_with_stop")
+    names, block = ("four_bar", "pendulum_with_stop"), "-DHOLONOM_BLOCKS=1"
+    planar, contact = (source_fmu(folder, name, fmi) for name in names)
     objects = [
-        compiled(planar, "a_", "-O0", "-DHOLONOM_BLOCKS=1"),
-        compiled(contact, "b_", "-O2", "-std=gnu11", "-march=native", "-DHOLONOM_BLOCKS=1"),
+        compiled(planar, fmi, "a_", "-O0", block),
+        compiled(contact, fmi, "b_", "-O2", "-std=gnu11", "-march=native", block),
     ]
     for prefix, unit in zip(("a_", "b_"), objects, strict=True):
-        assert symbols(unit, "TDBCR") == {prefix + name for name in functions_of(2)}
+        assert symbols(unit, "TDBCR") == {prefix + name for name in functions_of(fmi)}
         assert symbols(unit, "U") <= OF_STRINGS | OF_MEMORY
-    host = folder / "host"
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{NATIVE}", "-static"]
+    host = folder / f"host_{fmi}"
+    flags = [
+        f"-DFMI={fmi}",
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wpedantic",
+        "-Werror",
+        f"-I{NATIVE}",
+        "-static",
+    ]
     run(*(system_compiler() or []), *flags, HERE / "host.c", *objects, "-o", host)
-    (first, a), (second, b) = driven(planar, STEPS, 0.05), driven(contact, STEPS, 0.05)
+    (first, a), (second, b) = (driven(name, folder, fmi, 0.05) for name in names)
     shown = [*map(float, run(host, STEPS, *first, "-", *second).split())]
     each = len(a) // STEPS, len(b) // STEPS
     expected = []
