@@ -1,7 +1,10 @@
 """Settings of all tests: no clock, and the same examples in every run."""
 
 import gc
+import signal
+from collections.abc import Iterator
 
+import pytest
 from hypothesis import settings
 
 settings.register_profile("holonom", deadline=None, derandomize=True, database=None)
@@ -12,3 +15,11 @@ def pytest_collection_finish() -> None:
     """Keep the collector from looking through thousands of tests again and again."""
     gc.collect()
     gc.freeze()
+
+
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Ctrl-C raises KeyboardInterrupt, even where nohup or a script has it ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import functools
 import inspect
-import signal
 import sys
 from collections.abc import Callable
 from operator import methodcaller
@@ -153,14 +152,6 @@ def test_bytes_of_states_are_passed_on_without_code_that_an_interrupt_could_stri
 
 
 # ------------------------------------------------------------- an interrupt that waits at the door
-
-
-@pytest.fixture
-def interruptible():
-    """Interrupts raise KeyboardInterrupt, as in a Python host."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
 
 
 class InC:

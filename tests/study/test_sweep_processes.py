@@ -8,7 +8,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -21,16 +20,9 @@ from build_fmu.study.processes import DIED
 from tests.crashing_runs import FATAL, crashing
 from tests.fmu_instance import pendulum
 
+pytestmark = pytest.mark.usefixtures("interruptible")
 PATIENCE = 60.0
 """Seconds after which something is taken to hang."""
-
-
-@pytest.fixture(autouse=True)
-def _interruptible() -> Iterator[None]:
-    """Processes are started with Ctrl-C heard, even where nohup or a script has it ignored."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture
