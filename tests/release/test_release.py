@@ -76,8 +76,9 @@ def test_a_wheel_holds_the_libraries_of_the_machines_that_it_is_for(platform):
     assert "\nRoot-Is-Purelib: false\n" in about
     for word in DIMENSIONS.values():
         for name, known in PLATFORMS.items():
-            native = files.pop(f"fmu_src/native/_libraries/{name}/{word}{known.suffix}")
-            assert_is_for(native, name)
+            for kind in (word, f"{word}_contacts"):
+                native = files.pop(f"fmu_src/native/_libraries/{name}/{kind}{known.suffix}")
+                assert_is_for(native, name)
         kernels = {"win64": ".dll", "linux64": ".so"} | {platform: PLATFORMS[platform].suffix}
         if platform == "linux-arm64":
             del kernels["linux64"]  # both have one name
