@@ -86,7 +86,7 @@ def test_a_wheel_holds_the_libraries_of_the_machines_that_it_is_for(platform):
             assert_is_for(files.pop(f"solver/runtime/_kernel/libholonom_{word}{suffix}"), name)
     assert not [name for name in files if name.endswith((".so", ".dll", ".dylib"))]
     assert {name.partition("/")[0] for name in files} == {
-        *("build_fmu", "fmu_src", "holonom", "solver", f"holonom-{VERSION}.dist-info"),
+        *("build_fmu", "fmu_src", "holonom", "solver", "viewer", f"holonom-{VERSION}.dist-info"),
     }
 
 
