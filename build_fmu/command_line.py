@@ -129,10 +129,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_settings(report, "the parameters that the run had")
     view = commands.add_parser("view", help="show it live in a browser, with sliders")
     view.add_argument("target", metavar="SCENE|FMU")
-    text = "print the address, and open no browser"
-    view.add_argument("--no-browser", action="store_true", help=text)
-    text = "of the address (default: any that is free)"
-    view.add_argument("--port", type=int, default=0, metavar="N", help=f"port {text}")
+    _add_page(view)
     _add_settings(view, "set a parameter or input (of a scene: any number of it)")
     info = commands.add_parser("info", help="bodies, joints, mobility, redundant rows, variables")
     info.add_argument("target", metavar="SCENE|FMU")
@@ -145,6 +142,9 @@ def _parser() -> argparse.ArgumentParser:
     init.add_argument("--like", default="double_pendulum", metavar="SCENE", help=text)
     watch = commands.add_parser("watch", help="check a scene at each save, until Ctrl-C")
     watch.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
+    text = "also show it live, as `holonom view` does, and anew after each save"
+    watch.add_argument("--view", action="store_true", help=text)
+    _add_page(watch)
     schema = commands.add_parser("schema", help="JSON Schema of scenes, for editors")
     schema.add_argument("-o", "--output", metavar="FILE", help="(default: to stdout)")
     validate = commands.add_parser("validate", help="check an FMU against the standard with fmpy")
@@ -152,6 +152,13 @@ def _parser() -> argparse.ArgumentParser:
     for command in (build, simulate, check, info, validate):
         command.add_argument("--json", action="store_true", help="print JSON instead of a table")
     return parser
+
+
+def _add_page(command: argparse.ArgumentParser) -> None:
+    text = "print the address, and open no browser"
+    command.add_argument("--no-browser", action="store_true", help=text)
+    text = "of the address (default: any that is free)"
+    command.add_argument("--port", type=int, default=0, metavar="N", help=f"port {text}")
 
 
 def _add_variants(commands: argparse._SubParsersAction) -> None:

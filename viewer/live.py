@@ -9,6 +9,7 @@ reach it.
 from __future__ import annotations
 
 import base64
+import contextlib
 import json
 import math
 import queue
@@ -32,13 +33,16 @@ if TYPE_CHECKING:
     from solver.runtime import Variable
 
 RATE = 60.0
-"""Turns of a session in a second."""
-ROUGHEST = 1.0 / 30.0
-"""Longest step in s of the clock, while it plays: a longer one would jerk."""
+"""Turns of a session in a second, and least steps while it plays: longer ones would jerk."""
+LAG = 0.25
+"""Longest time in s by which a session is behind the clock: so much of a pause of a busy machine it
+makes up for."""
 BUSY = 0.05
 """Longest time in s that one turn may step: then it looks for commands."""
 GRACE = 2.0
 """Time in s without a page after which a session ends: a page that is loaded again is back."""
+POLL = 0.05
+"""Time in s after which the thread that answers notices the end."""
 BEAT = 1.0
 """Time in s after which a page that hears nothing is written to: a closed one is noticed so."""
 MOST_WAITING = 120
@@ -180,8 +184,14 @@ class Session:
         if self.time != before:
             self._send("row", self._state() | {"late": late})
 
-    def close(self) -> None:
-        """Tell all pages that it is over."""
+    def say(self, text: str) -> None:
+        """Show a sentence on all pages."""
+        self._send("said", {"text": text})
+
+    def close(self, *, anew: bool = False) -> None:
+        """Tell all pages that it is over, or that they have to be loaded anew."""
+        if anew:
+            self._send("anew", {})
         for page in self._pages:
             page.put(None)
 
@@ -227,11 +237,13 @@ class Session:
         """Step up to the time of the clock; whether that is out of reach."""
         target = self._from + (begun - self._base) * self.speed
         size = self._source.step_size
-        step = size / math.ceil(size / (ROUGHEST * self.speed))
+        step = size / math.ceil(size * RATE / self.speed)
         while self.time + step <= target:
             if self._clock() - begun >= BUSY:
-                self._rebase()
-                return True
+                late = target - self.time > LAG * self.speed
+                if late:
+                    self._base, self._from = begun, self.time + LAG * self.speed
+                return late
             self._step(step)
         return False
 
@@ -330,19 +342,33 @@ class Server(ThreadingHTTPServer):
         known = secrets.compare_digest(token.encode(), self.token.encode())
         return own and host in hosts and known
 
-    def run(self, between: Callable[[], object] = lambda: None) -> None:
-        """Serve until the last page is closed; `between` is called after each turn."""
-        threading.Thread(target=self.serve_forever, daemon=True).start()
-        try:
-            while not self.session.ended:
-                begun = time.perf_counter()
+    def show(self, session: Session, page: str) -> None:
+        """Put another session in the place of this one, also on the pages that are open."""
+        before, self.session, self.page = self.session, session, page.encode()
+        before.close(anew=True)
+
+    def __enter__(self) -> Server:
+        """Begin to answer."""
+        threading.Thread(target=self.serve_forever, args=(POLL,), daemon=True).start()
+        return self
+
+    def __exit__(self, *args: object) -> None:
+        """Tell all pages that it is over, and free the port."""
+        self.session.close()
+        self.shutdown()
+        self.server_close()
+
+    def run(
+        self, seconds: float | None = None,
+        hold: Callable[[], contextlib.AbstractContextManager[object]] = contextlib.nullcontext,
+    ) -> None:  # fmt: skip
+        """Move the session for so long, else until its last page is closed, each turn in `hold`."""
+        end = math.inf if seconds is None else time.perf_counter() + seconds
+        while time.perf_counter() < end and not (seconds is None and self.session.ended):
+            begun = time.perf_counter()
+            with hold():
                 self.session.turn()
-                between()
-                time.sleep(max(0.001, 1.0 / RATE - (time.perf_counter() - begun)))
-        finally:
-            self.session.close()
-            self.shutdown()
-            self.server_close()
+            time.sleep(max(0.001, 1.0 / RATE - (time.perf_counter() - begun)))
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -413,14 +439,15 @@ class _Handler(BaseHTTPRequestHandler):
     def _hand_on(self) -> None:
         """Write what the session sends until the page is closed, or the session ends."""
         self.close_connection = True
-        page = self._live.session.join()
+        session = self._live.session
+        page = session.join()
         try:
             for text in self._said(page):
                 self.wfile.write(text)
         except OSError:
             pass  # closed
         finally:
-            self._live.session.leave(page)
+            session.leave(page)
 
     def _said(self, page: queue.Queue[bytes | None]) -> Iterator[bytes]:
         while True:

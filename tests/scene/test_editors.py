@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -97,22 +99,17 @@ def test_init_refuses_a_wrong_name_with_those_there_are(
 # --------------------------------------------------------------------------------------- watch
 
 
-def saves(file: Path, *texts: str | None):
-    """Stamps of a file that is written anew before each; None: it is away."""
-    for size, text in enumerate(texts):
-        if text is not None:
-            file.write_text(text, encoding="utf-8")
-        yield None if text is None else (size, 0)
+def check(file: Path) -> str:
+    return watch.checked(str(file), lambda _: watch.parts_and_model(str(file), {}))
 
 
-def test_each_save_is_checked_once_and_a_file_that_is_away_is_waited_for(tmp_path):
+def test_a_check_finds_mistakes_and_says_where_they_are(tmp_path):
     file = tmp_path / "a.toml"
-    wrong = GOOD.replace("mass =", "mas =")
-    found = list(watch.findings(str(file), saves(file, GOOD, wrong, None, GOOD)))
-    assert [found[0], found[2]] == [f"{file}: fine"] * 2
-    assert f"{file}:" in found[1]
-    assert "did you mean 'mass'?" in found[1]
-    assert list(watch.findings(str(file), [(1, 1), (1, 1), None, (1, 1)])) == [found[0]]
+    file.write_text(GOOD, encoding="utf-8")
+    assert check(file) == f"{file}: fine"
+    file.write_text(GOOD.replace("mass =", "mas ="), encoding="utf-8")
+    assert f"{file}:" in check(file)
+    assert "did you mean 'mass'?" in check(file)
 
 
 def test_a_mechanism_that_cannot_be_closed_is_not_fine(tmp_path):
@@ -131,18 +128,18 @@ left = { type = "distance", points = ["A", "C"], length = 0.4 }
 right = { type = "distance", points = ["B", "C"], length = 0.4 }
 """
     assert loads(text).warnings == ()
-    (found,) = watch.findings(str(file), saves(file, text))
-    assert "fine" not in found
-    assert "left" in found
+    file.write_text(text, encoding="utf-8")
+    assert "fine" not in check(file)
+    assert "left" in check(file)
 
 
-def test_warnings_of_a_scene_are_told_at_each_save(tmp_path):
+def test_warnings_of_a_scene_are_told_at_each_check(tmp_path):
     file = tmp_path / "a.toml"
     text = GOOD.replace("[parameters]", "[parameters]\nspare = 1.0")
     assert text != GOOD
-    found = list(watch.findings(str(file), saves(file, text, text)))
-    assert len(found) == 2
-    assert all("parameters.spare: nothing depends on it" in each for each in found)
+    file.write_text(text, encoding="utf-8")
+    for _ in range(2):
+        assert "parameters.spare: nothing depends on it" in check(file)
 
 
 def test_watch_ends_with_ctrl_c_and_0(capsys, monkeypatch, tmp_path):
@@ -161,13 +158,72 @@ def test_what_is_no_scene_cannot_be_watched(capsys, tmp_path):
     assert (code, err) == (2, f"holonom: {tmp_path / 'a.toml'}: no such file\n")
 
 
-def test_stamps_follow_the_file(monkeypatch, tmp_path):
-    monkeypatch.setattr(watch.time, "sleep", lambda _seconds: None)
+def test_each_save_is_noticed_once_and_a_file_that_is_away_is_waited_for(tmp_path):
     file = tmp_path / "a.toml"
-    stamps = watch._stamps(str(file))
-    assert next(stamps) is None
+    files = watch.WatchedFiles(str(file))
+    assert not files.are_new()
     file.write_text("a")
-    first = next(stamps)
-    assert next(stamps) == first
+    assert (files.are_new(), files.are_new()) == (True, False)
     os.utime(file, ns=(1, 1))
-    assert next(stamps) == (1, 1)
+    assert (files.are_new(), files.are_new()) == (True, False)
+    file.unlink()
+    assert not files.are_new()
+    file.write_text("a")
+    os.utime(file, ns=(1, 1))
+    assert not files.are_new()  # it is what it was
+
+
+@pytest.mark.parametrize("text", ['profile = { file = "data/road.csv" }', "file = 'data/road.csv'"])
+@pytest.mark.parametrize("rest", ["", "\n[not toml"])
+def test_files_that_a_scene_names_are_watched_too(tmp_path, text, rest):
+    file, road = tmp_path / "a.toml", tmp_path / "data" / "road.csv"
+    file.write_text(text + rest)
+    files = watch.WatchedFiles(str(file))
+    assert (files.are_new(), files.are_new()) == (True, False)
+    road.parent.mkdir()
+    road.write_text("0,0\n1,0\n")
+    assert (files.are_new(), files.are_new()) == (True, False)
+    road.write_text("0,0\n1,0.5\n")
+    assert (files.are_new(), files.are_new()) == (True, False)
+
+
+def test_a_watched_page_is_renewed_at_each_save_that_is_in_order(monkeypatch, tmp_path):
+    """Wrong scenes are said on the page, which goes on with the last one that was in order."""
+    from build_fmu.commands import view
+
+    file = tmp_path / "a.toml"
+    shown, ended = [], []
+
+    class Page:
+        session = SimpleNamespace(say=lambda text: shown.append(text.splitlines()[0]))
+
+        def show(self, session, page):
+            shown.append((session, page))
+
+    @contextlib.contextmanager
+    def session_of(_target, _entries, warnings):
+        watch.parts_and_model(str(file), {})
+        number = len(shown)
+        yield number, [*warnings]
+        ended.append(number)
+
+    @contextlib.contextmanager
+    def server_of(session, page, _arguments):
+        shown.append((session, page))
+        yield Page()
+        ended.append("served")
+
+    monkeypatch.setattr(view, "live_session", session_of)
+    monkeypatch.setattr(view, "server_of", server_of)
+    page = watch.WatchedPage(SimpleNamespace(scene=str(file)))
+    wrong = GOOD.replace("mass =", "mas =")
+    spare = GOOD.replace("[parameters]", "[parameters]\nspare = 1.0")
+    for text in (wrong, GOOD, wrong, spare):
+        file.write_text(text, encoding="utf-8")
+        watch.checked(str(file), page.renew)
+    page.close()
+    first, said, (_, warnings) = shown
+    assert first == (0, [])
+    assert "unknown field" in said
+    assert "nothing depends on it" in warnings[0]
+    assert ended == [0, "served", 2]

@@ -17,8 +17,28 @@ WITH_WEBGL = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 WITHOUT_WEBGL = ("--disable-gpu", "--disable-3d-apis", "--disable-software-rasterizer")
 
 
+AXE = ROOT / "viewer" / "node_modules" / "axe-core" / "axe.min.js"
+
+
 def scene(name: str) -> str:
     return str(ROOT / "scenes" / f"{name}.toml")
+
+
+def axe_findings(page) -> dict[str, list]:
+    """What axe-core finds serious on a page of ours, light and dark."""
+    if not AXE.is_file():
+        pytest.skip("no axe-core: make viewer brings it")
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    found = {}
+    for theme in ("light", "dark"):
+        page.emulate_media(color_scheme=theme)
+        page.evaluate(
+            "dark => window.holonom && holonom.dark !== dark && holonom.flip()", theme == "dark"
+        )
+        violations = page.evaluate("axe.run().then(r => r.violations)")
+        serious = [x for x in violations if x["impact"] in ("serious", "critical")]
+        found[theme] = [(x["id"], [n["html"][:100] for n in x["nodes"]][:3]) for x in serious]
+    return found
 
 
 @pytest.fixture(scope="session")

@@ -14,11 +14,10 @@ import pytest
 
 import solver
 from build_fmu.command_line import main
-from tests.viewer.conftest import ROOT, WITHOUT_WEBGL, scene
+from tests.viewer.conftest import ROOT, WITHOUT_WEBGL, axe_findings, scene
 from viewer.report import ReportRun, page_text
 
 PENDULUM_POINTS = ("A.x", "A.y", "B.x", "B.y")
-AXE = ROOT / "viewer" / "node_modules" / "axe-core" / "axe.min.js"
 
 
 def picture(page) -> np.ndarray:
@@ -284,16 +283,7 @@ def test_a_large_page_is_small_quickly_decoded_and_cheap_to_play(look, tmp_path)
 
 
 def test_axe_finds_nothing_serious(platform, look):
-    if not AXE.is_file():
-        pytest.skip("no axe-core: make viewer brings it")
-    page = look(platform)
-    page.evaluate(AXE.read_text(encoding="utf-8"))
-    for theme in ("light", "dark"):
-        found = page.evaluate("axe.run().then(r => r.violations)")
-        serious = [x for x in found if x["impact"] in ("serious", "critical")]
-        nodes = [(x["id"], [n["html"][:100] for n in x["nodes"]][:3]) for x in serious]
-        assert nodes == [], theme
-        page.evaluate("holonom.flip()")
+    assert axe_findings(look(platform)) == {"light": [], "dark": []}
 
 
 @pytest.mark.long

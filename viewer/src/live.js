@@ -103,10 +103,18 @@ export async function live(data) {
     if (now !== drawn) { drawn = now; data.drawings[0] = row.drawing; run.restart(preview); state.choose(0); }
     run.restart([row]); view.newest(true); show(row.set); from(row); say('');
   });
-  on('row', row => { run.push(row); dirty = true; state.rows = run.n; $('pace').textContent = row.late ? 'slower than the clock' : ''; });
+  on('row', row => { run.push(row); dirty = true; state.rows = run.n; pace(row); });
   on('state', from);
   on('failed', d => { say(`stopped at t = ${d.time.toFixed(3)} s: ${d.reason}`); from({ playing: false, speed: state.speed }); });
+  on('said', d => say(d.text));
+  on('anew', () => location.reload());
   events.onerror = () => { say(GONE); from({ playing: false, speed: state.speed }); };
+  let mark = null;                        // time and clock half a second ago, while it cannot keep up
+  function pace({ time, late }) {
+    const now = performance.now(); if (!late || !mark || time < mark[0]) { mark = late ? [time, now] : null; $('pace').textContent = late ? 'slower than the clock' : ''; return; }
+    if (now - mark[1] < 500) return;
+    $('pace').textContent = `slower than the clock: ${shown(+(1e5 * (time - mark[0]) / (now - mark[1]) / state.speed).toPrecision(2))} % of this speed`; mark = [time, now];
+  }
   addEventListener('pagehide', () => events.close());
   requestAnimationFrame(function tick(now) {
     if (dirty) { dirty = false; const all = now - since > REDRAWN; if (all) since = now; view.newest(all); }
