@@ -21,13 +21,18 @@ _PAGE = """<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{name}</title>
 <style>
-body {{ font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 64rem }}
+:root {{ color-scheme: light dark }}
+body {{ font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 64rem; padding: 0 1em }}
 table {{ border-collapse: collapse; width: 100% }}
-th, td {{ border-bottom: 1px solid #ccc; padding: .2rem .6rem; text-align: left }}
-img {{ float: right; margin: 0 0 1rem 1rem; border: 1px solid #ccc }}
-td.number {{ font-variant-numeric: tabular-nums }}
+th, td {{ border-bottom: 1px solid #8886; padding: .2rem .6rem .2rem 0; text-align: left }}
+th, td {{ vertical-align: top }}
+td code, .number {{ overflow-wrap: anywhere }}
+img {{ float: right; margin: 0 0 1em 1em; border: 1px solid #8886; max-width: 100%; height: auto }}
+.number {{ font-variant-numeric: tabular-nums }}
+@media (max-width: 40rem) {{ table {{ font-size: 80% }} img {{ margin: 0 0 1em }} }}
 </style>
 </head>
 <body>
@@ -62,6 +67,8 @@ _NEEDS_COMPILER = (
     "It has no library: the importer compiles its sources, in the folder sources, with a compiler "
     "of C99; they need no library, not even libm."
 )
+_HEAD = ("Name", "Unit", "Value", "Range", "Meaning")
+_CELLS = {0: "<td><code>{}</code></td>", **dict.fromkeys((2, 3), '<td class="number">{}</td>')}
 _SETTINGS = "Settings of the solver"
 _SECTIONS = {
     "input": "Inputs",
@@ -165,20 +172,19 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
         )
 
 
-def _table(title: str, rows: Sequence[str]) -> str:
-    head = "<tr><th>Name</th><th>Unit</th><th>Value</th><th>Range</th><th>Meaning</th></tr>"
-    listed = "\n".join([head, *rows])
+def _table(title: str, rows: Sequence[Sequence[str]]) -> str:
+    """Table of the columns in which a row has something."""
+    used = [k for k in range(len(_HEAD)) if any(row[k] for row in rows)]
+    lines = [[f"<th>{_HEAD[k]}</th>" for k in used]]
+    lines += [[_CELLS.get(k, "<td>{}</td>").format(row[k]) for k in used] for row in rows]
+    listed = "\n".join(f"<tr>{''.join(line)}</tr>" for line in lines)
     return f"<h2>{title}</h2>\n<table>\n{listed}\n</table>" if rows else ""
 
 
-def _row(variable: Variable) -> str:
+def _row(variable: Variable) -> list[str]:
     span = _range(variable.minimum, variable.maximum)
     cells = (variable.name, variable.unit, as_text(variable.start), span, variable.description)
-    name, unit, value, limits_text, meaning = (escape(cell or "") for cell in cells)
-    return (
-        f'<tr><td><code>{name}</code></td><td>{unit}</td><td class="number">{value}</td>'
-        f"<td>{limits_text}</td><td>{meaning}</td></tr>"
-    )
+    return [escape(cell or "") for cell in cells]
 
 
 def _range(least: float | None, most: float | None) -> str:

@@ -17,7 +17,8 @@ from build_fmu.target import runnable
 
 if TYPE_CHECKING:
     from build_fmu.study.values import Entry
-    from viewer.live import Server, Session
+    from viewer.live import Session
+    from viewer.live_server import Server
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -63,7 +64,7 @@ def server_of(
     session: Session, page: str, arguments: argparse.Namespace, end: str = ""
 ) -> Iterator[Server]:
     """Server of a page whose address is said, and opened in a browser."""
-    from viewer.live import Server
+    from viewer.live_server import Server
 
     try:
         made = Server(session, page, arguments.port)

@@ -16,7 +16,7 @@ from build_fmu.errors import CommandError, UsageError
 from build_fmu.target import is_fmu, parts_and_model
 
 if TYPE_CHECKING:
-    from viewer.live import Server
+    from viewer.live_server import Server
 
 SECONDS = 0.3
 """Between two looks at the files."""

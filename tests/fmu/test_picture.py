@@ -214,7 +214,7 @@ def test_the_page_has_the_mechanism_first_ranges_in_words_and_whole_numbers_with
     assert text.index("<code>whole") < places[2]
     assert text.index("<code>solver.max_newton") > places[3]
     for cell in ("at least 0.01", "at most 3", "-1 to 3", "1 to 1000"):
-        assert f"<td>{cell}</td>" in text
+        assert f'<td class="number">{cell}</td>' in text
     assert 'class="number">20</td>' in text
     assert ".0</td>" not in text
 

@@ -67,7 +67,7 @@ def look(launch):
     """Function that opens a page, without a network, and waits until it is drawn."""
     contexts = []
 
-    def look(path: Path, *, hash: str = "still", arguments=WITH_WEBGL, **options):
+    def look(path: Path, *, hash: str = "still", arguments=WITH_WEBGL, clock=False, **options):
         settings = {"viewport": {"width": 1200, "height": 800}, "reduced_motion": "reduce"}
         context = launch(arguments).new_context(offline=True, **(settings | options))
         contexts.append(context)
@@ -76,11 +76,15 @@ def look(launch):
         page.on("console", lambda message: page.said.append(message.text))
         page.on("pageerror", lambda error: page.said.append(str(error)))
         page.on("request", lambda request: page.asked.append(request.url))
+        if clock:
+            page.clock.install(time=0)
         page.goto(f"{path.as_uri()}#{hash}")
         end = time.monotonic() + 60.0  # wait_for_function needs eval, which the page forbids
         while not page.evaluate("!!(window.holonom && (holonom.first || holonom.error))"):
             assert time.monotonic() < end, ("the page is not ready", page.said)
             page.wait_for_timeout(50)
+        if clock:
+            page.clock.pause_at(3600)  # from now on it goes on when it is told
         return page
 
     yield look

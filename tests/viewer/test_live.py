@@ -19,7 +19,8 @@ from build_fmu.reporting import Carried
 from build_fmu.stepping import SteppedFmu
 from tests.commands import run
 from tests.viewer.conftest import ROOT, scene
-from viewer.live import BUSY, GRACE, LAG, RATE, Server, Session, StoppedError, live_page
+from viewer.live import BUSY, GRACE, LAG, RATE, Session, StoppedError, live_page
+from viewer.live_server import Server
 
 
 class Clock:

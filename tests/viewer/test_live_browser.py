@@ -10,7 +10,7 @@ import pytest
 
 from build_fmu.commands.view import live_session
 from tests.viewer.conftest import axe_findings, scene
-from viewer.live import Server
+from viewer.live_server import Server
 
 FINITE = (
     "holonom.run.values.every(x => x.subarray(0, holonom.run.n).every(Number.isFinite))"
@@ -180,8 +180,10 @@ def test_a_page_shows_another_session_in_its_place(open_live):
         wait_for(lambda: session.ended)
 
 
-def test_axe_finds_nothing_serious_on_a_live_page(open_live):
+def test_a_live_page_fits_a_phone_and_axe_finds_nothing_serious(open_live):
     page, _ = open_live("slider_crank")
     enter(page, "rod_length", "0")
     until(page, SAID)
     assert axe_findings(page) == {"light": [], "dark": []}
+    page.set_viewport_size({"width": 390, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390

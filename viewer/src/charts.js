@@ -42,15 +42,15 @@ export class Charts {
     const { spec, box } = item, { log, stack } = spec, style = getComputedStyle(document.body), ink = name => style.getPropertyValue(name).trim(), host = box.querySelector('.plot'), traces = item.traces = this.traces(spec);
     item.plot?.destroy();
     const same = traces.every(x => x.run === traces[0].run), values = same ? [traces[0].run.t, ...traces.map(x => x.values)] : uPlot.join(traces.map(x => [Array.from(x.run.t), Array.from(x.values)]));
-    const chips = box.querySelector('.chips'); chips.innerHTML = traces.map(x => `<span><i style="background:${x.colour}"></i>${escaped(traces.length > 1 ? x.label : '')} <b></b></span>`).join(''); item.numbers = [...chips.querySelectorAll('b')];
+    const chips = box.querySelector('.chips'); chips.classList.toggle('many', traces.length > 1); chips.innerHTML = traces.map(x => `<span><i style="background:${x.colour}"></i>${escaped(traces.length > 1 ? x.label : '')} <b></b></span>`).join(''); item.numbers = [...chips.querySelectorAll('b')];
     const axis = { stroke: ink('--soft'), grid: { stroke: ink('--grid'), width: 1 }, ticks: { stroke: ink('--grid') }, font: '11px system-ui' }, head = ink('--accent');
-    const decades = v => v.map(x => x !== null && Math.abs(Math.log10(x) % 2) < 1e-6 ? x.toExponential(0) : '');
+    const decades = (u, k, low, high) => { const a = Math.round(Math.log10(low)), b = Math.round(Math.log10(high)), by = Math.ceil((b - a) / 4), out = []; for (let p = a; p <= b; p += by) out.push(10 ** p); return out; };
     const range = (u, a, b) => { const d = b - a > 1e-9 * Math.max(Math.abs(a), Math.abs(b)) ? .06 * (b - a) : Math.max(.5 * Math.abs(b), 1e-3); return [stack && a >= 0 ? 0 : a - d, b + d]; };
     item.plot = new uPlot({
       width: Math.max(200, host.clientWidth), height: this.height(), legend: { show: false }, pxAlign: 0, padding: [8, 10, 0, 0],
       cursor: { sync: { key: 'time' }, drag: { x: true, y: false } },
       scales: { x: { time: false }, y: log ? { distr: 3, range: (u, a, b) => [10 ** Math.floor(Math.log10(a || FLOOR)), 10 ** Math.ceil(Math.log10(Math.max(b || 0, 10 * (a || FLOOR))))] } : { range } },
-      axes: [{ ...axis, size: 26, gap: 3 }, { ...axis, size: 68, space: log ? 18 : 24, values: (u, v) => log ? decades(v) : v.map(shown) }],
+      axes: [{ ...axis, size: 26, gap: 3 }, { ...axis, size: 68, ...(log ? { splits: decades, filter: (u, v) => v, values: (u, v) => v.map(x => x.toExponential(0)) } : { space: 24, values: (u, v) => v.map(shown) }) }],
       series: [{}, ...traces.map(x => ({ label: x.label, stroke: x.colour, fill: x.fill, dash: x.dash, width: x.width || 1.6, spanGaps: !log, points: { show: false } }))],
       bands: stack ? traces.slice(1).filter(x => x.fill).map((x, k) => ({ series: [k + 2, k + 1], fill: x.fill })) : [],
       hooks: { draw: [u => { const x = u.valToPos(this.time, 'x', true), { left, top, width, height } = u.bbox; if (x < left - 1 || x > left + width + 1) return; u.ctx.save(); u.ctx.setLineDash([]); u.ctx.strokeStyle = head; u.ctx.lineWidth = 1.5 * devicePixelRatio; u.ctx.beginPath(); u.ctx.moveTo(x, top); u.ctx.lineTo(x, top + height); u.ctx.stroke(); u.ctx.restore(); }] },

@@ -4,6 +4,7 @@ import { ownShape, unitShape } from './shapes.js';
 import { PALETTE } from './text.js';
 
 const STEEL = '#8a929c', DARK = '#39424f', PIN = '#e9ecf0', SPRING = '#1f9d68', DAMPER = '#a8762a', GROUND = '#9aa1ab', REACTION = '#d61f69', CONTACT = '#b45309';
+const SLIDING = new Set(['prismatic', 'cylindrical', 'screw', 'planar', 'point_on_line', 'point_on_plane', 'point_on_surface']);
 const Z = new Vector3(0, 0, 1), ONE = new Vector3(1, 1, 1), NONE = new Quaternion(), HIDDEN = new Matrix4().makeScale(0, 0, 0);
 const vector = a => new Vector3(a?.[0] || 0, a?.[1] || 0, a?.[2] || 0), along = axis => new Quaternion().setFromUnitVectors(Z, vector(axis).normalize());
 const quaternion = w => w ? new Quaternion(w[1], w[2], w[3], w[0]) : NONE;
@@ -169,7 +170,7 @@ export class Mechanism {
     else if (this.flat) { put('cylinder', PIN, 1.1, 1.1, 7); put('cylinder', DARK, 1.7, 1.7, 5.6); }
     else if (j.axis) { const q = along(j.axis), long = j.kind === 'prismatic' ? 14 : 7; put('cylinder', PIN, 1.2, 1.2, long, q); put(j.kind === 'prismatic' ? 'box' : 'cylinder', DARK, j.kind === 'prismatic' ? 4 : 2, j.kind === 'prismatic' ? 4 : 2, 4.6, q); }
     else put('sphere', DARK, 1.9, 1.9, 1.9);
-    if (!j.ground) return;
+    if (!j.ground || SLIDING.has(j.kind)) return;      // a support stands still
     const p = new Vector3(), turn = new Quaternion().setFromUnitVectors(Z, this.up), at = (h, x, y, z) => { const scale = new Vector3(x, y, z).multiplyScalar(T); return out => out.compose(this.place(j.place, p).addScaledVector(this.up, h * T), turn, scale); };
     this.add('cone', GROUND, 'ground', at(-4.8, 3, this.flat ? 1 : 3, 4.8), { layer: 'ground' }); this.add('box', '#7c838e', 'ground', at(-5.2, 8, this.flat ? 3 : 8, 1), { layer: 'ground' });
   }

@@ -1,6 +1,6 @@
 // The place where mechanisms move: light, ground, camera, paths. WebGL, or a painted canvas.
 import {
-  Box3, Color, DirectionalLight, HemisphereLight, Mesh, NeutralToneMapping, OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene,
+  Box3, Color, DirectionalLight, HemisphereLight, Mesh, OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene,
   ShaderMaterial, ShadowMaterial, Vector2, Vector3, WebGLRenderer, Object3D,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -43,12 +43,12 @@ export class Stage {
   }
   webgl(canvas) {
     const r = new WebGLRenderer({ canvas, antialias: this.fine > 1, alpha: true, preserveDrawingBuffer: true });
-    r.toneMapping = NeutralToneMapping; r.toneMappingExposure = 1.05; r.shadowMap.enabled = this.fine > 1; r.shadowMap.type = PCFShadowMap;
+    r.shadowMap.enabled = this.fine > 1; r.shadowMap.type = PCFShadowMap;
     return r;
   }
   ground() {                              // light, shadow and a grid that fades; no depth, or they would fight
     this.sun = new DirectionalLight('#ffffff', this.fine > 1 ? 2 : 1.5); this.sun.castShadow = true; this.sun.shadow.mapSize.setScalar(2048); this.sun.shadow.bias = -6e-4;
-    this.scene.add(this.sun, this.sun.target, new HemisphereLight('#ffffff', '#8890a0', this.fine > 1 ? 1.3 : 1.7));
+    this.scene.add(this.sun, this.sun.target, this.sky = new HemisphereLight('#ffffff', '#8890a0'));
     if (this.painted) return;
     const plane = new PlaneGeometry(1, 1);
     this.shadow = new Mesh(plane, new ShadowMaterial({ opacity: .2, depthWrite: false })); this.shadow.receiveShadow = true;
@@ -113,7 +113,7 @@ export class Stage {
   }
   follow(on) { this.following = on; this.last = null; }
   resize(width, height) { Object.assign(this, { width, height, resized: true, dirty: true }); }
-  theme(dark) { this.grid?.material.uniforms.colour.value.set(dark ? '#7f8ea6' : '#8894a6'); this.dirty = true; }
+  theme(dark) { this.sky.intensity = (this.fine > 1 ? 1.3 : 1.7) * (dark ? 1.6 : 1); this.grid?.material.uniforms.colour.value.set(dark ? '#7f8ea6' : '#8894a6'); this.dirty = true; }
   layer(name, on) {
     this.layers[name] = on;
     for (const m of this.shown) for (const mesh of m.meshes) if (mesh.userData.layer === name) mesh.visible = on;

@@ -1,7 +1,7 @@
 // Cards and tables below the animation: what is true of a run, in numbers.
 import { $, escaped, shown, unitOf } from './text.js';
 
-const table = (label, head, rows) => `<div class="scroll" tabindex="0" role="group" aria-label="${escaped(label)}"><table><thead><tr>${head.map(h => `<th scope="col">${escaped(h)}</th>`).join('')}</tr></thead><tbody>${rows.join('')}</tbody></table></div>`;
+const table = (label, head, rows) => `<div class="scroll" tabindex="0" role="group" aria-label="${escaped(label)}"><table><thead><tr>${head.map((h, k) => `<th scope="col"${rows[0]?.split('<td')[k + 1].startsWith(' class="n"') ? ' class="n"' : ''}>${escaped(h)}</th>`).join('')}</tr></thead><tbody>${rows.join('')}</tbody></table></div>`;
 const section = (title, body, open) => `<details class="card"${open ? ' open' : ''}><summary>${escaped(title)}</summary>${body}</details>`;
 const number = x => `<td class="n">${escaped(shown(x))}</td>`, code = x => `<td><code>${escaped(x)}</code></td>`, cell = x => `<td>${escaped(x)}</td>`;
 
