@@ -167,10 +167,9 @@ def test_a_page_shows_another_session_in_its_place(open_live):
     until(page, f"{SAID}.includes('3 | x = 1')")
     with live_session(scene("four_bar"), {}, ["a warning"]) as (session, text):
         server.show(session, text)
-        until(
-            page,
-            "document.title === 'four_bar' && window.holonom && holonom.run && holonom.run.n === 1",
-        )
+        wait_for(lambda: session._pages)  # it has been loaded anew
+        until(page, "window.holonom && holonom.first && holonom.run.n === 1")
+        assert page.title() == "four_bar"
         assert "a warning" in page.inner_text("#messages")
         page.click("#step")
         until(page, "holonom.time > 0")
