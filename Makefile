@@ -10,7 +10,7 @@
 # make platforms   native FMUs of other platforms, in wine and qemu-user where these are installed
 # make release     an archive of the sources and wheels of all platforms in dist/, and tests of these
 # make viewer      bundle the scripts of reports again (needs node and npm)
-# make browser     look at reports in a browser of this machine: chromium
+# make browser     look at reports and live pages in a browser of this machine: chromium
 # make cofmupy     the same in cofmupy, which is large
 # make kernel      compile the C kernel and nothing else
 # make clean       back to a fresh clone
@@ -91,7 +91,8 @@ viewer:
 	cd viewer && npm ci --silent && npm run --silent build
 
 browser: $(VENV)/installed-browser
-	$(BIN)/python -m pytest -rs tests/viewer
+	@cd viewer && npm ci --silent || echo "no npm, or no network: axe-core does not look at the pages"
+	$(BIN)/python -m pytest -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
 
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
