@@ -22,6 +22,8 @@ STEPS = 40
 """Of a curve along the size of a mechanism."""
 CELLS = 16
 """Of a surface along each side."""
+MOST_CELLS = 64
+"""Of one on which something travels."""
 MOST_TRIANGLES = 300
 """Of a mesh in a drawing: 5 kB of text."""
 _ROUNDED = 16
@@ -147,9 +149,9 @@ def traced(value: Callable[[Array], float], start: Array, size: float) -> Array:
 
 
 def heights_over(
-    value: Callable[[Array], float], start: Array, size: float
+    value: Callable[[Array], float], start: Array, size: float, travel: Array
 ) -> tuple[Array, dict[str, Any]] | None:
-    """Return axes and a grid of heights on a surface F(x, y, z) = 0 about a place.
+    """Return axes and a grid of heights on a surface F(x, y, z) = 0 about a place that travels.
 
     The heights are along the axis to which the normal is nearest; each is sought by Newton's
     iteration from its neighbour, and is None where there is none.
@@ -158,14 +160,20 @@ def heights_over(
     slopes = [(value(start + d) - value(start - d)) for d in e * np.eye(3)]
     up = int(np.argmax(np.abs(slopes)))
     axes = np.eye(3)[:, [(up + 1) % 3, (up + 2) % 3, up]]
-    ways = np.linspace(-0.75, 0.75, CELLS + 1) * size
+    ways, middle = [], []
+    for far in axes.T[:2] @ travel:
+        cells = min(CELLS + round(CELLS * abs(far) / (3.0 * size)), MOST_CELLS)
+        ways.append(
+            np.linspace(min(far, 0.0) - 0.75 * size, max(far, 0.0) + 0.75 * size, cells + 1)
+        )
+        middle.append(int(np.argmin(np.abs(ways[-1]))))
     grid: dict[tuple[int, int], float] = {}
-    middle, own = CELLS // 2, axes.T @ start
+    own = axes.T @ start
 
     def height(i: int, k: int, guess: float) -> float | None:
         z = guess
         for _ in range(20):
-            at = axes @ np.array((own[0] + ways[i], own[1] + ways[k], z))
+            at = axes @ np.array((own[0] + ways[0][i], own[1] + ways[1][k], z))
             rise = (value(at + e * axes[:, 2]) - value(at - e * axes[:, 2])) / (2.0 * e)
             change = -value(at) / rise if rise else math.inf
             if not abs(change) < size:
@@ -175,9 +183,9 @@ def heights_over(
                 return z
         return None
 
-    cells = [(i, k) for i in range(CELLS + 1) for k in range(CELLS + 1)]
-    for i, k in sorted(cells, key=lambda c: (c[0] - middle) ** 2 + (c[1] - middle) ** 2):
-        near = (i - int(np.sign(i - middle)), k - int(np.sign(k - middle)))
+    places = [(i, k) for i in range(len(ways[0])) for k in range(len(ways[1]))]
+    for i, k in sorted(places, key=lambda c: (c[0] - middle[0]) ** 2 + (c[1] - middle[1]) ** 2):
+        near = (i - int(np.sign(i - middle[0])), k - int(np.sign(k - middle[1])))
         guess = grid.get(near, None if grid else own[2])
         found = None if guess is None else height(i, k, guess)
         if found is not None:
@@ -185,8 +193,8 @@ def heights_over(
     if not grid:
         return None
     grid = dict(zip(grid, rounded(np.array([*grid.values()])).tolist(), strict=True))
-    z = [[grid.get((i, k)) for k in range(CELLS + 1)] for i in range(CELLS + 1)]
-    return axes, {"x": rounded(own[0] + ways), "y": rounded(own[1] + ways), "z": z}
+    z = [[grid.get((i, k)) for k in range(len(ways[1]))] for i in range(len(ways[0]))]
+    return axes, {"x": rounded(own[0] + ways[0]), "y": rounded(own[1] + ways[1]), "z": z}
 
 
 def heights_of(contact: HeightFieldContact) -> dict[str, Any]:

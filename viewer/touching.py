@@ -282,11 +282,21 @@ class Touching:
                 points = contours.traced(value, start, self.solids.size)
                 if np.isfinite(points).all():
                     self._curve(name, part.body, place, points, None)
-            elif found := contours.heights_over(value, start, self.solids.size):
+            elif found := contours.heights_over(value, start, self.solids.size, self._travel(part)):
                 axes, grid = found
                 self.solids.add(name, "surface", part.body, place, "heights", axes, 0.6, **grid)
         except (ArithmeticError, ValueError):  # the formula has no value somewhere around
             return
+
+    def _travel(self, part: SurfaceContact | PointOnSurface) -> Array:
+        """How far a point comes in the experiment with the velocity that it begins with [m]."""
+        owner = (part.point.point or "").partition(".")[0]
+        moving: Any = self.scene.points.get(owner) or self.scene.bodies.get(owner)
+        velocity = getattr(moving, "velocity", None)
+        if part.body is not None or not velocity:
+            return np.zeros(3)
+        time = self.scene.experiment.stop_time - self.scene.experiment.start_time
+        return time * self.places.vector(velocity)
 
     def _point_on_plane(self, name: str, part: PointOnPlane) -> None:
         at = part.position

@@ -228,3 +228,13 @@ def test_the_drawing_travels_in_the_archive_whose_page_shows_it():
         assert b'src="../model.png"' in archive.read("documentation/index.html")
     assert found == drawing(loaded(SCENES / "four_bar.toml"))
     assert found["format"] == 1
+
+
+def test_a_surface_reaches_as_far_as_what_flies_over_it():
+    trajectory = solver.simulate(SCENES / "ball_on_hills.toml")
+    drawn = drawing(trajectory.model.scene)
+    (hills,) = [solid for solid in drawn["solids"] if solid["shape"] == "heights"]
+    for axis in "xy":
+        places = trajectory[f"ball.{axis}"]
+        assert hills[axis][0] < places.min()
+        assert places.max() < hills[axis][-1]

@@ -378,12 +378,13 @@ def test_another_session_takes_the_place_of_one_and_pages_load_anew(server):
 @pytest.mark.parametrize(
     "command", [["view"], ["watch"], ["watch", "--view"]], ids=lambda command: " ".join(command)
 )
-def test_ctrl_c_ends_a_command_with_0_and_frees_its_port(command):
+def test_ctrl_c_ends_a_command_with_0_and_leaves_nothing(command, tmp_path):
     shows = command != ["watch"]
     more = ["--no-browser"] if shows else []
     process = subprocess.Popen(
         [sys.executable, "-m", "holonom", *command, scene("double_pendulum"), *more],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=ROOT,
+        env=os.environ | {"TMPDIR": str(tmp_path)},
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
     )  # fmt: skip
     with process, contextlib.ExitStack() as pages:
@@ -403,6 +404,7 @@ def test_ctrl_c_ends_a_command_with_0_and_frees_its_port(command):
         assert process.wait(60) == 0  # so no thread is left
         assert time.monotonic() - begin < 20.0
         assert process.stderr.read() == ""
+    assert list(tmp_path.iterdir()) == []
     if shows:
         Server(Session(Falling(), CONTROLS), "", port).server_close()
 
