@@ -43,6 +43,8 @@ WALL = 0.3
 """Of a hole with play, over the radius of its pin."""
 CLEAR = 0.35
 """Opacity of what holds something inside."""
+FLOOR = 0.5
+"""Opacity of a plane or a surface in space, through which the grid below it is seen."""
 
 
 class Touching:
@@ -90,7 +92,8 @@ class Touching:
         zero = (0.0,) * self.scene.dimension
         place = self.places.drawn(body, self.places.vector(position or zero))
         normal = self.places.own(body, self.places.direction(axis))
-        self.solids.add(name, "surface", body, place, "plane", normal=normal)
+        opacity = 1.0 if self.flat else FLOOR
+        self.solids.add(name, "surface", body, place, "plane", opacity=opacity, normal=normal)
 
     def _corners(
         self, name: str, body: str | None, corners: Sequence[Vector], radius: Number
@@ -284,7 +287,7 @@ class Touching:
                     self._curve(name, part.body, place, points, None)
             elif found := contours.heights_over(value, start, self.solids.size, self._travel(part)):
                 axes, grid = found
-                self.solids.add(name, "surface", part.body, place, "heights", axes, 0.6, **grid)
+                self.solids.add(name, "surface", part.body, place, "heights", axes, FLOOR, **grid)
         except (ArithmeticError, ValueError):  # the formula has no value somewhere around
             return
 
@@ -323,7 +326,7 @@ class Touching:
 
     def _height_field(self, name: str, part: HeightFieldContact) -> None:
         place, grid = self._place(part.body, part.position), contours.heights_of(part)
-        self.solids.add(name, "surface", part.body, place, "heights", **grid)
+        self.solids.add(name, "surface", part.body, place, "heights", opacity=FLOOR, **grid)
         self._ball(name, part.point, part.ball_radius)
 
     def _of_mesh(self, name: str, part: MeshContact) -> None:

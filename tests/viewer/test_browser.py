@@ -58,6 +58,12 @@ def test_points_are_drawn_where_they_are(pendulum, look, time):
     assert np.linalg.norm(a - b) == pytest.approx(1.0, abs=2e-4)
 
 
+def test_a_body_without_a_shape_is_as_large_as_what_holds_it(look, tmp_path):
+    """Of a top that stands on its tip only the mass centre, 1 m above, says how tall it is."""
+    path = solver.simulate(scene("sleeping_top"), stop_time=1.0).report(tmp_path / "page.html")
+    assert value(look(path), "holonom.stage.size") == pytest.approx(1.0, rel=0.01)
+
+
 def test_the_same_time_gives_the_same_pixels_and_another_time_others(pendulum, look):
     page = look(pendulum[1])
     page.evaluate("holonom.seek(1)")

@@ -38,7 +38,7 @@ export class Mechanism {
       if (['plane', 'heights', 'curve'].includes(s.shape)) continue;
       const turn = quaternion(s.turn), corners = [];
       if (s.shape === 'mesh') corners.push(...s.vertices.filter((v, k) => k % Math.ceil(s.vertices.length / 200) === 0)); else if (s.shape === 'prism') corners.push(...s.corners);
-      else if (s.to) { spots.push(...s.to.map(at => ({ frame: s.frame, at }))); continue; }
+      else if (s.to) { spots.push(...[s.at || [0, 0, 0], ...s.to].map(at => ({ frame: s.frame, at }))); continue; }
       else if (s.from) corners.push(s.from);
       else { const r = s.radius || 0, e = s.size?.map(x => x / 2) || s.half_axes || [r, r, s.length ? s.length / 2 : r]; for (let k = 0; k < 8; k++) corners.push([k & 1 ? e[0] : -e[0], k & 2 ? e[1] : -e[1], k & 4 ? e[2] || 0 : -(e[2] || 0)]); }
       for (const c of corners) spots.push({ frame: s.frame, at: vector(c).applyQuaternion(turn).add(vector(s.at)).toArray() });
@@ -110,7 +110,7 @@ export class Mechanism {
     const T = this.thick, colour = typeof s.colour === 'string' ? s.colour : s.colour < 0 ? GROUND : PALETTE[(s.colour ?? 7) % PALETTE.length], more = { opacity: s.opacity ?? 1 };
     const p = { frame: s.frame, at: s.at || [0, 0, 0] }, turn = quaternion(s.turn), flat = x => x || 1.4 * T, put = (shape, scale, q = turn, at = p) => this.add(shape, colour, s.owner, this.fixed(at, q, scale), more);
     const ends = (from, to) => [from, to].map(x => ({ frame: s.frame, at: vector(x).applyQuaternion(turn).add(vector(s.at)).toArray() }));
-    if (s.kind === 'surface') Object.assign(more, { layer: 'ground', surface: true, opacity: s.opacity ?? .85 });
+    if (s.kind === 'surface') Object.assign(more, { layer: 'ground', surface: true });
     switch (s.shape) {
       case 'box': return put('box', new Vector3(Math.max(s.size[0], .6 * T), Math.max(s.size[1], .6 * T), this.flat ? flat(0) : Math.max(s.size[2], .6 * T)));
       case 'sphere': return put(this.flat ? 'cylinder' : 'sphere', new Vector3(s.radius, s.radius, this.flat ? flat(0) : s.radius));
