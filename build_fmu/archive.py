@@ -54,13 +54,13 @@ def _extended(content: bytes, entries: Iterable[tuple[str, bytes]]) -> bytes:
     """Bytes of a zip file with more entries, sorted by name."""
     file = io.BytesIO()
     file.write(content)
-    with zipfile.ZipFile(file, "a", zipfile.ZIP_DEFLATED, compresslevel=9) as target:
+    with zipfile.ZipFile(file, "a") as target:
         for name, data in sorted(entries):
             entry = zipfile.ZipInfo(name, _EARLIEST)
             entry.compress_type, entry.create_system = zipfile.ZIP_DEFLATED, _UNIX
             mode = _EXECUTABLE_FILE if name.startswith("binaries/") else _REGULAR_FILE
             entry.external_attr = mode << 16
-            target.writestr(entry, data)
+            target.writestr(entry, data, compresslevel=9)
     return file.getvalue()
 
 

@@ -39,6 +39,7 @@ FLAGS = (
     # Smaller in an archive, and no slower: loops are as short as a link has coordinates. For the
     # same reason -O2, with HM_OFTEN (internal.h), takes no longer than -O3 and is a tenth smaller.
     "-fno-tree-vectorize",
+    *("-ffunction-sections", "-fdata-sections"),
     *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
 )
 KERNELS = Path("build/kernels")
@@ -177,8 +178,10 @@ def _compile_with_zig(root: Path, zig_name: str, kind: Kind, target: Path) -> No
     options = [*_without_runtime(compiler)]
     if kind.slave is not None:
         options.append("-Os")
-        if system == "Windows":  # handlers of exceptions need its tables; stack_probe.c serves it
-            options += ["-nostdlib", "-lc"]
+        # Handlers of exceptions on Windows need the tables. stack_probe.c is all that is taken of a
+        # run-time library there, and none is to be started.
+        if system == "Windows":
+            options += ["-nostdlib", "-lc", "-Wl,--no-entry"]
         else:
             options += ["-fno-unwind-tables", "-fno-asynchronous-unwind-tables"]
     if system == "Darwin":
@@ -263,7 +266,9 @@ def flags(system: str) -> list[str]:
     # Elsewhere the tables are part of the platform's interface; here only exceptions, of which C
     # has none, and debuggers read them.
     lean = ["-fno-asynchronous-unwind-tables"] if system == "Linux" else []
-    return [*FLAGS, *strip, *lean, *shlex.split(os.environ.get("CFLAGS", ""))]
+    # Functions that nobody calls are left out: a library of FMUs has no use for some.
+    called = "-Wl,-dead_strip" if system == "Darwin" else "-Wl,--gc-sections"
+    return [*FLAGS, *strip, *lean, called, *shlex.split(os.environ.get("CFLAGS", ""))]
 
 
 def _without_runtime(compiler: list[str]) -> list[str]:

@@ -195,3 +195,5 @@ fmi2_status fmi2GetBooleanStatus(fmi2_component c, fmi2_status_kind kind, fmi2_b
 fmi2_status fmi2GetStatus(fmi2_component c, fmi2_status_kind kind, fmi2_status *value) { return (void)kind, (void)value, c ? FMI2_DISCARD : FMI2_ERROR; }
 fmi2_status fmi2GetIntegerStatus(fmi2_component c, fmi2_status_kind kind, int *value) { return (void)kind, (void)value, c ? FMI2_DISCARD : FMI2_ERROR; }
 fmi2_status fmi2GetStringStatus(fmi2_component c, fmi2_status_kind kind, fmi2_text *value) { return (void)kind, (void)value, c ? FMI2_DISCARD : FMI2_ERROR; }
+
+#include "small.h"

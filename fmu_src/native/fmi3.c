@@ -223,3 +223,5 @@ FMI3_OTHER_TYPES(OTHER_TYPE)
     EXPORTED fmi3_status name(fmi3_instance c); \
     fmi3_status name(fmi3_instance c) { return refuse(c, #name ": this FMU is for co-simulation without events, and has no such thing"); }
 FMI3_REFUSED(REFUSED)
+
+#include "small.h"

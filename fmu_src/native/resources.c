@@ -99,3 +99,5 @@ hm_bytes hm_model_bytes(const char *folder, int32_t is_uri, hm_text *why)
 }
 
 #endif
+
+#include "small.h"

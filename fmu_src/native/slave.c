@@ -220,3 +220,5 @@ slave_answer slave_step(slave *s, double t, double step)
     fp_leave(host);
     return answer;
 }
+
+#include "small.h"

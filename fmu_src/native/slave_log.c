@@ -124,3 +124,5 @@ slave_answer slave_switch_log(slave *s, int32_t on, size_t count, const char *co
     s->log.wanted = on ? s->log.wanted | chosen : s->log.wanted & ~chosen;
     return ANSWER_OK;
 }
+
+#include "small.h"

@@ -34,3 +34,5 @@ void *slave_allocate(size_t size) { return calloc(1, size); }
 void slave_release(void *memory) { free(memory); }
 
 #endif
+
+#include "small.h"

@@ -83,3 +83,5 @@ slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept 
     memcpy(*kept, bytes, size);
     return ANSWER_OK;
 }
+
+#include "small.h"

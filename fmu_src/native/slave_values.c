@@ -176,3 +176,5 @@ slave_answer slave_set_truths(slave *s, const uint32_t *index, size_t count, con
     for (size_t k = 0; k < count && !answer; k++) shown[k] = truth[k] != 0.0 ? "True" : "False";
     return answer || !count ? answer : slave_set(s, TYPE_BOOLEAN, index, count, truth, shown);
 }
+
+#include "small.h"

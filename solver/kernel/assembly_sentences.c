@@ -326,3 +326,5 @@ int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *nu
     }
     return problems;
 }
+
+#include "small.h"

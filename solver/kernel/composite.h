@@ -203,7 +203,7 @@ static double quantity_of(const context *c, int32_t j, const double *s)
 
 /* Quantity j at the configuration (x, x_low) and, if wanted, its rate with velocities v. One whose direction is
    undefined has no rate: a length zero, an angle of a vector zero.                                              */
-static double quantity_at(const context *c, int32_t j, const double *x, const double *x_low, const double *v, double *rate)
+HM_SELDOM static double quantity_at(const context *c, int32_t j, const double *x, const double *x_low, const double *v, double *rate)
 {
     const holonom_model *m = c->m;
     const int32_t kind = m->quantity_kind[j], *form = m->quantity_form + 2 * j;

@@ -147,7 +147,7 @@ static double function_rate(const context *c, int32_t j, const double *x, const 
 
 /* Rates of all rows that hold (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values
    `signal` and the rates `signal_rate`. Linear in both rates, but for a velocity row's own terms.              */
-static void row_rates(const context *c, const double *x, const double *x_low, const double *v, const double *signal,
+HM_SELDOM static void row_rates(const context *c, const double *x, const double *x_low, const double *v, const double *signal,
                       const double *signal_rate, double *rate)
 {
     const holonom_model *m = c->m;
@@ -165,7 +165,7 @@ static void row_rates(const context *c, const double *x, const double *x_low, co
 }
 
 /* Rows at the state (n_rows, overwritten). */
-static void row_values(const context *c, double *phi)
+HM_SELDOM static void row_values(const context *c, double *phi)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM];

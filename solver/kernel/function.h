@@ -158,7 +158,7 @@ HM_SELDOM static int32_t slope_at(const context *c, int32_t j, double beta, doub
 /* Finds beta in (0, 1), nearest to 1/2, where the excess vanishes, and leaves everything as it is there. Where the
    function is quadratic every beta will do, and 1/2 is taken: outwards from it the first change of sign is
    bisected; if there is none, the excess is round-off.                                                        */
-static int32_t find_beta(const context *c, int32_t j, double change)
+HM_SELDOM static int32_t find_beta(const context *c, int32_t j, double change)
 {
     const double scale = c->number[c->m->row_scale_at + row_of(c, j)];
     double middle, low = 0.5, high = 0.5, at_low, at_high;

@@ -136,3 +136,5 @@ void hm_grid_slopes(int derivative, const double *x0, const double *x1, const do
     }
     for (int a = 0; a < AXES; a++) slope[a] = sum[a] / (derivative ? g.spacing * g.spacing : g.spacing);
 }
+
+#include "small.h"

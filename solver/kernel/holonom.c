@@ -35,3 +35,5 @@ double holonom_operate(int32_t code, const double *value, int32_t count)
 }
 
 void holonom_evaluate(const holonom_model *m, double *numbers, int32_t segment) { hm_run_tape(m, numbers, segment); }
+
+#include "small.h"

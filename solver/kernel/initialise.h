@@ -44,7 +44,7 @@ static int32_t seek_increment(context *c, double *increment, double *size)
 
 /* One such step of length h, without forces where `constraints_only`; its size in the mass norm. Multipliers start from
    those of the state. */
-static int32_t seek_step(const context *begun, double h, int constraints_only, double *size)
+HM_SELDOM static int32_t seek_step(const context *begun, double h, int constraints_only, double *size)
 {
     context seeking = *begun, *c = &seeking;
     const holonom_model *m = c->m;
@@ -85,7 +85,7 @@ enum { ROUNDS = 8 };
 
 /* Velocities next to those given, in the mass metric, that the rows allow. The first three rounds keep given velocities
    by large weights, each beginning with them again; the others, without weights, let the rows hold to round-off.   */
-static int32_t make_velocities_consistent(context *c, int keep_given)
+HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const holonom_model *m = c->m;
     const double *weight = keep_given ? c->number + m->velocity_weight_at : NULL;

@@ -592,3 +592,5 @@ const holonom_model *holonom_model_of(const holonom_instance *i) { return &i->fi
 double *holonom_numbers_of(holonom_instance *i) { return i->numbers; }
 double *holonom_state_of(holonom_instance *i) { return i->state; }
 double *holonom_work_of(holonom_instance *i) { return i->work; }
+
+#include "small.h"

@@ -15,7 +15,9 @@
 
 /* Functions outside the usual step: they, and what only they call, are compiled for size. And functions of every step
    which the compiler would call rather than copy to where they are needed, and which then cost 0.5 to 10 % more. */
-#if defined(__GNUC__)
+#if defined(__clang__)
+#define HM_SELDOM __attribute__((cold, minsize))
+#elif defined(__GNUC__)
 #define HM_SELDOM __attribute__((cold))
 #else
 #define HM_SELDOM

@@ -306,3 +306,5 @@ int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
     }
     return has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
 }
+
+#include "small.h"

@@ -124,3 +124,5 @@ const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)
         return "an index leads beyond what it points into";
     return NULL;
 }
+
+#include "small.h"

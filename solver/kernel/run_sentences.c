@@ -158,3 +158,5 @@ int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, cons
     }
     return said;
 }
+
+#include "small.h"

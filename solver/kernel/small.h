@@ -1,4 +1,12 @@
-/* Included first by files whose functions run seldom, or wait for others: they are compiled for size. */
-#if defined(__GNUC__) && !defined(__clang__)
+/* Included first, and again last, by files whose functions run seldom, or wait for others: they are compiled for size. */
+#if defined(__clang__)
+#ifndef HM_SMALL
+#define HM_SMALL
+#pragma clang attribute push(__attribute__((minsize)), apply_to = function)
+#else
+#undef HM_SMALL
+#pragma clang attribute pop
+#endif
+#elif defined(__GNUC__)
 #pragma GCC optimize("Os")
 #endif

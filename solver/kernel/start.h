@@ -175,7 +175,7 @@ static int32_t solve_at_state(const context *c, const double *weight)
 }
 
 /* momentum = -sqrt 2 Q (and M a of driven nodes, in w) at the state, with the dampers' forces from the velocities. */
-static int32_t forces_at_state(const context *c)
+HM_SELDOM static int32_t forces_at_state(const context *c)
 {
     const holonom_model *m = c->m;
     context still = *c;

@@ -94,3 +94,5 @@ void hm_say_all(hm_text *t, const char *format, va_list values)
         else say_double(t, va_arg(values, double), *c, digits);
     }
 }
+
+#include "small.h"

@@ -80,3 +80,5 @@ int hm_objects(hm_text *text, const hm_model_file *f, const hm_variable *v, doub
         hm_say(text, "; with limit = \"clip\" in the scene's [inputs] it is %6g instead", limit);
     return 1;
 }
+
+#include "small.h"
