@@ -177,7 +177,7 @@ def _compile_with_zig(root: Path, zig_name: str, kind: Kind, target: Path) -> No
     system = _system(zig_name)
     options = [*_without_runtime(compiler)]
     if kind.slave is not None:
-        options.append("-Os")
+        options += ["-Os", "-fomit-frame-pointer"]
         # Handlers of exceptions on Windows need the tables. stack_probe.c is all that is taken of a
         # run-time library there, and none is to be started.
         if system == "Windows":
