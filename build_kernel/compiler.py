@@ -264,8 +264,8 @@ def flags(system: str) -> list[str]:
     """Flags of every compiler for an operating system; those of `$CFLAGS` come last and so win."""
     strip = [] if system == "Darwin" else ["-s"]  # zig's library is else four times as big
     # Elsewhere the tables are part of the platform's interface; here only exceptions, of which C
-    # has none, and debuggers read them.
-    lean = ["-fno-asynchronous-unwind-tables"] if system == "Linux" else []
+    # has none, and debuggers read them. Nor is anything to be run when a library is loaded.
+    lean = ["-fno-asynchronous-unwind-tables", "-nostartfiles"] if system == "Linux" else []
     # Functions that nobody calls are left out: a library of FMUs has no use for some.
     called = "-Wl,-dead_strip" if system == "Darwin" else "-Wl,--gc-sections"
     return [*FLAGS, *strip, *lean, called, *shlex.split(os.environ.get("CFLAGS", ""))]

@@ -70,7 +70,7 @@ typedef struct context {
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
 
 /* Adds begin .. end - 1 to `count` pieces, to the last one if it ends there. */
-static int add_piece(span *piece, int count, int32_t begin, int32_t end)
+HM_OFTEN int add_piece(span *piece, int count, int32_t begin, int32_t end)
 {
     if (begin == end) return count;
     if (count && piece[count - 1].end == begin) {

@@ -82,7 +82,7 @@ static double kinetic_energy(const context *c, double *p)
 }
 
 /* Kinetic and potential energy gained, minus the work of loads and drivers, plus what dampers took: 0 if exact. */
-static double ledger_balance(const context *c, double kinetic, double potential)
+HM_OFTEN double ledger_balance(const context *c, double kinetic, double potential)
 {
     const double *head = c->s.head;
     return ((kinetic - head[S_KINETIC_START]) + potential) -

@@ -41,7 +41,7 @@ static int may_extrapolate(const context *c)
     return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
-static int is_extrapolating(const context *c)
+HM_OFTEN int is_extrapolating(const context *c)
 {
     return c->s.head[S_ORDER_IN_USE] > 2.0 && may_extrapolate(c) && is_dissipative(c);
 }

@@ -18,13 +18,13 @@ static double sinhc(double x)
 }
 
 /* (tanh x1 - tanh x0)/(x1 - x0) = sinhc(dx)/(cosh x0 cosh x1); a long step loses no digits by the difference. */
-static double tanh_slope(double x0, double x1, double dx)
+HM_SELDOM static double tanh_slope(double x0, double x1, double dx)
 {
     return fabs(dx) > 1.0 ? (hm_tanh(x1) - hm_tanh(x0)) / dx : 2.0 * sinhc(dx) / (hm_cosh(x0 + x1) + hm_cosh(dx));
 }
 
 /* (log x1 - log x0)/(x1 - x0), both positive: 2 atanh(z)/dx with z = dx/(x0 + x1). */
-static double log_slope(double x0, double x1, double dx)
+HM_SELDOM static double log_slope(double x0, double x1, double dx)
 {
     const double sum = x0 + x1, z = dx / sum, z2 = z * z;
     if (z2 > 0.98) return (hm_log(x1) - hm_log(x0)) / dx; /* nothing cancels where one is far larger; 1 - z would */
@@ -34,7 +34,7 @@ static double log_slope(double x0, double x1, double dx)
 
 /* (asin x1 - asin x0)/(x1 - x0): the sine of the difference, x1 c0 - x0 c1, is dx times `ratio`, since
    c1 - c0 = -dx (x0 + x1)/(c0 + c1).                                                                         */
-static double asin_slope(double x0, double x1, double dx)
+HM_SELDOM static double asin_slope(double x0, double x1, double dx)
 {
     const double c0 = sqrt((1.0 - x0) * (1.0 + x0)), c1 = sqrt((1.0 - x1) * (1.0 + x1));
     const double ratio = 0.5 * (c0 + c1) + 0.5 * (x0 + x1) * (x0 + x1) / (c0 + c1);
@@ -54,7 +54,7 @@ static double whole_power_slope(double x0, double x1, int n)
 }
 
 /* Slopes of pow with respect to base and exponent: x^y = exp(y log x). */
-static void power_slopes(double x0, double x1, double dx, double y0, double y1, double dy, double *slope)
+HM_SELDOM static void power_slopes(double x0, double x1, double dx, double y0, double y1, double dy, double *slope)
 {
     if (dy == 0.0 && y0 == floor(y0) && fabs(y0) <= 16.0) {
         slope[0] = whole_power_slope(x0, x1, (int)y0);

@@ -58,7 +58,7 @@ static void gather_estimate(context *c, int order, int i, int stages)
 }
 
 /* Whether steps come one by one, not in pairs. */
-static int is_unpaired(const context *c)
+HM_OFTEN int is_unpaired(const context *c)
 {
     return c->s.head[S_PAIRED] == 0.0 && c->s.head[S_ORDER_IN_USE] == 2.0 && !(c->s.head[S_TOLERANCE] > 0.0);
 }
@@ -109,7 +109,7 @@ static void undo_step(context *c, double t, double law_time)
 }
 
 /* After a failure penalties are those that were asked for. */
-static void lower_penalties(context *c)
+HM_OFTEN void lower_penalties(context *c)
 {
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         double *own = c->s.islands + I_SIZE * island;
