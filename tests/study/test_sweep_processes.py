@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -15,7 +16,9 @@ import pytest
 
 import build_fmu
 from build_fmu.errors import UsageError
+from build_fmu.study import stores
 from build_fmu.study import sweep as sweep_module
+from build_fmu.study.csv_file import cell
 from build_fmu.study.processes import DIED
 from tests.crashing_runs import FATAL, crashing
 from tests.fmu_instance import pendulum
@@ -90,6 +93,22 @@ def test_an_interruption_leaves_the_runs_that_are_done_and_nothing_else(
     ]
     assert ",false," not in text  # an interruption is no failure of a run
     assert list(temporary.iterdir()) == []
+
+
+def test_a_run_that_an_interruption_strikes_while_it_is_written_is_in_the_file(
+    monkeypatch, tmp_path
+):
+    monkeypatch.setattr(stores, "cell", struck_cell)
+    file = tmp_path / "a.csv"
+    with pytest.raises(KeyboardInterrupt, match=f"^1 of 3 runs are in {re.escape(str(file))}, "):
+        build_fmu.sweep(pendulum(), grid=["mass=1:2:3"], outputs=["A.x"], path=file)
+    assert len(file.read_text().splitlines()) == 1 + 1
+
+
+def struck_cell(value: object) -> str:
+    """Text of a value in a file, in whose writing Ctrl-C strikes."""
+    signal.raise_signal(signal.SIGINT)
+    return cell(value)
 
 
 def said(err: str) -> list[str]:
