@@ -108,12 +108,10 @@ def _structures(layout: Declared, scratch: Declared) -> Iterator[str]:
     for name in ("ABI", "MOST_SAMPLING"):
         yield f"#define HOLONOM_{name} {values[name]}\n"
     yield _structure("holonom_elimination", _tables(layout, "ELIMINATION"))
-    own = _own_tables(values)
-    split = own.index("load_slot_ptr")
     yield _structure("holonom_model", [
         *(_noted(f"int32_t {name};", layout.note("SIZES", name)) for name in values["SIZES"]),
-        *_tables(layout, "TABLES", own[:split]), "    holonom_elimination full, open, lean, bare;",
-        *_tables(layout, "TABLES", own[split:]),
+        *_tables(layout, "TABLES", _own_tables(values)),
+        f"    holonom_elimination {', '.join(('full', *values['FACTORS']))};",
         *(
             _noted(f"int32_t {name}_at;", length, layout.note("OFFSETS", name))
             for name, length in values["OFFSETS"].items()
@@ -280,11 +278,14 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
     ])  # fmt: skip
 
     def of_factors(formula: str) -> str:
-        # All kinds of factors are checked alike: how many values they store is an argument.
-        return "n_values" if formula == "n_lu_values" else in_c(formula)
+        # All kinds of factors are checked alike: the number of pivots and values are arguments.
+        given = {"n_lu_values": "n_values", "n_pivots": "n_pivots"}
+        return given.get(formula) or in_c(formula)
 
     rules = _rules(layout["ELIMINATION"], "e->", _places(layout["ELIMINATION"]), of_factors)
-    arguments = ", const holonom_elimination *e, const int32_t *length, int64_t n_values"
+    arguments = (
+        ", const holonom_elimination *e, const int32_t *length, int64_t n_pivots, int64_t n_values"
+    )
     yield FUNCTION.format("has_factors", arguments, rules)
     own = {name: tables[name] for name in _own_tables(layout)}
     rules = _rules(own, "m->", _places(tables), in_c)
@@ -302,8 +303,8 @@ def _checks(layout: Mapping[str, Any]) -> Iterator[str]:
 
 def _own_tables(layout: Mapping[str, Any]) -> list[str]:
     """Return the tables that are of no elimination."""
-    names = "|".join(layout["ELIMINATION"])
-    return [x for x in layout["TABLES"] if not re.fullmatch(f"((lean|open|bare)_)?({names})", x)]
+    kinds, names = "|".join(layout["FACTORS"]), "|".join(layout["ELIMINATION"])
+    return [x for x in layout["TABLES"] if not re.fullmatch(f"(({kinds})_)?({names})", x)]
 
 
 def _places(tables: Iterable[str]) -> dict[str, str]:

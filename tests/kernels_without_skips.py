@@ -37,7 +37,7 @@ COUNTER = Path(__file__).with_name("count_products.c")
 CHOICE = COUNTER.with_suffix(".h")
 """Declares the variable that has the bits of the skips that are left out."""
 PROBE = COUNTER.with_name("probe.c")
-WRAPPED = [f"-Wl,--wrap=hm_lu_{name}" for name in ("factor", "solve")]
+WRAPPED = [f"-Wl,--wrap=hm_{x}_{name}" for x in ("lu", "block") for name in ("factor", "solve")]
 """The linker of Linux puts the counter in place of factorisations and solves."""
 
 needs_compiler = pytest.mark.skipif(

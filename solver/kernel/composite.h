@@ -7,6 +7,7 @@
 #ifndef HOLONOM_COMPOSITE_H
 #define HOLONOM_COMPOSITE_H
 
+#include "body_turns.h"
 #include "context.h"
 #include "forms.h"
 
@@ -134,12 +135,27 @@ static inline const int32_t *places_of(const context *c, int32_t j)
     return c->m->composite_local + c->m->composite_local_ptr[j];
 }
 
-/* Gradients of the composite's forms over its free nodes, at the theta and at the end. */
-static void local_gradients(const context *c, int32_t j)
+/* Places of the composite's free nodes among the components of its unknowns (overwritten); returns the number of these. */
+static int32_t local_places(const context *c, int32_t j, int32_t *place)
+{
+    const int32_t *node = c->m->composite_node + c->m->composite_node_ptr[j], *end = c->m->composite_node + c->m->composite_node_ptr[j + 1];
+    int32_t size = 0, next = 0;
+    for (; node < end; node++) {
+        if (*node >= next) size += unknown_size(c, *node), next = next_unknown(c, first_of_unknown(c, *node));
+        *place++ = size - unknown_size(c, *node);
+    }
+    return size;
+}
+
+static inline int32_t *local_place(const context *c) { return (int32_t *)(void *)c->k.place; }
+
+/* Gradients of the composite's forms over the unknowns of its free nodes, at the theta and at the end; returns the number of
+   these. */
+static int32_t local_gradients(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
-    const int32_t *local = places_of(c, j);
-    const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t *local = places_of(c, j), *place = local_place(c);
+    const int32_t size = local_places(c, j, local_place(c));
     const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     const local_form *form = (const local_form *)c->k.local;
     memset(c->k.gradient, 0, sizeof(double) * (size_t)(forms * size));
@@ -147,14 +163,17 @@ static void local_gradients(const context *c, int32_t j)
     for (int32_t i = 0; i < forms; i++, form++) {
         const int32_t f = m->composite_form[m->composite_form_ptr[j] + i];
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
-            const int32_t at = size * i + DIM * *local++;
+            const int32_t at = size * i + place[*local++];
             double g[DIM];
             entry_gradient(c, f, e, form->um, form->wm, g);
-            EACH(k) c->k.gradient[at + k] += g[k];
+            const int own = to_unknown(c, m->form_node[e], c->k.middle, g);
+            for (int k = 0; k < own; k++) c->k.gradient[at + k] += g[k];
             entry_gradient(c, f, e, form->u1, form->w1, g);
-            EACH(k) c->k.gradient_end[at + k] += g[k];
+            to_unknown(c, m->form_node[e], c->k.turned, g);
+            for (int k = 0; k < own; k++) c->k.gradient_end[at + k] += g[k];
         }
     }
+    return size;
 }
 
 /* Law of element j: N = k (sigma_m - rest) + c dsigma/h - drive along its quantity. Its work is then exactly
@@ -247,6 +266,10 @@ static void links_at_start(const context *c)
     for (int32_t f = 0; f < c->m->n_forms && !hm_skips(SKIP_MEASURED_FORMS); f++) /* what is only measured, too */
         link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     links_of_parts(c, ISLAND_LINKED, ISLAND_ACTIVE);
+    for IN_ISLAND(c, i, ISLAND_RIGIDITY_LINKED) {
+        const int32_t f = c->m->linked_form[i];
+        if (!c->reduced) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+    }
     if (!c->asleep || c->stepping) links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
 }
 

@@ -7,10 +7,21 @@
 #include "function.h"
 #include "row_state.h"
 
+/* Place of the unknown of a node among those of composite j, or -1. */
+static int32_t place_of_unknown(const context *c, int32_t j, int32_t node)
+{
+    const int32_t begin = c->m->composite_node_ptr[j], count = c->m->composite_node_ptr[j + 1] - begin;
+    int32_t *place = local_place(c) + c->m->n_local_nodes;
+    local_places(c, j, place);
+    for (int32_t k = 0; k < count; k++)
+        if (first_of_unknown(c, c->m->composite_node[begin + k]) == first_of_unknown(c, node)) return place[k];
+    return -1;
+}
+
 /* Slots of the lower part of row j, the entries of its own line in the tangent. */
 static const int32_t *lower_slots(const context *c, int32_t j)
 {
-    const int32_t size = DIM * (c->m->composite_node_ptr[j + 1] - c->m->composite_node_ptr[j]);
+    const int32_t size = local_places(c, j, local_place(c) + c->m->n_local_nodes);
     return c->lu->composite_slot + c->lu->composite_slot_ptr[j] + size + (is_lean(c) ? 0 : size * size);
 }
 
@@ -24,21 +35,22 @@ HM_SELDOM static int32_t turning_tangent(const context *c, int32_t f, const doub
     const double per_slip = slip != 0.0 ? cone(c, f, 1, normal_in_cone(c, f, c->cone_mu)) / slip : 0.0;
     for (int l = 0; l < n_slips(c, f) && per_slip != 0.0; l++) {
         const int32_t j = slip_row(c, f, l), forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
-        const int32_t nodes = m->composite_node_ptr[j + 1] - m->composite_node_ptr[j];
+        const int32_t *node = m->composite_node + m->composite_node_ptr[j], *end = m->composite_node + m->composite_node_ptr[j + 1];
         composite_result result = {0.0, 0.0, 0.0};
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
-        local_gradients(c, j);
-        for (int32_t a = 0; a < DIM * nodes; a++) {
-            double slope = 0.0; /* d psi_l/d w */
-            for (int32_t i = 0; i < forms; i++) slope += c->k.end[i] * c->k.gradient_end[DIM * nodes * i + a] / c->h;
-            for (int k = 0; k < n_slips(c, f); k++) {
-                const int32_t own = slip_row(c, f, k), *list = m->composite_node + m->composite_node_ptr[own];
-                const int32_t count = m->composite_node_ptr[own + 1] - m->composite_node_ptr[own];
-                const double turn = per_slip * ((k == l) - turns * along[k] * along[l]) * slope;
-                for (int32_t b = 0; b < count; b++)
-                    if (list[b] == m->composite_node[m->composite_node_ptr[j] + a / DIM])
-                        value[lower_slots(c, own)[DIM * b + a % DIM]] += c->k.epsilon[row_of(c, own)] * turn;
+        const int32_t size = local_gradients(c, j);
+        for (int32_t at = 0, next = 0; node < end; node++) { /* each unknown once */
+            if (*node < next) continue;
+            next = next_unknown(c, first_of_unknown(c, *node));
+            for (int i = 0; i < unknown_size(c, *node); i++, at++) {
+                double slope = 0.0; /* d psi_l/d w */
+                for (int32_t k = 0; k < forms; k++) slope += c->k.end[k] * c->k.gradient_end[size * k + at] / c->h;
+                for (int k = 0; k < n_slips(c, f); k++) {
+                    const int32_t own = slip_row(c, f, k), place = place_of_unknown(c, own, *node);
+                    const double turn = per_slip * ((k == l) - turns * along[k] * along[l]) * slope;
+                    if (place >= 0) value[lower_slots(c, own)[place + i]] += c->k.epsilon[row_of(c, own)] * turn;
+                }
             }
         }
     }

@@ -31,6 +31,8 @@ typedef struct context {
     double theta;
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
+    int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h                        */
+    double *move;       /* increments of the unknowns: d, or those of a reduced step                          */
     int constraints_only;      /* 1: only the rows act                                                               */
     int careful;               /* 1: smooth frictions have steeper slopes in the tangent: a step has failed           */
     int at_state;              /* 1: there is no step, and slips are those of the velocities                         */
@@ -53,9 +55,9 @@ typedef struct context {
     int32_t first_island, last_island;
     const int32_t *begin, *end;
     double *island;
-    span node, all_row[4], all_composite[4];
+    span node, form_row[2], all_row[5], all_composite[4];
     const span *row, *composite;
-    int rows, composites, all_rows, all_composites;
+    int form_rows, rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
 } context;
@@ -65,6 +67,7 @@ typedef struct context {
     for (const span *i##_in = (c)->piece, *i##_last = i##_in + (c)->pieces; i##_in < i##_last; i##_in++)       \
         for (int32_t i = i##_in->begin, i##_end = i##_in->end; i < i##_end; i++)
 #define EACH_ROW(c, i) EACH_IN(c, rows, row, i)
+#define EACH_FORM_ROW(c, i) EACH_IN(c, form_rows, form_row, i)
 #define EACH_NODE(c, a) for (int32_t a = (c)->node.begin, a##_end = (c)->node.end; a < a##_end; a++)
 #define EACH_COORDINATE(c, k) for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
@@ -100,7 +103,11 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->island = c->s.islands + I_SIZE * first;
     c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
     c->all_composites = 0;
-    c->all_rows = add_piece(c->all_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
+    c->form_row[0] = (span){begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]};
+    c->form_row[1] = (span){begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]};
+    c->form_rows = c->reduced ? 1 : 2;
+    c->all_rows = 0;
+    for (int k = 0; k < c->form_rows; k++) c->all_rows = add_piece(c->all_row, c->all_rows, c->form_row[k].begin, c->form_row[k].end);
     c->all_rows = add_piece(c->all_row, c->all_rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
                         first_coincidence + DIM * end[ISLAND_COINCIDENCE]);
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
@@ -133,10 +140,20 @@ static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
 /* Factors without rows of contacts and frictions. */
 static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }
 
+/* Lets the step at hand have turns of bodies for unknowns, or coordinates of all nodes. */
+static void reduce(context *c, int reduced)
+{
+    c->reduced = reduced;
+    c->move = reduced ? c->k.move : c->k.d;
+    c->lu = reduced ? &c->m->reduced : &c->m->full;
+    look_at(c, 0, c->m->n_islands);
+}
+
 /* Factors of the whole tangent, and lean ones, that serve. */
 static inline const holonom_elimination *full_factors(const context *c)
 {
-    return c->asleep && c->m->n_open_values ? &c->m->open : &c->m->full;
+    if (c->asleep && c->m->n_open_values && c->reduced == (c->m->n_bodies > 0)) return &c->m->open;
+    return c->reduced ? &c->m->reduced : &c->m->full;
 }
 
 static inline const holonom_elimination *lean_factors(const context *c)
@@ -172,10 +189,10 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
-    c->lu = c->factors_lu = &m->full;
+    reduce(c, 0);
+    c->factors_lu = c->lu;
     c->factors_h = 0.0;
     c->fresh_increments = 0;
-    look_at(c, 0, m->n_islands);
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }
 

@@ -107,6 +107,19 @@ HM_OFTEN void add_gradient(const context *c, int32_t f, double factor, const dou
     }
 }
 
+/* Second derivative of form f with respect to entries p and q: same I + quarter J. */
+static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)
+{
+    const holonom_model *m = c->m;
+    const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
+    *same = alpha[p] * beta[q] + beta[p] * alpha[q];
+    *quarter = 0.0;
+    if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) return;
+    const double *alpha_turn = c->number + m->alpha_turn_at, *beta_turn = c->number + m->beta_turn_at;
+    *same += alpha_turn[p] * beta_turn[q] + beta_turn[p] * alpha_turn[q];
+    *quarter = alpha[p] * beta_turn[q] - alpha_turn[p] * beta[q] + beta[p] * alpha_turn[q] - beta_turn[p] * alpha[q];
+}
+
 /* A form within a step: links at the beginning, their increments, links where gradients are taken, change of s. */
 typedef struct motion {
     const double *u0, *w0;
@@ -218,13 +231,23 @@ HM_OFTEN void exact_link(const context *c, int32_t f, int32_t at, int32_t turn_a
 {
     const holonom_model *m = c->m;
     const int32_t begin = m->form_ptr[f], moving = begin + m->form_moving[f];
+    int32_t e = begin;
     EACH(k) high[k] = low[k] = 0.0;
-    for (int32_t e = begin; e < m->form_ptr[f + 1]; e++) {
+    while (e < moving && c->number[at + e] == 0.0) e++;
+    if (e < moving && fabs(c->number[at + e]) == 1.0 && !(DIM == 2 && m->form_kind[f] & FORM_TURNED)) { /* as most do begin */
+        const int32_t node = DIM * m->form_node[e];
+        EACH(k) high[k] = c->number[at + e] * c->s.q[node + k];
+        EACH(k) low[k] = c->number[at + e] * c->s.q_low[node + k];
+        e++;
+    } else e = begin;
+    for (; e < m->form_ptr[f + 1]; e++) {
         const int32_t node = DIM * (m->form_node[e] - (e < moving ? 0 : c->n_moving));
         const double *x = (e < moving ? c->s.q : c->number + m->support_at) + node;
         const double *x_low = e < moving ? c->s.q_low + node : NULL;
         const double factor = c->number[at + e];
-        EACH(k) hm_add_product(high + k, low + k, factor, x[k]);
+        if (factor == 0.0 && !(DIM == 2 && m->form_kind[f] & FORM_TURNED)) continue;
+        if (fabs(factor) == 1.0) EACH(k) hm_add_exactly(high + k, low + k, factor * x[k]);
+        else EACH(k) hm_add_product(high + k, low + k, factor, x[k]);
         if (x_low) EACH(k) low[k] += factor * x_low[k];
         if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) continue;
         for (int k = 0; k < 2; k++) {

@@ -57,7 +57,8 @@ enum skip {
     SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
     SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction     */
     SKIP_ISLANDS = 128,       /* each solved by itself: n_apart                */
-    SKIP_FRESH_FACTORS = 256  /* those of the half step before: take_factors_over */
+    SKIP_FRESH_FACTORS = 256, /* those of the half step before: take_factors_over */
+    SKIP_DIRECTORS = 512      /* turns in their place: may_reduce              */
 };
 #ifndef HOLONOM_WITHOUT
 #define HOLONOM_WITHOUT 0
@@ -79,6 +80,9 @@ int32_t hm_lu_factor_live(int32_t begin, int32_t end, const int32_t *ptr, const 
 void hm_lu_solve_live(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *count, const int32_t *live,
                       const double *value, double *x);
 
+int32_t hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last, double *value);
+void hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value, double *x);
+
 /* Sum with the rounding error kept: (*high + *low) += x to about twice the precision (Dekker 1971, Knuth). */
 static inline void hm_add(double *high, double *low, double x)
 {
@@ -88,17 +92,23 @@ static inline void hm_add(double *high, double *low, double x)
     *high = s;
 }
 
+/* (*high + *low) += x, for terms of any size (Knuth 1969). */
+static inline void hm_add_exactly(double *high, double *low, double x)
+{
+    const double s = *high + x, t = s - *high;
+    *low += (*high - (s - t)) + (x - t);
+    *high = s;
+}
+
 /* (*high + *low) += a b to about twice the precision, for terms of any size (Dekker 1971; Veltkamp's split rather
    than fma, which is a call where the processor is not known to have it). */
 static inline void hm_add_product(double *high, double *low, double a, double b)
 {
-    const double product = a * b, s = *high + product, t = s - *high;
-    *low += (*high - (s - t)) + (product - t);
-    *high = s;
-    if (a == 1.0 || a == -1.0) return; /* the product is exact */
+    const double product = a * b;
     const double a_far = 134217729.0 * a, b_far = 134217729.0 * b; /* 2^27 + 1 */
     const double a_high = a_far - (a_far - a), b_high = b_far - (b_far - b);
     const double a_low = a - a_high, b_low = b - b_high;
+    hm_add_exactly(high, low, product);
     *low += ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 

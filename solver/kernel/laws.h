@@ -3,6 +3,7 @@
 #ifndef HOLONOM_LAWS_H
 #define HOLONOM_LAWS_H
 
+#include "body_turns.h"
 #include "context.h"
 #include "forms.h"
 
@@ -83,6 +84,7 @@ static void skew_of(const double *a, double *matrix)
 static int32_t body_moment_tangent(const context *c, int32_t b, const int32_t *slot, double *value)
 {
     double moment[3], dual[9], f[9], skew[9];
+    const int32_t node = c->m->body_moment[2 * b];
     const int32_t status = body_moment_law(c, b, moment, dual, f);
     if (status) return status;
     const double *given = c->number + c->m->body_moment_at + 3 * b, factor = -0.5 * c->h * c->theta;
@@ -91,11 +93,12 @@ static int32_t body_moment_tangent(const context *c, int32_t b, const int32_t *s
             double turned[3];
             cross_product(moment, dual + 3 * j, turned);
             skew_of(dual + 3 * i, skew);
+            double block[9], x[9];
             EACH(k) EACH(l) {
-                double x = -turned[k] * dual[3 * i + l];
-                if (c->m->body_moment[2 * b + 1]) x -= given[j] * skew[3 * k + l];
-                value[slot[9 * (3 * i + k) + 3 * j + l]] += factor * x;
+                block[3 * k + l] = -factor * turned[k] * dual[3 * i + l];
+                if (c->m->body_moment[2 * b + 1]) block[3 * k + l] -= factor * given[j] * skew[3 * k + l];
             }
+            slot = scatter(block_to_unknowns(c, node + i, node + j, block, x), x, slot, value);
         }
     return HOLONOM_OK;
 }
@@ -136,20 +139,20 @@ static void add_load(const context *c, int32_t j, double factor, double *target)
 static const int32_t *load_tangent(const context *c, int32_t j, const int32_t *slot, double *value)
 {
     const holonom_model *m = c->m;
-    const int32_t f = m->load_form[j];
+    const int32_t f = m->load_form[j], axes = m->load_axes[j];
     const double *given = c->number + m->load_at + DIM * j, factor = -c->h * c->theta;
-    if (m->load_axes[j] < 0) return slot;
+    if (axes < 0) return slot;
     for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++)
         for (int q = 0; q < (DIM == 2 ? 1 : 3); q++) {
             const double alpha = factor * c->number[m->alpha_at + e];
 #if DIM == 2
             const double turn = m->form_kind[f] & FORM_TURNED ? factor * c->number[m->alpha_turn_at + e] : 0.0;
             const double same = alpha * given[0] + turn * given[1], quarter = alpha * given[1] - turn * given[0];
-            const double block[4] = {same, -quarter, quarter, same};
 #else
-            const double block[9] = {alpha * given[q], 0, 0, 0, alpha * given[q], 0, 0, 0, alpha * given[q]};
+            const double same = alpha * given[q], quarter = 0.0;
 #endif
-            for (int k = 0; k < DIM * DIM; k++) value[*slot++] += block[k];
+            double x[DIM * DIM];
+            slot = scatter(block_of_same(c, m->form_node[e], axes + q, same, quarter, x), x, slot, value);
         }
     return slot;
 }

@@ -60,7 +60,7 @@ static void book_step(context *c)
     const holonom_model *m = c->m;
     double du[DIM], unused[DIM];
     motion g;
-    for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
+    EACH_FORM_ROW(c, i) {
         if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);
         book(c, S_DEFECT, c->k.mu[i] * (is_conserving(c) ? c->k.phi[i] - c->k.phi0[i] : g.ds));
     }
@@ -69,7 +69,7 @@ static void book_step(context *c)
         book(c, S_DEFECT, dot(c->k.mu + m->n_form_rows + DIM * j, du));
     }
     EACH_COORDINATE(c, k) /* of driven nodes it is what moves them */
-        if (k < DIM * m->n_free) book(c, S_RESIDUAL, c->k.d[k] * (c->k.momentum[k] - c->k.handed_on[k]) / c->h);
+        if (k < DIM * m->n_free) book(c, S_RESIDUAL, c->move[k] * (c->k.momentum[k] - c->k.handed_on[k]) / c->h);
         else book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
     for IN_ISLAND(c, j, ISLAND_LOAD) book(c, S_WORK, load_work(c, j));
     for IN_ISLAND(c, j, ISLAND_MOMENT) book(c, S_WORK, moment_work(c, j));
@@ -141,8 +141,11 @@ static void add_change(const context *c, const double *before, double weight, do
 static double momentum_norm2(const context *c)
 {
     double sum = 0.0;
-    for IN_ISLAND(c, a, ISLAND_FREE)
-        sum += dot(c->k.momentum + DIM * a, c->k.momentum + DIM * a) / c->number[c->m->node_mass_at + a];
+    for IN_ISLAND(c, a, ISLAND_FREE) {
+        const double *p = c->k.momentum + DIM * a;
+        if (!is_director(c, a)) sum += dot(p, p) / c->number[c->m->node_mass_at + a];
+        else if (first_of_unknown(c, a) == a) sum += turning_norm2(c, a, p, -1);
+    }
     return sum;
 }
 
@@ -170,7 +173,13 @@ static void accept_island(context *c, int parity)
     const int kept = n_kept(c);
     const double per_step2 = 2.0 / (c->h * c->h), *a = s->a[1 - parity], *mu = s->mu[1 - parity];
     EACH_COORDINATE(c, k) remember(c, kept, per_step2 * c->k.w[k], s->a[parity], a[k], s->a_change, n, k);
-    EACH_ROW(c, i) remember(c, kept, c->k.mu[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
+    EACH_ROW(c, i) remember(c, kept, c->k.lambda[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
+    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced; b++)
+        for (int k = 0; k < TURNING; k++) {
+            const int32_t i = TURNING * b + k;
+            const double last = s->turn[1 - parity][i], fresh = turning_of_step(c, m->body_node[b], k);
+            remember(c, kept, fresh, s->turn[parity], last, s->turn_change, TURNING * (int64_t)m->n_bodies, i);
+        }
     const int32_t first = DIM * m->n_free;
     for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)
         s->driven[parity][k - first] = c->k.momentum[k] / c->h;
@@ -180,12 +189,13 @@ static void accept_island(context *c, int parity)
 static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
+    reduce(c, may_reduce(c));
     if (c->m->n_sampled) judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    look_at_all(c);
+    reduce(c, 0);
     if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c);

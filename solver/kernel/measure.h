@@ -68,8 +68,9 @@ static void measure_rows(const context *c, const hm_measured *y)
 
 static void measure_bodies(const context *c, const hm_measured *y)
 {
-    memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * c->m->n_bodies));
+    (void)c, (void)y;
 #if DIM == 3
+    memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * c->m->n_bodies));
     double *rate = y->body_rate, turning[TURNING];
     for (int32_t j = 0; j < c->m->n_bodies; j++, rate += 3) {
         const double *d = c->s.q + 3 * c->m->body_node[j], *v = c->s.v + 3 * c->m->body_node[j];

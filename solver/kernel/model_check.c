@@ -15,6 +15,7 @@ typedef struct checker {
     const holonom_model *m;
     const int32_t *length;
     hm_counts count;
+    int lean, reduced; /* of the factors at hand */
 } checker;
 
 static int within(const int32_t *value, int64_t count, int64_t low, int64_t end)
@@ -70,6 +71,23 @@ static int has_turns_and_derived(const checker *c)
     if (turned && (DIM == 3 || !hm_holds(m, m->alpha_turn_at, m->n_entries) || !hm_holds(m, m->beta_turn_at, m->n_entries)))
         return 0;
     return m->row_scale_at == m->extent_at + 2 && m->row_sigma_at == m->row_scale_at + m->n_rows;
+}
+
+/* Whether directors lie one behind the other, the first ones of bodies alone, and no other free node is a direction. */
+static int has_bodies(const checker *c)
+{
+    const holonom_model *m = c->m;
+    int64_t directors = 0;
+    for (int32_t a = 0; a < c->count.n_moving; a++) directors += m->node_kind[a] != NODE_POINT;
+    for (int32_t b = 0; b < m->n_bodies; b++)
+        for (int32_t k = 0; k < c->count.turning; k++)
+            if (m->node_kind[m->body_node[b] + k] != NODE_DIRECTION + k) return 0;
+    for (int32_t j = 0; j < m->n_loads; j++)
+        if (m->load_axes[j] >= 0 && m->node_kind[m->load_axes[j]] != NODE_DIRECTION) return 0;
+    for (int32_t j = 0; j < m->n_body_moments; j++)
+        if (m->node_kind[m->body_moment[2 * j]] != NODE_DIRECTION) return 0;
+    return directors == c->count.turning * m->n_bodies && m->n_rigidity_rows <= m->n_form_rows &&
+           m->n_rigidity_rows == c->count.turning * (DIM - 1) * m->n_bodies;
 }
 
 static int has_forms(const checker *c)
@@ -179,53 +197,128 @@ static int has_tape(const checker *c)
 }
 
 /* Whether the lists of slots that the table `ptr` divides have these lengths. */
-static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const checker *, int32_t, int), int lean)
+static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const checker *, int32_t))
 {
     const int32_t *at = (&c->m->island_begin)[ptr];
     for (int32_t i = 0; i < c->length[ptr] - 1; i++)
-        if (at[i + 1] - (int64_t)at[i] != length(c, i, lean)) return 0;
+        if (at[i + 1] - (int64_t)at[i] != length(c, i)) return 0;
     return 1;
 }
 
-static int64_t row_slots(const checker *c, int32_t i, int lean)
+static int is_turning(const checker *c, int32_t node) { return c->reduced && c->m->node_kind[node]; }
+
+static int64_t size_of_unknown(const checker *c, int32_t node) { return is_turning(c, node) ? c->count.turning : DIM; }
+
+/* Entry behind those with the unknown of entry e of form f. */
+static int32_t end_of_side(const checker *c, int32_t f, int32_t e)
+{
+    const int32_t *node = c->m->form_node, end = c->m->form_ptr[f] + c->m->form_free[f], first = node[e];
+    const int32_t last = is_turning(c, first) ? first - (c->m->node_kind[first] - NODE_DIRECTION) + (int32_t)c->count.turning : first;
+    for (e++; is_turning(c, first) && e < end && node[e] < last; e++) continue;
+    return e;
+}
+
+/* Components of the unknowns of form f; and elements of pairs of these, in `full` blocks or, of points, on their diagonals. */
+static int64_t components_of(const checker *c, int32_t f)
+{
+    const int32_t end = c->m->form_ptr[f] + c->m->form_free[f];
+    int64_t sum = 0;
+    for (int32_t e = c->m->form_ptr[f]; e < end; e = end_of_side(c, f, e)) sum += size_of_unknown(c, c->m->form_node[e]);
+    return sum;
+}
+
+/* Whether the free nodes of form f rise, and have as many unknowns as a tangent has room for. */
+static int has_sides(const checker *c, int32_t f)
+{
+    const int32_t begin = c->m->form_ptr[f], end = begin + c->m->form_free[f];
+    int sides = 0;
+    for (int32_t e = begin; e < end; e = end_of_side(c, f, e)) sides++;
+    for (int32_t e = begin + 1; e < end; e++)
+        if (c->m->form_node[e] <= c->m->form_node[e - 1]) return 0;
+    return !c->reduced || sides <= MOST_SIDES;
+}
+
+static int64_t elements(const checker *c, int32_t f, int full)
+{
+    const int32_t *node = c->m->form_node, begin = c->m->form_ptr[f], end = begin + c->m->form_free[f];
+    int64_t sum = 0;
+    for (int32_t p = begin; p < end; p = end_of_side(c, f, p))
+        for (int32_t q = begin; q < end; q = end_of_side(c, f, q))
+            sum += full || is_turning(c, node[p]) || is_turning(c, node[q]) ? size_of_unknown(c, node[p]) * size_of_unknown(c, node[q]) : DIM;
+    return sum;
+}
+
+/* Slots of a form that holds directions of two bodies, or of one and the ground; -1 if it does not. */
+static int64_t axes_slots(const checker *c, int32_t f)
+{
+    const int32_t begin = c->m->form_ptr[f], end = begin + c->m->form_free[f];
+    const int64_t sides = c->m->form_kind[f] & FORM_LINEAR ? 1 : 2, turning = c->count.turning;
+    if (c->m->form_moving[f] != c->m->form_free[f] || components_of(c, f) != sides * turning) return -1;
+    for (int32_t e = begin; e < end; e++)
+        if (!is_turning(c, c->m->form_node[e])) return -1;
+    return 2 * sides * turning + (c->lean || sides == 1 ? 0 : 2 * turning * turning);
+}
+
+static int64_t row_slots(const checker *c, int32_t i)
 {
     const int32_t f = c->m->row_form[i], kind = c->m->form_kind[f];
-    const int64_t k = c->m->form_free[f];
-    return 2 * DIM * k + (lean || kind & FORM_LINEAR ? 0 : k * k * (kind & FORM_TURNED ? DIM * DIM : DIM));
+    if (c->reduced && i >= c->count.n_joint_rows) return 0;
+    if (!has_sides(c, f)) return -1;
+    if (c->reduced && kind & FORM_AXES) return axes_slots(c, f);
+    return 2 * components_of(c, f) + (c->lean || kind & FORM_LINEAR ? 0 : elements(c, f, kind & FORM_TURNED));
 }
 
-static int64_t coincidence_slots(const checker *c, int32_t j, int lean)
+static int64_t coincidence_slots(const checker *c, int32_t j)
 {
     const int32_t f = c->m->coincidence_form[j];
-    (void)lean;
-    return 2 * DIM * (int64_t)c->m->form_free[f] * (c->m->form_kind[f] & FORM_TURNED ? DIM : 1);
+    const int32_t end = c->m->form_ptr[f] + c->m->form_free[f];
+    int64_t sum = 0;
+    if (!has_sides(c, f)) return -1;
+    for (int32_t e = c->m->form_ptr[f]; e < end; e = end_of_side(c, f, e)) {
+        const int32_t node = c->m->form_node[e];
+        sum += 2 * DIM * (is_turning(c, node) || c->m->form_kind[f] & FORM_TURNED ? size_of_unknown(c, node) : 1);
+    }
+    return sum;
 }
 
-static int64_t composite_slots(const checker *c, int32_t j, int lean)
+static int64_t composite_slots(const checker *c, int32_t j)
 {
     const holonom_model *m = c->m;
-    const int64_t size = DIM * (int64_t)(m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
     const int row = j >= m->n_elements && j < c->count.first_potential;
-    return lean && !row ? 0 : (lean ? 0 : size * size) + (row ? 2 * size : 0);
+    int64_t size = 0;
+    int32_t last = -1;
+    for (int32_t at = m->composite_node_ptr[j]; at < m->composite_node_ptr[j + 1]; at++) {
+        const int32_t node = m->composite_node[at], own = is_turning(c, node) ? node - (m->node_kind[node] - NODE_DIRECTION) : node;
+        if (node <= last) return -1; /* they rise */
+        if (own > last) size += size_of_unknown(c, node);
+        last = node;
+    }
+    return c->lean && !row ? 0 : (c->lean ? 0 : size * size) + (row ? 2 * size : 0);
 }
 
-static int64_t load_slots(const checker *c, int32_t j, int lean)
+/* Components of the unknowns of all entries of form f that are free nodes. */
+static int64_t all_components(const checker *c, int32_t f)
 {
-    (void)lean;
-    return c->m->load_axes[j] < 0 ? 0 : (int64_t)c->m->form_free[c->m->load_form[j]] * (DIM == 2 ? 1 : 3) * DIM * DIM;
+    int64_t sum = 0;
+    for (int32_t e = c->m->form_ptr[f]; e < c->m->form_ptr[f] + c->m->form_free[f]; e++) sum += size_of_unknown(c, c->m->form_node[e]);
+    return sum;
 }
 
-static int64_t moment_slots(const checker *c, int32_t j, int lean)
+static int64_t load_slots(const checker *c, int32_t j)
 {
-    const int64_t k = c->m->form_free[c->m->moment_form[j]];
-    (void)lean;
-    return k * k * DIM * DIM;
+    if (c->lean || c->m->load_axes[j] < 0) return 0;
+    return c->count.turning * all_components(c, c->m->load_form[j]) * size_of_unknown(c, c->m->load_axes[j]);
 }
 
-static int64_t cone_slots(const checker *c, int32_t f, int lean)
+static int64_t moment_slots(const checker *c, int32_t j)
+{
+    const int64_t size = all_components(c, c->m->moment_form[j]);
+    return c->lean ? 0 : size * size;
+}
+
+static int64_t cone_slots(const checker *c, int32_t f)
 {
     const holonom_model *m = c->m;
-    (void)lean;
     return (m->friction_row_ptr[f + 1] - m->friction_row_ptr[f]) * (int64_t)(m->normal_ptr[f + 1] - m->normal_ptr[f]);
 }
 
@@ -257,54 +350,85 @@ static int has_contacts(const checker *c)
     return 1;
 }
 
-/* Whether an elimination is one of this model. */
-static int has_elimination(const checker *c, const holonom_elimination *e, size_t first)
+/* Whether nodes and rows have their places among the pivots where the factors have unknowns of theirs, and none elsewhere. */
+static int has_positions(const checker *c, const holonom_elimination *e, int64_t n)
 {
     const holonom_model *m = c->m;
-    const int64_t n = c->count.n_pivots;
-    const int lean = e == &m->lean || e == &m->bare;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        const int none = is_turning(c, a) && m->node_kind[a] != NODE_DIRECTION;
+        if (none ? e->node_position[a] != -1 : e->node_position[a] < 0 || e->node_position[a] + size_of_unknown(c, a) > n) return 0;
+    }
+    for (int32_t i = 0; i < m->n_rows; i++) {
+        const int none = c->reduced && i >= c->count.n_joint_rows && i < m->n_form_rows;
+        if (none ? e->row_position[i] != -1 : e->row_position[i] < 0) return 0;
+    }
+    return 1;
+}
+
+/* Whether an elimination is one of this model. */
+static int has_elimination(const checker *c, const holonom_elimination *e, size_t first, int64_t n)
+{
+    const holonom_model *m = c->m;
 #define OWN(name) (first + TABLE(full.name) - TABLE(full))
+    const int64_t n_groups = c->length[OWN(lu_group)] ? c->length[OWN(lu_group)] / 2 : n;
+    const int32_t *group = c->length[OWN(lu_group)] ? e->lu_group : NULL;
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
-    for (int32_t k = 0; k <= n; k++) { /* where islands begin: a pivot, and the targets before it */
-        for (; island <= m->n_islands && e->lu_island[2 * island] == k; island++)
-            if (e->lu_island[2 * island + 1] != targets || (island == 0 && k)) return 0;
-        if (k == n) break;
-        const int64_t width = e->lu_ptr[k + 1] - (int64_t)e->lu_ptr[k], neighbours = (width - 1) / 2;
-        if (width % 2 == 0 || columns + neighbours > c->length[OWN(lu_column)] ||
-            !within(e->lu_column + columns, neighbours, k + 1, n))
+    const int grouped = c->reduced && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
+    if (n_groups < 0 || grouped != (group != NULL) || (group && (c->length[OWN(lu_group)] % 2 == 0 || group[0] != 0 || group[2 * n_groups] != n)))
+        return 0;
+    for (int32_t g = 0, k = 0; g <= n_groups; g++) { /* where islands begin: a pivot, its group, the targets and columns before it */
+        const int32_t *at = e->lu_island + 4 * island;
+        for (; island <= m->n_islands && at[0] == k; island++, at += 4)
+            if (at[1] != g || at[2] != targets || at[3] != columns || (island == 0 && k)) return 0;
+        if (g == n_groups) break;
+        const int64_t size = group ? group[2 * g + 2] - (int64_t)group[2 * g] : 1;
+        if (size < 1 || size > MOST_IN_GROUP || k + size > n) return 0;
+        for (int32_t i = 1; i < size; i++)
+            if (e->lu_ptr[k + i] != e->lu_ptr[k] + i * (size + 1)) return 0;
+        const int64_t width = e->lu_ptr[k + size] - (int64_t)e->lu_ptr[k] - size * size, neighbours = width / (2 * size);
+        if (width < 0 || width % (2 * size) || columns + neighbours > c->length[OWN(lu_column)] ||
+            !within(e->lu_column + columns, neighbours, k + size, n) || (group && group[2 * g + 1] != neighbours))
             return 0;
         columns += neighbours;
         targets += neighbours * neighbours;
+        k += (int32_t)size;
     }
-    return island == m->n_islands + 1 && (e->lu_island[2 * m->n_islands] == n || e == &m->open || e == &m->bare) &&
-           c->length[OWN(lu_column)] == columns && c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots, lean) &&
-           has_slots(c, OWN(coincidence_slot_ptr), coincidence_slots, lean) &&
-           has_slots(c, OWN(composite_slot_ptr), composite_slots, lean) && has_slots(c, OWN(cone_slot_ptr), cone_slots, lean);
+    return island == m->n_islands + 1 && (e->lu_island[4 * m->n_islands] == n || e == &m->open || e == &m->bare) &&
+           c->length[OWN(lu_column)] == columns && c->length[OWN(lu_target)] == targets && has_slots(c, OWN(row_slot_ptr), row_slots) &&
+           has_slots(c, OWN(coincidence_slot_ptr), coincidence_slots) && has_slots(c, OWN(composite_slot_ptr), composite_slots) &&
+           has_slots(c, OWN(cone_slot_ptr), cone_slots) && has_slots(c, OWN(load_slot_ptr), load_slots) &&
+           has_slots(c, OWN(moment_slot_ptr), moment_slots) &&
+           c->length[OWN(body_moment_slot)] == (c->lean ? 0 : 81 * (int64_t)m->n_body_moments) &&
+           c->length[OWN(inertia_slot)] == (c->reduced ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
+           has_positions(c, e, n);
 #undef OWN
 }
 
 int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
 {
-    checker checked = {m, table_length, {0}};
+    checker checked = {m, table_length, {0}, 0, 0};
     const checker *c = &checked;
     if (!has_sizes(c)) return 0;
     const hm_counts *count = &checked.count;
     checked.count = counts_of(m);
     if (!has_tables(m, count, table_length) || !has_forms(c) || !has_sections(m, count) || !has_turns_and_derived(c) ||
-        !has_quantities(c) || !has_composites(c) || !has_sound_loads(c) || !has_contacts(c) || !has_tape(c) ||
+        !has_quantities(c) || !has_composites(c) || !has_sound_loads(c) || !has_bodies(c) || !has_contacts(c) || !has_tape(c) ||
         !has_islands(m, count))
         return 0;
-    const holonom_elimination *factors[] = {&m->full, &m->lean, &m->open, &m->bare};
-    const size_t place[] = {TABLE(full), TABLE(lean), TABLE(open), TABLE(bare)};
-    const int32_t n_values[] = {m->n_lu_values, m->n_lean_values, m->n_open_values, m->n_bare_values};
-    for (int i = 0; i < 4; i++) {
+    const holonom_elimination *factors[] = {&m->full, &m->reduced, &m->open, &m->lean, &m->bare};
+    const size_t place[] = {TABLE(full), TABLE(reduced), TABLE(open), TABLE(lean), TABLE(bare)};
+    const int32_t n_values[] = {m->n_lu_values, m->n_reduced_values, m->n_open_values, m->n_lean_values, m->n_bare_values};
+    for (int i = 0; i < 5; i++) {
         if (i && !n_values[i]) continue;
-        if (n_values[i] > m->n_lu_values || !has_factors(m, count, factors[i], table_length + place[i], n_values[i]) ||
-            !has_elimination(c, factors[i], place[i]))
+        checked.reduced = i > 0 && m->n_bodies > 0;
+        checked.lean = i > 2;
+        const int64_t n = checked.reduced ? count->n_reduced_pivots : count->n_pivots;
+        if (n_values[i] > m->n_lu_values || !has_factors(m, count, factors[i], table_length + place[i], n, n_values[i]) ||
+            !has_elimination(c, factors[i], place[i], n))
             return 0;
     }
-    return has_slots(c, TABLE(load_slot_ptr), load_slots, 0) && has_slots(c, TABLE(moment_slot_ptr), moment_slots, 0);
+    return m->n_reduced_values == 0 || m->n_bodies > 0;
 }
 
 #include "small.h"

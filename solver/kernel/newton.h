@@ -2,6 +2,7 @@
 #ifndef HOLONOM_NEWTON_H
 #define HOLONOM_NEWTON_H
 
+#include "body_turns.h"
 #include "context.h"
 #include "forms.h"
 #include "newton_record.h"
@@ -23,6 +24,35 @@ static void update_multipliers(context *c)
         c->k.lambda[i] = lambda;
     }
     if (n_frictions(c->m)) follow_cones(c);
+}
+
+/* Multipliers that the next step begins with, in the place of lambda: those of this one, less the part x of dependent rows
+   that is not determined. P = epsilon (G A^-1 G' + epsilon)^-1 leaves of what is determined some 1e-8, its square
+   nothing; of what is weakly determined both leave much, but not the same.                                       */
+#define WEAK 1e-4
+static void leave_undetermined(const context *c)
+{
+    double size2 = 0.0, change2 = 0.0;
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
+    if (c->island[I_DEPENDENT] != ROWS_ARE_DEPENDENT || is_penalty(c)) return;
+    for (int time = 0; time < 2; time++) {
+        for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
+            for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = 0.0;
+        EACH_ROW(c, i) {
+            double *x = c->k.rhs + c->lu->row_position[i], *last = c->k.row_bias + i;
+            if (time == 0) *x = state_of_multiplier(c, i) == ROW_IS_ON ? c->k.mu[i] : 0.0;
+            *x *= -c->k.epsilon[i];
+            *last = *x;
+        }
+        solve_factors(c);
+    }
+    EACH_ROW(c, i) {
+        const double epsilon = c->k.epsilon[i], x = c->k.rhs[c->lu->row_position[i]], change = x + c->k.row_bias[i] / epsilon;
+        size2 += epsilon * c->k.mu[i] * c->k.mu[i];
+        change2 += epsilon * change * change;
+    }
+    if (change2 > WEAK * WEAK * size2) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
+    else EACH_ROW(c, i) c->k.lambda[i] -= c->k.rhs[c->lu->row_position[i]];
 }
 
 /* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is
@@ -55,11 +85,15 @@ static int32_t newton_update(context *c, newton_record *r)
     EACH_NODE(c, a) {
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
-        if (a < m->n_free) {
+        if (a < m->n_free && !(c->reduced && m->node_kind[a])) {
             const double *x = rhs + c->lu->node_position[a];
             EACH(k) w[k] += x[k];
-            EACH(k) d[k] = c->k.hv[DIM * a + k] + w[k];
+            EACH(k) c->move[DIM * a + k] = d[k] = c->k.hv[DIM * a + k] + w[k];
             increment2 += mass * dot(x, x);
+        } else if (a < m->n_free && m->node_kind[a] == NODE_DIRECTION) {
+            const double *spin = rhs + c->lu->node_position[a];
+            increment2 += turning_norm2(c, a, spin, 1);
+            change_turn(c, a, spin);
         }
         size2 += mass * dot(d, d);
     }
@@ -78,9 +112,11 @@ static int32_t newton_update(context *c, newton_record *r)
 static void take_back(context *c)
 {
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
+        if (c->reduced && c->m->node_kind[k / DIM]) continue;
         c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
-        c->k.d[k] = c->k.hv[k] + c->k.w[k];
+        c->move[k] = c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
+    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced; b++) undo_turn(c, c->m->body_node[b]);
     EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
 }
 
@@ -110,10 +146,11 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (status) return status;
         if (simultaneous && !is_penalty(c)) r->defect = constraint_defect(c);
         if (has_converged(c, r)) return HOLONOM_OK;
+        r->held = may_update_early(c, r);
         if (simultaneous && contracts_badly(r) && raise_penalty(c, r)) {
             update_multipliers(c);
             if ((status = evaluate_balance(c))) return status;
-        } else if (may_update_early(c, r))
+        } else if (r->held)
             hold_multipliers(c, r);
         if (r->slow) replace_factors(c, r);
     }

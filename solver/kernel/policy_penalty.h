@@ -30,11 +30,6 @@ static inline int updates_slowly(const context *c, double defect, double last)
     return defect > 0.25 * last && defect > 10.0 * last / (1.0 + c->s.head[S_PENALTY]);
 }
 
-/* Part of the last multipliers that is forgotten at the beginning of a step where rows depend on each other. What
-   they leave undetermined would otherwise grow without bound, since every solve adds their inconsistency, a rounding
-   error of the drawn configuration, over epsilon. What is determined comes back in the first solves.             */
-#define FORGOTTEN 1e-3
-
 /* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
    iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
 #define EARLY_UPDATE_PENALTY 1e6
@@ -42,15 +37,24 @@ static inline int updates_slowly(const context *c, double defect, double last)
    and adds up in the energy (double pendulum, 2e5 steps of 1 ms: 4e-13 J with 6e-17, 1e-14 J with this). */
 #define UNBIASED 1e-19
 
-/* Whether lambda may follow early, after this Newton iteration. Multipliers that dependent rows share get the rounding
-   errors of a solve over epsilon, which the next one with lambda held removes: there the update waits for it, and
-   comes once.                                                                                                  */
+/* What I_DEPENDENT says of the rows of an island. Of dependent ones each step takes out of the multipliers what they leave
+   undetermined, to which every solve adds their inconsistency, a rounding error of the drawn configuration, over epsilon.
+   Where it cannot be told from what is weakly determined, a part of all is forgotten at the beginning of a step. */
+enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK };
+#define FORGOTTEN 1e-3
+
+/* Whether lambda may follow early, after this Newton iteration. Of dependent rows the part of the multipliers that is not
+   determined gets the errors of a solve over epsilon, which the next one with lambda held removes: there the update comes
+   once, after the second increment or a short first one.                                                          */
+#define SHORT_INCREMENT 1e-2
 static int may_update_early(const context *c, const newton_record *r)
 {
     const double *head = c->s.head;
     if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
     if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return 0;
-    if (c->island[I_DEPENDENT] != 0.0 && r->iteration != 1) return 0;
+    const double rows = c->island[I_DEPENDENT];
+    const int is_short = r->iteration == 0 && r->eta < SHORT_INCREMENT * r->size;
+    if (rows != ROWS_ARE_INDEPENDENT && r->iteration != 1 && !(rows == ROWS_ARE_DEPENDENT && is_short)) return 0;
     return r->iteration > 0 || constraint_defect(c) > UNBIASED;
 }
 

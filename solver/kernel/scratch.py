@@ -23,6 +23,12 @@ WORK = {
     "epsilon": "n_rows",  # compliance 2/alpha or 1/alpha
     "hv": "n", "w": "n", "d": "n",  # h v, unknown d - h v, increment d
     "momentum": "n",  # residual of the momentum balance
+    "move": "n",  # increments of the unknowns in a reduced step, turns with first directors
+    "turn": "n", "spun": "n",  # part of a turn that is solved for, and the other, h omega
+    "internal": "n",  # h n_i of directors, see body_turns.h
+    "middle": "n", "turned": "n",  # directors in the middle and at the end of a reduced step
+    "nodal": "n",  # their balance of momentum, without
+    "torque": "n", "bend": "n",  # of axes_row_residual, with first directors; derivatives
     "handed_on": "n",  # part of it that the last half steps have left to this one
     "sensed": "n",  # increment of which sampled loads were told
     "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen
@@ -39,7 +45,7 @@ WORK = {
     "slope": "n_local_forms", "end": "n_local_forms",  # of a composite over the step, at its end
     "curve": "n_local_forms * n_local_forms",  # change of the slopes with the forms at the end
     "gradient": "n_local_forms * n_local", "gradient_end": "n_local_forms * n_local",  # of forms
-    "block": "n_local * n_local",
+    "block": "n_local * n_local", "place": "n_local_nodes",  # integers, see local_places
     "leaves": "n_registers * n_leaf_numbers",  # end slopes and changes of a composite's leaves
     "r.r0": "n_registers", "r.r1": "n_registers", "r.dr": "n_registers",  # of one function
     "r.adjoint": "n_registers", "r.slope": "3 * n_registers",

@@ -24,7 +24,7 @@ static inline int is_square_row(const context *c, int32_t i)
 }
 
 /* Form row i of the kind of is_square_row: the same numbers in one pass. */
-static const int32_t *square_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
+static void square_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
 {
     const holonom_model *m = c->m;
     const int32_t f = m->row_form[i], begin = m->form_ptr[f], free = m->form_free[f];
@@ -43,7 +43,6 @@ static const int32_t *square_row_tangent(const context *c, int32_t i, const int3
             value[*slot++] += h * (twice * um[k]);
             value[*lower++] += twice * (u0[k] + du[k]);
         }
-    return lower;
 }
 
 /* Form row i of the kind of is_square_row: its function, and its force in the momentum balance. */

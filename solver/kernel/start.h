@@ -117,20 +117,27 @@ static int32_t derive_scales(context *c)
 /* Length of the step without forces whose tangent is the matrix of solve_at_state. */
 #define AT_STATE 1.4142135623730951
 
-/* Factors of the equations of solve_at_state, with links at the present state; with h > 0 those of a step of length h, with
-   springs and dampers.                                                                                          */
-static int32_t factorise_with_forces(const context *c, const double *weight, double h)
+/* Context of the equations of solve_at_state, with links at the present state; with h > 0 those of a step of length h, with
+   springs and dampers. */
+static context rows_at_state(const context *c, double h)
 {
-    const holonom_model *m = c->m;
     const double length2 = h > 0.0 ? 0.5 * h * h : 1.0;
     context rows = *c;
-    rows.lu = &m->full;
+    rows.lu = &c->m->full;
     rows.h = h > 0.0 ? h : AT_STATE;
     rows.constraints_only = !(h > 0.0);
     rows.at_state = 1;
     use_formulation(&rows, HOLONOM_CONSERVING_AL);
-    memset(c->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.epsilon[i] = 1e-8 * length2 * c->number[m->row_sigma_at + i];
+    memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = 1e-8 * length2 * c->number[c->m->row_sigma_at + i];
+    return rows;
+}
+
+/* Factors of these equations. */
+static int32_t factorise_with_forces(const context *c, const double *weight, double h)
+{
+    const holonom_model *m = c->m;
+    const context rows = rows_at_state(c, h);
     const int32_t status = assemble_tangent(&rows);
     if (status) return status;
     for (int32_t e = 0; e < m->n_mass_free && weight; e++) {
@@ -355,19 +362,26 @@ HM_SELDOM static void forget_dependent_rows(const context *c)
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
 
-/* Marks islands whose rows depend on each other, by the factors of solve_at_state: the pivot of a row is what is left of
-   -G M^-1 G' - epsilon, of a dependent row no more than epsilon.                                               */
-static void find_dependent_rows(context *c)
+/* Marks islands whose rows depend on each other, by factors at the state: the pivot of a row is what is left of
+   -G M^-1 G' - epsilon, of a dependent row no more than epsilon. Those of directors would mistake some for dependent, which
+   are so among what one direction is held by.                                                                   */
+static void find_dependent_rows(const context *c)
 {
     const holonom_model *m = c->m;
-    for (int32_t island = 0; island < m->n_islands; island++) {
-        look_at(c, island, island + 1);
-        EACH_ROW(c, i)
-            if (state_of_multiplier(c, i) == ROW_IS_ON &&
-                !(fabs(c->k.value[m->full.lu_ptr[m->full.row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
-                c->island[I_DEPENDENT] = 1.0; /* pivots are stored inverted */
+    context rows = rows_at_state(c, 0.0);
+    if (m->n_reduced_values) {
+        reduce(&rows, 1);
+        stand_still_as_bodies(&rows);
     }
-    look_at(c, 0, m->n_islands);
+    const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
+    for (int32_t island = 0; island < m->n_islands; island++) {
+        look_at(&rows, island, island + 1);
+        if (fails) rows.island[I_DEPENDENT] = 1.0;
+        EACH_ROW(&rows, i)
+            if (state_of_multiplier(c, i) == ROW_IS_ON &&
+                !(fabs(c->k.value[rows.lu->lu_ptr[rows.lu->row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
+                rows.island[I_DEPENDENT] = 1.0; /* pivots are stored inverted */
+    }
 }
 
 /* Multipliers mu (n_rows, overwritten) and accelerations (in w) from  M a + G' mu = Q,  G a = -bias, refined: light
@@ -409,6 +423,8 @@ static int32_t first_multipliers(context *c)
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
+    for (int32_t b = 0; b < m->n_bodies; b++) common_turn(c, m->body_node[b], c->k.w + DIM * m->body_node[b], c->s.turn[0] + TURNING * b);
+    memcpy(c->s.turn[1], c->s.turn[0], sizeof(double) * (size_t)(TURNING * m->n_bodies));
     for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k] / AT_STATE;
     memcpy(c->s.driven[1], c->s.driven[0], driven);
     memcpy(c->s.driven_mean, c->s.driven[0], driven);

@@ -2,6 +2,7 @@
 #ifndef HOLONOM_STEP_H
 #define HOLONOM_STEP_H
 
+#include "body_turns.h"
 #include "composite.h"
 #include "context.h"
 #include "forms.h"
@@ -34,7 +35,7 @@ static inline int is_telling(const context *c)
 static void rows_at_start(context *c, int exact)
 {
     const holonom_model *m = c->m;
-    for IN_ISLAND(c, i, ISLAND_FORM_ROW) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
+    EACH_FORM_ROW(c, i) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         double high[DIM] = {0.0}, low[DIM] = {0.0};
         if (exact) exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, high, low);
@@ -54,11 +55,35 @@ static int turns_little(const context *c)
     return 1;
 }
 
+/* Increments of the unknowns of a reduced step. */
+static void begin_unknowns(const context *c, int parity, int reach)
+{
+    double *const *turn = c->s.turn;
+    const int64_t n = TURNING * (int64_t)c->m->n_bodies;
+    EACH_COORDINATE(c, k) c->k.move[k] = c->k.d[k];
+    for IN_ISLAND(c, b, ISLAND_BODY) {
+        const int32_t a = c->m->body_node[b];
+        double acceleration[TURNING];
+        for (int k = 0; k < DIM * TURNING; k++) c->k.move[DIM * a + k] = 0.0;
+        for (int k = 0; k < TURNING; k++)
+            acceleration[k] = predicted(c, reach, turn[parity], turn[1 - parity], c->s.turn_change, n, TURNING * b + k);
+        begin_turn(c, a, acceleration);
+    }
+}
+
+/* Whether turns of bodies are the unknowns: rows that hold at the end of a step make it the same. */
+static inline int may_reduce(const context *c)
+{
+    return c->m->n_reduced_values && c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] == 0.0 &&
+           hm_skips(SKIP_DIRECTORS);
+}
+
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const double h = c->h;
+    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced && c->half == 0; b++) straighten(c, m->body_node[b]);
     links_at_start(c);
     const int reach = known_changes(c);
     const int64_t n = DIM * c->n_moving;
@@ -73,19 +98,20 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
+    if (c->reduced) begin_unknowns(c, parity, reach);
     rows_at_start(c, is_telling(c) || is_penalty(c) || c->stepping);
-    const int dependent = c->island[I_DEPENDENT] != 0.0;
-    const double compliance = compliance_over_sigma(c);
-    const double kept = dependent ? 1.0 - FORGOTTEN : 1.0;
+    const double rows = c->island[I_DEPENDENT];
+    const double compliance = compliance_over_sigma(c), kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
     EACH_ROW(c, i) {
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * mu[parity][i];
     }
-    /* lambda is the last multiplier, not a predicted one: it decides what dependent rows leave undetermined, which a
-       line would amplify from step to step. Newton's iteration alone begins from the prediction. */
-    update_multipliers(c);
-    if (!reach || dependent) return;
+    /* lambda is the last multiplier, not a predicted one, where nobody has taken out what rows leave undetermined: near a
+       singular configuration a line would amplify it from step to step. */
+    if (rows != ROWS_ARE_DEPENDENT) update_multipliers(c);
+    if (rows == ROWS_ARE_WEAK) return;
     EACH_ROW(c, i) c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
+    if (rows == ROWS_ARE_DEPENDENT) update_multipliers(c);
 }
 
 /* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
@@ -121,6 +147,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, began_with_old);
+    if (!status) leave_undetermined(c);
     total->increments += r->increments;
     total->updates += r->updates;
     if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);
@@ -165,6 +192,7 @@ static int32_t solve_step(context *c, int parity)
     const int32_t parts = n_apart(c);
     int32_t status = HOLONOM_OK;
     effort most = {0, 0};
+    reduce(c, may_reduce(c));
     for (int32_t part = 0; part < parts && !status; part++) {
         effort own = {0, 0};
         look_at_part(c, part, parts);
@@ -173,8 +201,7 @@ static int32_t solve_step(context *c, int parity)
         if (own.increments > most.increments) most.increments = own.increments;
         if (own.updates > most.updates) most.updates = own.updates;
     }
-    look_at_all(c);
-    c->lu = &c->m->full;
+    reduce(c, 0);
     c->s.head[S_NEWTON_ITERATIONS] += most.increments;
     c->s.head[S_UZAWA_ITERATIONS] += most.updates;
     return status;

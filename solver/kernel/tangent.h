@@ -8,27 +8,16 @@
 #ifndef HOLONOM_TANGENT_H
 #define HOLONOM_TANGENT_H
 
+#include "body_turns.h"
 #include "composite.h"
 #include "cone_tangent.h"
 #include "context.h"
 #include "forms.h"
 #include "function.h"
 #include "laws.h"
+#include "reduced_rows.h"
 #include "row_state.h"
 #include "square_rows.h"
-
-/* Second derivative of form f with respect to entries p and q: same I + quarter J. */
-static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)
-{
-    const holonom_model *m = c->m;
-    const double *alpha = c->number + m->alpha_at, *beta = c->number + m->beta_at;
-    *same = alpha[p] * beta[q] + beta[p] * alpha[q];
-    *quarter = 0.0;
-    if (DIM == 3 || !(m->form_kind[f] & FORM_TURNED)) return;
-    const double *alpha_turn = c->number + m->alpha_turn_at, *beta_turn = c->number + m->beta_turn_at;
-    *same += alpha_turn[p] * beta_turn[q] + beta_turn[p] * alpha_turn[q];
-    *quarter = alpha[p] * beta_turn[q] - alpha_turn[p] * beta[q] + beta[p] * alpha_turn[q] - beta_turn[p] * alpha[q];
-}
 
 static const int32_t *row_stiffness(const context *c, int32_t f, double factor, const int32_t *slot, double *value)
 {
@@ -88,18 +77,21 @@ static const int32_t *scatter_block(const context *c, int32_t f, double factor, 
 {
     const holonom_model *m = c->m;
     const double *alpha = c->number + m->alpha_at + m->form_ptr[f];
+    const int32_t *node = m->form_node + m->form_ptr[f];
     for (int32_t p = 0; p < m->form_free[f]; p++)
-        for (int32_t q = 0; q < m->form_free[f]; q++)
-            EACH(i) EACH(j) value[*slot++] += factor * alpha[p] * alpha[q] * block[DIM * i + j];
+        for (int32_t q = 0; q < m->form_free[f]; q++) {
+            double own[DIM * DIM], x[DIM * DIM];
+            for (int k = 0; k < DIM * DIM; k++) own[k] = factor * alpha[p] * alpha[q] * block[k];
+            slot = scatter(block_to_unknowns(c, node[p], node[q], own, x), x, slot, value);
+        }
     return slot;
 }
 
 /* block = sum curve_fg grad s_f(theta) grad s_g(end)' + theta sum slope_f H_f. */
-static void composite_stiffness(const context *c, int32_t j)
+static void composite_stiffness(const context *c, int32_t j, int32_t size)
 {
     const holonom_model *m = c->m;
-    const int32_t *local = places_of(c, j);
-    const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
+    const int32_t *local = places_of(c, j), *place = local_place(c);
     const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j];
     memset(c->k.block, 0, sizeof(double) * (size_t)(size * size));
     for (int32_t i = 0; i < forms; i++) {
@@ -115,8 +107,17 @@ static void composite_stiffness(const context *c, int32_t j)
         const double factor = c->theta * c->k.slope[i];
         for (int32_t p = 0; p < m->form_free[f] && !(m->form_kind[f] & FORM_LINEAR); p++)
             for (int32_t q = 0; q < m->form_free[f]; q++) {
-                double same, quarter, *corner = c->k.block + size * DIM * local[p] + DIM * local[q];
+                double same, quarter, *corner = c->k.block + size * place[local[p]] + place[local[q]];
+                const int32_t *node = m->form_node + begin;
                 pair_stiffness(c, f, begin + p, begin + q, &same, &quarter);
+                if (is_director(c, node[p]) || is_director(c, node[q])) {
+                    double x[DIM * DIM];
+                    block_of_same(c, node[p], node[q], factor * same, factor * quarter, x);
+                    const int rows = unknown_size(c, node[p]), columns = unknown_size(c, node[q]);
+                    for (int r = 0; r < rows; r++)
+                        for (int k = 0; k < columns; k++) corner[size * r + k] += x[columns * r + k];
+                    continue;
+                }
                 EACH(k) corner[size * k + k] += factor * same;
 #if DIM == 2
                 corner[1] -= factor * quarter;
@@ -132,18 +133,17 @@ static int32_t composite_tangent(const context *c, double *value)
     const holonom_model *m = c->m;
     EACH_COMPOSITE(c, j) {
         const int32_t *slot = c->lu->composite_slot + c->lu->composite_slot_ptr[j];
-        const int32_t size = DIM * (m->composite_node_ptr[j + 1] - m->composite_node_ptr[j]);
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
         const enum row_state state = state_of_row(c, j);
         if ((is_lean(c) && !row) || state == ROW_IS_OFF) continue;
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
-        local_gradients(c, j);
+        const int32_t size = local_gradients(c, j);
         const double factor = !row ? c->constraints_only ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
         if (!is_lean(c)) {
             const double *block = c->k.block;
-            composite_stiffness(c, j);
+            composite_stiffness(c, j, size);
             for (int32_t k = 0; k < size * size; k++) value[*slot++] += factor * block[k];
         }
         for (int32_t k = 0; k < size && row; k++, slot++)
@@ -157,7 +157,7 @@ static int32_t composite_tangent(const context *c, double *value)
 static int32_t law_tangent(const context *c, double *value)
 {
     const holonom_model *m = c->m;
-    const int32_t *slot = m->moment_slot + m->moment_slot_ptr[c->begin[ISLAND_MOMENT]];
+    const int32_t *slot = c->lu->moment_slot + c->lu->moment_slot_ptr[c->begin[ISLAND_MOMENT]];
     double block[DIM * DIM];
     motion g;
     for IN_ISLAND(c, j, ISLAND_MOMENT) {
@@ -167,11 +167,11 @@ static int32_t law_tangent(const context *c, double *value)
         if (status) return status;
         slot = scatter_block(c, m->moment_form[j], -c->h, block, slot, value);
     }
-    slot = m->load_slot + m->load_slot_ptr[c->begin[ISLAND_LOAD]];
+    slot = c->lu->load_slot + c->lu->load_slot_ptr[c->begin[ISLAND_LOAD]];
     for IN_ISLAND(c, j, ISLAND_LOAD) slot = load_tangent(c, j, slot, value);
 #if DIM == 3
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) {
-        const int32_t status = body_moment_tangent(c, j, m->body_moment_slot + 81 * j, value);
+        const int32_t status = body_moment_tangent(c, j, c->lu->body_moment_slot + 81 * j, value);
         if (status) return status;
     }
 #endif
@@ -179,8 +179,8 @@ static int32_t law_tangent(const context *c, double *value)
 }
 
 /* Pivots of the islands at hand. */
-static inline int32_t first_pivot(const context *c) { return c->lu->lu_island[2 * c->first_island]; }
-static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[2 * c->last_island]; }
+static inline int32_t first_pivot(const context *c) { return c->lu->lu_island[4 * c->first_island]; }
+static inline int32_t end_pivot(const context *c) { return c->lu->lu_island[4 * c->last_island]; }
 
 /* Rows that are left out: the pivot -1, no couplings, the right-hand side 0. */
 static void set_rows_apart(const context *c, double *value)
@@ -192,43 +192,6 @@ static void set_rows_apart(const context *c, double *value)
             value[c->lu->lu_ptr[place]] = -1.0;
             c->k.rhs[place] = 0.0;
         }
-}
-
-/* Writes the tangent at the present (w, mu) into value. */
-static int32_t assemble_tangent(const context *c)
-{
-    const holonom_model *m = c->m;
-    double *value = c->k.value;
-    const double h = c->h;
-    const int32_t first = c->lu->lu_ptr[first_pivot(c)];
-    memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
-    for (int32_t e = c->begin[ISLAND_MASS]; e < c->end[ISLAND_MASS] && e < m->n_mass_free; e++)
-        EACH(k) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
-    const int32_t *slot = c->lu->row_slot + c->lu->row_slot_ptr[c->begin[ISLAND_FORM_ROW]];
-    for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
-        const int32_t f = m->row_form[i];
-        motion g;
-        double u[DIM], w[DIM];
-        if (is_square_row(c, i)) {
-            slot = square_row_tangent(c, i, slot, value);
-            continue;
-        }
-        form_motion(c, f, &g);
-        row_function(c, i, &g, u, w);
-        slot = row_stiffness(c, f, c->theta * h * c->k.mu[i], slot, value);
-        slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
-        slot = scatter_gradient(c, f, 1.0, u, w, slot, value);
-    }
-    slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
-    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
-        double ignored[DIM];
-        const int32_t row = m->n_form_rows + DIM * j;
-        slot = scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
-    }
-    EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
-    if (c->left_out && !is_open(c)) set_rows_apart(c, value);
-    const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
-    return status || c->constraints_only || is_lean(c) ? status : law_tangent(c, value);
 }
 
 /* momentum = (2/h) M x over the moving nodes, the inertia term of the residual. */
@@ -243,6 +206,65 @@ static void inertia(const context *c, double h, const double *x, double *momentu
         double *row = momentum + DIM * node[0];
         EACH(k) row[k] += mass * column[k];
     }
+}
+
+/* Inertia of the turns of bodies, and the stiffness that all forces on their directors p_i have by turning with these:
+
+       sum [ (y_i . d_i) 1 - d_i y_i' ],     y_i = (2/h) sum_k E_ik m_k - p_i/2,     d_i at the end.             */
+static void inertia_tangent(const context *c, double *value)
+{
+    double *y = c->k.ahead;
+    inertia(c, c->h, c->k.middle, y);
+    for IN_ISLAND(c, b, ISLAND_BODY) {
+        const int32_t at = DIM * c->m->body_node[b], *slot = c->lu->inertia_slot + TURNING * TURNING * b;
+        double *x = c->k.bend + at;
+        for (int i = at; i < at + DIM * TURNING; i += DIM) {
+            double own[DIM];
+            EACH(k) own[k] = y[i + k] - 0.5 * c->k.nodal[i + k];
+            add_turning(1.0, own, c->k.turned + i, x);
+        }
+        scatter(TURNING * TURNING, x, slot, value);
+    }
+}
+
+/* Writes the tangent at the present (w, mu) into value. */
+static int32_t assemble_tangent(const context *c)
+{
+    const holonom_model *m = c->m;
+    double *value = c->k.value;
+    const double h = c->h;
+    const int32_t first = c->lu->lu_ptr[first_pivot(c)];
+    memset(value + first, 0, sizeof(double) * (size_t)(c->lu->lu_ptr[end_pivot(c)] - first));
+    for (int32_t e = c->begin[ISLAND_MASS]; e < c->end[ISLAND_MASS] && e < m->n_mass_free; e++)
+        EACH(k) if (c->lu->mass_slot[DIM * e + k] >= 0) value[c->lu->mass_slot[DIM * e + k]] += 2.0 / h * c->number[m->mass_at + e];
+    clear_bodies(c, c->k.bend, TURNING * TURNING);
+    EACH_FORM_ROW(c, i) {
+        const int32_t f = m->row_form[i], *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
+        motion g;
+        double u[DIM], w[DIM];
+        if (c->reduced || is_square_row(c, i)) {
+            if (c->reduced) reduced_row_tangent(c, i, slot, value);
+            else square_row_tangent(c, i, slot, value);
+            continue;
+        }
+        form_motion(c, f, &g);
+        row_function(c, i, &g, u, w);
+        slot = row_stiffness(c, f, c->theta * h * c->k.mu[i], slot, value);
+        slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
+        scatter_gradient(c, f, 1.0, u, w, slot, value);
+    }
+    if (c->reduced) inertia_tangent(c, value);
+    const int32_t *slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
+        double ignored[DIM];
+        const int32_t row = m->n_form_rows + DIM * j;
+        slot = c->reduced ? reduced_coincidence_tangent(c, j, slot, value)
+                          : scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
+    }
+    EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
+    if (c->left_out && !is_open(c)) set_rows_apart(c, value);
+    const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
+    return status || c->constraints_only || is_lean(c) ? status : law_tangent(c, value);
 }
 
 /* Composites' part of the residual. */
@@ -282,9 +304,14 @@ static int32_t evaluate_residual(const context *c)
 {
     const holonom_model *m = c->m;
     inertia(c, c->h, c->k.w, c->k.momentum);
-    for IN_ISLAND(c, i, ISLAND_FORM_ROW) {
+    clear_bodies(c, c->k.torque, TURNING);
+    EACH_FORM_ROW(c, i) {
         motion g;
         double u[DIM], w[DIM];
+        if (is_axes_row(c, i)) {
+            axes_row_residual(c, i);
+            continue;
+        }
         if (is_square_row(c, i)) {
             square_row_residual(c, i);
             continue;
@@ -302,7 +329,9 @@ static int32_t evaluate_residual(const context *c)
     }
     const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
-    return c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
+    const int32_t failed = c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
+    if (c->reduced) reduce_momentum(c);
+    return failed;
 }
 
 /* ------------------------------------------------------------------ right-hand side, factors, solution */
@@ -316,8 +345,8 @@ static inline double row_residual(const context *c, int32_t i)
 /* The nodes' part of the right-hand side -(momentum, rows) in elimination order. */
 static void gather_momentum(const context *c)
 {
-    for IN_ISLAND(c, a, ISLAND_FREE)
-        EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
+    for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
+        for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
 }
 
 static void gather_rhs(const context *c)
@@ -334,8 +363,6 @@ static void add_solution(const context *c, double *x)
 }
 
 /* Many contacts, of which few are closed at a time, leave most of the pattern empty. */
-enum { FEW_CONTACTS = 8 };
-
 static inline int is_mostly_empty(const context *c) { return n_contacts(c->m) > FEW_CONTACTS && !is_open(c); }
 
 /* Entries of each pivot that are not 0; behind these counts their columns. */
@@ -343,11 +370,15 @@ static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *
 
 static inline int32_t *live_columns(const context *c) { return live_counts(c) + DIM * c->m->n_free + c->m->n_rows; }
 
+/* Whether pivots are eliminated in groups. */
+static inline int has_groups(const context *c) { return c->reduced && !is_mostly_empty(c); }
+
 /* Makes factors of the matrix in value, of the islands at hand. */
 static inline int32_t factorise_matrix(const context *c)
 {
     const holonom_elimination *lu = c->lu;
-    const int32_t begin = first_pivot(c), end = end_pivot(c), *target = lu->lu_target + lu->lu_island[2 * c->first_island + 1];
+    const int32_t begin = first_pivot(c), end = end_pivot(c), *target = lu->lu_target + lu->lu_island[4 * c->first_island + 2];
+    if (has_groups(c)) return hm_block_factor(lu, c->first_island, c->last_island, c->k.value) ? HOLONOM_SINGULAR_TANGENT : HOLONOM_OK;
     const int fails = is_mostly_empty(c) ? hm_lu_factor_live(begin, end, lu->lu_ptr, lu->lu_column, target, c->k.value,
                                                               live_counts(c), live_columns(c))
                                          : hm_lu_factor(begin, end, lu->lu_ptr, target, c->k.value);
@@ -365,7 +396,8 @@ static inline void solve_factors(const context *c)
 {
     const holonom_elimination *lu = c->lu;
     const int32_t begin = first_pivot(c), end = end_pivot(c);
-    if (is_mostly_empty(c))
+    if (has_groups(c)) hm_block_solve(lu, c->first_island, c->last_island, c->k.value, c->k.rhs);
+    else if (is_mostly_empty(c))
         hm_lu_solve_live(begin, end, lu->lu_ptr, live_counts(c), live_columns(c), c->k.value, c->k.rhs);
     else hm_lu_solve(begin, end, lu->lu_ptr, lu->lu_column, c->k.value, c->k.rhs);
 }

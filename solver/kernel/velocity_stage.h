@@ -140,10 +140,10 @@ static int32_t velocities_of_parting(context *c, double taken, int driven)
     const int32_t n = DIM * c->n_moving, rows = c->m->n_rows;
     double *stop = c->k.hit_defect, *part = c->k.free;
     stand_still(c);
-    const int32_t status = factorise_at_state(c, NULL);
-    if (status) return status;
     forget_dependent_rows(c);
     find_dependent_rows(c);
+    const int32_t status = factorise_at_state(c, NULL);
+    if (status) return status;
     rates_to_stop(c);
     velocities_for(c, stop);
     memcpy(c->k.event_mu, c->k.mu, sizeof(double) * (size_t)rows);

@@ -17,7 +17,7 @@ from solver.mechanics.tape import CODE, Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
-from solver.runtime.layout import FORM_TURNED, SIZES, TABLES, measured_size
+from solver.runtime.layout import FACTORS, FORM_TURNED, SIZES, TABLES, measured_size
 from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
@@ -217,7 +217,7 @@ def sizes_of(
         "variable_potential": int(Segment.LAWS in stored or numbers.formulas_vary),
         "n_registers": max([1, *registers]),
         "n_lu_values": tables["lu_ptr"][-1],
-        **{f"n_{x}_values": (tables[f"{x}_lu_ptr"] or (0,))[-1] for x in ("lean", "open", "bare")},
+        **{f"n_{x}_values": (tables[f"{x}_lu_ptr"] or (0,))[-1] for x in FACTORS},
         "n_slots": SLOTS[scene.solver.order or (8 if scene.solver.tolerance > 0.0 else 2)],
     }
     return {name: known[name] for name in SIZES}

@@ -111,8 +111,7 @@ def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
         for second in directors[i:]:
             form, _ = mechanism.form(node(first), node(second))
             rows.form_row(form, 1.0 if first == second else 0.0, Scale(1.0, 0), "axes")
-    if mechanism.dim == 3:
-        mechanism.bodies[directors[0]] = len(mechanism.bodies)
+    mechanism.bodies[directors[0]] = len(mechanism.bodies)
     return frame
 
 

@@ -37,7 +37,9 @@ MOST_OF_A_NET = 150
 class Pattern:
     """Places of the unknowns in the elimination order, and the stored entries of the factors.
 
-    Pivot k owns the entries ``ptr[k]:ptr[k + 1]``: diagonal, U row, L column.
+    Pivots with the same later places, besides themselves, make a group: p of them with m later
+    places have a block p x p, row by row, then the p entries of U of each later place, then those
+    of L. A pivot alone has its diagonal, a row of U and a column of L.
     """
 
     position: Integers
@@ -46,6 +48,8 @@ class Pattern:
     """Number of later places of each pivot."""
     column: Integers
     """These places, increasing, of one pivot after the other."""
+    groups: Integers
+    """First pivot of each group, and the end."""
 
     @property
     def n_products(self) -> int:
@@ -58,9 +62,41 @@ class Pattern:
         return int(self.ptr[-1])
 
     @cached_property
+    def _size(self) -> Integers:
+        """Pivots of each group."""
+        return np.diff(self.groups)
+
+    @cached_property
+    def _group(self) -> Integers:
+        """Group of each pivot."""
+        return np.repeat(np.arange(len(self._size)), self._size)
+
+    @cached_property
+    def later(self) -> Integers:
+        """Number of later places of each group."""
+        return self.counts[self.groups[1:] - 1]
+
+    @cached_property
+    def begin(self) -> Integers:
+        """Where the entries of each group begin, and the end of all."""
+        return _pointers(self._size * (self._size + 2 * self.later))
+
+    @cached_property
     def ptr(self) -> Integers:
-        """Where the entries of each pivot begin, and the end of all."""
-        return _pointers(1 + 2 * self.counts)
+        """Place of the diagonal of each pivot, and the end of all entries."""
+        size = self._size[self._group]
+        within = np.arange(len(self.counts)) - self.groups[self._group]
+        return np.append(self.begin[self._group] + within * (size + 1), self.begin[-1])
+
+    @cached_property
+    def columns(self) -> Integers:
+        """Later places of the groups, one after the other."""
+        last = self.groups[1:] - 1
+        pieces = [np.empty(0, np.int64)]
+        pieces += [
+            self.column[a : a + n] for a, n in zip(self._first[last], self.later, strict=True)
+        ]
+        return np.concatenate(pieces)
 
     @cached_property
     def _first(self) -> Integers:
@@ -76,24 +112,29 @@ class Pattern:
     def slots(self, i: Integers, j: Integers) -> Integers:
         """Return the stored entries of the matrix elements (i, j), both places in the order."""
         first, second = np.minimum(i, j), np.maximum(i, j)
-        element = len(self.counts) * first + second
+        group = self._group[first]
+        begin, p, last = self.groups[group], self._size[group], self.groups[group + 1] - 1
+        element = len(self.counts) * last + second
         found = np.searchsorted(self._elements, element)
-        assert np.all((i == j) | (np.append(self._elements, -1)[found] == element)), "not stored"
-        above = self.ptr[first] + 1 + found - self._first[first]
-        slots = np.where(i < j, above, above + self.counts[first])
-        return np.where(i == j, self.ptr[first], slots)
+        inside = second <= last
+        assert np.all(inside | (np.append(self._elements, -1)[found] == element)), "not stored"
+        place = np.where(inside, 0, found - self._first[last]) + np.where(
+            i < j, 0, self.later[group]
+        )
+        beside = p * (p + place) + first - begin
+        return self.begin[group] + np.where(inside, p * (i - begin) + j - begin, beside)
 
     @cached_property
     def target(self) -> Integers:
-        """Entries that the update of each pivot goes to: all pairs of its places, row by row."""
-        begin = _pointers(self.counts**2)
+        """Entries that the update of each group goes to: all pairs of its places, row by row."""
+        begin, first = _pointers(self.later**2), _pointers(self.later)
         target = np.empty(begin[-1], dtype=np.intc)
-        for m in np.unique(self.counts):
-            alike = np.flatnonzero(self.counts == m)
-            for pivots in np.array_split(alike[:, None], 1 + len(alike) * m * m // PAIRS_AT_ONCE):
-                places = self.column[self._first[pivots] + np.arange(m)]
+        for m in np.unique(self.later):
+            alike = np.flatnonzero(self.later == m)
+            for groups in np.array_split(alike[:, None], 1 + len(alike) * m * m // PAIRS_AT_ONCE):
+                places = self.columns[first[groups] + np.arange(m)]
                 rows, columns = np.repeat(places, m, axis=1), np.tile(places, (1, m))
-                target[begin[pivots] + np.arange(m * m)] = self.slots(rows, columns)
+                target[begin[groups] + np.arange(m * m)] = self.slots(rows, columns)
         return target
 
 
@@ -262,8 +303,8 @@ def _take_out(
         degree[other] += sum([weight[b] for b in new]) - weight[block]
 
 
-def eliminate(graph: Graph) -> Pattern:
-    """Return the order and the pattern of the factors of a graph."""
+def eliminate(graph: Graph, most: int = 1) -> Pattern:
+    """Return the order and the pattern of the factors of a graph, in groups of `most` pivots."""
     order = sorted(block_order(graph), key=graph.islands.__getitem__)
     sizes = np.array(graph.sizes, dtype=np.int64)
     position = np.empty(len(order), dtype=np.int64)
@@ -273,7 +314,19 @@ def eliminate(graph: Graph) -> Pattern:
         position=position,
         counts=np.array([len(places) for places in columns], dtype=np.int64),
         column=np.fromiter(chain.from_iterable(columns), dtype=np.int64),
+        groups=np.array(_groups(columns, most), dtype=np.int64),
     )
+
+
+def _groups(columns: Sequence[Sequence[int]], most: int) -> list[int]:
+    """First pivots of groups, and the end."""
+    found = [0]
+    for k in range(1, len(columns)):
+        before = columns[k - 1]
+        alike = bool(before) and before[0] == k and before[1:] == columns[k]
+        if not alike or k - found[-1] == most:
+            found.append(k)
+    return [*found, len(columns)] if columns else [0]
 
 
 def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int]]:

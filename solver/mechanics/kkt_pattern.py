@@ -19,7 +19,15 @@ from numpy.typing import NDArray
 from solver.mechanics.elimination import Graph, Integers, eliminate
 from solver.mechanics.mechanism import Load
 from solver.mechanics.structure import ROW_KINDS, Composite, Structure, flat, pointers
-from solver.runtime.layout import FORM_LINEAR, FORM_TURNED, TABLES
+from solver.runtime.layout import (
+    FACTORS,
+    FEW_CONTACTS,
+    FORM_AXES,
+    FORM_LINEAR,
+    FORM_TURNED,
+    MOST_IN_GROUP,
+    TABLES,
+)
 
 WEAK = 1e-4
 """A node whose share of a row's G M^-1 G' is smaller than this part of the largest carries none."""
@@ -104,113 +112,172 @@ class TangentPattern:
 
     A lean one (or a bare one) has no stiffness: only masses couple nodes. An open or bare one has
     no rows of contacts and frictions: they come last, coupled to nothing, with their diagonals for
-    all their slots.
+    all their slots. A reduced one has the turn of each body in the place of its directors, and no
+    rows that keep these rigid.
     """
 
     def __init__(
-        self, structure: Structure, anchors: Sequence[Nodes], kind: str = ""
+        self,
+        structure: Structure,
+        anchors: Sequence[Nodes],
+        kind: str = "",
+        *,
+        reduced: bool = False,
     ) -> None:  # fmt: skip
         self.structure, self.kind = structure, kind
-        self.lean = lean = kind in ("lean_", "bare_")
-        self.n_nodes, dim = structure.n_free, structure.mechanism.dim
+        self.lean = kind in ("lean_", "bare_")
+        dim, nodes = structure.mechanism.dim, range(structure.n_free)
         self.kinds = (
-            (dim, structure.free_nodes), (1, structure.form_rows), (dim, structure.coincidences),
-            (1, structure.function_rows), (1, structure.velocity_rows),
+            (dim, structure.free_nodes), (1, structure.joint_rows), (1, structure.rigidity_rows),
+            (dim, structure.coincidences), (1, structure.function_rows),
+            (1, structure.velocity_rows),
         )  # fmt: skip
-        """Multipliers or coordinates of a block, and the blocks of each kind by islands."""
+        """Coordinates or multipliers of nodes and of each kind of rows: items, in this order."""
         self.sizes = [width for width, part in self.kinds for _ in range(len(part))]
-        ends = [*accumulate(len(part) for _, part in self.kinds)]
-        n_elements, n_potentials = len(structure.elements), len(structure.potentials)
-        forms, links = structure.form_rows.items, structure.coincidences.items
-        functions = [None] * n_elements + [*range(ends[2], ends[4])] + [None] * n_potentials
-        composites = [*zip(structure.composites, functions, strict=True)]
-        between_free = structure.masses[: len(structure.free_masses)]
-        self.contributions: dict[str, list[list[Piece]]] = {
-            "mass": [[((a,), (b,), EQUAL)] for a, b, _ in between_free],
-            "row": [self._form_row(row.form, k) for k, row in enumerate(forms, ends[0])],
-            "coincidence": [self._link(row.form, k) for k, row in enumerate(links, ends[1])],
-            "composite": [self._composite(composite, row) for composite, row in composites],
-            "cone": self._cones(ends),
-        }
-        if not lean:
-            turned = [self.directors(moment.node) for moment in structure.body_moments.items]
-            moved = [structure.free(moment.form) for moment in structure.moments.items]
-            self.contributions |= {
-                "load": [
-                    [(*x, BLOCKS)] if (x := self._follower(load)) else []
-                    for load in structure.loads.items
-                ],
-                "moment": [[(nodes, nodes, BLOCKS)] for nodes in moved],
-                "body_moment": [[(nodes, nodes, ROWS)] for nodes in turned],
-            }
-        loose, asleep = self._loose(ends), frozenset[int]()
+        """Entries of each item in a piece."""
+        self.ends = [*accumulate(len(part) for _, part in self.kinds)]
+        self.turning = [reduced and structure.node_kinds[n] > 0 for n in nodes]
+        """Whether a node is a director that turns with its body."""
+        self.block = {item: item for item in range(self.ends[-1])}
+        """Of an item: the one whose places in the order it has. Rows that hold anyway have none."""
+        if reduced:
+            self.block |= {n: structure.unknown(n) for n in nodes}
+            for row in range(self.ends[1], self.ends[2]):
+                del self.block[row]
+            self.sizes[: len(nodes)] = [2 * dim - 3 if turns else dim for turns in self.turning]
+        self.contributions = self._contributions(reduced=reduced)
+        loose = self._loose()
+        asleep: frozenset[int] = frozenset()
         if kind in ("open_", "bare_"):
-            frictions = [row for x in structure.mechanism.frictions for row in x.rows]
-            asleep = loose | {ends[3] + structure.velocity_rows.place[row] for row in frictions}
+            slips, first = structure.velocity_rows.place, self.ends[4]
+            rows = (row for x in structure.mechanism.frictions for row in x.rows)
+            asleep = loose | {first + slips[row] for row in rows}
         for pieces in (*self.contributions["composite"], *self.contributions["cone"]):
             row = pieces[-1][0] if pieces else ()
             if asleep.issuperset(row):
                 pieces[:] = [(row, row, BLOCKS)] * self._n_elements(pieces)
-        self.islands = self._islands(asleep)
+        few = bool(asleep) or len(structure.mechanism.contacts) <= FEW_CONTACTS
+        self.grouped = reduced and few
+        """Whether pivots make groups: of many contacts few are closed, and most entries zero."""
+        blocks = sorted({*self.block.values()})
+        self._number = {block: k for k, block in enumerate(blocks)}
+        islands = self._islands(asleep)
+        self.islands = [islands[block] for block in blocks]
+        self.block_sizes = [self.sizes[block] for block in blocks]
         self.pattern = eliminate(
             Graph(
-                self.sizes, self.n_nodes, self._couplings(),
-                dict(enumerate(anchors, self.n_nodes)), self.islands, loose,
-            )
+                self.block_sizes, sum(block < len(nodes) for block in blocks), self._couplings(),
+                {
+                    self._of(row): [*dict.fromkeys(map(self._of, carrying))]
+                    for row, carrying in enumerate(anchors, len(nodes))
+                    if row in self.block
+                },
+                self.islands, frozenset(map(self._of, loose)),
+            ),
+            MOST_IN_GROUP if self.grouped else 1,
         )  # fmt: skip
 
-    def directors(self, first: int) -> list[int]:
-        """Return the blocks of the directors of a body, given the first one's node."""
+    def _of(self, item: int) -> int:
+        """Number of an item's block in the graph."""
+        return self._number[self.block[item]]
+
+    def directors(self, first: int | None) -> list[int]:
+        """Return the directors of a body, given the first one's node."""
         structure = self.structure
         return [structure.node_of[n] for n in structure.mechanism.directors(first)]
 
     # -------------------------------------------------------------------------- contributions
 
+    def _contributions(self, *, reduced: bool) -> dict[str, list[list[Piece]]]:
+        structure, ends, links = self.structure, self.ends, self.structure.coincidences.items
+        n_elements, n_potentials = len(structure.elements), len(structure.potentials)
+        rows = [None] * n_elements + [*range(ends[3], ends[5])] + [None] * n_potentials
+        between_free = structure.masses[: len(structure.free_masses)]
+        kept = structure.joint_rows.items if reduced else structure.form_rows.items
+        found: dict[str, list[list[Piece]]] = {
+            "mass": [[] if self.turning[a] else [((a,), (b,), EQUAL)] for a, b, _ in between_free],
+            "inertia": [],
+            "row": [self._form_row(row.form, k) for k, row in enumerate(kept, ends[0])],
+            "coincidence": [
+                self._link(row.form, k) for k, row in enumerate(links, ends[2])
+            ],
+            "composite": [
+                self._composite(composite, row)
+                for composite, row in zip(structure.composites, rows, strict=True)
+            ],
+            "cone": self._cones(),
+            "load": [[] for _ in structure.loads.items],
+            "moment": [[] for _ in structure.moments.items],
+            "body_moment": [],
+        }  # fmt: skip
+        found["row"] += [[]] * (len(structure.form_rows) - len(kept))
+        if reduced:
+            first = [structure.node_of[body] for body in structure.bodies.items]
+            found["inertia"] = [[((a,), (a,), BLOCKS)] for a in first]
+        if not self.lean:
+            followers = map(self._follower, structure.loads.items)
+            found["load"] = [[(*x, BLOCKS)] if x else [] for x in followers]
+            moved = [structure.free(moment.form) for moment in structure.moments.items]
+            found["moment"] = [[(nodes, nodes, BLOCKS)] for nodes in moved]
+            turned = [self.directors(moment.node) for moment in structure.body_moments.items]
+            found["body_moment"] = [[(nodes, nodes, BLOCKS)] for nodes in turned]
+        return found
+
+    def _unknown(self, nodes: Iterable[int]) -> list[int]:
+        """Return the nodes whose unknowns move some nodes, each once."""
+        return [*dict.fromkeys(map(self.block.__getitem__, nodes))]
+
     def _form_row(self, form: int, row: int) -> list[Piece]:
-        free, kind = self.structure.free(form), self.structure.kinds[form]
+        free, kind = self._unknown(self.structure.free(form)), self.structure.kinds[form]
         if self.lean or kind & FORM_LINEAR:
             return _border(free, row)
+        if kind & FORM_AXES and self._turns(
+            free[0]
+        ):  # each by itself adds to the inertia of its body
+            pairs = (free, free[::-1])
+            return [*(((a,), (b,), BLOCKS) for a, b in pairs), *_border(free, row)]
         return [(free, free, BLOCKS if kind & FORM_TURNED else EQUAL), *_border(free, row)]
 
     def _link(self, form: int, row: int) -> list[Piece]:
         how = BLOCKS if self.structure.kinds[form] & FORM_TURNED else EQUAL
-        pairs = [((a,), (row,)) for a in self.structure.free(form)]
+        pairs = [((a,), (row,)) for a in self._unknown(self.structure.free(form))]
         return [(*x, how) for first, second in pairs for x in ((first, second), (second, first))]
 
     def _composite(self, composite: Composite, row: int | None) -> list[Piece]:
-        nodes = composite.nodes
+        nodes = self._unknown(composite.nodes)
         square: list[Piece] = [] if self.lean else [(nodes, nodes, ROWS)]
         return square if row is None else square + _border(nodes, row)
 
-    def _loose(self, ends: Sequence[int]) -> frozenset[int]:
-        """Blocks of the rows of contacts and their frictions."""
+    def _loose(self) -> frozenset[int]:
+        """Rows of contacts and their frictions."""
         structure, mechanism = self.structure, self.structure.mechanism
         functions, slips = structure.function_rows.place, structure.velocity_rows.place
-        touching = [contact for contact in mechanism.contacts]
+        touching = mechanism.contacts
         return frozenset(
-            [ends[2] + functions[contact.row] for contact in touching]
+            [self.ends[3] + functions[contact.row] for contact in touching]
             + [
-                ends[3] + slips[row]
+                self.ends[4] + slips[row]
                 for contact in touching
                 if contact.friction >= 0
                 for row in mechanism.frictions[contact.friction].rows
             ]
         )
 
-    def _cones(self, ends: Sequence[int]) -> list[list[Piece]]:
+    def _cones(self) -> list[list[Piece]]:
         """Each velocity row of a friction with the rows that make its normal force."""
-        structure = self.structure
-        first = {
-            kind: (end, part.place)
-            for kind, end, (_, part) in zip(ROW_KINDS, ends, self.kinds[1:], strict=False)
-        }
+        structure, ends = self.structure, self.ends
+        parts = structure.form_rows, structure.coincidences, structure.function_rows
+        places = (part.place for part in (*parts, structure.velocity_rows))
+        begin = ends[0], ends[2], ends[3], ends[4]
+        first: dict[str, tuple[int, list[int]]]
+        first = dict(zip(ROW_KINDS, zip(begin, places, strict=True), strict=True))
 
-        def block(kind: str, row: int) -> tuple[int]:
+        def item(kind: str, row: int) -> tuple[int]:
             return (first[kind][0] + first[kind][1][row],)
 
         return [
             [
-                (block("velocity", slip), block(*row), BLOCKS)
+                (item("velocity", slip), item(*row), BLOCKS)
                 for slip in friction.rows
                 for group in friction.normal
                 for row in group
@@ -235,14 +302,19 @@ class TangentPattern:
         cones = chain.from_iterable(self.contributions["cone"])
         others = chain(((x, x, BLOCKS) for x in whole), ((b, a, how) for a, b, how in cones))
         for firsts, seconds, how in chain(pieces, others):
-            for a in firsts:
-                for b in seconds:
+            for x in firsts:
+                for y in seconds:
+                    a, b = self._of(x), self._of(y)
                     if a <= b:
-                        couplings[a, b] = couplings.get((a, b), False) or how != EQUAL
+                        full = how != EQUAL or self._turns(x) or self._turns(y)
+                        couplings[a, b] = couplings.get((a, b), False) or full
         return couplings
 
+    def _turns(self, item: int) -> bool:
+        return item < len(self.turning) and self.turning[item]
+
     def _islands(self, last: frozenset[int]) -> list[int]:
-        """Islands of the blocks; some come last, behind those of all islands."""
+        """Islands of the items; some come last, behind those of all islands."""
         ends = [pairwise(part.begin) for _, part in self.kinds]
         found = [island for x in ends for island, (a, b) in enumerate(x) for _ in range(a, b)]
         return [len(self.kinds[0][1].begin) if k in last else x for k, x in enumerate(found)]
@@ -256,18 +328,25 @@ class TangentPattern:
 
     @cached_property
     def _places(self) -> list[range]:
-        """Places of the components of each block in the elimination order."""
+        """Places of the components of each item in the elimination order, or none."""
         position = self.pattern.position.tolist()
-        return [range(at, at + size) for at, size in zip(position, self.sizes, strict=True)]
+        first = [position[self._of(k)] if k in self.block else None for k in range(len(self.sizes))]
+        return [
+            range(0) if at is None else range(at, at + size)
+            for at, size in zip(first, self.sizes, strict=True)
+        ]
 
     def tables(self) -> dict[str, array]:
         """Return the tables of the elimination."""
-        pattern, places = self.pattern, self._places
+        pattern, places, n_nodes = self.pattern, self._places, self.ends[0]
+        own = [place[0] if self.block[n] == n else -1 for n, place in enumerate(places[:n_nodes])]
+        rows = [[*place] or [-1] for place in places[n_nodes:]]
         tables = {
-            "node_position": array("i", (place[0] for place in places[: self.n_nodes])),
-            "row_position": flat(places[self.n_nodes :]),
+            "node_position": array("i", own),
+            "row_position": flat(rows),
             "lu_ptr": _table(pattern.ptr),
-            "lu_column": _table(pattern.column),
+            "lu_group": _table(self._groups() if self.grouped else pattern.groups[:0]),
+            "lu_column": _table(pattern.columns),
             "lu_target": _table(pattern.target),
             "lu_island": self._pieces_of_islands(),
         }
@@ -280,25 +359,42 @@ class TangentPattern:
         ends = np.cumsum([sum(map(len, each)) for each in listed.values()])
         for (name, each), part in zip(listed.items(), np.split(slots, ends[:-1]), strict=True):
             tables[f"{name}_slot_ptr"], tables[f"{name}_slot"] = pointers(each), _table(part)
+        dim = self.structure.mechanism.dim
+        free = iter(tables["mass_slot"].tolist())
+        masses = [[next(free) for _ in x] or [-1] * dim for x in listed["mass"]]
+        tables["mass_slot"] = flat(masses)
         named = {f"{self.kind}{x}": table for x, table in tables.items()}
         return {name: table for name, table in named.items() if name in TABLES}
 
+    def _groups(self) -> Integers:
+        """First pivot and number of later places of each group, and the end."""
+        pattern = self.pattern
+        return np.append(np.column_stack([pattern.groups[:-1], pattern.later]), pattern.groups[-1])
+
     def _pieces_of_islands(self) -> array:
-        """Of each island, and the end: its first pivot, and where the targets of this begin."""
-        targets = [0, *np.cumsum(self.pattern.counts**2).tolist()]
-        sizes = np.bincount(self.islands, self.sizes, self.structure.islands.count)
-        pivots = [0, *np.cumsum(sizes).astype(int).tolist()][: self.structure.islands.count + 1]
-        return flat((pivot, targets[pivot]) for pivot in pivots)
+        """Of each island, and the end: its first pivot, its group, targets and columns of this."""
+        count, pattern = self.structure.islands.count, self.pattern
+        sizes = np.bincount(self.islands, self.block_sizes, count)
+        pivots = np.array([0, *np.cumsum(sizes)][: count + 1], dtype=np.int64)
+        groups = np.searchsorted(pattern.groups, pivots)
+        targets, columns = (np.append(0, np.cumsum(x)) for x in (pattern.later**2, pattern.later))
+        return _table(np.column_stack([pivots, groups, targets[groups], columns[groups]]).ravel())
 
     def _elements(self, firsts: Nodes, seconds: Nodes, how: int) -> list[int]:
         """Elements (i, j) of a piece as n i + j."""
         n = len(self.pattern.counts)
-        rows, columns = ([self._places[block] for block in x] for x in (firsts, seconds))
-        if how == EQUAL:
-            return [n * i + j for a in rows for b in columns for i, j in zip(a, b, strict=True)]
         if how == ROWS:
+            rows, columns = ([self._places[x] for x in items] for items in (firsts, seconds))
             return [n * i + j for a in rows for i in a for b in columns for j in b]
-        return [n * i + j for a in rows for b in columns for i in a for j in b]
+        found: list[int] = []
+        for x in firsts:
+            for y in seconds:
+                a, b = self._places[x], self._places[y]
+                if how == EQUAL and not (self._turns(x) or self._turns(y)):
+                    found += [n * i + j for i, j in zip(a, b, strict=True)]
+                else:
+                    found += [n * i + j for i in a for j in b]
+        return found
 
 
 def _border(nodes: Nodes, row: int) -> list[Piece]:
@@ -310,21 +406,22 @@ def eliminations(structure: Structure) -> dict[str, array]:
     """Return the tables of the full tangent's elimination, and of others where they are cheaper.
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
-    Open ones are made where no forces need slots of their own.
     """
     anchors = RowOrder(structure).of_rows()
-    full, lean = TangentPattern(structure, anchors), TangentPattern(structure, anchors, "lean_")
-    used = {"": full}
-    if 2 * lean.pattern.n_products <= full.pattern.n_products:
-        used["lean_"] = lean
+    reduced = bool(structure.bodies.items)
+    full = TangentPattern(structure, anchors)
+    whole = TangentPattern(structure, anchors, "reduced_", reduced=True) if reduced else full
+    lean = TangentPattern(structure, anchors, "lean_", reduced=reduced)
+    used = [full, whole] if reduced else [full]
+    kinds = ["open_"]
+    if 2 * lean.pattern.n_products <= whole.pattern.n_products:
+        used.append(lean)
+        kinds.append("bare_")
     if structure.mechanism.contacts:
-        forces = (*structure.moments.items, *structure.body_moments.items, *structure.loads.items)
-        kinds = [x for x, of in (("open_", ""), ("bare_", "lean_")) if of in used]
-        used |= {
-            x: TangentPattern(structure, anchors, x) for x in kinds if x == "bare_" or not forces
-        }
-    found = {name: array("i") for name in TABLES if name.startswith(("lean_", "open_", "bare_"))}
-    for pattern in used.values():
+        used += [TangentPattern(structure, anchors, kind, reduced=reduced) for kind in kinds]
+    kinds = tuple(f"{kind}_" for kind in FACTORS)
+    found = {name: array("i") for name in TABLES if name.startswith(kinds)}
+    for pattern in used:
         if pattern.pattern.n_entries <= full.pattern.n_entries:  # all live in the same memory
             found |= pattern.tables()
     return found

@@ -216,7 +216,7 @@ class Mechanism:
     rigid: list[tuple[int, ...]] = field(default_factory=list)
     """Nodes of each rigid body: its centre of mass and directors."""
     bodies: dict[int, int] = field(default_factory=dict)
-    """Number of each spatial body by its first director."""
+    """Number of each body by its first director."""
     places: list[int] = field(default_factory=list)
     """Forms of measured places."""
     reactions: list[list[tuple[int, int, int]]] = field(default_factory=list)

@@ -82,7 +82,14 @@ class Structure:
         self.n_moving = self.n_free + self.n_driven
         self.entries = [self._entries(form) for form in mechanism.forms]
 
-        self.form_rows = ordered(mechanism.form_rows, joined)
+        rigid = [row.row.kind == "axes" for row in mechanism.form_rows]
+        self.joint_rows, self.rigidity_rows = (
+            ordered(
+                [row for row, x in zip(mechanism.form_rows, rigid, strict=True) if x == own], joined
+            )
+            for own in (False, True)
+        )
+        self.form_rows = self._form_rows(rigid)
         self.coincidences = ordered(mechanism.coincidences, joined)
         self.function_rows = ordered(mechanism.function_rows, joined)
         self.velocity_rows = ordered(mechanism.velocity_rows, joined)
@@ -110,6 +117,13 @@ class Structure:
         self.quantities = [*self.active.items, *self.touching.items, *rest]
         self.quantity_of = {q: k for k, q in enumerate(self.quantities)}
 
+    def _form_rows(self, rigid: Sequence[bool]) -> Ordered[FormRow]:
+        """Return the rows of joints, then those that keep bodies rigid."""
+        parts = self.joint_rows, self.rigidity_rows
+        places = iter(parts[0].place), (len(parts[0]) + k for k in parts[1].place)
+        items = [*parts[0].items, *parts[1].items]
+        return Ordered(items, [next(places[x]) for x in rigid], [0, len(items)])
+
     def _quantities_of_contacts(self) -> set[int]:
         """Quantities that a step needs only while a contact or friction is on."""
         mechanism = self.mechanism
@@ -136,6 +150,22 @@ class Structure:
         return [entry.node for entry in self.entries[form] if entry.node < self.n_free]
 
     @cached_property
+    def node_kinds(self) -> list[int]:
+        """Kinds of the nodes, as the core has them."""
+        found = [node.kind for node in self.nodes]
+        for body in self.bodies.items:
+            for k, n in enumerate(self.mechanism.directors(body)):
+                found[self.node_of[n]] = layout.NODE_DIRECTION + k
+        return found
+
+    def unknown(self, node: int) -> int:
+        """Return the free node whose unknowns move a free node, in a reduced tangent.
+
+        They are its own or, of a director, those of the first one: the turn of the body.
+        """
+        return node - max(0, self.node_kinds[node] - layout.NODE_DIRECTION)
+
+    @cached_property
     def kinds(self) -> list[int]:
         """Flags of the forms."""
         found = []
@@ -144,8 +174,20 @@ class Structure:
             turned = any([e.alpha[1] != 0.0 or e.beta[1] != 0.0 for e in entries])
             linear = all([x == 0.0 for entry in moving for x in entry.beta])
             kind = layout.FORM_SQUARE * (form.u == form.w) | layout.FORM_LINEAR * linear
-            found.append(kind | layout.FORM_TURNED * turned)
+            found.append(kind | layout.FORM_TURNED * turned | self._axes(form))
         return found
+
+    def _axes(self, form: Form) -> int:
+        """Flags of a form whose sides each turn with one body, or not at all."""
+        places = [[self.node_of[n] for n, _, _ in side.terms] for side in form]
+        turns = [all([k < self.n_free and self.node_kinds[k] for k in nodes]) for nodes in places]
+        still = all([k >= self.n_moving for k in places[1]])
+        if not (turns[0] and (turns[1] or still)):
+            return 0
+        u, w = ({self.unknown(k) for k in nodes if k < self.n_free} for nodes in places)
+        if len(u) != 1 or len(w) > 1 or u == w:
+            return 0
+        return layout.FORM_AXES | layout.FORM_AXES_OF_W * (bool(w) and min(w) < min(u))
 
     @cached_property
     def place_of(self) -> dict[str, Sequence[int] | dict[int, int]]:
@@ -206,19 +248,22 @@ class Structure:
         return Composite(tuple(found), tuple(forms), tuple(nodes), local_nodes)
 
     @cached_property
-    def linked(self) -> tuple[Ordered[int], Ordered[int]]:
-        """Forms that a step needs at its beginning: always, and for contacts and frictions alone.
+    def linked(self) -> tuple[Ordered[int], ...]:
+        """Forms that a step needs at its beginning.
 
-        Others are only measured.
+        Always, if it is not reduced, and for contacts and frictions; others are only measured.
         """
         mechanism = self.mechanism
-        needed = {row.form for row in (*mechanism.form_rows, *mechanism.moments)}
+        rows = {row.form for row in self.form_rows.items}
+        turned = {row.form for row in self.rigidity_rows.items}
+        turned |= {f for f in rows if self.kinds[f] & layout.FORM_AXES}
+        turned -= {f for f in rows if self.kinds[f] & layout.FORM_LINEAR}
+        needed = (rows - turned) | {moment.form for moment in mechanism.moments}
         needed.update(f for q in self.active.items for f in mechanism.quantities[q].forms)
-        others = {f for q in self.touching.items for f in mechanism.quantities[q].forms} - needed
-        always, touching = (
-            self.islands.ordered(sorted(forms), mechanism.moving) for forms in (needed, others)
-        )
-        return always, touching
+        rigid = turned - needed
+        touching = {f for q in self.touching.items for f in mechanism.quantities[q].forms}
+        lists = needed, rigid, touching - needed - rigid
+        return tuple(self.islands.ordered(sorted(x), mechanism.moving) for x in lists)
 
     # ----------------------------------------------------------------------- sizes and tables
 
@@ -235,7 +280,9 @@ class Structure:
             "n_entries": sum(map(len, self.entries)),
             "n_linked": sum(map(len, self.linked)),
             "n_always_linked": len(self.linked[0]),
+            "n_bilateral_linked": len(self.linked[0]) + len(self.linked[1]),
             "n_always_active": len(self.active),
+            "n_rigidity_rows": len(self.rigidity_rows),
             "n_rows": len(self.multipliers),
             "n_mass": len(self.masses),
             "n_mass_free": len(self.free_masses),
@@ -267,7 +314,7 @@ class Structure:
             layout.REACTION_FORCE: self.form_rows, layout.REACTION_TORQUE: self.form_rows,
         }  # fmt: skip
         return {
-            "node_kind": array("i", (node.kind for node in self.nodes)),
+            "node_kind": array("i", self.node_kinds),
             "form_ptr": pointers(self.entries),
             "form_free": array("i", (len(self.free(f)) for f in range(len(self.entries)))),
             "form_moving": array(
@@ -375,17 +422,24 @@ class Structure:
         """Where each island begins among free nodes and so on: ``layout.ISLAND_PARTS``."""
         composites = self.elements, self.function_rows, self.velocity_rows, self.potentials
         others = (
-            self.form_rows, self.coincidences, self.loads, self.moments, self.body_moments,
-            self.free_masses, self.bodies, *self.linked, self.active, self.touching,
+            self.joint_rows, self.rigidity_rows, self.coincidences, self.loads, self.moments,
+            self.body_moments, self.free_masses, self.bodies, *self.linked, self.active,
+            self.touching,
         )  # fmt: skip
         parts = self.free_nodes, self.driven_nodes, *composites, *others
         shifts = [0, self.n_free, 0, *accumulate(map(len, composites[:-1]))] + [0] * len(others)
-        shifts[-3], shifts[-1] = len(self.linked[0]), len(self.active)
+        columns = [*layout.ISLAND_PARTS]
+        behind = {
+            "rigidity": (self.joint_rows,), "rigidity_linked": self.linked[:1],
+            "touching_linked": self.linked[:2], "touching_active": (self.active,),
+        }  # fmt: skip
+        for name, before in behind.items():
+            shifts[columns.index(name)] = sum(map(len, before))
         windows = [
             [shift + k for k in part.begin] for part, shift in zip(parts, shifts, strict=True)
         ]
         # The last island has the masses of driven nodes too.
-        windows[[*layout.ISLAND_PARTS].index("mass")][-1] = len(self.masses)
+        windows[columns.index("mass")][-1] = len(self.masses)
         return windows
 
 

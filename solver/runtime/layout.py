@@ -16,7 +16,7 @@ from functools import cache
 from types import CodeType
 from zlib import crc32
 
-ENTRY_POINTS = 19
+ENTRY_POINTS = 20
 """To be raised when functions that the core exports change, or the order of a model's bytes."""
 
 
@@ -47,8 +47,10 @@ SIZES = (
     "n_active",
     "n_always_active",  # of these the first, others for contacts and frictions alone
     "n_linked",  # forms that a step needs at its beginning
-    "n_always_linked",  # likewise
+    "n_always_linked",  # of these the first, others for rows of rigidity
+    "n_bilateral_linked",  # and others for contacts and frictions alone
     "n_form_rows",  # s - c = 0
+    "n_rigidity_rows",  # of these the last: lengths and angles of the directors of bodies
     "n_coincidences",  # u = 0, dim rows each
     "n_function_rows",  # phi = 0
     "n_velocity_rows",  # psi = 0, linear in rates
@@ -60,7 +62,7 @@ SIZES = (
     "n_body_moments",  # moments on spatial bodies
     "n_mass",  # entries of the mass matrix between moving nodes, both triangles
     "n_mass_free",  # of these, the first ones couple free nodes
-    "n_bodies",  # spatial rigid bodies
+    "n_bodies",  # rigid bodies
     "n_places",  # points of bodies that are measured
     "n_reactions",  # joints whose reaction is measured
     "n_reaction_entries",
@@ -81,6 +83,7 @@ SIZES = (
     "n_lu_values",  # stored entries of the factors
     "n_lean_values",  # likewise of those without stiffness; 0 where these are not worth while
     "n_open_values", "n_bare_values",  # likewise of full and of lean ones without contacts
+    "n_reduced_values",  # likewise of all with three unknown turns a body, one in the plane
     "n_slots",  # half steps of an internal one whose changes a state keeps, see predict.h
     "n_islands",  # parts that no mass, row or force joins: each is solved by itself
     "n_sampled",  # loads that read quantities
@@ -96,7 +99,9 @@ COUNTS = {
     "n_moving": "n_free + n_driven",
     "n_nodes": "n_moving + n_support",
     "n": "dim * n_moving",
+    "n_joint_rows": "n_form_rows - n_rigidity_rows",
     "n_pivots": "dim * n_free + n_rows",
+    "n_reduced_pivots": "n_pivots - 2 * n_rigidity_rows",  # a row and a coordinate less each
     "n_functions": "n_function_rows + n_velocity_rows + n_potentials",
     "n_composites": "n_elements + n_functions",
     "first_velocity": "n_elements + n_function_rows",  # among the composites
@@ -104,22 +109,25 @@ COUNTS = {
     "n_tape": "n_tape_parameters + n_tape_laws + n_tape_signals + n_tape_outputs",
     "n_island_ends": "n_islands + 1",
     "n_derived": "2 + 2 * n_rows",
-    "n_first_pivots": "n_pivots - dim + 1",  # of nodes
-    "n_first_directors": "n_moving - 2",  # of spatial bodies
-    "turning": "2 * dim - 3",  # components of a moment
+    "turning": "2 * dim - 3",  # components of a moment, and directors of a body
+    "n_first_directors": "n_free - turning + 1",
+    "n_oriented": "(dim - 2) * n_bodies",  # bodies with quaternions
+    "n_turns": "turning * n_bodies",
     "n_owned": "unilateral * (n_function_rows + n_velocity_rows)",
     "n_owners": "n_contacts + n_frictions",
 }
 """What lengths are made of besides sizes."""
 
 ELIMINATION = {
-    "node_position": Table("n_free", 0, "n_first_pivots"),  # first place in the elimination order
-    "row_position": Table("n_rows", 0, "n_pivots"),  # place of the row's multiplier
-    "lu_ptr": Pointers("n_pivots", "n_lu_values"),  # pivot k owns [diagonal, U row, L column]
-    "lu_column": Table(),  # places coupled to each pivot, in the order of its U row
-    "lu_target": Table("", 0, "n_lu_values"),  # m x m targets of each pivot's update, row by row
-    "lu_island": Table("2 * n_island_ends"),  # first pivot of each island, first of its targets
-    "mass_slot": Table("dim * n_mass_free", 0, "n_lu_values"),
+    "node_position": Table("n_free", -1, "n_pivots"),  # first place in the elimination order
+    "row_position": Table("n_rows", -1, "n_pivots"),  # place of the row's multiplier
+    "lu_ptr": Pointers("n_pivots", "n_lu_values"),  # diagonal of each pivot, see lu.c
+    "lu_group": Table(),  # of each group first pivot, m; and the end; none: each is one
+    "lu_column": Table(),  # m places coupled to each group or pivot, in the order of its U row
+    "lu_target": Table("", 0, "n_lu_values"),  # m x m targets of its update, row by row
+    "lu_island": Table("4 * n_island_ends"),  # its first pivot, its group, its targets, columns
+    "mass_slot": Table("dim * n_mass_free", -1, "n_lu_values"),  # -1: of directors, reduced
+    "inertia_slot": Table("", 0, "n_lu_values"),  # reduced: turning turning of each body
     "row_slot_ptr": Pointers("n_form_rows", "row_slot"),  # where each row's slots begin
     "row_slot": Table("", 0, "n_lu_values"),  # k free entries: stiffness, k dim upper, k dim lower
     "coincidence_slot_ptr": Pointers("n_coincidences", "coincidence_slot"),
@@ -128,6 +136,11 @@ ELIMINATION = {
     "composite_slot": Table("", 0, "n_lu_values"),  # K nodes: (K dim)^2, of rows 2 K dim more
     "cone_slot_ptr": Pointers("n_frictions", "cone_slot"),
     "cone_slot": Table("", 0, "n_lu_values"),  # of each velocity row: rows of the normal force
+    "load_slot_ptr": Pointers("n_loads", "load_slot"),
+    "load_slot": Table("", 0, "n_lu_values"),  # follower load: free entries directors dim dim
+    "moment_slot_ptr": Pointers("n_moments", "moment_slot"),
+    "moment_slot": Table("", 0, "n_lu_values"),  # k k dim dim each
+    "body_moment_slot": Table("", 0, "n_lu_values"),  # 3 x 3 blocks of 3 x 3 each
 }
 """Tables of a factorisation: of the whole tangent, or lean.
 
@@ -137,29 +150,39 @@ k k dim dim; linear or lean none.
 
 Open factors are those of the whole tangent while all contacts and frictions are off, bare ones the
 lean factors then: rows of contacts and frictions lie behind all pivots, and have no slots to use.
+
+Reduced factors are those of the whole tangent with the turn of each body in the place of its
+directors, and without the rows that these fulfil; where there are bodies, lean, open and bare ones
+are reduced, too. An entry of a director then has `turning` components, in full blocks: turning by
+dim, or by turning.
 """
+FACTORS = ("reduced", "open", "lean", "bare")
+"""Kinds of factors besides full ones."""
 
 ISLAND_PARTS = {
     "free": ("0", "n_free"), "driven": ("n_free", "n_moving"),
     "element": ("0", "n_elements"), "function": ("n_elements", "first_velocity"),
     "velocity": ("first_velocity", "first_potential"),
     "potential": ("first_potential", "n_composites"),
-    "form_row": ("0", "n_form_rows"), "coincidence": ("0", "n_coincidences"),
+    "form_row": ("0", "n_joint_rows"), "rigidity": ("n_joint_rows", "n_form_rows"),
+    "coincidence": ("0", "n_coincidences"),
     "load": ("0", "n_loads"), "moment": ("0", "n_moments"),
     "body_moment": ("0", "n_body_moments"), "mass": ("0", "n_mass"), "body": ("0", "n_bodies"),
-    "linked": ("0", "n_always_linked"), "touching_linked": ("n_always_linked", "n_linked"),
+    "linked": ("0", "n_always_linked"),
+    "rigidity_linked": ("n_always_linked", "n_bilateral_linked"),
+    "touching_linked": ("n_bilateral_linked", "n_linked"),
     "active": ("0", "n_always_active"), "touching_active": ("n_always_active", "n_active"),
 }
 """What islands divide, each into consecutive pieces from the first place to the last."""
 
 TABLES = {
     "island_begin": Table(f"{len(ISLAND_PARTS)} * n_island_ends"),  # of each of `ISLAND_PARTS`
-    "node_kind": Table("n_nodes", 0, 2),  # NODE_..
+    "node_kind": Table("n_nodes", 0, 4),  # NODE_..
     "form_ptr": Pointers("n_forms", "n_entries"),  # entries of form f: form_ptr[f] .. [f+1]-1
     "form_free": Table("n_forms", 0),  # how many entries are free nodes; these come first
     "form_moving": Table("n_forms", 0),  # how many are free or driven
     "form_node": Table("n_entries"),  # node of each entry
-    "form_kind": Table("n_forms", 0, 8),  # flags FORM_..
+    "form_kind": Table("n_forms", 0, 32),  # flags FORM_..
     "quantity_kind": Table("n_quantities", 0, 3),  # QUANTITY_..
     "quantity_form": Table("2 * n_quantities", -1, "n_forms"),  # one form, or two of an angle
     "linked_form": Table("n_linked", 0, "n_forms"),  # of rows, composites and laws
@@ -181,7 +204,7 @@ TABLES = {
     "load_axes": Table("n_loads", -1),  # -1 global, or first director of the body they turn with
     "moment_form": Table("n_moments", 0, "n_forms"),
     "body_moment": Table("2 * n_body_moments"),  # first director; 0 global or 1 body axes
-    "body_node": Table("n_bodies", 0, "n_first_directors"),  # first of three directors
+    "body_node": Table("n_bodies", 0, "n_first_directors"),  # first director
     "place_form": Table("n_places", 0, "n_forms"),  # the link u
     "reaction_entry": Table("4 * n_reaction_entries"),  # reaction, REACTION_.., index, sign
     "mass_node": Table("2 * n_mass", 0, "n_moving"),  # row node, column node
@@ -199,18 +222,16 @@ TABLES = {
     **ELIMINATION,
     **{
         f"{kind}_{name}": table
-        for kind in ("open", "lean", "bare") for name, table in ELIMINATION.items()
+        for kind in FACTORS for name, table in ELIMINATION.items()
     },
-    "load_slot_ptr": Pointers("n_loads", "load_slot"),
-    "load_slot": Table("", 0, "n_lu_values"),  # follower load: free entries directors dim dim
-    "moment_slot_ptr": Pointers("n_moments", "moment_slot"),
-    "moment_slot": Table("", 0, "n_lu_values"),  # k k dim dim each
-    "body_moment_slot": Table("81 * n_body_moments", 0, "n_lu_values"),  # 9 x 9 each
 }
 """Integer arrays of a model."""
 
-NODE_POINT, NODE_DIRECTION = 0, 1
+NODE_POINT, NODE_DIRECTION, NODE_SECOND, NODE_THIRD = 0, 1, 2, 3
+"""A second and third director of a body come right behind the first."""
 FORM_SQUARE, FORM_LINEAR, FORM_TURNED = 1, 2, 4  # w = u; w constant; quarter turns
+FORM_AXES, FORM_AXES_OF_W = 8, 16  # u turns with a body and w with another, or is constant; the
+# body that comes first carries w
 QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
 LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
 SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h
@@ -299,6 +320,13 @@ DRAWN_INTO = 1e-8
 """Penetration of contacts that rounding explains, of a drawing and of closing it; relative to the
 size of the mechanism."""
 
+FEW_CONTACTS = 8
+"""Up to so many contacts, most entries of factors are taken not to be zero."""
+MOST_IN_GROUP = 6
+"""Pivots of a group of factors."""
+MOST_SIDES = 8
+"""Unknowns of a form u . w: u and w are links of two places, which have two unknowns at most."""
+
 CONTACT_MODES = ("open", "closed", "slides")
 """Of a contact, as its output `mode` shows them."""
 
@@ -317,13 +345,15 @@ STATE = {
     "a_first": "n", "a_second": "n",  # last 2 (d - h v)/h^2 of either half of a pair
     "mu_first": "n_rows", "mu_second": "n_rows",  # last multipliers, likewise
     "a_change": "n * n_slots", "mu_change": "n_rows * n_slots",  # from half to half, see predict.h
+    "turn_first": "n_turns", "turn_second": "n_turns", "turn_change": "n_turns * n_slots",  # of
+    # turns of bodies, likewise: angular accelerations
     "mean": "n_rows", "mean_before": "n_rows",  # of the last two multipliers, and those before
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
     "turns": "n_quantities",  # full turns of angles so far
     "direction": "2 * n_quantities",  # cosine and sine of the angles, times a factor
     "signal": "n_signals",  # prescribed values at the present time
-    "quaternion": "4 * n_bodies",  # w, x, y, z; of continuous sign
+    "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
     "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
     "contacts": f"{len(CONTACT)} * n_contacts",  # `CONTACT` of each
     "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
@@ -342,8 +372,8 @@ MEASURED = {
     "element_force": "n_elements",  # along each
     "rod_force": "n_form_rows",  # 2 mu |u|, positive in tension
     "multiplier": "n_rows",
-    "quaternion": "4 * n_bodies",  # w, x, y, z
-    "body_rate": "3 * n_bodies",  # angular velocity
+    "quaternion": "4 * n_oriented",  # w, x, y, z
+    "body_rate": "3 * n_oriented",  # angular velocity
     "reaction_force": "dim * n_reactions",  # on the second body of each joint
     "reaction_torque": "turning * n_reactions",
     "driven_force": "dim * n_driven",

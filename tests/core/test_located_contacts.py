@@ -126,7 +126,8 @@ def compare(run: Integrator, oracle: Mechanism, last: float) -> None:
     if last < 0.1 * run.state.head["step_size"]:
         return
     for half in ("first", "second"):
-        mu, its = vector(run, f"mu_{half}"), oracle.vectors[f"mu_{half}"]
+        both = vector(run, f"mu_{half}"), oracle.vectors[f"mu_{half}"]
+        mu, its = (np.delete(x, oracle.rigidity) for x in both)  # turns of bodies have none
         size = np.max(np.abs(its), initial=0.0) + reference / extent[0]
         assert mu == pytest.approx(its, abs=NEAR_FORCES * size)
 

@@ -152,7 +152,8 @@ def test_two_equal_rods_share_what_one_carries():
 
 
 def test_a_stress_between_two_rods_is_forgotten_without_moving_anything():
-    # One pulls as the other pushes: nothing determines it, and 20000 pairs leave exp(-20) of it.
+    # One pulls as the other pushes: nothing determines it, and a step leaves it out. The means at
+    # an output are those of the steps before and after it.
     calm, tense = (solver.Integrator(solver.assemble(solver.loads(TWIN))) for _ in range(2))
     for integrator in (calm, tense):
         integrator.initialise()
@@ -160,11 +161,9 @@ def test_a_stress_between_two_rods_is_forgotten_without_moving_anything():
     for name in ("mu_first", "mu_second", "mean", "mean_before"):
         tense.state.vectors[name][0] += 50.0
         tense.state.vectors[name][1] -= 50.0
-    for integrator in (calm, tense):
-        integrator.advance(1.0, 0.1)
     assert abs(float(tense["one.force"]) - float(tense["two.force"])) > 50.0
     for integrator in (calm, tense):
-        integrator.advance(1.1, 200.0)
+        integrator.advance(1.0, 0.1)
     assert tense["one.force"] == pytest.approx(float(tense["two.force"]), abs=1e-6)
     assert tense["A.x"] == pytest.approx(float(calm["A.x"]), abs=1e-9)
 

@@ -94,9 +94,8 @@ def measurements(mechanism: Mechanism) -> dict[str, Array]:
     numbers = (section[name] for name in ("stiffness", "rest", "damping", "drive"))
     mu, places = at_present(mechanism), list(model.tables["place_form"])
     quaternions, turning = [], []
-    for node, near in zip(
-        model.tables["body_node"], vectors["quaternion"].reshape(-1, 4), strict=True
-    ):
+    bodies = model.tables["body_node"] if dim == 3 else ()
+    for node, near in zip(bodies, vectors["quaternion"].reshape(-1, 4), strict=True):
         d, d_dot = (x[3 * node : 3 * node + 9].reshape(3, 3) for x in (vectors["q"], v))
         found = rotation_quaternion(d.T)
         quaternions.append(found if found @ near >= 0.0 else -found)

@@ -117,6 +117,8 @@ class Mechanism:
         ends = np.cumsum([0, *kinds]).tolist()
         self.row_kinds = [slice(*piece) for piece in pairwise(ends)]
         """Form rows, coincidences, function rows and velocity rows among all rows."""
+        self.rigidity = slice(kinds[0] - sizes["n_rigidity_rows"], kinds[0])
+        """Rows that keep bodies rigid."""
 
         self._read_contacts(self.row_kinds[2].start - count)
 
