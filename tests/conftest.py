@@ -1,6 +1,7 @@
-"""Settings of all tests: no clock, and the same examples in every run."""
+"""Settings of all tests: no clock, one thread, and the same examples in every run."""
 
 import gc
+import os
 import signal
 from collections.abc import Iterator
 
@@ -9,6 +10,7 @@ from hypothesis import settings
 
 settings.register_profile("holonom", deadline=None, derandomize=True, database=None)
 settings.load_profile("holonom")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # in each process of xdist
 
 
 def pytest_collection_finish() -> None:
