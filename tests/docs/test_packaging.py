@@ -20,7 +20,7 @@ import pytest
 from build_fmu.export import TOOL
 from build_fmu.platforms import PLATFORMS
 from build_fmu.version import VERSION
-from build_kernel import compiler
+from build_kernel import backend, compiler
 from solver.runtime.kernel import library_path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -170,10 +170,16 @@ echo library > "$2"
         compiler.compile_kernel(tree)
 
 
-def test_the_checks_of_the_project_compile_without_a_warning():
-    recipe = (ROOT / "Makefile").read_text().partition("\nlint-c:")[2].partition("\n\n")[0]
-    (compiled,) = (line for line in recipe.splitlines() if "-m build_kernel" in line)
-    assert compiled.startswith('\tCFLAGS="-Werror -Wshadow -Wcast-qual -Wconversion ')
+def test_the_checks_of_the_project_compile_without_a_warning(monkeypatch):
+    makefile, flags = (ROOT / "Makefile").read_text(), []
+    recipe = makefile.partition("\n$(VENV)/installed-tools:")[2].partition("\n\n")[0]
+    assert "\nWARNINGS := -Werror -Wshadow -Wcast-qual -Wconversion " in makefile
+    assert '-C cflags="$(WARNINGS)"' in recipe
+    monkeypatch.setenv("CFLAGS", "")
+    monkeypatch.setattr(backend, "compile_kernel", lambda _: flags.extend(compiler.flags("Linux")))
+    monkeypatch.setattr(backend.build_meta, "build_editable", lambda *_: "a wheel")
+    assert backend.build_editable("", {"cflags": "-Werror -Wshadow"}) == "a wheel"
+    assert flags[-2:] == ["-Werror", "-Wshadow"]
 
 
 @pytest.mark.parametrize(
