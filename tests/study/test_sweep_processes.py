@@ -44,10 +44,10 @@ def test_no_folder_is_left(temporary, engine):
 
 
 def test_a_run_that_ends_its_process_is_the_only_one_lost(temporary, monkeypatch):
-    arguments = {"grid": ["mass=1:2:20"], "outputs": ["A.x"], "engine": "processes:2"}
-    whole = build_fmu.sweep(pendulum(), **arguments)
+    arguments = {"grid": ["mass=1:2:20"], "outputs": ["A.x"]}
+    whole = build_fmu.sweep(pendulum(), engine="serial", **arguments)
     monkeypatch.setattr(sweep_module, "run_row", crashing)
-    found = build_fmu.sweep(pendulum(), **arguments)
+    found = build_fmu.sweep(pendulum(), engine="processes:2", **arguments)
     lost = found[FATAL - 1]
     assert (lost["finished"], lost["reason"], lost["end_time"]) == (False, DIED, 0.0)
     assert np.isnan(lost["A.x.final"])
@@ -75,8 +75,11 @@ def begin(file: Path, engine: str) -> subprocess.Popen:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Ctrl-C goes to all processes of a console")
-@pytest.mark.parametrize("engine", ["serial", "processes:2"])
-@pytest.mark.parametrize("whom", [os.kill, os.killpg], ids=["the first process", "all"])
+@pytest.mark.parametrize(
+    ("engine", "whom"),
+    [("serial", os.kill), ("processes:2", os.kill), ("processes:2", os.killpg)],
+    ids=["the only process", "the first process", "all"],
+)
 def test_an_interruption_leaves_the_runs_that_are_done_and_nothing_else(
     temporary, tmp_path, engine, whom
 ):
@@ -135,7 +138,7 @@ sys.exit(main(sys.argv[2:]))
 
 
 @pytest.mark.skipif(os.name == "nt", reason="no groups of processes")
-@pytest.mark.parametrize("processes", [1, 2, 4])
+@pytest.mark.parametrize("processes", [1, 4])
 def test_an_interruption_while_processes_start_is_one_like_any_other(
     temporary, tmp_path, processes
 ):
