@@ -57,6 +57,7 @@ export class Mechanism {
     if (this.swept.isEmpty()) this.swept.set(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
     if (this.drawn.isEmpty()) this.drawn.copy(this.swept);
     this.pose(run.pose(0, this.live)); this.began = this.middle();
+    this.reach = Math.hypot(...['x', 'y', 'z'].map(c => Math.max(this.began[c] - this.drawn.min[c], this.drawn.max[c] - this.began[c])));
     for (const s of this.drawing.solids) {               // of what lies on the ground what is about as large as the mechanism
       if (!this.lies(s)) continue;
       const own = new Box3().setFromPoints(s.points.map(p => this.place({ frame: s.frame, at: vector(p).applyQuaternion(quaternion(s.turn)).add(vector(s.at)).toArray() }, new Vector3())));
@@ -77,7 +78,9 @@ export class Mechanism {
     this.drawing.frames.forEach((f, k) => { if (f.variables.length) { out.add(this.positions[k]); n++; } });
     return n ? out.divideScalar(n) : out;
   }
-  box() { const shift = this.middle().sub(this.began).add(this.group.position); return this.drawn.clone().translate(shift).expandByScalar(.5 * this.size); }
+  box() {                                 // around what is followed, however it turns
+    const at = this.middle().add(this.group.position); return new Box3(at, at.clone()).expandByScalar((this.flat ? 1.15 : .85) * this.reach);
+  }
 
   add(shape, colour, owner, matrix, more = {}) { this.items.push({ shape, colour, owner, matrix, opacity: 1, layer: '', ...more }); }
   fixed(p, turn, scale) {

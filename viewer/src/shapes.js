@@ -20,7 +20,7 @@ export function unitShape(name, fine, large = false) {
   if (name.endsWith('*')) return quartered(unitShape(name.slice(0, -1), fine, true));
   const [kind, number] = name.split(':'), around = fine > 1 ? 48 : fine && (large || kind === 'ring') ? 32 : 16;
   if (kind === 'box') return new BoxGeometry(1, 1, 1);
-  if (kind === 'sphere') return new SphereGeometry(1, around, Math.round(around * .6));
+  if (kind === 'sphere') return new SphereGeometry(1, around, 2 * Math.round(around * .3));
   if (kind === 'cylinder') return turned(fine ? [[0, -.5], [.98, -.5], [1, -.48], [1, .48], [.98, .5], [0, .5]] : [[0, -.5], [1, -.5], [1, .5], [0, .5]], around);
   if (kind === 'cone') return new ConeGeometry(1, 1, around).rotateX(Math.PI / 2).translate(0, 0, .5);
   if (kind === 'ring') { const r = +number; return turned([[r, -.5], [1, -.5], [1, .5], [r, .5], [r, -.5]], around); }
