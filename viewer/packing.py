@@ -30,6 +30,8 @@ LEVEL = 6
 """Of deflate: 9 takes four times as long for 1 % less."""
 BUDGET = 10_000_000
 """Characters of all blocks of a page."""
+BASE64 = 1.34
+"""Characters for each byte, as many as they are where deflate finds nothing to save."""
 CLOSE = 1e-3
 """Part of the size of the mechanism by which rows between others may be off and left out."""
 LITTLE = 1e-3
@@ -88,7 +90,7 @@ def packed(
         times, keep, poses = times[rows], keep[rows], poses[:, rows]
     meta, pose_bytes = _pose_block(poses, kinds, size)
     blocks = [text_of(times.astype("<f8").tobytes()), text_of(pose_bytes)]
-    room = max(budget - len(blocks[0]) - len(blocks[1]), 0) // max(4 * len(times), 1)
+    room = int(max(budget - len(blocks[0]) - len(blocks[1]), 0) / (BASE64 * 4 * len(times)))
     kept = list(order[:room])
     if len(kept) < len(order):
         kept = [*dict.fromkeys([*[n for n in order if n.startswith(MOST_IMPORTANT)], *kept])]

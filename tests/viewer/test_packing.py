@@ -102,6 +102,7 @@ def test_what_does_not_fit_is_left_out_and_said():
     run = packed(drawing(), T, columns, [*columns], budget=30_000)
     assert "energy.error" in run.meta["values"]
     assert len(run.meta["values"]) < len(columns)
+    assert sum(map(len, run.blocks)) <= 30_000
     assert any("left out" in note for note in run.notes)
 
 
