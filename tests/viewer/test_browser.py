@@ -369,7 +369,13 @@ def test_two_runs_stand_side_by_side(look, tmp_path):
         name: {"stop_time": 1.0, "formulation": f"{name}-al"} for name in ("conserving", "midpoint")
     }
     page = look(compared("four_bar", tmp_path / "page.html", **runs))
-    assert value(page, "holonom.stage.shown[1].group.position.x") > 1.0
+    beside = value(page, "holonom.stage.shown[1].group.position.x")
+    assert beside > 1.0
+    paths = value(page, "holonom.stage.lines.map(x => x.userData.points.slice(0, 3))")
+    half = len(paths) // 2  # those of the first run, then those of the other
+    assert np.subtract(paths[half:], paths[:half]) == pytest.approx(
+        np.tile([beside, 0.0, 0.0], (half, 1)), abs=1e-3
+    )
     assert page.locator("#tags span").all_inner_texts() == [*runs]
     energies = page.locator("figure.chart", has_text="Energy").first.locator(".chips i")
     colours = energies.evaluate_all("chips => chips.map(x => x.style.borderTopColor)")

@@ -236,6 +236,9 @@ export class Mechanism {
       mesh.instanceMatrix.needsUpdate = true; mesh.boundingSphere = null;
     }
   }
+  row() {                                 // where the time is among the rows, with a part of one
+    const { t, n } = this.run, i = Math.min(this.run.index(this.time), n - 2); return i < 0 ? 0 : i + (this.time - t[i]) / (t[i + 1] - t[i] || 1);
+  }
   // Points of paths: what the scene asks for, else moving points, else bodies.
   paths() {
     this.pose(this.run.pose(0, this.live));
@@ -252,7 +255,7 @@ export class Mechanism {
     const { run } = this, each = run.n > 2500 ? 1 / Math.floor(run.n / 2500) : Math.max(1, Math.min(8, Math.round(most / run.n))), count = Math.floor((run.n - 1) * each) + 1, points = [], v = new Vector3();
     for (let k = 0; k < count; k++) {     // between rows as the mechanism moves there
       const i = Math.floor(k / each + 1e-9), s = k / each - i, t = run.t;
-      this.pose(s > 1e-9 ? run.sample(t[i] + s * (t[i + 1] - t[i]), this.live) : run.pose(i, this.live)); this.place(p, v); points.push(v.x, v.y, v.z - (this.flat ? 2 * this.thick : 0));
+      this.pose(s > 1e-9 ? run.sample(t[i] + s * (t[i + 1] - t[i]), this.live) : run.pose(i, this.live)); this.place(p, v); v.add(this.group.position); points.push(v.x, v.y, v.z - (this.flat ? 2 * this.thick : 0));
     }
     return { points, each, count };
   }

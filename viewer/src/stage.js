@@ -127,11 +127,11 @@ export class Stage {
   }
   trace() {
     for (const l of this.lines) { l.removeFromParent(); l.geometry?.dispose(); l.material?.dispose(); }
-    this.lines = []; const [m] = this.shown;
-    m.paths().slice(0, 12).forEach((p, k, all) => {
-      const { points, each, count } = m.path(p, (this.fine > 1 ? 4000 : 1200) / all.length), colour = PALETTE[(k + 3) % PALETTE.length]; if (count < 3) return;
+    this.lines = []; const moving = this.shown.filter(m => !m.options.ghost);
+    for (const m of moving) m.paths().slice(0, 12).forEach((p, k, all) => {
+      const { points, each, count } = m.path(p, (this.fine > 1 ? 4000 : 2000) / all.length / moving.length), colour = PALETTE[(k + 3) % PALETTE.length]; if (count < 3) return;
       for (const [width, opacity, whole] of [[1, .4, true], [2.2, .95, false]]) {
-        const data = { points, each, whole, width, opacity, colour, most: count - 1, shown: count - 1 };
+        const data = { m, points, each, whole, width, opacity, colour, most: count - 1, shown: count - 1 };
         const ink = { color: colour, linewidth: width, transparent: true, opacity, depthWrite: false };      // a wide line costs ten times a thin one
         const line = this.painted ? new Object3D() : whole ? new Line(new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3)), new LineBasicMaterial(ink)) : new Line2(new LineGeometry().setPositions(points), new LineMaterial(ink));
         Object.assign(line, { userData: data, frustumCulled: false, renderOrder: 1 }); this.lines.push(line); this.scene.add(line);
@@ -140,14 +140,14 @@ export class Stage {
   }
   moveTo(time) {
     for (const m of this.shown) m.moveTo(time);
-    const [m] = this.shown, { t } = m.run, row = Math.min(m.run.index(m.time), m.run.n - 2), part = row < 0 ? 0 : (m.time - t[row]) / (t[row + 1] - t[row] || 1);
+    const [m] = this.shown;
     if (this.following) {
       const now = m.middle();
       if (this.last) { const d = now.clone().sub(this.last); for (const x of [this.camera.position, this.controls.target, this.sun.position, this.sun.target.position]) x.add(d); }
       this.last = now;
     }
     for (const line of this.lines) {
-      const u = line.userData, count = u.whole ? u.most : Math.min(u.most, Math.floor((row + part) * u.each + 1e-9));
+      const u = line.userData, count = u.whole ? u.most : Math.min(u.most, Math.floor(u.m.row() * u.each + 1e-9));
       u.shown = count; line.visible = this.layers.traces && count > 0; if (line.isLine2) line.geometry.instanceCount = count;
     }
     this.dirty = true;
