@@ -267,6 +267,19 @@ def test_the_stacked_energies_close(look, tmp_path):
     assert min(top) < 1.2 * page.evaluate("holonom.run.columns.get('energy.kinetic')[0]")
 
 
+def test_round_off_of_a_constant_is_no_curve(look, tmp_path):
+    """Of a platform that stands still potential energy is all, and its ticks are far apart."""
+    page = look(solver.simulate(scene("stewart"), stop_time=1.0).report(tmp_path / "page.html"))
+    stack = "holonom.charts.list.find(i => i.spec.stack)"
+    (kinetic, potential), low, high = page.evaluate(
+        f"(({{ traces, plot }}) => [traces.slice(0, 2).map(x => x.read(0.5)), plot.scales.y.min,"
+        f" plot.scales.y.max])({stack})"
+    )
+    assert kinetic < 1e-12 * potential
+    assert low == 0.0
+    assert potential < high < 2.0 * potential
+
+
 def test_reactions_are_arrows(look, tmp_path):
     path = solver.simulate(scene("bricard"), stop_time=1.0).report(tmp_path / "page.html")
     page = look(path, webgl=True)

@@ -49,12 +49,12 @@ export class Charts {
     item.numbers = traces.map((x, k) => chips.querySelector(`[data-trace="${k}"]`));
     const axis = { stroke: ink('--soft'), grid: { stroke: ink('--grid'), width: 1 }, ticks: { stroke: ink('--grid') }, font: '11px system-ui' }, head = ink('--accent');
     const decades = (u, k, low, high) => { const a = Math.round(Math.log10(low)), b = Math.round(Math.log10(high)), by = Math.ceil((b - a) / 4), out = []; for (let p = a; p <= b; p += by) out.push(10 ** p); return out; };
-    const range = (u, a, b) => { const d = b - a > 1e-9 * Math.max(Math.abs(a), Math.abs(b)) ? .06 * (b - a) : Math.max(.5 * Math.abs(b), 1e-3); return [stack && a >= 0 ? 0 : a - d, b + d]; };
+    const range = (u, a, b) => { const size = Math.max(Math.abs(a), Math.abs(b)), d = b - a > 1e-6 * size ? .06 * (b - a) : .5 * size || 1e-3; return [stack && a >= 0 ? 0 : a - d, b + d]; };
     item.plot = new uPlot({
       width: Math.max(200, host.clientWidth), height: this.height(), legend: { show: false }, pxAlign: 0, padding: [8, 18, 0, 0],
       cursor: { sync: { key: 'time' }, drag: { x: true, y: false } },
       scales: { x: { time: false }, y: log ? { distr: 3, range: (u, a, b) => [10 ** Math.floor(Math.log10(a || FLOOR)), 10 ** Math.ceil(Math.log10(Math.max(b || 0, 10 * (a || FLOOR))))] } : { range } },
-      axes: [{ ...axis, size: 26, gap: 3, values: (u, v) => v.map(shown) }, { ...axis, size: 68, ...(log ? { splits: decades, filter: (u, v) => v, values: (u, v) => v.map(x => x.toExponential(0)) } : { space: 24, values: (u, v) => v.map(shown) }) }],
+      axes: [{ ...axis, size: 26, gap: 3, values: (u, v) => apart(v) }, { ...axis, size: 68, ...(log ? { splits: decades, filter: (u, v) => v, values: (u, v) => v.map(x => x.toExponential(0)) } : { space: 24, values: (u, v) => apart(v) }) }],
       series: [{}, ...traces.map(x => ({ label: x.label, stroke: x.colour, fill: x.fill, dash: x.dash, width: x.width || 1.6, spanGaps: !log, points: { show: false } }))],
       bands: stack ? traces.slice(1).filter(x => x.fill).map((x, k) => ({ series: [k + 2, k + 1], fill: x.fill })) : [],
       hooks: { draw: [u => { const x = u.valToPos(this.time, 'x', true), { left, top, width, height } = u.bbox; if (x < left - 1 || x > left + width + 1) return; u.ctx.save(); u.ctx.setLineDash([]); u.ctx.strokeStyle = head; u.ctx.lineWidth = 1.5 * devicePixelRatio; u.ctx.beginPath(); u.ctx.moveTo(x, top); u.ctx.lineTo(x, top + height); u.ctx.stroke(); u.ctx.restore(); }] },
@@ -78,11 +78,16 @@ export class Charts {
     for (const item of now) { item.plot.redraw(false, false); this.write(item); }
   }
 }
+function apart(ticks) {                   // numbers with as many digits as tell them apart
+  const texts = ticks.map(x => shown(x)); if (new Set(texts).size === texts.length) return texts;
+  const digits = Math.ceil(Math.log10(Math.max(...ticks.map(Math.abs)) / (ticks[1] - ticks[0]))) + 1; return ticks.map(x => shown(x, digits));
+}
 // Energies on top of each other, and what they have to sum up to: what there was, and the work done since.
 function stacked(run, names, against) {
-  const total = new Float64Array(run.n), out = [];
-  names.filter(n => run.columns.has(n)).forEach((n, k) => {
-    const column = run.columns.get(n), least = column.reduce((a, b) => Math.min(a, b)), level = n.endsWith('.potential'), low = level ? least : Math.min(0, least), values = new Float64Array(run.n);
+  const total = new Float64Array(run.n), out = [], spans = names.filter(n => run.columns.has(n)).map(n => [n, run.columns.get(n)]).map(([n, x]) => [n, x, x.reduce((a, b) => Math.min(a, b)), x.reduce((a, b) => Math.max(a, b))]);
+  const size = Math.max(...spans.map(([, , a, b]) => b - a));          // what changes
+  spans.forEach(([n, column, least], k) => {
+    const level = n.endsWith('.potential') && size > 1e-9 * Math.abs(least), low = level ? least : Math.min(0, least), values = new Float64Array(run.n);
     for (let i = 0; i < run.n; i++) values[i] = total[i] += column[i] - low;
     const colour = PALETTE[k % PALETTE.length]; out.push({ run, label: short(n, names) + (level && low ? ' above its least' : ''), colour, fill: colour + '66', values, read: t => run.value(n, t) - low, width: 1 });
   });
