@@ -92,7 +92,7 @@ viewer:
 
 browser: $(VENV)/installed-browser
 	@cd viewer && npm ci --silent || echo "no npm, or no network: axe-core does not look at the pages"
-	$(BIN)/python -m pytest -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
 
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
@@ -154,9 +154,10 @@ $(VENV)/installed-release: $(VENV)/created $(BUILD)
 	@$(PIP) install --quiet --editable '.[test,release]'
 	@touch $@
 
-$(VENV)/installed-browser: $(VENV)/created $(BUILD)
-	@echo "installing holonom, what it needs, and what drives a browser"
-	@$(PIP) install --quiet --editable '.[test,browser]'
+# Its packages alone: to install holonom again would compile the kernel again.
+$(VENV)/installed-browser: $(VENV)/installed-tools
+	@echo "installing what drives a browser"
+	@$(PIP) install --quiet $$($(BIN)/python -c 'from importlib.metadata import requires; print(*(x.partition(";")[0] for x in requires("holonom") if x.endswith("extra == \"browser\"")))')
 	@touch $@
 
 $(COFMUPY)/installed: $(VENV)/created
