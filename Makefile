@@ -98,7 +98,7 @@ browser-tools: $(VENV)/installed-browser
 	@cd viewer && npm ci --silent || echo "no npm, or no network: axe-core does not look at the pages"
 
 browser: browser-tools
-	$(BIN)/python -m pytest -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
 
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
@@ -160,6 +160,7 @@ $(VENV)/installed-release: $(VENV)/created $(BUILD)
 	@$(INSTALL) '.[test,release]'
 	@touch $@
 
+# Its packages alone: to install holonom again would compile the kernel again.
 $(VENV)/installed-browser: $(VENV)/installed-tools
 	@echo "installing what drives a browser"
 	@$(PIP) install --quiet --no-compile $$($(BIN)/python -c 'from importlib.metadata import requires; \

@@ -209,3 +209,13 @@ def test_page_and_dependencies_name_libpython_and_the_platform_of_the_kernel():
     assert "libpython" in needs
     assert sysconfig.get_platform() in needs
     assert needs in files["documentation/index.html"].decode()
+
+
+def test_a_floor_below_what_falls_is_in_the_picture():
+    text = 'name = "falling"\n[points]\nball = { position = [0, 0, 1], mass = 1 }\n'
+    text += '[contacts]\nfloor = { type = "plane", point = "ball", axis = [0, 0, 1] }\n'
+    for height in ("1", "0.001", "1000"):
+        seen = pixels(picture(drawing(solver.loads(text.replace("1]", f"{height}]", 1)))))
+        ball = np.flatnonzero((seen.max(axis=2) < 60).any(axis=1))
+        pale = np.flatnonzero((seen.min(axis=2) == 237).any(axis=1))  # of the floor
+        assert ball.max() < pale.mean() < HEIGHT
