@@ -40,14 +40,18 @@ def test_an_interrupt_between_steps_ends_the_run():
 
 def test_an_interrupt_that_is_taken_strikes_at_once_where_it_is_not_held():
     seen = []
+
+    def strike_and_go_on() -> None:
+        signal.raise_signal(signal.SIGINT)
+        seen.append("held")
+
     with interrupts_taken():
         with pytest.raises(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
         with pytest.raises(KeyboardInterrupt), interrupts_held(), interrupts_held():
-            signal.raise_signal(signal.SIGINT)
-            seen.append("held")
+            strike_and_go_on()
         with interrupts_held() as pass_interrupts:
-            signal.raise_signal(signal.SIGINT)
+            strike_and_go_on()
             with pytest.raises(KeyboardInterrupt):
                 pass_interrupts()
-    assert seen == ["held"]
+    assert seen == ["held", "held"]
