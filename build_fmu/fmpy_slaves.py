@@ -41,6 +41,8 @@ class FMU3Run(FMU3Slave):
     calls = ("fmi3DoStep", "fmi3GetFloat64")
     """As of ``FMU2Run``."""
 
+    _times: tuple[float, float | None] = (0.0, None)
+
     def make(self, log: Log) -> None:
         """Instantiate, with this log."""
         self.instantiate(loggingOn=True, logMessage=log.hear)
