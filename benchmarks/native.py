@@ -109,6 +109,7 @@ def measure(effort: Effort) -> Section:
             _goal("fmi2GetFMUstate, worst", "µs", COPY, others, "copy"),
             _goal("instantiate a model of 120 kB", "ms", INSTANCE, others, "instance"),
             _goal("a run in a sweep over one in C, worst", "1", MORE_IN_A_SWEEP, sweeps, "ratio"),
+            _goal("the same, into a .csv, worst", "1", MORE_IN_A_SWEEP, sweeps, "file_ratio"),
         ],
         remarks=remarks,
     )  # fmt: skip
