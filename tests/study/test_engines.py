@@ -28,14 +28,13 @@ def test_every_job_has_its_result(engine, count):
 @pytest.mark.parametrize("engine", ["processes:1", "processes:2"])
 @pytest.mark.parametrize("first", [0, FATAL - 1, FATAL])
 def test_a_job_that_ends_its_process_is_lost_and_no_other(engine, first):
-    """Also where none went before it, and where a result is taken meanwhile."""
+    """Also where none went before it, where others go with it, and a result is taken meanwhile."""
     jobs = range(first, 20)
     found = {}
     for job, result in engine_of(engine)(Task(square, -1, lost), jobs):
-        found[job] = result
-        if engine == "processes:1" and len(found) == FATAL - first:
-            # Not at the result of FATAL - 1: where two have come, FATAL may not be handed out yet.
+        if job == first == FATAL - 1 and engine == "processes:1":
             wait_until(lambda: not multiprocessing.active_children())
+        found[job] = result
     assert found == {i: i * i for i in jobs} | {FATAL: DIED}
 
 
