@@ -27,34 +27,38 @@ VENV := .venv
 BIN := $(VENV)/bin
 COFMUPY := .venv-cofmupy
 PIP := $(BIN)/python -m pip --disable-pip-version-check
+INSTALL := $(PIP) install --quiet --no-compile --editable
+# Of the kernel of who changes it: a newer compiler than ours may warn, and stops no user.
+WARNINGS := -Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h solver/kernel/*.py) \
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test long lint lint-python lint-c sanitize hostile docs linkcheck benchmark importers platforms viewer browser release cofmupy kernel clean
+.PHONY: demo test tests long lint style types sanitize hostile docs linkcheck benchmark importers platforms viewer browser browser-tools release cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
 	@$(BIN)/python -m examples.clearance
 
-test: $(VENV)/installed-tools
-	@$(MAKE) -j $(JOBS) lint
+test: style
+	@$(MAKE) -j 2 types tests
+
+tests: $(VENV)/installed-tools
 	$(BIN)/python -m pytest -n $(JOBS) -m "not long"
 
 long: $(VENV)/installed-tools
 	$(BIN)/python -m pytest -n $(JOBS) -m long
 	$(MAKE) sanitize hostile
 
-lint: lint-python lint-c
+lint: style types
 
-lint-python: $(VENV)/installed-tools
+style: $(VENV)/installed-tools
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	$(BIN)/pyright --pythonpath $(BIN)/python
 	$(BIN)/lint-imports
 
-lint-c: $(VENV)/installed-tools
-	CFLAGS="-Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion" $(BIN)/python -m build_kernel
+types: $(VENV)/installed-tools
+	$(BIN)/pyright --pythonpath $(BIN)/python
 
 sanitize: $(VENV)/installed-tools
 	$(BIN)/python -m tests.sanitize
@@ -90,9 +94,11 @@ release: $(VENV)/installed-release
 viewer:
 	cd viewer && npm ci --silent && npm run --silent build
 
-browser: $(VENV)/installed-browser
+browser-tools: $(VENV)/installed-browser
 	@cd viewer && npm ci --silent || echo "no npm, or no network: axe-core does not look at the pages"
-	$(BIN)/python -m pytest -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
+
+browser: browser-tools
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -rs -m "not long" tests/viewer/test_browser.py tests/viewer/test_live_browser.py
 
 cofmupy: export IMPORTERS = cofmupy
 cofmupy: export COFMUPY_PYTHON = $(CURDIR)/$(COFMUPY)/bin/python
@@ -121,42 +127,44 @@ $(VENV)/created:
 
 $(VENV)/installed: $(VENV)/created $(BUILD)
 	@echo "installing holonom and what it needs (a minute, the first time)"
-	@$(PIP) install --quiet --editable .
+	@$(INSTALL) .
 	@touch $@
 
 $(VENV)/installed-tools: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and the tools that check it (a minute, the first time)"
-	@$(PIP) install --quiet --editable '.[test,lint]'
+	@$(INSTALL) '.[test,lint]' -C cflags="$(WARNINGS)"
 	@touch $@ $(VENV)/installed
 
 $(VENV)/installed-docs: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and what its documentation needs"
-	@$(PIP) install --quiet --editable '.[docs]'
+	@$(INSTALL) '.[docs]'
 	@touch $@ $(VENV)/installed
 
 $(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and what benchmarks need"
-	@$(PIP) install --quiet --editable '.[benchmarks]'
+	@$(INSTALL) '.[benchmarks]'
 	@touch $@ $(VENV)/installed
 
 $(VENV)/installed-importers: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and importers of FMUs"
-	@$(PIP) install --quiet --editable '.[test,importers]'
+	@$(INSTALL) '.[test,importers]'
 	@touch $@
 
 $(VENV)/installed-platforms: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and compilers for all platforms (400 MB)"
-	@$(PIP) install --quiet --editable '.[test,platforms]'
+	@$(INSTALL) '.[test,platforms]'
 	@touch $@
 
 $(VENV)/installed-release: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and compilers for all platforms (400 MB)"
-	@$(PIP) install --quiet --editable '.[test,release]'
+	@$(INSTALL) '.[test,release]'
 	@touch $@
 
-$(VENV)/installed-browser: $(VENV)/created $(BUILD)
-	@echo "installing holonom, what it needs, and what drives a browser"
-	@$(PIP) install --quiet --editable '.[test,browser]'
+# Its packages alone: to install holonom again would compile the kernel again.
+$(VENV)/installed-browser: $(VENV)/installed-tools
+	@echo "installing what drives a browser"
+	@$(PIP) install --quiet --no-compile $$($(BIN)/python -c 'from importlib.metadata import requires; \
+	    print(*(x.partition(";")[0] for x in requires("holonom") if x.endswith("extra == \"browser\"")))')
 	@touch $@
 
 $(COFMUPY)/installed: $(VENV)/created

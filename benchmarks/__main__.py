@@ -20,6 +20,7 @@ SECTIONS = {
     "steps": "benchmarks.steps",
     "chains": "benchmarks.chains",
     "fmu": "benchmarks.fmu",
+    "native": "benchmarks.native",
     "sweeps": "benchmarks.sweeps",
     "work-precision": "benchmarks.work_precision",
     "formulations": "benchmarks.formulations",

@@ -175,7 +175,7 @@ def _ablation(effort: Effort) -> list[Table]:
         }
         able = {key: case.entry for key, case in cases.items() if not case.failure}
         times = interleave(able, effort)
-        least = times["none"].minimum
+        least = max(times["none"].minimum, 1e-9)
         start = {"mechanism": name, "solve": 1e6 * least / cases["none"].solves}
         ratio = {key: times[key].minimum / least for key in able if key != "none"}
         ratios.append(start | ratio | {"noise": times["none"].noise})
@@ -219,7 +219,7 @@ def _pair(
         "what": name,
         "solve": each * least,
         "without": each * more,
-        "ratio": more / least,
+        "ratio": more / max(least, 1e-9),
         "noise": times["with"].noise,
     }
 

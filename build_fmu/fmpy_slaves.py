@@ -1,54 +1,47 @@
-"""Slaves of fmpy, of FMI 2.0 and 3.0, with the same calls; the slow ones without fmpy's detours.
+"""Slaves of fmpy, of FMI 2.0 and 3.0, with the same calls, and their steps in C.
 
 fmpy finds the version of the standard by the first letters of a class, FMU2 or FMU3.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from ctypes import POINTER, byref, cast
-from functools import partial
-from typing import TYPE_CHECKING, Any
+import ctypes
+from collections.abc import Sequence
+from ctypes import c_int32, c_void_p
+from typing import TYPE_CHECKING
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
-from fmpy.fmi2 import FMU2Slave, fmi2Real, fmi2ValueReference
-from fmpy.fmi3 import FMU3Slave, fmi3Boolean, fmi3Float64
+from fmpy.fmi2 import FMU2Slave
+from fmpy.fmi3 import FMU3Slave
 
 from fmu_src.status import WARNING
+from solver.runtime.kernel import shared_library
 
 if TYPE_CHECKING:
+    from numpy import ndarray
+
     from build_fmu.instance import Log
 
 
 class FMU2Run(FMU2Slave):
     """A slave of FMI 2.0."""
 
+    calls = ("fmi2DoStep", "fmi2GetReal")
+    """Those of each communication step."""
+
     def make(self, log: Log) -> None:
         """Instantiate, with this log."""
         self.instantiate(callbacks=log.callbacks(), loggingOn=True)
 
-    def advance(self) -> Callable[[float, float], None]:
-        """Return the function that makes a step, from a time on, of a length; both in s.
-
-        fmpy's own looks for a log of calls each time, which takes longer than a step of a small
-        mechanism.
-        """
-        call, component = self.dll.fmi2DoStep, self.component
-
-        def advance(time: float, step: float) -> None:
-            if (status := call(component, time, step, True)) > WARNING:
-                raise FMICallException(function="fmi2DoStep", status=status)
-
-        return advance
-
-    def reader(self, references: Sequence[int]) -> Callable[[], np.ndarray]:
-        """Return a function that reads Real variables, into the same memory each time."""
-        return _reader(partial(self.dll.fmi2GetReal, self.component), "fmi2GetReal", references)
-
 
 class FMU3Run(FMU3Slave):
     """A slave of FMI 3.0, called as one of FMI 2.0."""
+
+    calls = ("fmi3DoStep", "fmi3GetFloat64")
+    """As of ``FMU2Run``."""
+
+    _times: tuple[float, float | None] = (0.0, None)
 
     def make(self, log: Log) -> None:
         """Instantiate, with this log."""
@@ -75,36 +68,57 @@ class FMU3Run(FMU3Slave):
         """Set Real variables."""
         self.setFloat64(references, values)
 
-    def advance(self) -> Callable[[float, float], None]:
-        """As ``FMU2Run.advance``."""
-        call, flags, last = self.dll.fmi3DoStep, [fmi3Boolean() for _ in range(3)], fmi3Float64()
-        results = [*map(byref, flags), byref(last)]
 
-        def advance(time: float, step: float) -> None:
-            status = call(self.component, fmi3Float64(time), fmi3Float64(step), True, *results)
-            if status > WARNING:
-                raise FMICallException(function="fmi3DoStep", status=status)
+class _Host(ctypes.Structure):
+    """As in solver/kernel/host.c."""
 
-        return advance
-
-    def reader(self, references: Sequence[int]) -> Callable[[], np.ndarray]:
-        """As ``FMU2Run.reader``."""
-        call = partial(self.dll.fmi3GetFloat64, self.component)
-        return _reader(call, "fmi3GetFloat64", references, len(references))
+    _fields_ = (
+        *((name, c_void_p) for name in ("fmu", "step", "get", "reference")),
+        *((name, c_int32) for name in ("is_fmi3", "n_read", "reached", "is_read")),
+    )
 
 
-def _reader(
-    call: Callable[..., int], name: str, references: Sequence[int], *more: int
-) -> Callable[[], Any]:
-    count = len(references)
-    values = (fmi2Real * count)()
-    seen = np.ctypeslib.as_array(values)
-    which = cast((fmi2ValueReference * count)(*references), POINTER(fmi2ValueReference))
-    get = partial(call, which, count, cast(values, POINTER(fmi2Real)), *more)
+class Recorder:
+    """Goes from one communication point to the next, and reads Real variables at each, in C.
 
-    def read() -> np.ndarray:
-        if (status := get()) > WARNING:
-            raise FMICallException(function=name, status=status)
-        return seen
+    Calls of fmpy take longer than the step of a small mechanism, and those of ctypes half as long.
 
-    return read
+    Parameters
+    ----------
+    times
+        Communication points in s; those to come may be changed in place.
+    """
+
+    def __init__(self, fmu: FMU2Run | FMU3Run, references: Sequence[int], times: ndarray) -> None:
+        self.fmu, self.times = fmu, times
+        self.values = np.empty((len(times), len(references)))
+        """Shape (times, references); of those that are reached."""
+        self._references = (ctypes.c_uint32 * len(references))(*references)
+        functions = (ctypes.cast(getattr(fmu.dll, name), c_void_p) for name in fmu.calls)
+        of_variables = ctypes.addressof(self._references), isinstance(fmu, FMU3Run), len(references)
+        self._host = _Host(fmu.component, *functions, *of_variables)
+        self._run = shared_library(2).holonom_run_fmu
+        self._memory = times.ctypes.data, self.values.ctypes.data
+
+    @property
+    def reached(self) -> int:
+        """Number of points of which there are values."""
+        return self._host.reached
+
+    def go_back(self, reached: int = 0) -> None:
+        """Take so many points for reached; what the FMU does is another's concern."""
+        self._host.reached = reached
+
+    def go_on(self, end: int) -> None:
+        """Go on to the points before this one.
+
+        Raises
+        ------
+        FMICallException
+            With the call that failed and its status; `reached` tells when.
+        """
+        times, values = self._memory
+        status = self._run(ctypes.byref(self._host), times, end, values)
+        if status > WARNING:
+            call = self.fmu.calls[self._host.is_read]
+            raise FMICallException(function=call, status=status)

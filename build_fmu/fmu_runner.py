@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from os import PathLike
+from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
@@ -28,10 +29,12 @@ if TYPE_CHECKING:
 
     from numpy import ndarray
 
-    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run
+    from build_fmu.fmpy_slaves import FMU2Run, FMU3Run, Recorder
 
 KINDS = {"Real": float, "Integer": int, "Boolean": bool, "String": str}
 """What values of each type are in Python."""
+MOST_STEPS, UNINTERRUPTED = 100, 0.02
+"""Communication steps for which Ctrl-C waits; how long they may take, by the last ones [s]."""
 
 
 @dataclass(frozen=True)
@@ -61,6 +64,7 @@ class FmuRunner:
         self._fmu: FMU2Run | FMU3Run | None = None
         self._was_made = False
         self._log = Log()
+        self._recorded: Any = None
 
     def run(
         self,
@@ -85,11 +89,12 @@ class FmuRunner:
         import numpy as np
         from fmpy.fmi1 import FMICallException
 
-        values = np.full((len(times), len(outputs)), np.nan)
-        steps = list(zip(times, np.diff(times).tolist(), strict=False))
-        driven = [{n: x[i] for n, x in inputs.items()} for i in range(len(steps))] if inputs else []
+        driven = [{n: x[i] for n, x in inputs.items()} for i in range(len(times))] if inputs else []
+        is_plain = {*map(self._kind, outputs)} <= {"Real"}
+        most = MOST_STEPS if is_plain and not driven and not progress else 1
+        recorder: Recorder | None = None
+        rows: list[list[float]] = []  # where not all outputs are Real
         self._log.clear()
-        reached = 0
         try:
             with not_said_twice(), interrupts_held() as pass_interrupts:
                 fmu = self._ready()
@@ -98,19 +103,20 @@ class FmuRunner:
                 fmu.enterInitializationMode()
                 self._set(fmu, driven[0] if driven else {})
                 fmu.exitInitializationMode()
-                advance = fmu.advance()
-                read = self._reader(fmu, outputs)
-                values[0] = read()
-                reached = 1
-                for i, (time, step) in enumerate(steps, start=1):
-                    if driven:
-                        self._set(fmu, driven[i - 1])
-                    advance(time, step)
-                    values[i] = read()
-                    reached = i + 1
+                recorder = self._recorder_of(fmu, outputs if is_plain else [], times)
+                count = 1
+                while (reached := recorder.reached) < len(times):
+                    if driven and reached:
+                        self._set(fmu, driven[reached - 1])
+                    begin = perf_counter()
+                    recorder.go_on(min(reached + count, len(times)))
+                    took = perf_counter() - begin
+                    count = max(1, min(most, int(UNINTERRUPTED * count / max(took, 1e-9))))
+                    if not is_plain:
+                        rows.append(self._read(fmu, outputs))
                     pass_interrupts()
-                    if progress:
-                        progress((times[i] - times[0]) / (times[-1] - times[0]))
+                    if progress and reached:
+                        progress((times[reached] - times[0]) / (times[-1] - times[0]))
                 fmu.terminate()
         except FMICallException as error:
             if error.status == FATAL:
@@ -122,8 +128,12 @@ class FmuRunner:
             reason = str(error)
         else:
             reason = self._log.error
-        said = self._log.messages, self._log.warnings
-        return Record(values[:reached], times[max(reached - 1, 0)], reason, *said)
+        if recorder and is_plain:
+            values = recorder.values[: recorder.reached].copy()
+        else:
+            values = np.array(rows, float).reshape(len(rows), len(outputs))
+        end = times[max(len(values) - 1, 0)]
+        return Record(values, end, reason, self._log.messages, self._log.warnings)
 
     def close(self) -> None:
         """Free the instance and remove the folder."""
@@ -150,24 +160,34 @@ class FmuRunner:
         self._was_made = True
         return self._fmu
 
+    def _recorder_of(
+        self, fmu: FMU2Run | FMU3Run, outputs: Sequence[str], times: Sequence[float]
+    ) -> Recorder:
+        """Recorder at its beginning: that of the run before, if it is the same."""
+        import numpy as np
+
+        from build_fmu.fmpy_slaves import Recorder
+
+        if self._recorded != (fmu, outputs, times):
+            self._recorder = Recorder(fmu, self._references(outputs), np.array(times, float))
+            self._recorded = fmu, outputs, times
+        self._recorder.go_back()
+        return self._recorder
+
     def _set(self, fmu: FMU2Run | FMU3Run, settings: Mapping[str, object]) -> None:
         for kind, python_type in KINDS.items():
             given = {n: python_type(x) for n, x in settings.items() if self._kind(n) == kind}  # type: ignore[arg-type]
             if given:
-                references = [self._variables[name].valueReference for name in given]
-                getattr(fmu, f"set{kind}")(references, list(given.values()))
+                getattr(fmu, f"set{kind}")(self._references(list(given)), list(given.values()))
 
     def _kind(self, name: str) -> str:
         kind = self._variables[name].type
         return "Integer" if kind == "Enumeration" else kind
 
-    def _reader(self, fmu: FMU2Run | FMU3Run, outputs: Sequence[str]) -> Any:
-        """Function that reads all outputs; nearly always they are Real."""
-        kinds = [self._kind(name) for name in outputs]
-        references = [self._variables[name].valueReference for name in outputs]
-        if not outputs:
-            return list
-        if set(kinds) <= {"Real"}:
-            return fmu.reader(references)
-        pairs = list(zip(kinds, references, strict=True))
-        return lambda: [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]
+    def _references(self, names: Sequence[str]) -> list[int]:
+        return [self._variables[name].valueReference for name in names]
+
+    def _read(self, fmu: FMU2Run | FMU3Run, names: Sequence[str]) -> list[float]:
+        """Values of variables of any kind."""
+        pairs = zip(map(self._kind, names), self._references(names), strict=True)
+        return [getattr(fmu, f"get{kind}")([reference])[0] for kind, reference in pairs]

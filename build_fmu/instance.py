@@ -45,28 +45,62 @@ def not_said_twice() -> Iterator[None]:
         _is_read.reset(token)
 
 
+_is_taken, _depth = False, 0
+_struck: list[int] = []
+"""Whether Ctrl-C is answered here, in how many blocks that hold it back, and what was held."""
+
+
+def _strike(number: int, _frame: object) -> None:
+    if not _depth:
+        raise KeyboardInterrupt
+    _struck.append(number)
+
+
+def _pass_interrupts() -> None:
+    if _struck:
+        _struck.clear()
+        raise KeyboardInterrupt
+
+
+def _is_main() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
+@contextlib.contextmanager
+def interrupts_taken() -> Iterator[None]:
+    """Answer Ctrl-C here, as Python does: `interrupts_held` then takes a tenth of the time."""
+    global _is_taken
+    mine = _is_main() and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    if not mine:  # another thread has it, or nobody, or it is taken
+        yield
+        return
+    signal.signal(signal.SIGINT, _strike)
+    _is_taken = True
+    try:
+        yield
+    finally:
+        _is_taken = False
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 @contextlib.contextmanager
 def interrupts_held() -> Iterator[Callable[[], None]]:
     """Hold Ctrl-C back until the function that this yields is called, or the end.
 
     An FMU that is written in Python would take the exception for a failure of its own.
     """
-    held: list[int] = []
-
-    def pass_interrupts() -> None:
-        if held:
-            raise KeyboardInterrupt
-
-    ours = threading.current_thread() is threading.main_thread()
-    if not ours or signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
-        yield pass_interrupts  # another thread has it, or nobody
+    global _depth
+    if not _is_main():
+        yield lambda: None
         return
-    signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
-    try:
-        yield pass_interrupts
-    finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        pass_interrupts()
+    with contextlib.nullcontext() if _is_taken else interrupts_taken():
+        _depth += 1
+        try:
+            yield _pass_interrupts
+        finally:
+            _depth -= 1
+            if not _depth:
+                _pass_interrupts()
 
 
 class Log:

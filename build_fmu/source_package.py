@@ -85,9 +85,9 @@ def source_files(fmi: int) -> dict[str, bytes]:
     if not (kernel / "model_tables.h").is_file():
         text = f"{kernel}/model_tables.h is missing; compile the kernel: python -m build_kernel"
         raise EnvironmentLackError(text)
-    other = f"fmi{5 - fmi}."
+    others = f"fmi{5 - fmi}.", "host."
     paths = sorted(p for f in (kernel, slave) for p in f.glob("*.[ch]"))
-    chosen = [path for path in paths if not path.name.startswith(other)]
+    chosen = [path for path in paths if not path.name.startswith(others)]
     text = {p.name: p.read_text(encoding="utf-8") for p in chosen}
     units = [_FILE.format(name=name) for name in text if name.endswith(".c")]
     found = {n: _SHARED.sub(r"static \1", t) if n.endswith(".h") else t for n, t in text.items()}

@@ -6,7 +6,10 @@ import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from build_fmu.errors import UsageError
+from build_fmu.fmpy_slaves import Recorder
 from build_fmu.fmu_runner import FmuRunner
 from build_fmu.instance import not_said_twice, start_time_of
 from build_fmu.reporting import Carried
@@ -62,8 +65,9 @@ class SteppedFmu(FmuRunner):
             self._set(fmu, {**self._given, **values})
             fmu.enterInitializationMode()
             fmu.exitInitializationMode()
-            self._advance, self._read = fmu.advance(), self._reader(fmu, self.columns)
-            return self._read().copy()
+            self._recorder = Recorder(fmu, self._references(self.columns), np.zeros(2))
+            self._recorder.go_on(1)
+            return self._recorder.values[0].copy()
 
     def set(self, name: str, value: float) -> None:
         """As `viewer.live.Source`."""
@@ -74,8 +78,10 @@ class SteppedFmu(FmuRunner):
     def step(self, time: float, step: float) -> ndarray:
         """As `viewer.live.Source`."""
         with self._stopping():
-            self._advance(time, step)
-            return self._read().copy()
+            self._recorder.times[:] = time, time + step
+            self._recorder.go_back(1)
+            self._recorder.go_on(2)
+            return self._recorder.values[1].copy()
 
     def drawing(self, values: Mapping[str, float]) -> Mapping[str, Any]:
         """As `viewer.live.Source`; the last one that could be drawn."""

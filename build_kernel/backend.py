@@ -6,6 +6,7 @@ wheel takes it. Only a machine without a working C compiler is asked to install 
 
 from __future__ import annotations
 
+import os
 import shutil
 import sys
 from pathlib import Path
@@ -59,7 +60,12 @@ def build_wheel(
 def build_editable(
     wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None
 ) -> str:
-    """Compile the kernel into the source tree and build a wheel that points there."""
+    """Compile the kernel into the source tree and build a wheel that points there.
+
+    The Makefile names ``cflags`` for it, which those of the environment would be for all packages.
+    """
+    if flags := (config_settings or {}).get("cflags"):
+        os.environ["CFLAGS"] = flags
     _compile()
     return build_meta.build_editable(wheel_directory, config_settings, metadata_directory)
 

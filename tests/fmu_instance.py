@@ -26,6 +26,7 @@ from fmpy.fmi2 import (
 
 import solver
 from build_fmu import build
+from build_fmu.fmpy_slaves import FMU3Run
 from build_fmu.instance import LOADING
 from fmu_src.slave import Slave
 
@@ -94,15 +95,21 @@ class Instance:
     def __init__(self, path: Path, folder: str, *, logging: bool = True) -> None:
         self.description = fmpy.read_model_description(str(path), validate=False)
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
-        self.types = {v.name: v.type for v in self.description.modelVariables}
+        of_fmi3 = self.description.fmiVersion == "3.0"
+        self.types = {
+            v.name: v.type.replace("Float64", "Real") for v in self.description.modelVariables
+        }
         self.log: list[tuple[int, str, str]] = []
         fmpy.extract(str(path), folder)
         with LOADING:
-            self.fmu = FMU2Slave(
+            self.fmu = (FMU3Run if of_fmi3 else FMU2Slave)(
                 guid=self.description.guid,
                 unzipDirectory=folder,
                 modelIdentifier=self.description.coSimulation.modelIdentifier,
             )
+        if of_fmi3:
+            self.fmu.instantiate(loggingOn=logging, logMessage=self._hear_of_fmi3)
+            return
         self.callbacks = self._callbacks()
         self.fmu.instantiate(callbacks=self.callbacks, loggingOn=logging)
 
@@ -117,6 +124,9 @@ class Instance:
     def _hear(self, _environment, _name, status, category, message) -> None:
         text = message.decode() % ()  # a printf format, which must not ask for arguments
         self.log.append((status, (category or b"").decode(), text))
+
+    def _hear_of_fmi3(self, _environment, status, category, message) -> None:
+        self.log.append((status, category.decode(), message.decode()))
 
     def initialise(self, start=0.0, stop=None, **values) -> None:
         """Set values and go through the initialization mode."""

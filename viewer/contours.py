@@ -111,8 +111,16 @@ def cam_curve(profile: Profile) -> Array:
     return np.column_stack((radii * np.cos(turns), radii * np.sin(turns)))
 
 
-def traced(value: Callable[[Array], float], start: Array, size: float) -> Array:
-    """Return places of a curve F(x, y) = 0, from the one next to `start` until it closes."""
+def closes(points: Array) -> bool:
+    """Whether a curve ends where it begins."""
+    return len(points) > 3 and bool((points[0] == points[-1]).all())
+
+
+def traced(value: Callable[[Array], float], start: Array, size: float, depth: float) -> Array:
+    """Return places of a curve F(x, y) = 0, from the one next to `start` until it closes.
+
+    It turns counterclockwise about F < 0. A ball whose centre moves on it touches what lies deeper.
+    """
     step = size / STEPS
 
     def slope(at: Array) -> Array:
@@ -129,32 +137,39 @@ def traced(value: Callable[[Array], float], start: Array, size: float) -> Array:
                 break
         return at
 
+    def below(points: Array) -> Array:
+        if depth == 0.0:
+            return points
+        slopes = np.array([*map(slope, points)])
+        return points - depth * slopes / np.linalg.norm(slopes, axis=1)[:, None]
+
     first = start
     for _ in range(8):
         first = onto(first, slope(first))
     branches = []
     for sign in (1.0, -1.0):
         at, found = first, []
-        for _ in range(4 * STEPS):
+        for _ in range(8 * STEPS):
             g = slope(at)
             along = np.array((-g[1], g[0])) / (np.linalg.norm(g) or 1.0)
             at = onto(at + sign * step * along, g)
             found.append(at)
-            if len(found) > 2 and np.linalg.norm(at - first) < step:
-                return np.array([first, *found, first])
+            if len(found) > 4 and np.linalg.norm(at - first) < 1.5 * step:  # longer at edges
+                return below(np.array([first, *found, first]))
             if not np.linalg.norm(at - start) < 1.5 * size:
                 break
         branches.append(found)
-    return np.array([*branches[1][::-1], first, *branches[0]])
+    return below(np.array([*branches[1][::-1], first, *branches[0]]))
 
 
 def heights_over(
-    value: Callable[[Array], float], start: Array, size: float, travel: Array
+    value: Callable[[Array], float], start: Array, size: float, travel: Array, depth: float
 ) -> tuple[Array, dict[str, Any]] | None:
     """Return axes and a grid of heights on a surface F(x, y, z) = 0 about a place that travels.
 
     The heights are along the axis to which the normal is nearest; each is sought by Newton's
-    iteration from its neighbour, and is None where there is none.
+    iteration from its neighbour, and is None where there is none. A ball whose centre moves on the
+    surface touches what lies deeper, where F < 0.
     """
     e = 1e-6 * size
     slopes = [(value(start + d) - value(start - d)) for d in e * np.eye(3)]
@@ -192,13 +207,26 @@ def heights_over(
             grid[i, k] = found
     if not grid:
         return None
-    grid = dict(zip(grid, rounded(np.array([*grid.values()])).tolist(), strict=True))
-    z = [[grid.get((i, k)) for k in range(len(ways[1]))] for i in range(len(ways[0]))]
-    return axes, {"x": rounded(own[0] + ways[0]), "y": rounded(own[1] + ways[1]), "z": z}
+    rows = [[grid.get((i, k), math.nan) for k in range(len(ways[1]))] for i in range(len(ways[0]))]
+    x, y, down = own[0] + ways[0], own[1] + ways[1], math.copysign(depth, slopes[up])
+    return axes, _heights(x, y, np.array(rows), down)
 
 
-def heights_of(contact: HeightFieldContact) -> dict[str, Any]:
-    """Return a grid of the splines through a field of heights."""
+def _heights(x: Array, y: Array, z: Array, down: float) -> dict[str, Any]:
+    """Return a grid of heights, None for NaN, lower by a length along the normal."""
+    if down:
+        slopes = np.nan_to_num(np.gradient(z, x, y))
+        z = z - down * np.sqrt(1.0 + slopes[0] ** 2 + slopes[1] ** 2)
+    digits = rounded(np.where(np.isfinite(z), z, 0.0))
+    rows = [
+        [height if known else None for height, known in zip(*row, strict=True)]
+        for row in zip(digits.tolist(), np.isfinite(z).tolist(), strict=True)
+    ]
+    return {"x": rounded(x), "y": rounded(y), "z": rows}
+
+
+def heights_of(contact: HeightFieldContact, depth: float) -> dict[str, Any]:
+    """Return a grid of the splines through a field of heights, that much lower along the normal."""
     x, y = (np.linspace(places[0], places[-1], CELLS + 1) for places in (contact.x, contact.y))
     z = np.zeros((len(x), len(y)))
     for u, v in separated(contact.z):
@@ -208,4 +236,4 @@ def heights_of(contact: HeightFieldContact) -> dict[str, Any]:
         )
         along = [apply("spline", at, first) for at in x]
         z += np.outer(along, [apply("spline", at, second) for at in y])
-    return {"x": rounded(x), "y": rounded(y), "z": rounded(z).tolist()}
+    return _heights(x, y, z, depth)

@@ -9,7 +9,7 @@ import numpy as np
 
 from viewer.places import Array
 
-ROUND = 24
+ROUND = 36
 """Sides of a cylinder."""
 
 

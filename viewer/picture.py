@@ -29,6 +29,8 @@ LIGHT = np.array((0.35, 0.55, 0.76))
 """Direction towards the light, to the right, up and to the eye."""
 SHADES = 6
 """Of a colour: few, so that the file is small."""
+ALOOF = np.array(((0.87, 0.5), (-0.5, 0.87)))
+"""Turn of a plane against the view, so that it looks like one."""
 MOST_NAMES = 16
 SURFACES, SOLIDS, RODS, FORCES, JOINTS, DRIVEN, NAMES = range(7)
 """Layers."""
@@ -119,7 +121,14 @@ class _Picture:
             self._link(link)
         for joint in self.drawing["joints"]:
             self._joint(joint)
-        return np.array(self._seen or [np.zeros(3)]) @ self._view.T
+        seen = np.array(self._seen or [np.zeros(3)])
+        size, middle = float(np.linalg.norm(np.ptp(seen, axis=0))), seen.mean(axis=0)
+        for solid in self.drawing["solids"]:  # a floor that is not far is seen
+            if solid["shape"] == "plane":
+                foot = self._foot(solid, middle)
+                if not 0.0 < 1.5 * size < np.linalg.norm(foot - middle):
+                    seen = np.vstack((seen, foot))
+        return seen @ self._view.T
 
     def canvas(self, least: Array, most: Array, *, names: bool) -> Canvas:
         """Draw all strokes at the scale by which a space, along the view, is seen."""
@@ -227,10 +236,17 @@ class _Picture:
 
         self._stroke(layer, places, shape)
 
+    def _normal(self, solid: dict[str, Any]) -> Array:
+        return self._poses[solid["frame"]][1] @ np.array(solid["normal"], float)
+
+    def _foot(self, solid: dict[str, Any], place: Array) -> Array:
+        """Place on a plane that is next to another place."""
+        normal = self._normal(solid)
+        return place - ((place - self._at(solid)) @ normal) * normal
+
     def _plane(self, solid: dict[str, Any], middle: Array) -> None:
         """Draw a plane as far as the picture goes: seen from the side, a line and what is below."""
-        normal = self._poses[solid["frame"]][1] @ np.array(solid["normal"], float)
-        foot = middle - ((middle - self._at(solid)) @ normal) * normal
+        normal, foot = self._normal(solid), self._foot(solid, middle)
         reach = 2.0 * (WIDTH + HEIGHT) / self._scale if self.flat else 0.45 * WIDTH / self._scale
         along = np.cross(self._view[2], normal)
         if np.linalg.norm(along) < 1e-6:
@@ -244,6 +260,7 @@ class _Picture:
             ends = [foot - along, foot + along]
             self._stroke(SURFACES, ends, Canvas.path, False, width=1.6, colour=DARK)
             return
+        along, across = ALOOF @ np.array((along, across))
         corners = [foot + a * along + b * across for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
         style = {"colour": FLOOR, "opacity": 1.0, "outline": PALE}
         far = -1e9 if normal @ self._view[2] > 0.0 else 0.0

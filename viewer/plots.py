@@ -25,6 +25,8 @@ ERRORS = ("energy.error", "constraint.position")
 """What says how exact a run is."""
 MOST = 24
 """Curves, or plots of a sweep, that one figure shows; more are not told apart."""
+MOST_TICKS = 9
+"""Values along an axis of a heat map that are all written there."""
 POINTS = 120
 """Of a small curve."""
 
@@ -159,9 +161,15 @@ def over_values(
         cells = np.full((len(up.values), len(across.values)), np.nan)
         cells[up.at, across.at] = results[name][0]
         mesh = plot.pcolormesh(across.places, up.places, cells, shading="nearest")
-        figure.colorbar(mesh, ax=plot, label=_label(name, units))
-        across.label(plot, "x")
-        up.label(plot, "y")
+        figure.colorbar(mesh, ax=plot, label=f"{_label(name, units)} at the end")
+        for axis, scale in (("x", across), ("y", up)):
+            scale.label(plot, axis)
+            if scale.words is None and not scale.is_geometric and len(scale.values) <= MOST_TICKS:
+                plot.set(**{f"{axis}ticks": scale.places})  # where the cells are
+        if np.isnan(cells).any():
+            plot.patch.set(hatch="///", facecolor="0.95", edgecolor="0.7")
+            plot.text(1.0, 1.01, "hatched: failed", ha="right", va="bottom", fontsize="small",
+                      transform=plot.transAxes)  # fmt: skip
     for plot in axes[len(shown) :]:
         plot.remove()
     return figure

@@ -1,7 +1,7 @@
 """Writes runs of a mechanism as one HTML file that needs no network.
 
-The page is `page.html` with the bundle of `src/`; what it shows travels inside it: facts and names
-as JSON, numbers as blocks (`packing`).
+The page is `page.html` with the bundle of `src/`; what it shows travels inside it as blocks of text
+(`packing`): facts, names and the drawing as JSON, numbers as bytes.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from viewer.packing import BUDGET, channels, packed
+from viewer.packing import BUDGET, channels, packed, text_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -205,7 +205,7 @@ def filled(data: Mapping[str, Any], blocks: Sequence[str] = (), connect: str = "
         "CONNECT": connect,
         "DIGEST": digest,
         "STYLE": style,
-        "DATA": _json(data),
+        "DATA": text_of(_json(data).encode()),
         "BLOCKS": inside,
         "SCRIPT": script,
     }
@@ -221,9 +221,8 @@ def _assets() -> tuple[str, str, str]:
 
 
 def _json(data: object) -> str:
-    """JSON that ends no script, whatever names it has; numbers that are not finite are null."""
-    text = json.dumps(_finite(data), separators=(",", ":"), ensure_ascii=False)
-    return text.replace("<", "\\u003c")
+    """JSON in which numbers that are not finite are null."""
+    return json.dumps(_finite(data), separators=(",", ":"), ensure_ascii=False)
 
 
 def _finite(data: Any) -> Any:
@@ -268,7 +267,8 @@ def facts(run: ReportRun) -> list[dict[str, str]]:
         if name in run.columns:
             largest = float(np.abs(run.columns[name]).max())
             level = "good" if largest <= GOOD else "bad"
-            found.append({"value": f"{largest:.1e}", "label": words, "level": level})
+            shown = f"{largest:.1e}" if largest else "0"
+            found.append({"value": shown, "label": words, "level": level})
     if run.wall_time is not None:
         spent = f"{run.wall_time:.2f} s" if run.wall_time >= 1 else f"{1e3 * run.wall_time:.0f} ms"
         found.append({"value": spent, "label": "wall time", "level": ""})
@@ -321,5 +321,6 @@ def _of_motion(names: Sequence[str], run: ReportRun) -> list[dict[str, Any]]:
             and np.ptp(run.columns[n]) > 1e-9
         ]
         if moving:
-            return [{"title": "Motion", "names": moving[:MOST_LINES]}]
+            title = "Motion" if len(moving) > 1 else ""  # that of one variable is its name
+            return [{"title": title, "names": moving[:MOST_LINES]}]
     return []

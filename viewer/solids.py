@@ -18,6 +18,10 @@ FLAT = 0.04
 """Thickness of what is flat, over the size of the mechanism."""
 
 
+def _body_of(look: Any) -> str:
+    return (look.on.point or "").partition(".")[0]
+
+
 class Solids:
     """Solids of a scene, each once."""
 
@@ -37,10 +41,7 @@ class Solids:
 
     def add_look(self, name: str, look: Any) -> None:
         """Add a shape that is there for the drawing alone."""
-        on = look.on.point
-        place = self.places.named(on) if on else self.places.fixed_to(0, np.zeros(3))
-        at = np.array(place["at"], float) + self.places.vector(look.at)
-        place, body = self.places.fixed_to(place["frame"], at), (on or "").partition(".")[0]
+        place, body = self.places.fixed_to(*self._of_look(look)), _body_of(look)
         axis = getattr(look, "axis", None)
         turn = turned_to(Z if axis is None else self.places.direction(axis))
 
@@ -110,13 +111,31 @@ class Solids:
         reach = -1.0
         if body.shape is not None:
             reach = self._shape(name, place, body.shape)
+        looks = [x for x in self.scene.looks.values() if _body_of(x) == name]
+        reach = max([reach, *(self._covered(look, centre) for look in looks)])
         far = [x for x in held if np.linalg.norm(x - centre) > max(reach, 1e-9 * self.size)]
         far = [x for k, x in enumerate(far) if all(np.linalg.norm(x - y) for y in far[:k])]
         if far:
             self.add(name, "body", name, place, "struts", to=far)
         touches = any(x["frame"] == place["frame"] for x in self.solids.values())
-        if reach < 0.0 and not far and not touches:
+        if reach < 0.0 and not far and not touches and not looks:
             self._ellipsoid(name, body, place)
+
+    def _covered(self, look: Any, centre: Array) -> float:
+        """Radius about the mass centre of what a look hides; 0 if one sees through it."""
+        if look.opacity < 1.0:
+            return 0.0
+        number, at = self.places.number, self._of_look(look)[1]
+        size = self.places.vector(look.size) if isinstance(look, BoxLook) else np.zeros(3)
+        radius, length = (number(getattr(look, x, 0.0)) for x in ("radius", "length"))
+        own = max(0.5 * float(np.linalg.norm(size)), math.hypot(radius, 0.5 * length))
+        return own * (1.0 + 1e-9) - float(np.linalg.norm(at - centre))
+
+    def _of_look(self, look: Any) -> tuple[int, Array]:
+        """Frame of a look and its place there."""
+        on = look.on.point
+        place = self.places.named(on) if on else self.places.fixed_to(0, np.zeros(3))
+        return place["frame"], np.array(place["at"], float) + self.places.vector(look.at)
 
     def _ellipsoid(self, name: str, body: Rigid, place: Place) -> None:
         """Add the box, in the plane the disc, of the same inertia."""

@@ -182,7 +182,7 @@ class Touching:
     def _clearance(self, name: str, part: ClearanceContact) -> None:
         pin, hole = part.points
         play, radius = map(self.places.number, (part.radius, part.pin_radius))
-        radius = radius or max(play, 0.01 * self.solids.size)
+        radius = radius or self._pin(play)
         self._ball(name, pin, radius)
         body = (hole.point or "").partition(".")[0] or None
         if not self.flat:
@@ -190,13 +190,19 @@ class Touching:
             return
         self._ring(name, body, self.places.of(hole), radius, play, self.solids.thickness(0.0), Z)
 
+    def _pin(self, play: float) -> float:
+        """Radius of a pin that has none: as large as its play, or small in a hole to see."""
+        size = self.solids.size
+        return max(play, 0.01 * size) if play < 0.05 * size else max(0.02 * size, 0.05 * play)
+
     def _ring(
         self, name: str, body: str | None, place: Place, pin: float, play: float, length: float,
         axis: Array,
     ) -> None:  # fmt: skip
         inner = pin + play
         more: dict[str, Any] = {
-            "radius": inner + WALL * pin, "inner_radius": inner, "length": length
+            "radius": inner + WALL * max(pin, 0.1 * inner), "inner_radius": inner,
+            "length": length,
         }  # fmt: skip
         turn = turned_to(axis)
         self.solids.add(name, "contact", body, place, "cylinder", turn, CLEAR, **more)
@@ -281,11 +287,22 @@ class Touching:
             return float(evaluate(part.surface, {**self.places.values, **own}))
 
         try:
+            radius, size = self.places.number(getattr(part, "ball_radius", 0.0)), self.solids.size
             if self.flat:
-                points = contours.traced(value, start, self.solids.size)
-                if np.isfinite(points).all():
+                points = contours.traced(value, start, size, radius)
+                inside = points[:-1]
+                if (
+                    np.isfinite(points).all()
+                    and contours.closes(points)
+                    and value(inside.mean(axis=0)) < 0.0
+                ):
+                    more: dict[str, Any] = {"thickness": self.solids.thickness(0.0)}
+                    self.solids.add(
+                        name, "contact", part.body, place, "prism", corners=rounded(inside), **more
+                    )  # fmt: skip
+                elif np.isfinite(points).all():
                     self._curve(name, part.body, place, points, None)
-            elif found := contours.heights_over(value, start, self.solids.size, self._travel(part)):
+            elif found := contours.heights_over(value, start, size, self._travel(part), radius):
                 axes, grid = found
                 self.solids.add(name, "surface", part.body, place, "heights", axes, FLOOR, **grid)
         except (ArithmeticError, ValueError):  # the formula has no value somewhere around
@@ -310,6 +327,8 @@ class Touching:
     def _superquadric(self, name: str, part: SuperquadricContact) -> None:
         place, opacity = self._place(part.body, part.position), CLEAR
         half, power = self.places.vector(part.semi_axes), part.power
+        radius = self.places.number(part.ball_radius)
+        half = np.maximum(half + (radius if part.side == "inside" else -radius), 0.01 * half)
         if self.flat:
             turns = np.linspace(0.0, 2.0 * math.pi, 97)
             both = np.column_stack((np.cos(turns), np.sin(turns)))
@@ -325,7 +344,10 @@ class Touching:
         self._ball(name, part.point, part.ball_radius)
 
     def _height_field(self, name: str, part: HeightFieldContact) -> None:
-        place, grid = self._place(part.body, part.position), contours.heights_of(part)
+        place, grid = (
+            self._place(part.body, part.position),
+            contours.heights_of(part, self.places.number(part.ball_radius)),
+        )
         self.solids.add(name, "surface", part.body, place, "heights", opacity=FLOOR, **grid)
         self._ball(name, part.point, part.ball_radius)
 

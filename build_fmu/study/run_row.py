@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from build_fmu.fmu_runner import FmuRunner
 from build_fmu.study.plan import Plan, Result
 
@@ -38,8 +40,8 @@ def run_row(shared: Shared, job: tuple[int, Mapping[str, Any]]) -> Result:
     # Before the first step outputs may be no more than 0.
     values = record.values if len(record.values) > 1 or not record.reason else record.values[:0]
     if len(values):
-        columns = (values[-1], values.min(axis=0), values.max(axis=0))
-        summary = [x for each in zip(*columns, strict=True) for x in map(float, each)]
+        found = np.array([values[-1], values.min(axis=0), values.max(axis=0)])
+        summary = found.T.ravel().tolist()
     else:
         summary = plan.no_summary
     kept = values if shared.trajectories else None

@@ -21,7 +21,7 @@ import numpy as np
 
 from build_fmu.errors import EnvironmentLackError, UsageError, writing
 from build_fmu.study.csv_file import cell
-from build_fmu.study.plan import Plan, Result
+from build_fmu.study.plan import OWN_COLUMNS, Plan, Result
 
 try:
     import fcntl
@@ -157,10 +157,15 @@ class CsvStore(FileStore):
             self._lock.close()
             raise
 
-    def _line(self, at: int) -> list[str]:
-        """Cells of a run; numbers read back as the same."""
-        values = (*self.plan.lead(at), *self.table[at].tolist()[self.plan.leading :])
-        return [*map(cell, values)]
+    def _write(self, file: TextIO, at: int) -> None:
+        """Write the line of a run; numbers read back as the same."""
+        first = self.plan.leading + len(OWN_COLUMNS) - 1
+        row = self.table[at].tolist()
+        words = *self.plan.lead(at), *row[self.plan.leading : first]
+        quoted = io.StringIO()
+        csv.writer(quoted, lineterminator="\n").writerow(map(cell, words))
+        # Numbers need no quotes: csv would look for these as long as Python writes the numbers.
+        file.write(",".join([quoted.getvalue()[:-1], *map(cell, row[first:])]) + "\n")
 
     def _read(self) -> None:
         """Results of the lines that are whole and have the values of their run."""
@@ -184,9 +189,9 @@ class CsvStore(FileStore):
         """File with what is known, in the order of the runs."""
         other = self._path.with_name(f".{self._path.name}.new")
         with writing(self._path), other.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(self.plan.columns)
-            writer.writerows(self._line(at) for at in self.is_done.nonzero()[0].tolist())
+            csv.writer(file, lineterminator="\n").writerow(self.plan.columns)
+            for at in self.is_done.nonzero()[0].tolist():
+                self._write(file, at)
         other.replace(self._path)
         self._latest, self._is_in_order = int(self.is_done.nonzero()[0].max(initial=-1)) + 1, True
         return self._path.open("a", newline="", encoding="utf-8")
@@ -197,7 +202,7 @@ class CsvStore(FileStore):
         self._is_in_order &= result.run > self._latest
         self._latest = result.run
         with writing(self._path):
-            csv.writer(self._file, lineterminator="\n").writerow(self._line(result.run - 1))
+            self._write(self._file, result.run - 1)
             self._file.flush()
 
     def close(self) -> None:

@@ -13,7 +13,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.errors import UsageError
-from build_fmu.instance import check_platform, description_of, interrupts_held
+from build_fmu.instance import (
+    check_platform,
+    description_of,
+    interrupts_held,
+    interrupts_taken,
+)
 from build_fmu.run import communication_times
 from build_fmu.study.engines import engine_of
 from build_fmu.study.forms import form_of
@@ -132,7 +137,7 @@ def sweep(
             task = Task(run_row, shared, partial(_lost, shared.plan))
             said: set[str] = set()
             try:
-                with contextlib.closing(run_jobs(task, jobs)) as results:
+                with interrupts_taken(), contextlib.closing(run_jobs(task, jobs)) as results:
                     for done, result in enumerate(results, start=plan.count - len(jobs) + 1):
                         with interrupts_held():  # a run is in the table and in the file, or in none
                             store.keep(result)

@@ -12,6 +12,7 @@ import holonom
 from generators import moving  # pyright: ignore[reportMissingImports]
 from viewer.drawing import drawing
 from viewer.picture import picture
+from viewer.report import ReportRun, write_report
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 
@@ -37,6 +38,7 @@ def write(folder: Path) -> None:
         "The scenes of the repository, in `scenes/`. Run one with `holonom simulate "
         "scenes/NAME.toml`, or build its FMU with `holonom build scenes/NAME.toml`.",
     ]
+    _side_by_side(reports / "four_bar_formulations_report.html")
     shown: list[Path] = []
     for name, paths in groups().items():
         parts.append(f"## {name[0].upper()}{name[1:]}")
@@ -62,9 +64,21 @@ def write(folder: Path) -> None:
     _write(folder / "gallery.md", "\n\n".join(parts).encode())
 
 
+def _side_by_side(path: Path) -> None:
+    """Write the page of two formulations, of which one gains energy without end."""
+    scene, runs = holonom.load(SCENES / "four_bar.toml"), []
+    model, drawn = holonom.assemble(scene), drawing(scene)
+    for name in ("conserving-al", "midpoint-al"):
+        run = holonom.simulate(model, formulation=name)
+        columns, spent = dict(run.items()), run.wall_time
+        runs.append(ReportRun(drawn, run.t, columns, label=name, wall_time=spent))
+    known = {"name": model.name, "description": model.description, "variables": model.variables}
+    write_report(path, runs, compare=True, **known)
+
+
 def title(path: Path) -> str:
     """Name of a scene in words."""
-    words = path.stem.replace("_", " ")
+    words = re.sub(r"^(newton|euler)s\b", r"\1's", path.stem.replace("_", " "))
     return words[0].upper() + words[1:]
 
 
@@ -84,7 +98,8 @@ def _page(path: Path, scene: holonom.Scene) -> str:
 
 <a href="../../{path.stem}_report.html">Its report</a> shows the run with plots, forces and numbers.
 
-Run it: `holonom simulate scenes/{path.name} --csv {path.stem}.csv`
+Run it with `holonom simulate scenes/{path.name} --report {path.stem}.html`, or live with
+`holonom view scenes/{path.name}`.
 
 ```{{literalinclude}} ../../../scenes/{path.name}
 :language: toml

@@ -88,8 +88,10 @@ enum {
 /* Fills groups of the section `measured` of `numbers`, hm_measured, from `state` (not modified). */
 HOLONOM_API void holonom_measure(const holonom_model *model, double *numbers, double *state, double *work, int32_t groups);
 
-/* Groups that the output at `place` of the numbers is found with. */
-int32_t holonom_groups_of(const holonom_model *model, double *numbers, int32_t place);
+enum { HOLONOM_GROUPS = 8 };
+
+/* Where outputs end among the numbers, by what finds them: motion, forces, bodies, forces, energies, momenta, solver, contacts. */
+void holonom_group_ends(const holonom_model *model, double *numbers, int32_t *end);
 
 /* Whether the rate of an output is known, and it, or 0: that of a position, an angle or a length is measured, and an error is zero up to
    round-off, or up to that of the method. `place` is that of the output among `numbers`. */

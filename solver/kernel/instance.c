@@ -18,6 +18,7 @@ struct holonom_instance {
     int64_t state_size;
     int32_t phase, measured, heard, has_rules_of_laws, said, has_remarks;
     int32_t first;               /* number of the first variable                                           */
+    int32_t group_end[HOLONOM_GROUPS];
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -83,6 +84,7 @@ holonom_instance *holonom_make(const void *model, void *memory, int32_t heard)
     i->file = file;
     lay_out(&file, memory, i);
     hm_map_state(&i->file.model, i->state, &i->s);
+    holonom_group_ends(&i->file.model, i->numbers, i->group_end);
     i->heard = heard;
     for (uint32_t k = 0; k < i->file.header->n_rules; k++) i->has_rules_of_laws |= i->file.rule[k].relation & OF_A_LAW;
     holonom_reset(i);
@@ -186,6 +188,15 @@ static int32_t place_of_variable(const holonom_instance *i, const hm_variable *v
 
 enum { FEW_VALUES = 8 }; /* of these each is measured with its group alone: fewer than there are groups to ask for */
 
+static int32_t groups_of(const holonom_instance *i, int32_t place)
+{
+    static const int32_t groups[HOLONOM_GROUPS] = {HOLONOM_MEASURE_MOTION,   HOLONOM_MEASURE_FORCES,  HOLONOM_MEASURE_BODIES, HOLONOM_MEASURE_FORCES,
+                                                   HOLONOM_MEASURE_ENERGIES, HOLONOM_MEASURE_MOMENTA, HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS};
+    int k = 0;
+    while (k < HOLONOM_GROUPS - 1 && place >= i->group_end[k]) k++;
+    return groups[k];
+}
+
 int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, double *value)
 {
     for (int32_t k = 0; k < count; k++) {
@@ -200,7 +211,7 @@ int32_t holonom_get(holonom_instance *i, const int32_t *index, int32_t count, do
         const int32_t place = place_of_variable(i, v);
         if (i->measured != HOLONOM_MEASURE_ALL) {
             const int few = v->kind == KIND_MEASURED && count <= FEW_VALUES;
-            const int32_t result = measure(i, few ? holonom_groups_of(&i->file.model, i->numbers, place) : HOLONOM_MEASURE_ALL);
+            const int32_t result = measure(i, few ? groups_of(i, place) : HOLONOM_MEASURE_ALL);
             if (result) return result;
         }
         value[k] = i->numbers[place];

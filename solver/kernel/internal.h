@@ -35,7 +35,7 @@
 #pragma GCC optimize("no-tree-loop-distribute-patterns", "peel-loops", "no-schedule-insns2", "align-jumps=1")
 /* Nor may it copy and move code for a gain that a step does not show: a twentieth of a library, and no instruction more. */
 #pragma GCC optimize("align-functions=1", "align-loops=1", "no-tree-pre", "no-gcse", "no-tree-vrp", "no-tree-dominator-opts")
-#pragma GCC optimize("no-tree-tail-merge", "no-optimize-strlen", "no-inline-functions")
+#pragma GCC optimize("no-tree-tail-merge", "no-optimize-strlen", "no-inline-functions", "ira-region=one")
 #endif
 
 /* 0 in a library for models without contacts and frictions: it has nothing that only these need. */

@@ -177,16 +177,13 @@ static void measure_momenta(const context *c, const hm_measured *y)
     }
 }
 
-int32_t holonom_groups_of(const holonom_model *m, double *number, int32_t place)
+void holonom_group_ends(const holonom_model *m, double *number, int32_t *end)
 {
     hm_measured y;
     hm_map_measured(m, number + m->measured_at, &y);
-    const double *const end[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy, y.momentum, y.solver, y.contact};
-    static const int32_t groups[] = {HOLONOM_MEASURE_MOTION,  HOLONOM_MEASURE_FORCES,   HOLONOM_MEASURE_BODIES,  HOLONOM_MEASURE_FORCES,
-                                     HOLONOM_MEASURE_ENERGIES, HOLONOM_MEASURE_MOMENTA, HOLONOM_MEASURE_SOLVER, HOLONOM_MEASURE_CONTACTS};
-    int k = 0;
-    while (k < 7 && number + place >= end[k]) k++;
-    return groups[k];
+    const double *const first_behind[] = {y.rod_force, y.quaternion, y.reaction_force, y.energy, y.momentum, y.solver, y.contact};
+    for (int k = 0; k < HOLONOM_GROUPS - 1; k++) end[k] = (int32_t)(first_behind[k] - number);
+    end[HOLONOM_GROUPS - 1] = m->n_numbers;
 }
 
 void holonom_measure(const holonom_model *m, double *number, double *state, double *work, int32_t groups)

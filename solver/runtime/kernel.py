@@ -94,6 +94,7 @@ FUNCTIONS = {
     "state_of": (_POINTER, [_POINTER]),
     "work_of": (_POINTER, [_POINTER]),
     "operate": (_REAL, [_INTEGER, _POINTER, _INTEGER]),
+    "run_fmu": (_INTEGER, [_POINTER, _POINTER, _INTEGER, _POINTER]),
 }
 """Result and arguments of each function of the core, ``holonom_...``, that is called here."""
 

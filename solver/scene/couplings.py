@@ -213,7 +213,7 @@ class Gear(Part):
     offers = _on_the_second("torque", "N.m")
 
     joints: Annotated[tuple[str, str], _two_joints("angle")]
-    ratio: Annotated[Number, kind.Quantity(rule=NOT_ZERO, example=-2.0)]
+    ratio: Annotated[Number, kind.Quantity(text="of the angles", rule=NOT_ZERO, example=-2.0)]
     backlash: Annotated[
         Number | None, kind.Quantity("rad", "turn of the second joint within the play", POSITIVE)
     ] = None

@@ -127,6 +127,15 @@ def _row(place: Place, level: Level) -> kind.Reading:
     return read
 
 
+_POSITIONS = kind.Quantity(
+    text="of positions, stays zero; either this or velocity is given",
+    reading=_row(CONSTRAINT, "position"),
+)
+_VELOCITIES = kind.Quantity(
+    text="linear in velocities, stays zero", reading=_row(VELOCITY_ROW, "rate")
+)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Constraint(Part):
     """An expression that stays zero: of positions, or linear in velocities."""
@@ -137,9 +146,8 @@ class Constraint(Part):
         ),
     )
 
-    value: Annotated[Number | None, kind.Quantity(reading=_row(CONSTRAINT, "position"))] = None
-    velocity: Annotated[Number | None, kind.Quantity(reading=_row(VELOCITY_ROW, "rate"))] = None
-    """Exactly one of the two is given."""
+    value: Annotated[Number | None, _POSITIONS] = None
+    velocity: Annotated[Number | None, _VELOCITIES] = None
 
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that one of the two is given."""

@@ -398,32 +398,18 @@ def evaluate(number: Number, values: Mapping[str, float]) -> float:
     pending = [number]
     while pending:
         node = pending[-1]
-        missing = [arg for arg in _needed(node, known) if id(arg) not in known]
+        op, args = node.op, node.args
+        if op in ("symbol", "call"):
+            known[id(pending.pop())] = float(values[str(node)])
+            continue
+        if op == "select":  # first the condition, then the chosen side
+            condition, *sides = args
+            decided = known.get(id(condition)) if isinstance(condition, Expr) else condition
+            args = (condition,) if decided is None else (sides[0] if decided else sides[1],)
+        missing = [arg for arg in args if isinstance(arg, Expr) and id(arg) not in known]
         if missing:
             pending.extend(missing)
             continue
-        pending.pop()
-        if node.op in ("symbol", "call"):
-            known[id(node)] = float(values[str(node)])
-        elif node.op == "select":
-            known[id(node)] = _value(_chosen(node, known), known)
-        else:
-            known[id(node)] = apply(node.op, *(_value(arg, known) for arg in node.args))
+        numbers: list[Any] = [known[id(arg)] if isinstance(arg, Expr) else arg for arg in args]
+        known[id(pending.pop())] = numbers[0] if op == "select" else apply(op, *numbers)
     return known[id(number)]
-
-
-def _value(arg: Operand | str, known: Mapping[int, float]) -> Any:
-    return known[id(arg)] if isinstance(arg, Expr) else arg
-
-
-def _chosen(node: Expr, known: Mapping[int, float]) -> Operand | str:
-    return node.args[1] if _value(node.args[0], known) != 0.0 else node.args[2]
-
-
-def _needed(node: Expr, known: Mapping[int, float]) -> list[Expr]:
-    """Operands to evaluate before `node`; of a choice first the condition, then the chosen side."""
-    args = node.args
-    if node.op == "select":
-        decided = not isinstance(args[0], Expr) or id(args[0]) in known
-        args = (args[0], _chosen(node, known)) if decided else args[:1]
-    return [arg for arg in args if isinstance(arg, Expr)]

@@ -107,7 +107,7 @@ class Cylinder(Round):
     only_in = (3, "")
 
     length: Annotated[Number, _LENGTH]
-    axis: Annotated[Literal["x", "y", "z"], Choice(words=("x", "y", "z"))] = "z"
+    axis: Annotated[Literal["x", "y", "z"], Choice(text="along it", words=("x", "y", "z"))] = "z"
     density: Annotated[Number | None, _density("kg/m3")] = None
 
     def gyration(self) -> tuple[Number, Vector]:

@@ -32,8 +32,8 @@ _EXAMPLE = "write orientation = { axis = [0, 0, 1], angle = ... }"
 class Orientation(Part):
     """Orientation of a body in space; one of the four ways."""
 
-    axis: Annotated[Any, kind.COMPONENTS] = None
-    angle: Annotated[Any, kind.Quantity("rad")] = None
+    axis: Annotated[Any, kind.Components(text="about which it is turned by the angle")] = None
+    angle: Annotated[Any, kind.Quantity("rad", "about the axis")] = None
     quaternion: Annotated[Any, kind.ListOf(text="[w, x, y, z]", item=kind.NUMBER)] = None
     rotation_vector: Annotated[Any, kind.Components("rad")] = None
     matrix: Annotated[

@@ -54,19 +54,21 @@ def _default(reader: "Reader", path: Path, value: Any, given: Any) -> Number:
     return value.number
 
 
-UNIT, TEXT, _LIMIT = kind.Plain(reading=_unit), kind.Plain(), kind.Quantity(reading=_limit)
+UNIT, TEXT = kind.Plain(reading=_unit), kind.Plain()
+_VALUE = "default; an expression of other parameters makes it a calculated parameter"
+_LEAST = kind.Quantity(text="least value that it may have", reading=_limit)
+_LARGEST = kind.Quantity(text="largest value that it may have", reading=_limit)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Parameter(Part):
     """A number with a name, settable in the FMU."""
 
-    value: Annotated[Number, kind.Quantity(example=1.0, reading=_default)]
-    """Default; an expression in other parameters makes it a calculated parameter."""
+    value: Annotated[Number, kind.Quantity(text=_VALUE, example=1.0, reading=_default)]
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
-    min: Annotated[float | None, _LIMIT] = None
-    max: Annotated[float | None, _LIMIT] = None
+    min: Annotated[float | None, _LEAST] = None
+    max: Annotated[float | None, _LARGEST] = None
     variability: Annotated[Literal["fixed", "tunable"], kind.Choice(words=("fixed", "tunable"))] = (
         "fixed"
     )
@@ -87,11 +89,11 @@ class Parameter(Part):
 class Input(Part):
     """A number that arrives from outside at every communication step."""
 
-    start: Annotated[float, kind.setting()] = 0.0
+    start: Annotated[float, kind.setting(text="value until it is set")] = 0.0
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
-    min: Annotated[float | None, _LIMIT] = None
-    max: Annotated[float | None, _LIMIT] = None
+    min: Annotated[float | None, _LEAST] = None
+    max: Annotated[float | None, _LARGEST] = None
     interpolation: Annotated[Literal["hold", "ramp"], kind.Choice(words=("hold", "ramp"))] = "hold"
     """How drivers and forces see it within a communication step: constant, or a straight line from
     the value before to the new one."""

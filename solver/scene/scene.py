@@ -37,7 +37,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 class Output(Part):
     """An expression over the mechanism, computed at every communication point."""
 
-    value: Annotated[Number, kind.Quantity(place=OUTPUT, example="A.x")]
+    value: Annotated[Number, kind.Quantity(text="of the mechanism", place=OUTPUT, example="A.x")]
     unit: Annotated[str, UNIT] = ""
     description: Annotated[str, TEXT] = ""
 

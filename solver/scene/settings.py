@@ -73,7 +73,9 @@ class Experiment(Part):
             "s", "of the FMU; 1 to 10 of the solver's by default", POSITIVE, required=False
         ),
     ] = 0.1
-    tolerance: Annotated[float | None, kind.setting(rule=_TOLERANCE)] = None
+    tolerance: Annotated[
+        float | None, kind.setting(text="that the FMU suggests to importers", rule=_TOLERANCE)
+    ] = None
 
 
 def _names(example: list[str]) -> kind.ListOf:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import itertools
 import json
 import math
@@ -57,7 +56,6 @@ def test_the_observer_sees_the_momenta_of_a_free_body():
 @pytest.mark.parametrize("name", [name for name in command.SECTIONS if name != "instructions"])
 def test_every_benchmark_runs_at_a_tiny_size(name, monkeypatch):
     monkeypatch.setattr(skips, "variant", kernel_without)  # compiled once for all skips
-    monkeypatch.setattr(gc, "collect", lambda: 0)  # half the time, for the sake of exact times
     section = import_module(command.SECTIONS[name]).measure(TINY)
     assert section.name == name
     assert all(table.rows for table in section.tables)

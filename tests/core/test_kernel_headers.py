@@ -20,19 +20,11 @@ COMPILER = shlex.split(os.environ.get("CC", "cc"))
 @pytest.mark.skipif(shutil.which(COMPILER[0]) is None, reason="needs a C compiler")
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_each_header_compiles_alone(dimension):
-    options = [
-        "-std=c99",
-        f"-DDIM={dimension}",
-        "-fsyntax-only",
-        "-Werror=implicit-function-declaration",
-    ]
-    failed = {}
-    for header in HEADERS:
-        command = [*COMPILER, *options, "-x", "c", str(header)]
-        run = subprocess.run(command, capture_output=True, text=True, check=False)
-        if run.returncode:
-            failed[header.name] = run.stderr[:300]
-    assert failed == {}
+    options = ["-std=c99", f"-DDIM={dimension}", "-fsyntax-only", "-x", "c"]
+    options += ["-Werror=implicit-function-declaration"]
+    command = [*COMPILER, *options, *map(str, HEADERS)]  # each is a unit of its own
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
 
 
 def test_no_header_includes_itself_through_others():

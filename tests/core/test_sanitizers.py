@@ -23,9 +23,9 @@ from tests.sanitize import (
 
 pytestmark = pytest.mark.skipif(not can_sanitize(), reason="gcc has no sanitizers here")
 
-SOME = 97
-"""Every 97th of some 1,350 cases, each with another of the 45 settings."""
-DAMAGED = 300
+SOME = 193
+"""Every 193rd of some 2,700 cases, each with another of the 45 settings."""
+DAMAGED = 150
 """Model files and states; 100,000 take ten minutes."""
 
 

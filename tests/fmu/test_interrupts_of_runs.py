@@ -6,7 +6,7 @@ import signal
 
 import pytest
 
-from build_fmu.instance import Log
+from build_fmu.instance import Log, interrupts_held, interrupts_taken
 from build_fmu.run import run_fmu
 from tests.fmu_instance import pendulum
 
@@ -36,3 +36,22 @@ def test_an_interrupt_between_steps_ends_the_run():
     with pytest.raises(KeyboardInterrupt):
         run_fmu(pendulum(), stop_time=0.3, progress=lambda _: signal.raise_signal(signal.SIGINT))
     assert run_fmu(pendulum(), stop_time=0.3).finished
+
+
+def test_an_interrupt_that_is_taken_strikes_at_once_where_it_is_not_held():
+    seen = []
+
+    def strike_and_go_on() -> None:
+        signal.raise_signal(signal.SIGINT)
+        seen.append("held")
+
+    with interrupts_taken():
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        with pytest.raises(KeyboardInterrupt), interrupts_held(), interrupts_held():
+            strike_and_go_on()
+        with interrupts_held() as pass_interrupts:
+            strike_and_go_on()
+            with pytest.raises(KeyboardInterrupt):
+                pass_interrupts()
+    assert seen == ["held", "held"]

@@ -12,12 +12,14 @@ import itertools
 import math
 import random
 import tempfile
+from pathlib import Path
 
 import pytest
 from fmpy.fmi1 import FMICallException
 from fmpy.fmi2 import fmi2DoStepStatus, fmi2LastSuccessfulTime, fmi2PendingStatus, fmi2Terminated
 
 import solver
+from build_fmu.fmpy_slaves import FMU3Run
 from fmu_src import status
 from tests.fmu_instance import Instance, instance, text_fmu
 from tests.native_fmus import native_fmu, slave_of_fmi3
@@ -142,9 +144,16 @@ CALLS = {
 }  # fmt: skip
 """What is called, and the states in which it is taken."""
 
+
+def derivative(fmu: Instance, name: str) -> object:
+    fmi3 = isinstance(fmu.fmu, FMU3Run)
+    get = fmu.fmu.getOutputDerivatives if fmi3 else fmu.fmu.getRealOutputDerivatives
+    return get([fmu.references[name]], [1])
+
+
 NATIVE_CALLS = {
     f"get a derivative of {name}": (
-        lambda fmu, name=name: fmu.fmu.getRealOutputDerivatives([fmu.references[name]], [1]),
+        lambda fmu, name=name: derivative(fmu, name),
         MOVING | {terminated},
     )
     for name in ("A.x", "A.vx")  # measured, and found by moving on
@@ -163,13 +172,18 @@ def refusals(fmu: Instance, call) -> list[tuple[int, str, str]]:
 KINDS = pytest.mark.parametrize("native", [False, True], ids=["python", "native"])
 
 
+CASES = [
+    *itertools.product(CALLS, ("python", "native", "native 3")),
+    *itertools.product(NATIVE_CALLS, ("native", "native 3")),
+]
+
+
 @pytest.mark.parametrize(
-    ("name", "native"),
-    [*itertools.product(CALLS, (False, True)), *itertools.product(NATIVE_CALLS, (True,))],
+    ("name", "kind"), [c for c in CASES if c != ("setupExperiment", "native 3")]
 )
-def test_a_call_is_taken_where_the_standard_allows_it_and_else_refused_with_a_line(name, native):
+def test_a_call_is_taken_where_the_standard_allows_it_and_else_refused_with_a_line(name, kind):
     call, allowed = (CALLS | NATIVE_CALLS)[name]
-    with instance(text_fmu(SCENE, native=native)) as fmu:
+    with instance(fmu_of(kind)) as fmu:
         for state in STATES:
             fmu.fmu.reset()
             state(fmu)
@@ -182,8 +196,16 @@ def test_a_call_is_taken_where_the_standard_allows_it_and_else_refused_with_a_li
             assert (level, category) in ((DISCARD, "logStatusDiscard"), (ERROR, "logStatusError"))
             assert len(text) > 20
             assert fmu.outputs()[:-1] == before, state
-            if name.startswith("doStep") and (native or name not in ELSEWHERE):
+            told = name not in ELSEWHERE if kind == "python" else kind == "native"
+            if name.startswith("doStep") and told:
                 assert fmu.last_successful_time == before_time(before, fmu)
+
+
+def fmu_of(kind: str) -> Path:
+    """FMU of the scene; FMI 3.0 has no setupExperiment, nor a call for the last successful time."""
+    if kind == "native 3":
+        return native_fmu(solver.assemble(solver.loads(SCENE)), 3)
+    return text_fmu(SCENE, native=kind == "native")
 
 
 def test_the_status_of_a_native_fmu_is_right_in_each_state():

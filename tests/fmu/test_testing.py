@@ -285,7 +285,7 @@ def users_tests(folder: Path, *arguments: str) -> str:
 def test_the_fixtures_build_and_take_fmus(tmp_path):
     assert "2 passed, 1 skipped" in users_tests(tmp_path)
     both = [f"--fmu={scene_fmu(name)}" for name in ("four_bar", "double_pendulum")]
-    assert "4 passed" in users_tests(tmp_path, *both)
+    assert "2 passed" in users_tests(tmp_path, *both, "-k", "of_a_file")
 
 
 def test_the_plugin_is_registered_under_the_name_by_which_it_is_imported():

@@ -16,6 +16,7 @@ from build_fmu.run import run_fmu
 from fmu_src.log import MOST_TOLD
 from fmu_src.status import LOGGER
 from tests.fmu_instance import instance, pendulum, scene_fmu
+from tests.hanging import HANGS
 
 SIMULATE = """
 import sys, fmpy
@@ -102,12 +103,12 @@ def test_who_reads_the_log_in_one_thread_silences_no_other(heard):
         with not_said_twice():
             logger.error("read")
             began.set()
-            assert said.wait(10.0)
+            assert said.wait(HANGS)
         logger.error("after")
 
     with ThreadPoolExecutor(1) as pool:
         done = pool.submit(read)
-        assert began.wait(10.0)
+        assert began.wait(HANGS)
         with not_said_twice():
             logger.error("read here")
             said.set()
@@ -123,9 +124,9 @@ def test_runs_at_the_same_time_have_each_its_own_log():
             run_fmu,
             pendulum(push="sqrt(0.15 - t)"),  # the second step cannot be solved
             stop_time=0.3,
-            progress=lambda _: [began.set(), go_on.wait(20.0)],
+            progress=lambda _: [began.set(), go_on.wait(HANGS)],
         )
-        assert began.wait(20.0)
+        assert began.wait(HANGS)
         clean = run_fmu(pendulum(), stop_time=0.1, progress=lambda _: [go_on.set(), first.result()])
     assert "step from t = 0.1 s" in first.result().reason
     assert clean.messages == ()

@@ -1,4 +1,4 @@
-"""What holds for every mechanism in `scenes/`: energy and constraints stay exact."""
+"""Mechanisms of `scenes/` move in as many ways as their textbooks say."""
 
 from __future__ import annotations
 
@@ -7,23 +7,6 @@ import pytest
 import solver
 from solver.mechanics.mobility import survey
 from tests.mechanism_runs import scene
-from tests.scene_files import ALL
-
-STEPS = 200
-
-
-@pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
-def test_energy_is_balanced_and_no_joint_opens(path):
-    # Solved to 1e-12 in each step, 200 of which do not add up: errors are not of one sign.
-    drawn = solver.load(path)
-    every = drawn.experiment.step_size
-    count = max(1, round(STEPS * drawn.solver.step_size / every))
-    found = solver.simulate(
-        drawn, stop_time=count * every, outputs=["energy.error", "constraint.position"]
-    )
-    assert found["energy.error"].max() < 1e-11
-    assert found["constraint.position"].max() < 1e-12
-
 
 FREEDOM = {
     # by counting (Kutzbach), by rank, with drivers, of velocities; joints of the textbooks

@@ -13,6 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import brentq
 
 from solver.runtime.layout import (
     LEAF_RATE,
@@ -151,16 +152,6 @@ class Path:
                 high = 0.5 + side * (part - 0.5)
                 off_high = off(high)
                 if low[side][1] * off_high <= 0.0:
-                    return _bisected(off, *low[side], high)
+                    return float(brentq(off, low[side][0], high, xtol=1e-16, rtol=1e-15))
                 low[side] = high, off_high
         return 0.5  # rounding hides the root
-
-
-def _bisected(off, low: float, off_low: float, high: float) -> float:
-    while low != (mid := 0.5 * (low + high)) != high:
-        off_mid = off(mid)
-        if off_low * off_mid <= 0.0:
-            high = mid
-        else:
-            low, off_low = mid, off_mid
-    return low

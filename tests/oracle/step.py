@@ -166,6 +166,7 @@ class HalfStep:
         self.w = 0.5 * h**2 * a[: mechanism.n_free]
         self.mu = self.mechanism.vectors[f"mu_{HALVES[half]}"].copy()
         self.mu *= float(self.equations.augmented)
+        self.tangent: Array | None = None
         self.uzawa()
 
     def uzawa(self) -> None:
@@ -187,17 +188,25 @@ class HalfStep:
         raise ArithmeticError(message)
 
     def newton(self, lam: Array) -> None:
-        """Add increments to w and mu until they are round-off, and no longer shrink."""
+        """Add increments to w and mu until they are round-off, and no longer shrink.
+
+        A tangent, which takes as long as a residual for each unknown, is kept where they are small
+        and shrink to a tenth: near another root, as the midpoint rule has, the way there counts.
+        """
         last, n, norm = np.inf, len(self.w), np.sqrt(self.mechanism.m_node[: len(self.w)])
         for _ in range(60):
             residual = self.equations.residual(self.w, self.mu, lam)
-            x = np.linalg.solve(self.equations.tangent(self.w, self.mu, lam), -residual)
+            if self.tangent is None:
+                self.tangent = self.equations.tangent(self.w, self.mu, lam)
+            x = np.linalg.solve(self.tangent, -residual)
             self.w, self.mu = self.w + x[:n], self.mu + x[n:]
             size = np.linalg.norm(norm * x[:n])
             moved = np.linalg.norm(norm * self.equations.d(self.w)[:n])
             floor = 1e-10 * moved + 1e-13 * self.mechanism.section["extent"][1]
             if size <= 1e-9 * floor or 0.5 * last < size <= floor:
                 return
+            if size > min(0.1 * last, 1e-3 * moved):
+                self.tangent = None
             last = size
         message = f"Newton's iteration does not converge: {size:.1e}"
         raise ArithmeticError(message)

@@ -12,6 +12,7 @@ import pytest
 
 from build_fmu.commands import watch
 from solver.scene import json_schema, load, loads
+from solver.scene.fields import Quantity
 from tests.commands import run
 
 ROOT = Path(__file__).parents[2]
@@ -33,7 +34,7 @@ def test_every_field_of_the_schema_has_a_description():
         f"{part}.{name}"
         for part, about in parts.items()
         for name, field in about["properties"].items()
-        if not field.get("description")
+        if field.get("description", "") in ("", Quantity().form()["description"])
     ]
     assert silent == []
     assert all(part["description"] for part in parts.values())

@@ -6,7 +6,6 @@ import multiprocessing
 import os
 import subprocess
 import sys
-import time
 from collections.abc import Sequence
 
 import pytest
@@ -15,9 +14,7 @@ from build_fmu.errors import UsageError
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import DIED, Task
 from tests.ending_jobs import FATAL, lost, square
-
-PATIENCE = 60.0
-"""Seconds after which something is taken to hang."""
+from tests.hanging import wait_until
 
 
 @pytest.mark.parametrize("engine", ["auto", "serial", "processes:2"])
@@ -31,21 +28,14 @@ def test_every_job_has_its_result(engine, count):
 @pytest.mark.parametrize("engine", ["processes:1", "processes:2"])
 @pytest.mark.parametrize("first", [0, FATAL - 1, FATAL])
 def test_a_job_that_ends_its_process_is_lost_and_no_other(engine, first):
-    """Also where none went before it, and where a result is taken meanwhile."""
+    """Also where none went before it, where others go with it, and a result is taken meanwhile."""
     jobs = range(first, 20)
     found = {}
     for job, result in engine_of(engine)(Task(square, -1, lost), jobs):
-        if job == FATAL - 1 and engine == "processes:1":
+        if job == first == FATAL - 1 and engine == "processes:1":
             wait_until(lambda: not multiprocessing.active_children())
         found[job] = result
     assert found == {i: i * i for i in jobs} | {FATAL: DIED}
-
-
-def wait_until(condition) -> None:
-    until = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < until
-        time.sleep(0.01)
 
 
 def test_processes_that_are_killed_while_idle_cost_nothing():

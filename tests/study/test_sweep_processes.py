@@ -8,7 +8,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import numpy as np
@@ -22,10 +21,9 @@ from build_fmu.study.csv_file import cell
 from build_fmu.study.processes import DIED
 from tests.crashing_runs import FATAL, crashing
 from tests.fmu_instance import pendulum
+from tests.hanging import HANGS, wait_until
 
 pytestmark = pytest.mark.usefixtures("interruptible")
-PATIENCE = 60.0
-"""Seconds after which something is taken to hang."""
 
 
 @pytest.fixture
@@ -46,10 +44,10 @@ def test_no_folder_is_left(temporary, engine):
 
 
 def test_a_run_that_ends_its_process_is_the_only_one_lost(temporary, monkeypatch):
-    arguments = {"grid": ["mass=1:2:20"], "outputs": ["A.x"], "engine": "processes:2"}
-    whole = build_fmu.sweep(pendulum(), **arguments)
+    arguments = {"grid": ["mass=1:2:20"], "outputs": ["A.x"]}
+    whole = build_fmu.sweep(pendulum(), engine="serial", **arguments)
     monkeypatch.setattr(sweep_module, "run_row", crashing)
-    found = build_fmu.sweep(pendulum(), **arguments)
+    found = build_fmu.sweep(pendulum(), engine="processes:2", **arguments)
     lost = found[FATAL - 1]
     assert (lost["finished"], lost["reason"], lost["end_time"]) == (False, DIED, 0.0)
     assert np.isnan(lost["A.x.final"])
@@ -67,24 +65,28 @@ def begin(file: Path, engine: str) -> subprocess.Popen:
     process = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
     )
-    until = time.monotonic() + PATIENCE
-    while not file.is_file() or len(file.read_text().splitlines()) < 20:
+
+    def some_runs_are_there() -> bool:
         assert process.poll() is None, process.communicate()
-        assert time.monotonic() < until
-        time.sleep(0.05)
+        return file.is_file() and len(file.read_text().splitlines()) >= 20
+
+    wait_until(some_runs_are_there)
     return process
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Ctrl-C goes to all processes of a console")
-@pytest.mark.parametrize("engine", ["serial", "processes:2"])
-@pytest.mark.parametrize("whom", [os.kill, os.killpg], ids=["the first process", "all"])
+@pytest.mark.parametrize(
+    ("engine", "whom"),
+    [("serial", os.kill), ("processes:2", os.kill), ("processes:2", os.killpg)],
+    ids=["the only process", "the first process", "all"],
+)
 def test_an_interruption_leaves_the_runs_that_are_done_and_nothing_else(
     temporary, tmp_path, engine, whom
 ):
     file = tmp_path / "a.csv"
     process = begin(file, engine)
     whom(process.pid, signal.SIGINT)
-    out, err = process.communicate(timeout=PATIENCE)
+    out, err = process.communicate(timeout=HANGS)
     text = file.read_text()
     assert (process.returncode, out) == (130, "")
     done = len(text.splitlines()) - 1
@@ -136,7 +138,7 @@ sys.exit(main(sys.argv[2:]))
 
 
 @pytest.mark.skipif(os.name == "nt", reason="no groups of processes")
-@pytest.mark.parametrize("processes", [1, 2, 4])
+@pytest.mark.parametrize("processes", [1, 4])
 def test_an_interruption_while_processes_start_is_one_like_any_other(
     temporary, tmp_path, processes
 ):
@@ -144,7 +146,7 @@ def test_an_interruption_while_processes_start_is_one_like_any_other(
     arguments = ["sweep", pendulum(), "--grid", "mass=1:2:100000", "--output", "A.x", "-o", file]
     command = [sys.executable, "-c", STRUCK, str(processes), *arguments, "--engine", "processes:4"]
     done = subprocess.run(
-        command, capture_output=True, text=True, start_new_session=True, timeout=PATIENCE
+        command, capture_output=True, text=True, start_new_session=True, timeout=HANGS
     )
     assert done.returncode == 130, done.stderr
     assert [line[:22] for line in said(done.stderr)] == ["holonom: interrupted; "]
@@ -157,11 +159,8 @@ def test_processes_of_a_sweep_that_was_killed_end_and_its_file_is_free(tmp_path)
     file = tmp_path / "a.csv"
     process = begin(file, "processes:2")
     process.kill()
-    process.communicate(timeout=PATIENCE)
-    until = time.monotonic() + PATIENCE
-    while is_there(process.pid):  # the group, as long as one process of it is
-        assert time.monotonic() < until
-        time.sleep(0.05)
+    process.communicate(timeout=HANGS)
+    wait_until(lambda: not is_there(process.pid))  # the group, as long as one process of it is
     with pytest.raises(UsageError, match="differs in values"):  # not: in use
         build_fmu.sweep(pendulum(), grid=["mass=1,2"], outputs=["A.x"], path=file)
 

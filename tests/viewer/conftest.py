@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import time
@@ -43,7 +44,10 @@ def axe_findings(page) -> dict[str, list]:
 
 @pytest.fixture(scope="session")
 def launch():
-    """Function that starts the browser with arguments; all are closed at the end."""
+    """Function that starts the browser, with WebGL or, four times as fast without a GPU, without.
+
+    Both are closed at the end.
+    """
     api = pytest.importorskip("playwright.sync_api", reason="needs the extra 'browser'")
     path = os.environ.get("HOLONOM_BROWSER") or next(filter(None, map(shutil.which, NAMES)), None)
     if path is None:
@@ -51,45 +55,68 @@ def launch():
     with api.sync_playwright() as playwright:
         begun = {}
 
-        def launch(arguments=WITH_WEBGL):
-            if arguments not in begun:
-                known = playwright.chromium.launch(executable_path=path, args=[*arguments])
-                begun[arguments] = known
-            return begun[arguments]
+        def launch(webgl=False):
+            if webgl not in begun:
+                arguments = [*(WITH_WEBGL if webgl else WITHOUT_WEBGL)]
+                begun[webgl] = playwright.chromium.launch(executable_path=path, args=arguments)
+            return begun[webgl]
 
         yield launch
         for browser in begun.values():
             browser.close()
 
 
-@pytest.fixture
-def look(launch):
-    """Function that opens a page, without a network, and waits until it is drawn."""
-    contexts = []
-
-    def look(path: Path, *, hash: str = "still", arguments=WITH_WEBGL, clock=False, **options):
-        settings = {"viewport": {"width": 1200, "height": 800}, "reduced_motion": "reduce"}
-        context = launch(arguments).new_context(offline=True, **(settings | options))
-        contexts.append(context)
+@contextlib.contextmanager
+def opened(browser, **options):
+    """Page in a context of its own, with what it says and asks for; it is small, to be fast."""
+    settings = {"viewport": {"width": 640, "height": 400}, "reduced_motion": "reduce"}
+    with browser.new_context(**(settings | options)) as context:
         page = context.new_page()
         page.said, page.asked = [], []
         page.on("console", lambda message: page.said.append(message.text))
         page.on("pageerror", lambda error: page.said.append(str(error)))
         page.on("request", lambda request: page.asked.append(request.url))
-        if clock:
-            page.clock.install(time=0)
-        page.goto(f"{path.as_uri()}#{hash}")
-        end = time.monotonic() + 60.0  # wait_for_function needs eval, which the page forbids
-        while not page.evaluate("!!(window.holonom && (holonom.first || holonom.error))"):
-            assert time.monotonic() < end, ("the page is not ready", page.said)
-            page.wait_for_timeout(50)
-        if clock:
-            page.clock.pause_at(3600)  # from now on it goes on when it is told
-        return page
+        yield page
 
-    yield look
-    for context in contexts:
-        context.close()
+
+def until(page, condition: str) -> None:
+    """Wait for a condition; `wait_for_function` needs eval, which our pages forbid."""
+    end = time.monotonic() + 60.0
+    while not page.evaluate(f"!!({condition})"):
+        assert time.monotonic() < end, (condition, page.said)
+        page.wait_for_timeout(20)
+
+
+@contextlib.contextmanager
+def looking(launch):
+    """Function that opens a page of a file, without a network, and waits until it is drawn."""
+    with contextlib.ExitStack() as ends:
+
+        def look(path: Path, *, hash: str = "", webgl=False, clock=False, **options):
+            page = ends.enter_context(opened(launch(webgl), offline=True, **options))
+            if clock:
+                page.clock.install(time=0)
+            page.goto(f"{path.as_uri()}#{hash}")
+            until(page, "window.holonom && (holonom.first || holonom.error)")
+            if clock:
+                page.clock.pause_at(3600)  # from now on it goes on when it is told
+            return page
+
+        yield look
+
+
+@pytest.fixture
+def look(launch):
+    """Function that opens a page, which is closed after the test."""
+    with looking(launch) as look:
+        yield look
+
+
+@pytest.fixture(scope="module")
+def keep(launch):
+    """Function that opens a page, which several tests look at."""
+    with looking(launch) as look:
+        yield look
 
 
 @pytest.fixture(scope="session")

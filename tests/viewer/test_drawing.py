@@ -238,3 +238,36 @@ def test_a_surface_reaches_as_far_as_what_flies_over_it():
         places = trajectory[f"ball.{axis}"]
         assert hills[axis][0] < places.min()
         assert places.max() < hills[axis][-1]
+
+
+def solids_of(name):
+    return drawing(loaded(SCENES / f"{name}.toml"))["solids"]
+
+
+def test_an_outline_that_closes_around_a_body_is_filled():
+    (wheel,) = [x for x in solids_of("ratchet") if x["owner"] == "teeth"]
+    assert wheel["shape"] == "prism"
+    corners = np.array(wheel["corners"])
+    x, y = corners.T
+    assert 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) > 0.9 * np.pi * 0.1**2
+
+
+def test_a_ball_stands_on_the_surface_that_it_touches():
+    """The heights of the scene are those of its centre."""
+    (green,) = [x for x in solids_of("putting_green") if x["shape"] == "heights"]
+    x, y, z = (np.array(green[axis], float) for axis in "xyz")
+    assert z.shape == (len(x), len(y))
+    assert (x[0], y[0], x[-1], y[-1]) == (-0.5, -1.0, 4.0, 1.0)
+    assert 0.022 - z[0, 0] == pytest.approx(0.02135, rel=0.02)  # more where it is steep
+    assert -0.014 - z[-1, -1] == pytest.approx(0.02135, rel=0.02)
+
+
+def test_what_a_look_hides_is_not_drawn_but_what_shows_through_it_is():
+    assert [x["kind"] for x in solids_of("rocking_block")] == ["surface", "look"]
+    assert "struts" in [x["shape"] for x in solids_of("double_wishbone")]
+
+
+def test_a_point_with_much_play_is_small_in_its_hole():
+    pin, hole = solids_of("mass_in_a_circle")
+    assert hole["inner_radius"] - pin["radius"] == pytest.approx(1.0)
+    assert pin["radius"] <= 0.05

@@ -8,8 +8,9 @@ import time
 
 import pytest
 
+import viewer.live
 from build_fmu.commands.view import live_session
-from tests.viewer.conftest import axe_findings, scene
+from tests.viewer.conftest import axe_findings, opened, scene, until
 from viewer.live_server import Server
 
 FINITE = (
@@ -20,35 +21,38 @@ FINITE = (
 SAID = "document.getElementById('said').innerText"
 
 
-@pytest.fixture
-def open_live(launch):
-    """Function that serves a scene and opens its page; both end with the test."""
-    with contextlib.ExitStack() as ends:
-
-        def open_live(name):
-            session, page = ends.enter_context(live_session(scene(name), {}, []))
-            server = ends.enter_context(Server(session, page))
-            thread = threading.Thread(target=server.run, daemon=True)
-            thread.start()
-            ends.callback(wait_for, lambda: not thread.is_alive())  # the page was closed
-            view = ends.enter_context(opened(launch(), server.address))
-            until(view, "window.holonom && holonom.first && holonom.run.n === 1")
-            return view, server
-
-        yield open_live
-
-
 @contextlib.contextmanager
-def opened(browser, address):
-    context = browser.new_context(viewport={"width": 1200, "height": 800}, reduced_motion="reduce")
-    page = context.new_page()
-    page.said, page.asked = [], []
-    page.on("console", lambda message: page.said.append(message.text))
-    page.on("pageerror", lambda error: page.said.append(str(error)))
-    page.on("request", lambda request: page.asked.append(request.url))
-    page.goto(address)
-    yield page
-    context.close()
+def live(launch, name, *, webgl=False):
+    """Serve a scene and open its page: both, until the page is closed and the server has ended."""
+    with contextlib.ExitStack() as ends:
+        ends.callback(setattr, viewer.live, "GRACE", viewer.live.GRACE)
+        server = ends.enter_context(Server(*ends.enter_context(live_session(scene(name), {}, []))))
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        ends.callback(wait_for, lambda: not thread.is_alive())  # the page was closed
+        page = ends.enter_context(opened(launch(webgl)))
+        page.goto(server.address)
+        until(page, "window.holonom && holonom.first && holonom.run.n === 1")
+        yield page, server
+        assert page.said == []
+        viewer.live.GRACE = 0.0  # nobody loads the page again
+
+
+@pytest.fixture(scope="module")
+def _crank(launch):
+    with live(launch, "slider_crank") as known:
+        yield known
+
+
+@pytest.fixture
+def crank(_crank):
+    """Page and server of a slider-crank, at its start."""
+    page, server = _crank
+    page.evaluate("holonom.play(false); holonom.pace(0.01)")
+    page.click("#original")
+    wait_for(lambda: not server.session.playing and server.session.values == {})
+    until(page, f"holonom.time === 0 && holonom.run.n === 1 && !{SAID}")
+    return page, server
 
 
 def wait_for(holds):
@@ -58,21 +62,14 @@ def wait_for(holds):
         time.sleep(0.02)
 
 
-def until(page, condition):
-    end = time.monotonic() + 60.0
-    while not page.evaluate(f"!!({condition})"):
-        assert time.monotonic() < end, (condition, page.said)
-        page.wait_for_timeout(30)
-
-
 def enter(page, name, value):
     """Write a value into the field of a parameter."""
     page.get_by_label(f"{name} as a number").fill(value)
     page.keyboard.press("Enter")
 
 
-def test_a_live_page_moves_steps_and_pauses(open_live):
-    page, server = open_live("slider_crank")
+def test_a_live_page_moves_steps_and_pauses(crank):
+    page, server = crank
     assert page.evaluate("holonom.time") == 0.0
     page.click("#step")
     until(page, "holonom.time === 0.001")
@@ -87,12 +84,11 @@ def test_a_live_page_moves_steps_and_pauses(open_live):
     page.click("#restart")
     until(page, "holonom.time === 0 && holonom.run.n === 1")
     assert page.evaluate(FINITE)
-    assert page.said == []
     assert all(url.startswith((server.address.split("?")[0], "data:")) for url in page.asked)
 
 
-def test_sliders_act_and_the_values_of_the_file_come_back(open_live):
-    page, server = open_live("slider_crank")
+def test_sliders_act_and_the_values_of_the_file_come_back(crank):
+    page, server = crank
     page.click("#play")
     until(page, "holonom.run.n > 20")
     enter(page, "crank_length", "0.12")
@@ -111,26 +107,24 @@ def test_sliders_act_and_the_values_of_the_file_come_back(open_live):
     )
     until(page, "holonom.run.n > 5")
     assert page.evaluate(FINITE)
-    assert page.said == []
 
 
-def test_what_is_tunable_acts_while_it_moves(open_live):
-    page, server = open_live("differential")
-    page.click("#play")
-    until(page, "holonom.run.n > 10")
-    slider = page.get_by_label("torque", exact=True)
-    slider.focus()
-    page.keyboard.press("End")
-    wait_for(lambda: server.session.values == {"torque": 120.0})
-    reached = page.evaluate("holonom.time")
-    until(page, f"holonom.time > {reached} + 0.1")
-    assert page.evaluate("holonom.run.t[0]") == 0.0
-    assert page.evaluate(FINITE)
-    assert page.said == []
+def test_what_is_tunable_acts_while_it_moves(launch):
+    with live(launch, "differential", webgl=True) as (page, server):
+        page.click("#play")
+        until(page, "holonom.run.n > 10")
+        slider = page.get_by_label("torque", exact=True)
+        slider.focus()
+        page.keyboard.press("End")
+        wait_for(lambda: server.session.values == {"torque": 120.0})
+        reached = page.evaluate("holonom.time")
+        until(page, f"holonom.time > {reached} + 0.1")
+        assert page.evaluate("holonom.run.t[0]") == 0.0
+        assert page.evaluate(FINITE)
 
 
-def test_a_step_that_fails_is_said_and_other_values_help(open_live):
-    page, _ = open_live("slider_crank")
+def test_a_step_that_fails_is_said_and_other_values_help(crank):
+    page, _ = crank
     enter(page, "rod_length", "0.01")  # it does not reach from the crank to the slider
     page.click("#step")
     until(page, SAID)
@@ -143,11 +137,10 @@ def test_a_step_that_fails_is_said_and_other_values_help(open_live):
     page.click("#step")
     until(page, "holonom.time === 0.001")
     assert page.evaluate(FINITE)
-    assert page.said == []
 
 
-def test_a_mechanism_that_is_slower_than_the_clock_says_how_slow(open_live, monkeypatch):
-    page, server = open_live("slider_crank")
+def test_a_mechanism_that_is_slower_than_the_clock_says_how_slow(crank, monkeypatch):
+    page, server = crank
     page.evaluate("holonom.pace(100)")
     source = server.session._source
     step = source.step
@@ -161,26 +154,25 @@ def test_a_mechanism_that_is_slower_than_the_clock_says_how_slow(open_live, monk
     until(page, "/slower than the clock: [0-9.e-]+ % of this speed/.test(document.body.innerText)")
 
 
-def test_a_page_shows_another_session_in_its_place(open_live):
-    page, server = open_live("double_pendulum")
-    server.session.say("a.toml:3: error: unknown field\n    3 | x = 1")
-    until(page, f"{SAID}.includes('3 | x = 1')")
-    with live_session(scene("four_bar"), {}, ["a warning"]) as (session, text):
-        server.show(session, text)
-        wait_for(lambda: session._pages)  # it has been loaded anew
-        until(page, "window.holonom && holonom.first && holonom.run.n === 1")
-        assert page.title() == "four_bar"
-        assert "a warning" in page.inner_text("#messages")
-        page.click("#step")
-        until(page, "holonom.time > 0")
-        assert page.evaluate(FINITE)
-        assert page.said == []
-        page.close()
-        wait_for(lambda: session.ended)
+def test_a_page_shows_another_session_in_its_place(launch):
+    with live(launch, "double_pendulum") as (page, server):
+        server.session.say("a.toml:3: error: unknown field\n    3 | x = 1")
+        until(page, f"{SAID}.includes('3 | x = 1')")
+        with live_session(scene("four_bar"), {}, ["a warning"]) as (session, text):
+            server.show(session, text)
+            wait_for(lambda: session._pages)  # it has been loaded anew
+            until(page, "window.holonom && holonom.first && holonom.run.n === 1")
+            assert page.title() == "four_bar"
+            assert "a warning" in page.inner_text("#messages")
+            page.click("#step")
+            until(page, "holonom.time > 0")
+            assert page.evaluate(FINITE)
+            page.close()
+            wait_for(lambda: session.ended)
 
 
-def test_a_live_page_fits_a_phone_and_axe_finds_nothing_serious(open_live):
-    page, _ = open_live("slider_crank")
+def test_a_live_page_fits_a_phone_and_axe_finds_nothing_serious(crank):
+    page, _ = crank
     enter(page, "rod_length", "0")
     until(page, SAID)
     assert axe_findings(page) == {"light": [], "dark": []}

@@ -82,6 +82,15 @@ def test_values_come_back_as_single_precision():
     assert (np.ascontiguousarray(planes).view("<f4").ravel() == column.astype("<f4")).all()
 
 
+def test_small_changes_of_large_values_come_back():
+    column = 2389.5 + 1e-5 * np.sin(T)
+    run = packed(drawing(), T, {"e": column, "x": T}, ["e", "x"])
+    planes = np.frombuffer(bytes_of(run.blocks[2]), np.uint8).reshape(4, -1).T
+    change = np.ascontiguousarray(planes).view("<f4").reshape(2, -1)[0]
+    assert run.meta["levels"] == {"e": column[0]}
+    assert abs(column[0] + change.astype(float) - column).max() < 1e-11
+
+
 def test_repeated_times_are_one_row():
     times = np.array([0.0, 1.0, 1.0, 2.0])
     assert packed(drawing("b.x", "b.y"), times, {"b.x": times, "b.y": times}, []).meta["n"] == 3
@@ -93,6 +102,7 @@ def test_what_does_not_fit_is_left_out_and_said():
     run = packed(drawing(), T, columns, [*columns], budget=30_000)
     assert "energy.error" in run.meta["values"]
     assert len(run.meta["values"]) < len(columns)
+    assert sum(map(len, run.blocks)) <= 30_000
     assert any("left out" in note for note in run.notes)
 
 

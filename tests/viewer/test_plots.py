@@ -158,8 +158,10 @@ def test_over_two_parameters_an_output_is_a_heat_map_with_gaps_at_failed_runs():
     assert (plot.get_xlabel(), plot.get_ylabel(), bar.get_ylabel()) == (
         "mass [kg]",
         "length",
-        "A.x [m]",
+        "A.x [m] at the end",
     )
+    assert (list(plot.get_xticks()), list(plot.get_yticks())) == ([1.0, 2.0], [3.0, 4.0])
+    assert [text.get_text() for text in plot.texts] == ["hatched: failed"]
 
 
 def test_ranges_with_log_have_a_logarithmic_axis_and_words_stand_side_by_side():

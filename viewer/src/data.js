@@ -10,7 +10,7 @@ function decoded(text) {                  // for browsers of before 2025
   for (let i = 0; i < raw.length; i++) bytes[i] = raw.charCodeAt(i);
   return bytes;
 }
-async function inflated(text) {
+export async function inflated(text) {
   const bytes = Uint8Array.fromBase64 ? Uint8Array.fromBase64(text) : decoded(text);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -46,7 +46,10 @@ export class Run {
     Object.assign(this, { meta, kinds, n: meta.n, label: meta.label });
     const n = this.n, wide = meta.poses.wide, floats = joined(values, 4);
     this.t = new Float64Array(times.buffer.slice(times.byteOffset, times.byteOffset + 8 * n));
-    this.columns = new Map(meta.values.map((name, k) => [name, new Float32Array(floats, 4 * k * n, n)]));
+    this.columns = new Map(meta.values.map((name, k) => {
+      const column = new Float32Array(floats, 4 * k * n, n), level = meta.levels[name];
+      return [name, level ? Float64Array.from(column, x => level + x) : column];
+    }));
     const counted = kinds.map((kind, c) => c).filter(c => !(wide && kinds[c] === 'x')), end = 2 * n * counted.length;
     const bits = new Uint16Array(joined(poses.subarray(0, end), 2)), far = new Float32Array(joined(poses.subarray(end), 4));
     this.scale = { x: [meta.poses.step, meta.poses.low], q: [PARTS, -1], angle: [TURN, 0] };

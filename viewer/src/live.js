@@ -69,6 +69,7 @@ class Link {
     this.busy = false;
   }
 }
+const AGAIN = '<svg viewBox="0 0 16 16" width="11" height="11" role="img" aria-label="restarts"><path fill="none" stroke="currentColor" stroke-width="1.8" d="M3.2 6A5.2 5.2 0 1 1 2.8 9.5M3 2.2V6h3.8"/></svg>';
 const GONE = 'holonom view has ended: start it again';
 function say(text) { $('said').textContent = text; $('said').hidden = !text; }
 
@@ -76,9 +77,9 @@ function controls(list, link) {
   const box = Object.assign(document.createElement('section'), { id: 'controls', className: 'card' }); box.setAttribute('aria-label', 'Inputs and parameters');
   const row = (c, k) => {
     const name = escaped(c.name), of = `data-control="${k}" step="any" value="${c.start}"`;
-    return `<div class="control" title="${escaped(c.description)}"><span>${name} <small>${escaped(unitOf(c.unit))}${c.live ? '' : ' · restarts'}</small></span><input type="range" ${of} min="${c.low}" max="${c.high}" aria-label="${name}"><input type="number" ${of} aria-label="${name} as a number"></div>`;
+    return `<div class="control" title="${escaped(c.description)}"><span>${name} <small>${escaped(unitOf(c.unit))} ${c.live ? '' : AGAIN}</small></span><input type="range" ${of} min="${c.low}" max="${c.high}" aria-label="${name}"><input type="number" ${of} aria-label="${name} as a number"></div>`;
   };
-  box.innerHTML = `<div class="tools"><button id="step" title="One step (right arrow, at the end)">Step</button><button id="restart" title="From the start, with these values">Restart</button><button id="original" title="From the start, with the values of the file">Original values</button><span id="pace"></span></div><p id="said" role="alert" hidden></p>${list.map(row).join('')}`;
+  box.innerHTML = `<div class="tools"><button id="step" title="One step (right arrow, at the end)">Step</button><button id="restart" title="From the start, with these values">Restart</button><button id="original" title="From the start, with the values of the file">Original values</button>${list.every(c => c.live) ? '' : `<small>${AGAIN} restarts</small>`}<span id="pace"></span></div><p id="said" role="alert" hidden></p>${list.map(row).join('')}`;
   $('plots').prepend(box);
   const show = (k, value, but) => { for (const e of box.querySelectorAll(`[data-control="${k}"]`)) if (e !== but) e.value = e.type === 'number' ? +shown(value) : value; };
   const act = (e, done) => {

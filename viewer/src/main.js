@@ -1,6 +1,6 @@
 import 'uplot/dist/uPlot.min.css';
 import './style.css';
-import { readRun } from './data.js';
+import { inflated, readRun } from './data.js';
 import { live } from './live.js';
 import { page, state } from './page.js';
 import { $ } from './text.js';
@@ -12,8 +12,12 @@ async function report(data) {
   for (let k = 0; k < 3 * runs.length; k++) $(`block${k}`)?.remove();
   page(data, runs);
 }
-const data = JSON.parse($('data').textContent);
-(data.live ? live : report)(data).catch(error => {
+async function show() {
+  let data;
+  try { data = JSON.parse(new TextDecoder().decode(await inflated($('data').textContent))); } catch { throw new Error('data, what the runs are of, is damaged; the file was cut off or changed: write the report again'); }
+  return (data.live ? live : report)(data);
+}
+show().catch(error => {
   state.error = String(error.stack || error);
   const p = Object.assign(document.createElement('p'), { className: 'broken', textContent: `This page cannot be shown: ${error.message}` });
   p.setAttribute('role', 'alert'); document.body.prepend(p);

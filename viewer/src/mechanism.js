@@ -35,16 +35,18 @@ export class Mechanism {
     const spots = [...this.drawing.joints.map(j => j.place), ...this.drawing.links.flatMap(l => l.ends)];
     this.drawing.frames.forEach((f, k) => { if (f.variables.length) spots.push({ frame: k, at: [0, 0, 0] }); });
     for (const s of this.drawing.solids) {
-      if (['plane', 'heights', 'curve'].includes(s.shape)) continue;
+      if (['plane', 'heights'].includes(s.shape) || this.lies(s)) continue;
       const turn = quaternion(s.turn), corners = [];
-      if (s.shape === 'mesh') corners.push(...s.vertices.filter((v, k) => k % Math.ceil(s.vertices.length / 200) === 0)); else if (s.shape === 'prism') corners.push(...s.corners);
+      if (s.shape === 'curve') corners.push(...s.points.filter((p, k) => k % Math.ceil(s.points.length / 24) === 0));
+      else if (s.shape === 'capsule') for (const c of [s.from, s.to]) corners.push(...[0, 1, 2].flatMap(k => [-1, 1].map(sign => vector(c).setComponent(k, (c[k] || 0) + sign * s.radius).toArray())));
+      else if (s.shape === 'mesh') corners.push(...s.vertices.filter((v, k) => k % Math.ceil(s.vertices.length / 200) === 0)); else if (s.shape === 'prism') corners.push(...s.corners);
       else if (s.to) { spots.push(...[s.at || [0, 0, 0], ...s.to].map(at => ({ frame: s.frame, at }))); continue; }
-      else if (s.from) corners.push(s.from);
       else { const r = s.radius || 0, e = s.size?.map(x => x / 2) || s.half_axes || [r, r, s.length ? s.length / 2 : r]; for (let k = 0; k < 8; k++) corners.push([k & 1 ? e[0] : -e[0], k & 2 ? e[1] : -e[1], k & 4 ? e[2] || 0 : -(e[2] || 0)]); }
       for (const c of corners) spots.push({ frame: s.frame, at: vector(c).applyQuaternion(turn).add(vector(s.at)).toArray() });
     }
     return spots;
   }
+  lies(s) { return s.shape === 'curve' && !this.drawing.frames[s.frame].variables.length; }      // on the ground: a road, a rail, an arc
   measure() {
     const { run } = this, spots = this.spots(), v = new Vector3(), step = Math.max(1, Math.floor(run.n / 60));
     this.swept = new Box3(); this.drawn = new Box3();
@@ -55,13 +57,19 @@ export class Mechanism {
     if (this.swept.isEmpty()) this.swept.set(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
     if (this.drawn.isEmpty()) this.drawn.copy(this.swept);
     this.pose(run.pose(0, this.live)); this.began = this.middle();
+    this.reach = Math.hypot(...['x', 'y', 'z'].map(c => Math.max(this.began[c] - this.drawn.min[c], this.drawn.max[c] - this.began[c])));
+    for (const s of this.drawing.solids) {               // of what lies on the ground what is about as large as the mechanism
+      if (!this.lies(s)) continue;
+      const own = new Box3().setFromPoints(s.points.map(p => this.place({ frame: s.frame, at: vector(p).applyQuaternion(quaternion(s.turn)).add(vector(s.at)).toArray() }, new Vector3())));
+      if (own.getSize(v).length() < 1.5 * this.drawn.getSize(new Vector3()).length()) { this.swept.union(own); this.drawn.union(own); }
+    }
     this.extent = this.swept.getSize(v).length() || 1; this.size = this.drawn.getSize(v).length() || this.extent;
     const parts = this.drawing.solids.length + this.drawing.links.length || 1, thin = .011 * this.size / Math.max(1, (parts / 12) ** .6);
     this.thick = Math.max(Math.min(thin, .075 * this.typical()), 6e-4 * this.size);
   }
   typical() {                             // length of a middling part: marks stay smaller than what they mark
     const a = new Vector3(), b = new Vector3(), list = this.drawing.links.filter(l => l.kind !== 'rail').map(l => this.place(l.ends[0], a).distanceTo(this.place(l.ends[1], b)));
-    for (const s of this.drawing.solids) { const x = s.to ? 1.5 * Math.max(...s.to.map(t => vector(t).distanceTo(vector(s.at)))) : Math.max(2 * (s.radius || 0), s.length || 0, ...(s.size || [])); if (x > 0) list.push(x); }
+    for (const s of this.drawing.solids) { const x = s.shape === 'capsule' ? vector(s.from).distanceTo(vector(s.to)) : s.to ? 1.5 * Math.max(...s.to.map(t => vector(t).distanceTo(vector(s.at)))) : Math.max(2 * (s.radius || 0), s.length || 0, ...(s.size || [])); if (x > 0) list.push(x); }
     return list.sort((x, y) => x - y)[list.length >> 1] || this.size;
   }
   middle() {                              // of what moves, or the place that the scene follows
@@ -70,7 +78,9 @@ export class Mechanism {
     this.drawing.frames.forEach((f, k) => { if (f.variables.length) { out.add(this.positions[k]); n++; } });
     return n ? out.divideScalar(n) : out;
   }
-  box() { const shift = this.middle().sub(this.began); return this.drawn.clone().translate(shift).expandByScalar(.5 * this.size); }
+  box() {                                 // around what is followed, however it turns
+    const at = this.middle().add(this.group.position); return new Box3(at, at.clone()).expandByScalar((this.flat ? 1.15 : .85) * this.reach);
+  }
 
   add(shape, colour, owner, matrix, more = {}) { this.items.push({ shape, colour, owner, matrix, opacity: 1, layer: '', ...more }); }
   fixed(p, turn, scale) {
@@ -109,12 +119,13 @@ export class Mechanism {
   solid(s, lift) {
     const T = this.thick, colour = typeof s.colour === 'string' ? s.colour : s.colour < 0 ? GROUND : PALETTE[(s.colour ?? 7) % PALETTE.length], more = { opacity: s.opacity ?? 1 };
     const p = { frame: s.frame, at: s.at || [0, 0, 0] }, turn = quaternion(s.turn), flat = x => x || 1.4 * T, put = (shape, scale, q = turn, at = p) => this.add(shape, colour, s.owner, this.fixed(at, q, scale), more);
+    const mark = this.drawing.frames[s.frame].variables.length && more.opacity === 1 ? '*' : '';     // so that one sees it turn
     const ends = (from, to) => [from, to].map(x => ({ frame: s.frame, at: vector(x).applyQuaternion(turn).add(vector(s.at)).toArray() }));
     if (s.kind === 'surface') Object.assign(more, { layer: 'ground', surface: true });
     switch (s.shape) {
       case 'box': return put('box', new Vector3(Math.max(s.size[0], .6 * T), Math.max(s.size[1], .6 * T), this.flat ? flat(0) : Math.max(s.size[2], .6 * T)));
-      case 'sphere': return put(this.flat ? 'cylinder' : 'sphere', new Vector3(s.radius, s.radius, this.flat ? flat(0) : s.radius));
-      case 'cylinder': return put(s.inner_radius ? `ring:${(s.inner_radius / s.radius).toFixed(3)}` : 'cylinder', new Vector3(s.radius, s.radius, this.flat ? flat(0) : s.length));
+      case 'sphere': return put((this.flat ? 'cylinder' : 'sphere') + mark, new Vector3(s.radius, s.radius, this.flat ? flat(0) : s.radius));
+      case 'cylinder': return put((s.inner_radius ? `ring:${(s.inner_radius / s.radius).toFixed(3)}` : 'cylinder') + mark, new Vector3(s.radius, s.radius, this.flat ? flat(0) : s.length));
       case 'capsule': {
         const [a, b] = ends(s.from, s.to), r = s.radius;
         this.add(this.flat ? 'box' : 'cylinder', colour, s.owner, this.flat ? this.bar(a, b, r, lift) : this.between(a, b, r), more);
@@ -130,8 +141,10 @@ export class Mechanism {
         return put('sphere', new Vector3(1.3 * r, 1.3 * r, 1.3 * r), NONE, at);
       }
       case 'plane': {
-        const n = vector(s.normal || [0, 0, 1]).normalize(), L = 1.6 * this.extent, depth = .6 * T, at = vector(s.at).addScaledVector(n, -depth / 2).toArray();
-        return put('box', this.flat ? new Vector3(3 * T, L, depth) : new Vector3(L, L, depth), along(n.toArray()), { frame: s.frame, at });
+        const n = vector(s.normal || [0, 0, 1]).normalize(), L = 1.6 * this.extent, depth = .6 * T, at = vector(s.at), middle = this.swept.getCenter(new Vector3());
+        if (!this.drawing.frames[s.frame].variables.length) at.add(middle.sub(at).projectOnPlane(n));      // under what moves
+        at.addScaledVector(n, -depth / 2); const lying = new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), n);
+        return put('box', this.flat ? new Vector3(L, depth, 3 * T) : new Vector3(L, L, depth), this.flat ? lying : along(n.toArray()), { frame: s.frame, at: at.toArray() });
       }
       case 'curve': {
         const points = s.points.map(x => ends(x, x)[0]);
@@ -142,7 +155,10 @@ export class Mechanism {
     }
   }
   link(l, lift) {
-    const T = this.thick, [a, b] = l.ends, put = (shape, colour, matrix, more) => this.add(shape, colour, l.name, matrix, more);
+    const T = this.thick, [a, b] = l.ends, q = new Vector3(), put = (shape, colour, matrix, more) => this.add(shape, colour, l.name, matrix, more);
+    for (const e of l.kind === 'rail' ? [] : l.ends) if (e.frame === 0 && !this.drawing.joints.some(j => j.ground && this.place(j.place, new Vector3()).distanceTo(this.place(e, q)) < T)) {
+      put('sphere', DARK, this.fixed(e, NONE, new Vector3(1, 1, 1).multiplyScalar(1.4 * T)), { layer: 'joints' }); this.support(e);
+    }
     if (l.kind === 'bar') {
       const r = (this.flat ? 1.9 : 1.5) * T, colour = PALETTE[(l.colour ?? 0) % PALETTE.length];
       put(this.flat ? 'box' : 'cylinder', colour, this.flat ? this.bar(a, b, r, lift) : this.between(a, b, r));
@@ -170,8 +186,10 @@ export class Mechanism {
     else if (this.flat) { put('cylinder', PIN, 1.1, 1.1, 7); put('cylinder', DARK, 1.7, 1.7, 5.6); }
     else if (j.axis) { const q = along(j.axis), long = j.kind === 'prismatic' ? 14 : 7; put('cylinder', PIN, 1.2, 1.2, long, q); put(j.kind === 'prismatic' ? 'box' : 'cylinder', DARK, j.kind === 'prismatic' ? 4 : 2, j.kind === 'prismatic' ? 4 : 2, 4.6, q); }
     else put('sphere', DARK, 1.9, 1.9, 1.9);
-    if (!j.ground || SLIDING.has(j.kind)) return;      // a support stands still
-    const p = new Vector3(), turn = new Quaternion().setFromUnitVectors(Z, this.up), at = (h, x, y, z) => { const scale = new Vector3(x, y, z).multiplyScalar(T); return out => out.compose(this.place(j.place, p).addScaledVector(this.up, h * T), turn, scale); };
+    if (j.ground && !SLIDING.has(j.kind)) this.support(j.place);
+  }
+  support(place) {                        // it stands still
+    const T = this.thick, p = new Vector3(), turn = new Quaternion().setFromUnitVectors(Z, this.up), at = (h, x, y, z) => { const scale = new Vector3(x, y, z).multiplyScalar(T); return out => out.compose(this.place(place, p).addScaledVector(this.up, h * T), turn, scale); };
     this.add('cone', GROUND, 'ground', at(-4.8, 3, this.flat ? 1 : 3, 4.8), { layer: 'ground' }); this.add('box', '#7c838e', 'ground', at(-5.2, 8, this.flat ? 3 : 8, 1), { layer: 'ground' });
   }
   arrow(j, colour) {                      // as long as the square root of the force, so that small ones are seen
@@ -199,7 +217,7 @@ export class Mechanism {
     for (const list of groups.values()) {
       const { shape, layer, surface } = list[0], opacity = ghost ? .28 : list[0].opacity;
       const material = fine > 1 ? new MeshStandardMaterial({ roughness: .5, metalness: .08 }) : new MeshLambertMaterial();
-      if (typeof shape !== 'string') material.side = DoubleSide;
+      if (typeof shape !== 'string') material.side = DoubleSide; else material.vertexColors = shape.endsWith('*');
       if (opacity < 1) Object.assign(material, { transparent: true, opacity, depthWrite: false });
       if (layer === 'forces') Object.assign(material, { depthTest: false, transparent: true });
       const mesh = new InstancedMesh(typeof shape === 'string' ? unitShape(shape, rough) : shape, material, list.length);
@@ -218,6 +236,9 @@ export class Mechanism {
       mesh.instanceMatrix.needsUpdate = true; mesh.boundingSphere = null;
     }
   }
+  row() {                                 // where the time is among the rows, with a part of one
+    const { t, n } = this.run, i = Math.min(this.run.index(this.time), n - 2); return i < 0 ? 0 : i + (this.time - t[i]) / (t[i + 1] - t[i] || 1);
+  }
   // Points of paths: what the scene asks for, else moving points, else bodies.
   paths() {
     this.pose(this.run.pose(0, this.live));
@@ -230,10 +251,13 @@ export class Mechanism {
     if (!all.length) all = frames.map((f, k) => ({ frame: k, at: [0, 0, 0] })).filter(p => moves(p.frame));
     return all.length > 8 ? all.slice(-1) : all;
   }
-  path(p) {
-    const { run } = this, step = Math.max(1, Math.floor(run.n / 2500)), points = [], rows = [], v = new Vector3();
-    for (let i = 0; i < run.n; i += step) { this.pose(run.pose(i, this.live)); this.place(p, v); points.push(v.x, v.y, v.z - (this.flat ? 2 * this.thick : 0)); rows.push(i); }
-    return { points, rows, step };
+  path(p, most) {                         // about so many pieces, but no fewer than rows
+    const { run } = this, each = run.n > 2500 ? 1 / Math.floor(run.n / 2500) : Math.max(1, Math.min(8, Math.round(most / run.n))), count = Math.floor((run.n - 1) * each) + 1, points = [], v = new Vector3();
+    for (let k = 0; k < count; k++) {     // between rows as the mechanism moves there
+      const i = Math.floor(k / each + 1e-9), s = k / each - i, t = run.t;
+      this.pose(s > 1e-9 ? run.sample(t[i] + s * (t[i + 1] - t[i]), this.live) : run.pose(i, this.live)); this.place(p, v); v.add(this.group.position); points.push(v.x, v.y, v.z - (this.flat ? 2 * this.thick : 0));
+    }
+    return { points, each, count };
   }
   dispose() { for (const mesh of this.meshes) { mesh.geometry.dispose(); mesh.material.dispose(); mesh.dispose(); } this.group.removeFromParent(); }
 }

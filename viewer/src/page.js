@@ -21,7 +21,8 @@ export function page(data, runs, options = {}) {
   const drawingOf = run => data.drawings[run.meta.drawing ?? 0];
   let run = runs[0], other = null, beside = true, from = 0, clock = 0, range = null, t0, t1;
   const stage = state.stage = new Stage($('canvas'), drawingOf(run), { painted: hash.has('painted') });
-  const charts = state.charts = new Charts($('charts'), data, t => seek(t));
+  const charts = state.charts = new Charts($('charts'), data, runs, t => seek(t));
+  if (stage.flat) for (const name of ['side', 'top']) document.querySelector(`[data-view=${name}]`).hidden = true;
   $('description').textContent = data.description;
   $('messages').innerHTML = [...(data.warnings || []), ...(data.notes || [])].map(s => `<p>${escaped(s)}</p>`).join('');
 
@@ -44,7 +45,7 @@ export function page(data, runs, options = {}) {
     if (options.play) { past = past && !on; return options.play(on); }
     if (!on) { $('live').textContent = `paused at ${state.time.toFixed(2)} seconds`; return; }
     const [a, b] = range || [t0, t1]; if (state.time >= b - 1e-9 || state.time < a) move(a);
-    base();
+    base(); stage.wake?.();
   }
   const toggle = () => play(!state.playing);
   function loop(a, b) {                   // times between which it repeats; none: all
@@ -58,8 +59,8 @@ export function page(data, runs, options = {}) {
     run = runs[k]; other = with_ >= 0 && with_ !== k ? runs[with_] : null; state.run = run; state.other = other;
     limits(); $('run').value = k; $('other').value = other ? with_ : -1; loop();
     const list = other ? [run, other] : [run];
-    stage.show(list.map(r => ({ run: r, drawing: drawingOf(r) })), beside); charts.show(list); label();
-    cards(run); tables(data, runs, run, i => choose(i)); view('fit'); move(Math.min(t1, Math.max(t0, state.time)));
+    stage.show(list.map(r => ({ run: r, drawing: drawingOf(r) })), beside); charts.show(list); charts.resize(); label();
+    cards(run); const why = run.meta.facts?.[0]?.title; $('why').textContent = why; $('why').hidden = !why; tables(data, runs, run, i => choose(i)); view('fit'); move(Math.min(t1, Math.max(t0, state.time)));
   }
   const names = new Vector3(); let labels = [], tags = [];
   function label() {
@@ -127,7 +128,7 @@ export function page(data, runs, options = {}) {
     });
     canvas.addEventListener('pointerleave', () => { tip.hidden = true; });
   }
-  const fit = () => { const b = $('stage').getBoundingClientRect(); if (b.width) stage.resize(Math.round(b.width), Math.round(b.height)); charts.resize(); };
+  const fit = () => { const b = $('stage').getBoundingClientRect(); if (b.width) stage.resize(Math.round(b.width), Math.round(b.height)); if (state.ready && !stage.moved) stage.view('fit'); charts.resize(); };
   new ResizeObserver(fit).observe($('stage'));
   addEventListener('beforeprint', () => { play(false); state.printed = state.dark; if (state.dark) flip(); fit(); stage.dirty = true; stage.render(); });
   addEventListener('afterprint', () => { if (state.printed) flip(); });
@@ -137,12 +138,15 @@ export function page(data, runs, options = {}) {
   document.documentElement.dataset.theme = prefers('(prefers-color-scheme: dark)') ? 'dark' : 'light'; state.dark = document.documentElement.dataset.theme === 'dark';
   stage.show([{ run, drawing: drawingOf(run) }], false); fit(); charts.runs = [run]; limits();
   if (stage.travels || drawingOf(run).view?.follow) box('follow').checked = true;
-  for (const p of data.plots) charts.add(p);
+  for (const p of data.plots) { charts.add(p); if (p.stack && runs.length > 1) charts.add({ ...p, of: 1 }); }
   charts.resize();
   choose(0, data.compare && runs.length > 1 ? 1 : -1); view('iso'); if (stage.flat) view('front'); theme(state.dark);
   const span = options.span ?? t1 - t0; speed(span >= 2 && span <= 30 ? 1 : SPEEDS.reduce((a, b) => Math.abs(Math.log(span / b / 8)) < Math.abs(Math.log(span / a / 8)) ? b : a, 1));
   $('foot').innerHTML = '<kbd>space</kbd> play <kbd>←</kbd> <kbd>→</kbd> step <kbd>Home</kbd> <kbd>End</kbd> <kbd>[</kbd> <kbd>]</kbd> loop range <kbd>0</kbd>–<kbd>4</kbd> views <kbd>n</kbd> names <kbd>f</kbd> forces <kbd>d</kbd> dark';
+  let asked = false;
+  const wake = stage.wake = () => { if (!asked) { asked = true; requestAnimationFrame(frame); } };
   function frame(now) {
+    asked = false;
     if (state.playing && !options.play) {
       const [a, b] = range || [t0, t1]; let t = from + Math.max(0, now - clock) / 1000 * state.speed;
       if (t >= b) { if ($('loop').checked) { t = a + (t - b) % Math.max(b - a, 1e-9); from = t; clock = now; } else { t = b; play(false); } }
@@ -153,9 +157,9 @@ export function page(data, runs, options = {}) {
       tags.forEach((e, k) => { const [x, y] = beside ? stage.above(k, names) : [stage.width / 2, 26 + 22 * k]; e.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -130%)`; });
       if (!$('labels').hidden) for (const [e, place] of labels) { const [x, y, z] = stage.screen(place, names); e.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`; e.style.display = z < 1 ? '' : 'none'; }
     }
-    requestAnimationFrame(frame);
+    if (state.playing && !options.play) wake();
   }
-  move(t0); requestAnimationFrame(frame);
+  move(t0);
   if (hash.has('t')) seek(+hash.get('t')); else if (!options.still && !prefers('(prefers-reduced-motion: reduce)')) play(true);
   Object.assign(state, { seek, play, pace: speed, choose, loop, range: () => range, flip, ready: true, loaded: performance.now() - began });
   // For a live page: new rows at the end of the run.

@@ -26,7 +26,7 @@ export class Painter {
   }
   screen(v) { v.applyMatrix4(this.toScreen); return [(v.x + 1) / 2 * this.width, (1 - v.y) / 2 * this.height]; }
   gather(mesh, view, faces) {
-    const position = mesh.geometry.attributes.position, index = mesh.geometry.index?.array, count = index ? index.length : position.count, world = new Matrix4(), instance = new Matrix4(), colour = new Color(), text = new Color();
+    const position = mesh.geometry.attributes.position, index = mesh.geometry.index?.array, shades = mesh.geometry.attributes.color, count = index ? index.length : position.count, world = new Matrix4(), instance = new Matrix4(), colour = new Color(), text = new Color();
     const seen = [], at = [], both = mesh.material.side === 2, n = new Vector3(), e = new Vector3(), order = mesh.renderOrder;
     for (let k = 0; k < mesh.count; k++) {
       mesh.getMatrixAt(k, instance); world.multiplyMatrices(mesh.matrixWorld, instance); mesh.getColorAt(k, colour); const turn = new Matrix4().multiplyMatrices(view, world);
@@ -36,7 +36,7 @@ export class Painter {
         const area = (q[0] - p[0]) * (r[1] - p[1]) - (r[0] - p[0]) * (q[1] - p[1]);
         if ((area >= 0 && !both) || Math.abs(area) < .02) continue;   // faces that look away
         n.subVectors(seen[b], seen[a]).cross(e.subVectors(seen[d], seen[a])).normalize();
-        text.copy(colour).multiplyScalar(.5 + .5 * Math.abs(n.dot(LIGHT)));
+        text.copy(colour).multiplyScalar((.5 + .5 * Math.abs(n.dot(LIGHT))) * (shades ? shades.getX(i) : 1));
         faces.push({ p: [...p, ...q, ...r], depth: seen[a].z + seen[b].z + seen[d].z, colour: `#${text.getHexString()}`, opacity: mesh.material.opacity, order });
       }
     }

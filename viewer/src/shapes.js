@@ -14,16 +14,27 @@ class Coil extends Curve {                // wire of a spring, with straight end
 }
 const turned = (points, around) => new LatheGeometry(points.map(p => new Vector2(...p)), around).rotateX(Math.PI / 2);
 
-// Names: box, sphere, cylinder, cone (from 0 to 1), ring:INNER, helix:HEIGHT (in radii, so that the wire stays round).
-export function unitShape(name, fine) {
-  const [kind, number] = name.split(':'), around = fine > 1 ? 40 : fine ? 20 : 12;
+// Names: box, sphere, cylinder, cone (from 0 to 1), ring:INNER, helix:HEIGHT (in radii, so that the wire stays round);
+// with * at the end in light and dark quarters, so that one sees it turn.
+export function unitShape(name, fine, large = false) {
+  if (name.endsWith('*')) return quartered(unitShape(name.slice(0, -1), fine, true));
+  const [kind, number] = name.split(':'), around = fine > 1 ? 48 : fine && (large || kind === 'ring') ? 32 : 16;
   if (kind === 'box') return new BoxGeometry(1, 1, 1);
-  if (kind === 'sphere') return new SphereGeometry(1, around, Math.round(around * .6));
+  if (kind === 'sphere') return new SphereGeometry(1, around, 2 * Math.round(around * .3));
   if (kind === 'cylinder') return turned(fine ? [[0, -.5], [.98, -.5], [1, -.48], [1, .48], [.98, .5], [0, .5]] : [[0, -.5], [1, -.5], [1, .5], [0, .5]], around);
   if (kind === 'cone') return new ConeGeometry(1, 1, around).rotateX(Math.PI / 2).translate(0, 0, .5);
   if (kind === 'ring') { const r = +number; return turned([[r, -.5], [1, -.5], [1, .5], [r, .5], [r, -.5]], around); }
   const height = +number, turns = Math.max(4, Math.min(11, Math.round(height))) + .5;
   return new TubeGeometry(new Coil(turns, height), Math.round(turns * (fine ? 24 : 10)), .16, fine ? 8 : 3, false).scale(1, 1, 1 / height);
+}
+
+function quartered(shape) {
+  const g = shape.toNonIndexed(), p = g.attributes.position, shades = [];
+  for (let k = 0; k < p.count; k += 3) {
+    const product = ['getX', 'getY', ...(shape.type === 'SphereGeometry' ? ['getZ'] : [])].reduce((s, get) => s * (p[get](k) + p[get](k + 1) + p[get](k + 2)), 1);
+    shades.push(...Array(9).fill(product > 0 ? 1 : .68));
+  }
+  g.setAttribute('color', new Float32BufferAttribute(shades, 3)); return g;
 }
 
 export function ownShape(solid) {         // of what no unit shape can be scaled to

@@ -1,6 +1,6 @@
 // The place where mechanisms move: light, ground, camera, paths. WebGL, or a painted canvas.
 import {
-  Box3, Color, DirectionalLight, HemisphereLight, Mesh, OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene,
+  Box3, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, HemisphereLight, Line, LineBasicMaterial, Mesh, OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene,
   ShaderMaterial, ShadowMaterial, Vector2, Vector3, WebGLRenderer, Object3D,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -38,9 +38,12 @@ export class Stage {
     this.camera = this.flat ? new OrthographicCamera() : new PerspectiveCamera(FIELD); this.camera.up.copy(this.up);
     const c = this.controls = new OrbitControls(this.camera, this.canvas); c.enableDamping = false; c.zoomToCursor = true;
     if (this.flat) { c.enableRotate = false; c.mouseButtons.LEFT = 2; c.touches.ONE = 1; }
-    c.addEventListener('change', () => { this.dirty = true; });
+    c.addEventListener('change', () => { this.dirty = true; }); c.addEventListener('start', () => { this.moved = true; });
     this.ground();
   }
+  // What is to be drawn anew is drawn in the next frame; `wake` asks for one.
+  get dirty() { return this.stale; }
+  set dirty(on) { this.stale = on; if (on) this.wake?.(); }
   webgl(canvas) {
     const r = new WebGLRenderer({ canvas, antialias: this.fine > 1, alpha: true, preserveDrawingBuffer: true });
     r.shadowMap.enabled = this.fine > 1; r.shadowMap.type = PCFShadowMap;
@@ -63,12 +66,12 @@ export class Stage {
   show(list, beside) {
     for (const m of this.shown) m.dispose();
     this.shown = list.map((x, k) => new Mechanism(x.drawing, x.run, { ghost: k > 0 && !beside, fine: this.fine }));
-    const [m] = this.shown, side = this.flat ? new Vector3(1, 0, 0) : new Vector3().crossVectors(this.direction('front'), this.up).negate().normalize();
-    const width = Math.max(...this.shown.map(x => Math.abs(x.swept.getSize(new Vector3()).dot(side)))) + .25 * m.size;
+    const [m] = this.shown, right = this.flat ? new Vector3(1, 0, 0) : this.axes(1, 0, 0), across = this.flat ? this.up.clone().negate() : this.axes(0, 1, 0), wide = d => Math.max(...this.shown.map(x => Math.abs(x.swept.getSize(new Vector3()).dot(d))));
+    this.travels = m.extent > 5 * m.size;
+    const side = this.travels && wide(across) < wide(right) ? across : right, width = wide(side) + .25 * m.size;     // beside the way of what travels
     this.shown.forEach((x, k) => { x.group.position.copy(side).multiplyScalar(beside ? k * width : 0); x.group.updateMatrixWorld(true); this.scene.add(x.group); });
     this.size = m.size; this.whole = new Box3(); for (const x of this.shown) this.whole.union(x.swept.clone().translate(x.group.position));
     this.extent = this.whole.getSize(new Vector3()).length() || 1;
-    this.travels = m.extent > 5 * m.size;
     this.settle(); this.trace(); for (const name in this.layers) this.layer(name, this.layers[name]);
     this.last = null;
   }
@@ -99,7 +102,8 @@ export class Stage {
     return name === 'front' ? this.axes(0, -1, 0) : name === 'side' ? this.axes(1, 0, 0) : name === 'top' ? this.axes(0, -.001, 1) : wanted ? new Vector3(...wanted) : this.axes(.62, -.88, .42);
   }
   view(name) {                            // looks from there, so that all that is swept can be seen
-    const { camera, controls } = this, box = this.following ? this.shown[0].box() : this.whole, centre = box.getCenter(new Vector3());
+    this.moved = false;
+    const { camera, controls } = this, box = this.following ? this.shown.reduce((all, x) => all.union(x.box()), new Box3()) : this.whole, centre = box.getCenter(new Vector3());
     const d = (name === 'fit' ? camera.position.clone().sub(controls.target) : this.direction(name)).normalize();
     controls.target.copy(centre); camera.position.copy(centre).addScaledVector(d, this.flat ? 6 * this.extent : 1); camera.lookAt(centre); camera.updateMatrixWorld();
     const [right, up, out] = [0, 1, 2].map(k => new Vector3().setFromMatrixColumn(camera.matrixWorld, k)), aspect = this.width / this.height || 1.5, tan = Math.tan(FIELD * Math.PI / 360), margin = 1.2;
@@ -123,27 +127,28 @@ export class Stage {
   }
   trace() {
     for (const l of this.lines) { l.removeFromParent(); l.geometry?.dispose(); l.material?.dispose(); }
-    this.lines = []; const [m] = this.shown;
-    m.paths().slice(0, 12).forEach((p, k) => {
-      const { points, rows, step } = m.path(p), colour = PALETTE[(k + 3) % PALETTE.length]; if (rows.length < 3) return;
-      for (const [width, opacity, whole] of [[1.2, .3, true], [2.2, .95, false]]) {
-        const data = { points, rows, step, whole, width, opacity, colour, shown: rows.length - 1 };
-        const line = this.painted ? new Object3D() : new Line2(new LineGeometry().setPositions(points), new LineMaterial({ color: colour, linewidth: width, transparent: true, opacity, depthWrite: false }));
+    this.lines = []; const moving = this.shown.filter(m => !m.options.ghost);
+    for (const m of moving) m.paths().slice(0, 12).forEach((p, k, all) => {
+      const { points, each, count } = m.path(p, (this.fine > 1 ? 4000 : 2000) / all.length / moving.length), colour = PALETTE[(k + 3) % PALETTE.length]; if (count < 3) return;
+      for (const [width, opacity, whole] of [[1, .4, true], [2.2, .95, false]]) {
+        const data = { m, points, each, whole, width, opacity, colour, most: count - 1, shown: count - 1 };
+        const ink = { color: colour, linewidth: width, transparent: true, opacity, depthWrite: false };      // a wide line costs ten times a thin one
+        const line = this.painted ? new Object3D() : whole ? new Line(new BufferGeometry().setAttribute('position', new Float32BufferAttribute(points, 3)), new LineBasicMaterial(ink)) : new Line2(new LineGeometry().setPositions(points), new LineMaterial(ink));
         Object.assign(line, { userData: data, frustumCulled: false, renderOrder: 1 }); this.lines.push(line); this.scene.add(line);
       }
     });
   }
   moveTo(time) {
     for (const m of this.shown) m.moveTo(time);
-    const [m] = this.shown, row = m.run.index(m.time);
+    const [m] = this.shown;
     if (this.following) {
       const now = m.middle();
       if (this.last) { const d = now.clone().sub(this.last); for (const x of [this.camera.position, this.controls.target, this.sun.position, this.sun.target.position]) x.add(d); }
       this.last = now;
     }
     for (const line of this.lines) {
-      const u = line.userData, count = u.whole ? u.rows.length - 1 : Math.min(u.rows.length - 1, Math.floor(row / u.step));
-      u.shown = count; line.visible = this.layers.traces && count > 0; if (line.geometry) line.geometry.instanceCount = count;
+      const u = line.userData, count = u.whole ? u.most : Math.min(u.most, Math.floor(u.m.row() * u.each + 1e-9));
+      u.shown = count; line.visible = this.layers.traces && count > 0; if (line.isLine2) line.geometry.instanceCount = count;
     }
     this.dirty = true;
   }
@@ -165,8 +170,8 @@ export class Stage {
   }
   screen(place, out) { const [m] = this.shown; m.place(place, out).project(this.camera); return [(out.x + 1) / 2 * this.width, (1 - out.y) / 2 * this.height, out.z]; }
   above(k, out) {                         // the middle of the top edge of a mechanism among several
-    const { swept, group } = this.shown[k], up = Math.abs(this.up.x) + 2 * Math.abs(this.up.y) + 3 * Math.abs(this.up.z) | 0, name = ['', 'x', 'y', 'z'][up];
-    swept.getCenter(out); out[name] = this.up[name] > 0 ? swept.max[name] : swept.min[name]; out.add(group.position).project(this.camera);
+    const { swept, drawn, group, began } = this.shown[k], box = this.following ? drawn.clone().translate(this.shown[k].middle().sub(began)) : swept, name = ['x', 'y', 'z'].find(c => Math.abs(this.up[c]) > .5);
+    box.getCenter(out); out[name] = this.up[name] > 0 ? box.max[name] : box.min[name]; out.add(group.position).project(this.camera);
     return [(out.x + 1) / 2 * this.width, (1 - out.y) / 2 * this.height];
   }
 }

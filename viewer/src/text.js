@@ -1,11 +1,11 @@
 // Small things that several parts of the page write with.
 export const $ = id => document.getElementById(id);
 export const escaped = s => String(s ?? '').replace(/[&<>"]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' }[c]));
-export function shown(x) {
+export function shown(x, digits = 0) {
   if (x === null || x === undefined || Number.isNaN(x)) return '–';
   if (typeof x !== 'number') return String(x);
   const size = Math.abs(x);
-  return size && (size >= 1e5 || size < 1e-3) ? x.toExponential(2) : String(+x.toPrecision(5));
+  return size && (size >= 1e5 || size < 1e-3) ? x.toExponential(Math.max(2, digits - 1)) : String(+x.toPrecision(Math.max(5, digits)));
 }
 export const unitOf = unit => unit && unit !== '1' ? unit : '';
 export function save(name, content, type) {
