@@ -21,6 +21,7 @@ import solver
 from benchmarks.effort import Effort
 from benchmarks.report import Goal, Section, Table, Value
 from build_fmu import build, sweep
+from build_fmu.platforms import SCOPES
 from build_kernel.compiler import CompilerError, Kind, compile_library, system_compiler
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -173,7 +174,7 @@ def _compiled(kind: Kind, folder: Path) -> tuple[Path, Path]:
     kernel, host = folder / f"kernel_{name}.so", folder / f"host_{name}"
     compile_library(compiler, sources, kind, kernel)
     include = f"-I{ROOT / 'fmu_src/native'}", f"-I{sources}"
-    macros = f"-DDIM={kind.dimension}", f"-DHM_CONTACTS={int(kind.contacts)}"
+    macros = f"-DDIM={kind.dimension}", f"-DHM_SCOPE={SCOPES.index(kind.scope)}"
     program = str(ROOT / "benchmarks/native_calls.c"), "-o", str(host), "-ldl"
     command = [*compiler, "-std=c99", "-O2", *include, *macros, *program]
     run = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.payload import SLAVE_NAME, package_folder, payload, wrapper_libraries
-from build_fmu.platforms import PLATFORMS, library_path, own_platform
+from build_fmu.platforms import PLATFORMS, library_path, library_scope, own_platform
 from build_fmu.source_package import UNIT, source_files
 
 ALL, NONE = "all", "none"
@@ -135,7 +135,7 @@ def _python_entries(name: str, dimension: int) -> dict[str, bytes]:
 
 def _native_library(platform: str, sizes: Mapping[str, int]) -> bytes:
     folder = package_folder("fmu_src")
-    path = library_path(folder, platform, sizes["dim"], bool(sizes["unilateral"]))
+    path = library_path(folder, platform, sizes["dim"], library_scope(sizes))
     if path.is_file():
         return path.read_bytes()
     remedy = "python -m build_kernel"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -49,6 +50,8 @@ PLATFORMS = {
         "", ("aarch64-linux",), (f"aarch64-linux-gnu.{GLIBC}",), ".so", "manylinux2014_aarch64",
     ),
 }  # fmt: skip
+SCOPES = ("points", "bodies", "contacts")
+"""What a library serves, each the one before it, too: points and bars, rigid bodies, contacts."""
 
 
 def own_platform(system: str = "", machine: str = "") -> str:
@@ -62,15 +65,19 @@ def own_platform(system: str = "", machine: str = "") -> str:
     return "darwin64" if system == "Darwin" else ""
 
 
-def library_path(root: Path, name: str, dimension: int, contacts: bool) -> Path:
-    """Library for a platform and mechanisms of this dimension, below the folder of `fmu_src`.
+def library_scope(sizes: Mapping[str, int]) -> str:
+    """The smallest of `SCOPES` that serves a model of these sizes."""
+    if sizes["unilateral"]:
+        return "contacts"
+    return "bodies" if sizes["n_bodies"] else "points"
 
-    That without `contacts` is a quarter smaller; it refuses models with contacts or frictions.
-    """
-    word = library_word(dimension, contacts)
+
+def library_path(root: Path, name: str, dimension: int, scope: str) -> Path:
+    """Library for a platform and mechanisms of this dimension, below the folder of `fmu_src`."""
+    word = library_word(dimension, scope)
     return root / "native" / "_libraries" / name / f"{word}{PLATFORMS[name].suffix}"
 
 
-def library_word(dimension: int, contacts: bool) -> str:
+def library_word(dimension: int, scope: str) -> str:
     """Name of a library on every platform."""
-    return {2: "planar", 3: "spatial"}[dimension] + ("_contacts" if contacts else "")
+    return ("planar_" if dimension == 2 else "spatial_") + scope

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.payload import package_folder
+from build_fmu.platforms import SCOPES, library_scope
 from build_fmu.xml_parts import document, element
 from solver.runtime.kernel import shared_library
 
@@ -49,7 +50,7 @@ _FILE = """#if defined(__GNUC__) && !defined(__clang__)
 """
 _CONFIGURATION = """/* What is known of the FMU when it is compiled. */
 #define DIM {dimension}
-#define HM_CONTACTS {contacts}
+#define HM_SCOPE {scope}
 #define HOLONOM_SOURCE
 #define HOLONOM_MODEL "model.h"
 #define HOLONOM_MODEL_BYTES {bytes}
@@ -104,7 +105,7 @@ def model_files(model: Model, data: bytes, fmi: int, identifier: str) -> dict[st
     prefix = f"HOLONOM_PREFIXED(FMI{fmi}_FUNCTION_PREFIX, "
     dimension = model.sizes["dim"]
     configuration = _CONFIGURATION.format(
-        dimension=dimension, contacts=int(bool(model.sizes["unilateral"])),
+        dimension=dimension, scope=SCOPES.index(library_scope(model.sizes)),
         bytes=len(data), fmi=fmi,
         instance=model.checked_file(shared_library(dimension))[1],
         rows=len(model.rows) + len(model.rules),

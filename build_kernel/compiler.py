@@ -23,7 +23,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-from build_fmu.platforms import PLATFORMS, library_path, own_platform
+from build_fmu.platforms import PLATFORMS, SCOPES, library_path, own_platform
 from build_kernel.model_tables import write_headers
 from build_kernel.universal import universal
 
@@ -59,15 +59,15 @@ class Kind(NamedTuple):
     ----------
     dimension : int
         2 or 3.
-    contacts : bool
-        Whether it serves models with contacts or frictions, too.
+    scope : str
+        What models it serves, of `SCOPES`.
     slave : Path, optional
         Folder of a slave's sources: the library is that of an FMU, and shows the standard's
         functions alone.
     """
 
     dimension: int
-    contacts: bool = True
+    scope: str = SCOPES[-1]
     slave: Path | None = None
 
 
@@ -98,7 +98,7 @@ def compile_kernel(root: Path) -> list[Path]:
         for dimension in DIMENSIONS
     }
     for kind in _slaves(root) if own else ():
-        libraries[library_path(root / SLAVES, own, kind.dimension, kind.contacts)] = kind
+        libraries[library_path(root / SLAVES, own, kind.dimension, kind.scope)] = kind
 
     def compiled(target: Path, kind: Kind) -> Path:
         # The new file takes the old one's place at once: a running process may have that mapped.
@@ -140,7 +140,7 @@ def compile_for_all(root: Path) -> None:
     with tempfile.TemporaryDirectory(dir=root) as folder:
         for name in PLATFORMS:
             jobs = {
-                library_path(root / SLAVES, name, kind.dimension, kind.contacts): kind
+                library_path(root / SLAVES, name, kind.dimension, kind.scope): kind
                 for kind in _slaves(root)
             }
             system = _system(PLATFORMS[name].targets[0])
@@ -169,7 +169,7 @@ def take_kernels(root: Path, platform: str) -> None:
 
 def _slaves(root: Path) -> list[Kind]:
     """Libraries of FMUs for one platform."""
-    return [Kind(d, c, root / SLAVE_SOURCES) for d in DIMENSIONS for c in (False, True)]
+    return [Kind(d, scope, root / SLAVE_SOURCES) for d in DIMENSIONS for scope in SCOPES]
 
 
 def _compile_with_zig(root: Path, zig_name: str, kind: Kind, target: Path) -> None:
@@ -216,7 +216,7 @@ def compile_library(
     if kind.slave is not None:
         sources += sorted(str(path.resolve()) for path in kind.slave.glob("*.c"))
         options = ("-DHOLONOM_STATIC", f"-I{folder.resolve()}", *options)
-    macros = f"-DDIM={kind.dimension}", f"-DHM_CONTACTS={int(kind.contacts)}"
+    macros = f"-DDIM={kind.dimension}", f"-DHM_SCOPE={SCOPES.index(kind.scope)}"
     options = (*flags(system or platform.system()), *macros, *options)
     command = [*compiler, *options, "-o", str(target), *sources, "-lm"]
     run = _run(command, folder, str(target.parent))

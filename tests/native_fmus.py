@@ -15,6 +15,7 @@ from build_fmu.instance import Log
 from build_fmu.model_description import model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import chosen_package
+from build_fmu.platforms import library_scope
 from solver.runtime import Model
 from tests.fmu_instance import SCENES, packed
 
@@ -27,11 +28,11 @@ def native_scene_fmu(name: str, fmi: int = 2) -> Path:
     return native_fmu(solver.assemble(solver.load(SCENES / f"{name}.toml")), fmi)
 
 
-def native_fmu(model: Model, fmi: int = 2, contacts: bool | None = None) -> Path:
-    """Native FMU of a model, with its library or, if `contacts` is given, that one."""
+def native_fmu(model: Model, fmi: int = 2, scope: str = "") -> Path:
+    """Native FMU of a model, with its library or, if `scope` is given, that one."""
     name = identifier(model.name)
-    unilateral = model.sizes["unilateral"] if contacts is None else int(contacts)
-    sizes = model.sizes | {"unilateral": unilateral}
+    scope = scope or library_scope(model.sizes)
+    sizes = model.sizes | {"unilateral": scope == "contacts", "n_bodies": scope == "bodies"}
     entries = chosen_package(True, fmi).entries(name, sizes)
     entries["resources/model.bin"] = model.file
     own = guid(entries)

@@ -11,7 +11,7 @@ from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names
 from build_fmu.errors import UsageError
 from build_fmu.motion import LOSSES
 from build_fmu.package import NATIVE, package_of
-from build_fmu.platforms import library_word
+from build_fmu.platforms import library_scope, library_word
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
@@ -64,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
     counts = survey(model)
     package = package_of(arguments.target) if is_fmu(arguments.target) else {}
     if package.get("kind") == NATIVE and package["platforms"]:
-        package["library"] = library_word(model.sizes["dim"], bool(model.sizes["unilateral"]))
+        package["library"] = library_word(model.sizes["dim"], library_scope(model.sizes))
     document = _document(model, counts) | _ledger(model) | ({"package": package} if package else {})
     if arguments.json:
         print_json(document | {"warnings": arguments.warnings})

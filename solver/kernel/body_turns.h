@@ -31,7 +31,7 @@ static inline void turned_by(const double *a, const double *b, double *x)
 }
 
 /* Whether a free node is a director that turns with its body. */
-static inline int is_director(const context *c, int32_t node) { return c->reduced && c->m->node_kind[node]; }
+static inline int is_director(const context *c, int32_t node) { return is_reduced(c) && c->m->node_kind[node]; }
 
 /* Components of the unknown of a free node: a director has those of its body's turn. */
 static inline int unknown_size(const context *c, int32_t node) { return is_director(c, node) ? TURNING : DIM; }
@@ -266,7 +266,7 @@ static void begin_turn(const context *c, int32_t a, const double *acceleration)
 /* Directors where there is no step. */
 static void stand_still_as_bodies(const context *c)
 {
-    for IN_ISLAND(c, b, ISLAND_BODY)
+    EACH_TURN(c, b)
         for (int32_t k = DIM * c->m->body_node[b], end = k + DIM * TURNING; k < end; k++) {
             c->k.middle[k] = c->k.turned[k] = c->s.q[k];
             c->k.nodal[k] = 0.0;
@@ -276,7 +276,7 @@ static void stand_still_as_bodies(const context *c)
 /* Clears so many components with the first director of each body. */
 static inline void clear_bodies(const context *c, double *x, int count)
 {
-    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced; b++)
+    EACH_TURN(c, b)
         for (int k = 0; k < count; k++) x[DIM * c->m->body_node[b] + k] = 0.0;
 }
 
@@ -284,7 +284,7 @@ static inline void clear_bodies(const context *c, double *x, int count)
    for the tangent.                                                                                              */
 static void reduce_momentum(const context *c)
 {
-    for IN_ISLAND(c, b, ISLAND_BODY) {
+    EACH_TURN(c, b) {
         const int32_t at = DIM * c->m->body_node[b];
         double *p = c->k.momentum + at, *kept = c->k.nodal + at, *torque = c->k.torque + at, own[TURNING];
         for (int i = 0; i < TURNING; i++) {

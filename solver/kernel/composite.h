@@ -268,7 +268,7 @@ static void links_at_start(const context *c)
     links_of_parts(c, ISLAND_LINKED, ISLAND_ACTIVE);
     for IN_ISLAND(c, i, ISLAND_RIGIDITY_LINKED) {
         const int32_t f = c->m->linked_form[i];
-        if (!c->reduced) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
+        if (!is_reduced(c)) link_at_state(c, f, c->k.u0 + DIM * f, c->k.w0 + DIM * f);
     }
     if (!c->asleep || c->stepping) links_of_parts(c, ISLAND_TOUCHING_LINKED, ISLAND_TOUCHING_ACTIVE);
 }

@@ -70,7 +70,12 @@ typedef struct context {
 #define EACH_FORM_ROW(c, i) EACH_IN(c, form_rows, form_row, i)
 #define EACH_NODE(c, a) for (int32_t a = (c)->node.begin, a##_end = (c)->node.end; a < a##_end; a++)
 #define EACH_COORDINATE(c, k) for (int32_t k = DIM * (c)->node.begin, k##_end = DIM * (c)->node.end; k < k##_end; k++)
+/* Bodies whose turns are unknowns of the step at hand. */
+#define EACH_TURN(c, b) for (int32_t b = (c)->begin[ISLAND_BODY]; is_reduced(c) && b < (c)->end[ISLAND_BODY]; b++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
+
+/* Whether the step at hand has turns of bodies for unknowns. */
+static inline int is_reduced(const context *c) { return HM_BODIES && c->reduced; }
 
 /* Adds begin .. end - 1 to `count` pieces, to the last one if it ends there. */
 HM_OFTEN int add_piece(span *piece, int count, int32_t begin, int32_t end)
@@ -105,7 +110,7 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->all_composites = 0;
     c->form_row[0] = (span){begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]};
     c->form_row[1] = (span){begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]};
-    c->form_rows = c->reduced ? 1 : 2;
+    c->form_rows = is_reduced(c) ? 1 : 2;
     c->all_rows = 0;
     for (int k = 0; k < c->form_rows; k++) c->all_rows = add_piece(c->all_row, c->all_rows, c->form_row[k].begin, c->form_row[k].end);
     c->all_rows = add_piece(c->all_row, c->all_rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
@@ -152,8 +157,8 @@ static void reduce(context *c, int reduced)
 /* Factors of the whole tangent, and lean ones, that serve. */
 static inline const holonom_elimination *full_factors(const context *c)
 {
-    if (c->asleep && c->m->n_open_values && c->reduced == (c->m->n_bodies > 0)) return &c->m->open;
-    return c->reduced ? &c->m->reduced : &c->m->full;
+    if (c->asleep && c->m->n_open_values && is_reduced(c) == (n_bodies(c->m) > 0)) return &c->m->open;
+    return is_reduced(c) ? &c->m->reduced : &c->m->full;
 }
 
 static inline const holonom_elimination *lean_factors(const context *c)

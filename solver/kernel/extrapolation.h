@@ -222,7 +222,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     const int32_t status = put_back(c, x);
     suspend_sliding(c, 0);
     follow_angles(c);
-    for (int32_t j = 0; j < c->m->n_bodies; j++) follow_orientation(c, j);
+    for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
     return status;
 }
 

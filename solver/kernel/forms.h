@@ -227,7 +227,7 @@ static double coincidence_function(const context *c, int32_t j, const double *ph
 
 /* One link of form f at the state to about twice the digits of a double, high + low (DIM each, overwritten);
    coefficients of the link begin at `at`, those of its quarter turns at `turn_at`.                            */
-HM_OFTEN void exact_link(const context *c, int32_t f, int32_t at, int32_t turn_at, double *high, double *low)
+static void exact_link(const context *c, int32_t f, int32_t at, int32_t turn_at, double *high, double *low)
 {
     const holonom_model *m = c->m;
     const int32_t begin = m->form_ptr[f], moving = begin + m->form_moving[f];

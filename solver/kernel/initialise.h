@@ -222,7 +222,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status) status = first_multipliers(&c);
     if (status) return status;
     follow_angles(&c); /* from no direction, which is no turn */
-    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
+    for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
     if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;
     if (status) return status;

@@ -38,10 +38,14 @@
 #pragma GCC optimize("no-tree-tail-merge", "no-optimize-strlen", "no-inline-functions", "ira-region=one")
 #endif
 
-/* 0 in a library for models without contacts and frictions: it has nothing that only these need. */
-#ifndef HM_CONTACTS
-#define HM_CONTACTS 1
+/* A library serves models of points and bars (0), with rigid bodies (1), with contacts and frictions as well (2), and has nothing
+   that only others need. */
+#ifndef HM_SCOPE
+#define HM_SCOPE 2
 #endif
+#define HM_BODIES (HM_SCOPE > 0)
+#define HM_CONTACTS (HM_SCOPE > 1)
+static inline int32_t n_bodies(const holonom_model *m) { return HM_BODIES ? m->n_bodies : 0; }
 static inline int is_unilateral(const holonom_model *m) { return HM_CONTACTS && m->unilateral; }
 static inline int32_t n_contacts(const holonom_model *m) { return HM_CONTACTS ? m->n_contacts : 0; }
 static inline int32_t n_frictions(const holonom_model *m) { return HM_CONTACTS ? m->n_frictions : 0; }

@@ -168,17 +168,17 @@ static void accept_island(context *c, int parity)
         s->imbalance_before[k] = s->imbalance[k];
         s->imbalance[k] = handed ? c->k.momentum[k] : 0.0;
     }
-    for IN_ISLAND(c, j, ISLAND_BODY) follow_orientation(c, j);
+    for (int32_t j = c->begin[ISLAND_BODY]; HM_BODIES && j < c->end[ISLAND_BODY]; j++) follow_orientation(c, j);
     if (!is_telling(c)) return;
     const int kept = n_kept(c);
     const double per_step2 = 2.0 / (c->h * c->h), *a = s->a[1 - parity], *mu = s->mu[1 - parity];
     EACH_COORDINATE(c, k) remember(c, kept, per_step2 * c->k.w[k], s->a[parity], a[k], s->a_change, n, k);
     EACH_ROW(c, i) remember(c, kept, c->k.lambda[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
-    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced; b++)
+    EACH_TURN(c, b)
         for (int k = 0; k < TURNING; k++) {
             const int32_t i = TURNING * b + k;
             const double last = s->turn[1 - parity][i], fresh = turning_of_step(c, m->body_node[b], k);
-            remember(c, kept, fresh, s->turn[parity], last, s->turn_change, TURNING * (int64_t)m->n_bodies, i);
+            remember(c, kept, fresh, s->turn[parity], last, s->turn_change, TURNING * (int64_t)n_bodies(m), i);
         }
     const int32_t first = DIM * m->n_free;
     for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)

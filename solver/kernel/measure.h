@@ -70,9 +70,9 @@ static void measure_bodies(const context *c, const hm_measured *y)
 {
     (void)c, (void)y;
 #if DIM == 3
-    memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * c->m->n_bodies));
+    memcpy(y->quaternion, c->s.quaternion, sizeof(double) * (size_t)(4 * n_bodies(c->m)));
     double *rate = y->body_rate, turning[TURNING];
-    for (int32_t j = 0; j < c->m->n_bodies; j++, rate += 3) {
+    for (int32_t j = 0; j < n_bodies(c->m); j++, rate += 3) {
         const double *d = c->s.q + 3 * c->m->body_node[j], *v = c->s.v + 3 * c->m->body_node[j];
         EACH(k) rate[k] = 0.0;
         for (int i = 0; i < 9; i += 3) {

@@ -90,7 +90,7 @@ static int has_bodies(const checker *c)
            m->n_rigidity_rows == c->count.turning * (DIM - 1) * m->n_bodies;
 }
 
-static int has_forms(const checker *c)
+HM_SELDOM static int has_forms(const checker *c)
 {
     const holonom_model *m = c->m;
     const int64_t n_moving = c->count.n_moving, n_nodes = c->count.n_nodes;
@@ -156,7 +156,7 @@ static int is_composite(const checker *c, int32_t j)
     return is_function(c, m->operation + 4 * (int64_t)begin, leaves, end - begin);
 }
 
-static int has_composites(const checker *c)
+HM_SELDOM static int has_composites(const checker *c)
 {
     const holonom_model *m = c->m;
     const int64_t parts = (int64_t)c->length[TABLE(leaf)] / 4 + c->length[TABLE(operation)] / 4;
@@ -205,7 +205,7 @@ static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const check
     return 1;
 }
 
-static int is_turning(const checker *c, int32_t node) { return c->reduced && c->m->node_kind[node]; }
+static int is_turning(const checker *c, int32_t node) { return (HM_BODIES && c->reduced) && c->m->node_kind[node]; }
 
 static int64_t size_of_unknown(const checker *c, int32_t node) { return is_turning(c, node) ? c->count.turning : DIM; }
 
@@ -235,7 +235,7 @@ static int has_sides(const checker *c, int32_t f)
     for (int32_t e = begin; e < end; e = end_of_side(c, f, e)) sides++;
     for (int32_t e = begin + 1; e < end; e++)
         if (c->m->form_node[e] <= c->m->form_node[e - 1]) return 0;
-    return !c->reduced || sides <= MOST_SIDES;
+    return !(HM_BODIES && c->reduced) || sides <= MOST_SIDES;
 }
 
 static int64_t elements(const checker *c, int32_t f, int full)
@@ -262,9 +262,9 @@ static int64_t axes_slots(const checker *c, int32_t f)
 static int64_t row_slots(const checker *c, int32_t i)
 {
     const int32_t f = c->m->row_form[i], kind = c->m->form_kind[f];
-    if (c->reduced && i >= c->count.n_joint_rows) return 0;
+    if ((HM_BODIES && c->reduced) && i >= c->count.n_joint_rows) return 0;
     if (!has_sides(c, f)) return -1;
-    if (c->reduced && kind & FORM_AXES) return axes_slots(c, f);
+    if ((HM_BODIES && c->reduced) && kind & FORM_AXES) return axes_slots(c, f);
     return 2 * components_of(c, f) + (c->lean || kind & FORM_LINEAR ? 0 : elements(c, f, kind & FORM_TURNED));
 }
 
@@ -324,7 +324,7 @@ static int64_t cone_slots(const checker *c, int32_t f)
 
 /* Whether contacts are gaps among the function rows, and frictions slips among the velocity rows, with something that
    presses on each. */
-static int has_contacts(const checker *c)
+HM_SELDOM static int has_contacts(const checker *c)
 {
     const holonom_model *m = c->m;
     const int64_t slips = c->length[TABLE(friction_row)], normals = c->length[TABLE(normal_row)] / 2;
@@ -359,14 +359,14 @@ static int has_positions(const checker *c, const holonom_elimination *e, int64_t
         if (none ? e->node_position[a] != -1 : e->node_position[a] < 0 || e->node_position[a] + size_of_unknown(c, a) > n) return 0;
     }
     for (int32_t i = 0; i < m->n_rows; i++) {
-        const int none = c->reduced && i >= c->count.n_joint_rows && i < m->n_form_rows;
+        const int none = (HM_BODIES && c->reduced) && i >= c->count.n_joint_rows && i < m->n_form_rows;
         if (none ? e->row_position[i] != -1 : e->row_position[i] < 0) return 0;
     }
     return 1;
 }
 
 /* Whether an elimination is one of this model. */
-static int has_elimination(const checker *c, const holonom_elimination *e, size_t first, int64_t n)
+HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination *e, size_t first, int64_t n)
 {
     const holonom_model *m = c->m;
 #define OWN(name) (first + TABLE(full.name) - TABLE(full))
@@ -374,7 +374,7 @@ static int has_elimination(const checker *c, const holonom_elimination *e, size_
     const int32_t *group = c->length[OWN(lu_group)] ? e->lu_group : NULL;
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
-    const int grouped = c->reduced && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
+    const int grouped = (HM_BODIES && c->reduced) && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
     if (n_groups < 0 || grouped != (group != NULL) || (group && (c->length[OWN(lu_group)] % 2 == 0 || group[0] != 0 || group[2 * n_groups] != n)))
         return 0;
     for (int32_t g = 0, k = 0; g <= n_groups; g++) { /* where islands begin: a pivot, its group, the targets and columns before it */
@@ -400,12 +400,12 @@ static int has_elimination(const checker *c, const holonom_elimination *e, size_
            has_slots(c, OWN(cone_slot_ptr), cone_slots) && has_slots(c, OWN(load_slot_ptr), load_slots) &&
            has_slots(c, OWN(moment_slot_ptr), moment_slots) &&
            c->length[OWN(body_moment_slot)] == (c->lean ? 0 : 81 * (int64_t)m->n_body_moments) &&
-           c->length[OWN(inertia_slot)] == (c->reduced ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
+           c->length[OWN(inertia_slot)] == ((HM_BODIES && c->reduced) ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
            has_positions(c, e, n);
 #undef OWN
 }
 
-int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
+HM_SELDOM int hm_is_consistent(const holonom_model *m, const int32_t *table_length)
 {
     checker checked = {m, table_length, {0}, 0, 0};
     const checker *c = &checked;

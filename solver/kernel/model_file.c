@@ -117,6 +117,7 @@ const char *hm_bind(const void *bytes, int64_t length, hm_model_file *f)
     const hm_header *h = f->header;
     const holonom_model *m = &f->model;
     if (m->dim != DIM) return "it is of another dimension";
+    if (m->n_bodies && !HM_BODIES) return "it has rigid bodies, and this library is for models without them";
     if (m->unilateral && !HM_CONTACTS) return "it has contacts or frictions, and this library is for models without them";
     if (m->n_numbers < 0 || (uint32_t)m->n_numbers != h->n_numbers || m->n_rows < 0 || (uint32_t)m->n_rows != h->n_rows ||
         m->n_sampled < 0 || (uint32_t)m->n_sampled != h->n_sampled || !hm_is_consistent(m, f->table_length) ||

@@ -30,24 +30,22 @@ static void update_multipliers(context *c)
    that is not determined. P = epsilon (G A^-1 G' + epsilon)^-1 leaves of what is determined some 1e-8, its square
    nothing; of what is weakly determined both leave much, but not the same.                                       */
 #define WEAK 1e-4
-static void leave_undetermined(const context *c)
+HM_SELDOM static void leave_undetermined(const context *c)
 {
     double size2 = 0.0, change2 = 0.0;
-    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
-    if (c->island[I_DEPENDENT] != ROWS_ARE_DEPENDENT || is_penalty(c)) return;
     for (int time = 0; time < 2; time++) {
         for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
             for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = 0.0;
         EACH_ROW(c, i) {
-            double *x = c->k.rhs + c->lu->row_position[i], *last = c->k.row_bias + i;
+            double *x = c->k.rhs + c->lu->row_position[i];
             if (time == 0) *x = state_of_multiplier(c, i) == ROW_IS_ON ? c->k.mu[i] : 0.0;
+            c->k.row_bias[i] = *x;
             *x *= -c->k.epsilon[i];
-            *last = *x;
         }
         solve_factors(c);
     }
     EACH_ROW(c, i) {
-        const double epsilon = c->k.epsilon[i], x = c->k.rhs[c->lu->row_position[i]], change = x + c->k.row_bias[i] / epsilon;
+        const double epsilon = c->k.epsilon[i], change = c->k.rhs[c->lu->row_position[i]] - c->k.row_bias[i];
         size2 += epsilon * c->k.mu[i] * c->k.mu[i];
         change2 += epsilon * change * change;
     }
@@ -85,7 +83,7 @@ static int32_t newton_update(context *c, newton_record *r)
     EACH_NODE(c, a) {
         const double mass = c->number[m->node_mass_at + a];
         double *w = c->k.w + DIM * a, *d = c->k.d + DIM * a;
-        if (a < m->n_free && !(c->reduced && m->node_kind[a])) {
+        if (a < m->n_free && !(is_reduced(c) && m->node_kind[a])) {
             const double *x = rhs + c->lu->node_position[a];
             EACH(k) w[k] += x[k];
             EACH(k) c->move[DIM * a + k] = d[k] = c->k.hv[DIM * a + k] + w[k];
@@ -112,11 +110,11 @@ static int32_t newton_update(context *c, newton_record *r)
 static void take_back(context *c)
 {
     for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++) {
-        if (c->reduced && c->m->node_kind[k / DIM]) continue;
+        if (is_reduced(c) && c->m->node_kind[k / DIM]) continue;
         c->k.w[k] -= c->k.rhs[c->lu->node_position[k / DIM] + k % DIM];
         c->move[k] = c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
-    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced; b++) undo_turn(c, c->m->body_node[b]);
+    EACH_TURN(c, b) undo_turn(c, c->m->body_node[b]);
     EACH_ROW(c, i) c->k.mu[i] -= c->k.rhs[c->lu->row_position[i]];
 }
 

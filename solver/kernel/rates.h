@@ -64,7 +64,7 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
         hm_add(c.s.q + k, c.s.q_low + k, c.k.d[k]);
         hm_add(c.s.v + k, c.s.v_low + k, step * c.s.a[0][k]);
     }
-    for (int32_t j = 0; j < m->n_bodies; j++) follow_orientation(&c, j);
+    for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     follow_angles(&c);
     memcpy(c.s.signal, c.k.signal1, sizeof(double) * (size_t)m->n_signals);
     head[S_TIME] = c.t + step;

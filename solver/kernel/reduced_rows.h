@@ -20,7 +20,7 @@ typedef struct form_side {
     double u[2][DIM], w[2][DIM]; /* in the middle, at the end */
 } form_side;
 
-static inline int is_axes_row(const context *c, int32_t i) { return c->reduced && c->m->form_kind[c->m->row_form[i]] & FORM_AXES; }
+static inline int is_axes_row(const context *c, int32_t i) { return is_reduced(c) && c->m->form_kind[c->m->row_form[i]] & FORM_AXES; }
 
 /* Entry behind those of form f with the unknown of entry e. */
 HM_OFTEN int32_t behind_side(const context *c, int32_t f, int32_t e)

@@ -60,7 +60,7 @@ HM_SELDOM static void move_by_series(context *c, double h)
     }
     c->t += h;
     follow_angles(c);
-    for (int32_t j = 0; j < c->m->n_bodies; j++) follow_orientation(c, j);
+    for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
 }
 
 /* A piece of length h, with what dampers and frictions take; the rest of the change of energy is work. */

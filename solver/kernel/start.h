@@ -423,8 +423,8 @@ static int32_t first_multipliers(context *c)
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.a[1], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t b = 0; b < m->n_bodies; b++) common_turn(c, m->body_node[b], c->k.w + DIM * m->body_node[b], c->s.turn[0] + TURNING * b);
-    memcpy(c->s.turn[1], c->s.turn[0], sizeof(double) * (size_t)(TURNING * m->n_bodies));
+    for (int32_t b = 0; b < n_bodies(m); b++) common_turn(c, m->body_node[b], c->k.w + DIM * m->body_node[b], c->s.turn[0] + TURNING * b);
+    memcpy(c->s.turn[1], c->s.turn[0], sizeof(double) * (size_t)(TURNING * n_bodies(m)));
     for (int32_t k = 0; k < DIM * m->n_driven; k++) c->s.driven[0][k] = c->k.momentum[DIM * m->n_free + k] / AT_STATE;
     memcpy(c->s.driven[1], c->s.driven[0], driven);
     memcpy(c->s.driven_mean, c->s.driven[0], driven);

@@ -59,9 +59,9 @@ static int turns_little(const context *c)
 static void begin_unknowns(const context *c, int parity, int reach)
 {
     double *const *turn = c->s.turn;
-    const int64_t n = TURNING * (int64_t)c->m->n_bodies;
+    const int64_t n = TURNING * (int64_t)n_bodies(c->m);
     EACH_COORDINATE(c, k) c->k.move[k] = c->k.d[k];
-    for IN_ISLAND(c, b, ISLAND_BODY) {
+    EACH_TURN(c, b) {
         const int32_t a = c->m->body_node[b];
         double acceleration[TURNING];
         for (int k = 0; k < DIM * TURNING; k++) c->k.move[DIM * a + k] = 0.0;
@@ -74,7 +74,7 @@ static void begin_unknowns(const context *c, int parity, int reach)
 /* Whether turns of bodies are the unknowns: rows that hold at the end of a step make it the same. */
 static inline int may_reduce(const context *c)
 {
-    return c->m->n_reduced_values && c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] == 0.0 &&
+    return HM_BODIES && c->m->n_reduced_values && c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] == 0.0 &&
            hm_skips(SKIP_DIRECTORS);
 }
 
@@ -83,7 +83,7 @@ static void prepare_step(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const double h = c->h;
-    for (int32_t b = c->begin[ISLAND_BODY]; b < c->end[ISLAND_BODY] && c->reduced && c->half == 0; b++) straighten(c, m->body_node[b]);
+    EACH_TURN(c, b) if (c->half == 0) straighten(c, m->body_node[b]);
     links_at_start(c);
     const int reach = known_changes(c);
     const int64_t n = DIM * c->n_moving;
@@ -98,7 +98,7 @@ static void prepare_step(context *c, int parity)
         c->k.d[k] = (c->k.signal1[k - first] - c->s.q[k]) - c->s.q_low[k];
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
-    if (c->reduced) begin_unknowns(c, parity, reach);
+    if (is_reduced(c)) begin_unknowns(c, parity, reach);
     rows_at_start(c, is_telling(c) || is_penalty(c) || c->stepping);
     const double rows = c->island[I_DEPENDENT];
     const double compliance = compliance_over_sigma(c), kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
@@ -147,7 +147,8 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, began_with_old);
-    if (!status) leave_undetermined(c);
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
+    if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) leave_undetermined(c);
     total->increments += r->increments;
     total->updates += r->updates;
     if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);

@@ -215,7 +215,7 @@ static void inertia_tangent(const context *c, double *value)
 {
     double *y = c->k.ahead;
     inertia(c, c->h, c->k.middle, y);
-    for IN_ISLAND(c, b, ISLAND_BODY) {
+    EACH_TURN(c, b) {
         const int32_t at = DIM * c->m->body_node[b], *slot = c->lu->inertia_slot + TURNING * TURNING * b;
         double *x = c->k.bend + at;
         for (int i = at; i < at + DIM * TURNING; i += DIM) {
@@ -242,8 +242,8 @@ static int32_t assemble_tangent(const context *c)
         const int32_t f = m->row_form[i], *slot = c->lu->row_slot + c->lu->row_slot_ptr[i];
         motion g;
         double u[DIM], w[DIM];
-        if (c->reduced || is_square_row(c, i)) {
-            if (c->reduced) reduced_row_tangent(c, i, slot, value);
+        if (is_reduced(c) || is_square_row(c, i)) {
+            if (is_reduced(c)) reduced_row_tangent(c, i, slot, value);
             else square_row_tangent(c, i, slot, value);
             continue;
         }
@@ -253,12 +253,12 @@ static int32_t assemble_tangent(const context *c)
         slot = scatter_gradient(c, f, h, g.um, g.wm, slot, value);
         scatter_gradient(c, f, 1.0, u, w, slot, value);
     }
-    if (c->reduced) inertia_tangent(c, value);
+    if (is_reduced(c)) inertia_tangent(c, value);
     const int32_t *slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         double ignored[DIM];
         const int32_t row = m->n_form_rows + DIM * j;
-        slot = c->reduced ? reduced_coincidence_tangent(c, j, slot, value)
+        slot = is_reduced(c) ? reduced_coincidence_tangent(c, j, slot, value)
                           : scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
     }
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
@@ -330,7 +330,7 @@ static int32_t evaluate_residual(const context *c)
     const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
     const int32_t failed = c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
-    if (c->reduced) reduce_momentum(c);
+    if (is_reduced(c)) reduce_momentum(c);
     return failed;
 }
 
@@ -371,7 +371,7 @@ static inline int32_t *live_counts(const context *c) { return (int32_t *)(void *
 static inline int32_t *live_columns(const context *c) { return live_counts(c) + DIM * c->m->n_free + c->m->n_rows; }
 
 /* Whether pivots are eliminated in groups. */
-static inline int has_groups(const context *c) { return c->reduced && !is_mostly_empty(c); }
+static inline int has_groups(const context *c) { return is_reduced(c) && !is_mostly_empty(c); }
 
 /* Makes factors of the matrix in value, of the islands at hand. */
 static inline int32_t factorise_matrix(const context *c)

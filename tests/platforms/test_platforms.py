@@ -21,7 +21,7 @@ import pytest
 import solver
 from build_fmu import build
 from build_fmu.package import chosen_package
-from build_fmu.platforms import PLATFORMS, library_path
+from build_fmu.platforms import PLATFORMS, SCOPES, library_path
 from tests.fmu_instance import SCENES, instance
 
 ROOT = Path(__file__).parents[2]
@@ -158,14 +158,12 @@ OF_LINKERS = {"__dso_handle", "_mh_dylib_header"}
 """What zig's linker puts into every library for macOS."""
 
 
-@pytest.mark.parametrize("contacts", [False, True])
+@pytest.mark.parametrize("scope", SCOPES)
 @pytest.mark.parametrize("dimension", [2, 3])
 @pytest.mark.parametrize("platform", PLATFORMS)
-def test_a_library_shows_the_functions_of_the_standard_and_nothing_else(
-    platform, dimension, contacts
-):
+def test_a_library_shows_the_functions_of_the_standard_and_nothing_else(platform, dimension, scope):
     lief = pytest.importorskip("lief", reason="pip install lief, to look into libraries")
-    path = library_path(ROOT / "fmu_src", platform, dimension, contacts)
+    path = library_path(ROOT / "fmu_src", platform, dimension, scope)
     if not path.is_file():
         pytest.skip(f"no library for {platform}: python -m build_kernel --all")
     mac = platform == "darwin64"

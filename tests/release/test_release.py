@@ -14,7 +14,7 @@ import fmpy
 import pytest
 
 from build_fmu.package import parts_of
-from build_fmu.platforms import PLATFORMS, own_platform
+from build_fmu.platforms import PLATFORMS, SCOPES, own_platform
 from build_fmu.version import VERSION
 from build_kernel.compiler import DIMENSIONS
 
@@ -76,8 +76,9 @@ def test_a_wheel_holds_the_libraries_of_the_machines_that_it_is_for(platform):
     assert "\nRoot-Is-Purelib: false\n" in about
     for word in DIMENSIONS.values():
         for name, known in PLATFORMS.items():
-            for kind in (word, f"{word}_contacts"):
-                native = files.pop(f"fmu_src/native/_libraries/{name}/{kind}{known.suffix}")
+            for scope in SCOPES:
+                path = f"fmu_src/native/_libraries/{name}/{word}_{scope}{known.suffix}"
+                native = files.pop(path)
                 assert_is_for(native, name)
         kernels = {"win64": ".dll", "linux64": ".so"} | {platform: PLATFORMS[platform].suffix}
         if platform == "linux-arm64":
