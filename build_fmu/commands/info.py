@@ -103,11 +103,29 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         "prescribed_motions": counts.drivers,
         "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
+        "step": _step(model),
         "experiment": model.experiment._asdict(),
         "variables": [
             {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
             for v in model.variables
         ],
+    }
+
+
+def _step(model: Model) -> dict[str, Any]:
+    """What a step has for unknowns, and how many numbers the factors of its equations have."""
+    sizes, dim = model.sizes, model.sizes["dim"]
+    turning = 3 if dim == 3 else 1
+    turns = bool(sizes["n_reduced_values"]) and model.settings["formulation"] == "conserving-al"
+    turns = turns and model.settings["multiplier_update"] == "end"
+    directors = turning * sizes["n_bodies"]
+    return {
+        "algorithm": model.settings["algorithm"],
+        "coordinates": dim * (sizes["n_free"] - directors if turns else sizes["n_free"]),
+        "turns": turning * sizes["n_bodies"] if turns else 0,
+        "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
+        "factors": sizes["n_reduced_values" if turns else "n_lu_values"],
+        "lean_factors": sizes["n_lean_values"] if turns or not sizes["n_bodies"] else 0,
     }
 
 
@@ -152,7 +170,22 @@ def _rows(document: Mapping[str, Any], counts: Survey) -> list[tuple[str, str]]:
         ("mobility", f"{by_rank}, {by_count}"),
         ("degrees of freedom", _freedom(counts)),
         ("separate parts", str(counts.islands)),
+        ("unknowns of a step", _unknowns(document["step"])),
     ]
+
+
+def _unknowns(step: Mapping[str, Any]) -> str:
+    """Unknowns of a step, how they are found, and the factors for it."""
+    kinds = {
+        "coordinates": "coordinates",
+        "turns": "of turns of bodies",
+        "multipliers": "multipliers",
+    }
+    parts = [f"{step[key]} {words}" for key, words in kinds.items() if step[key]]
+    lean = f", {step['lean_factors']} without stiffness" if step["lean_factors"] else ""
+    held = {"nested": "held while Newton iterates", "simultaneous": "following each iteration"}
+    text = f"{' + '.join(parts)}; {step['factors']} numbers in the factors{lean}"
+    return f"{text}; multipliers {held[step['algorithm']]} ({step['algorithm']})"
 
 
 def _package(package: Mapping[str, Any]) -> str:

@@ -86,6 +86,19 @@ def test_info_says_the_same_of_a_scene_and_its_fmu(capsys):
     assert (document["degrees_of_freedom"], document["redundant_rows"]) == (1, 0)
 
 
+def test_a_step_has_three_unknowns_of_a_turn_in_place_of_nine_directors_and_six_rows(
+    capsys, tmp_path
+):
+    by_turns = info(capsys, SCENES / "bricard.toml")["step"]
+    scene = tmp_path / "bricard.toml"
+    text = (SCENES / "bricard.toml").read_text()
+    scene.write_text(text.replace("[solver]", '[solver]\nmultiplier_update = "paper"'))
+    by_directors = info(capsys, scene)["step"]
+    assert [by_turns[key] for key in ("coordinates", "turns", "multipliers")] == [15, 15, 30]
+    assert [by_directors[key] for key in ("coordinates", "turns", "multipliers")] == [60, 0, 60]
+    assert by_turns["factors"] < 0.5 * by_directors["factors"]
+
+
 def test_redundant_rows_are_counted_and_their_joints_named(capsys, tmp_path):
     scene = tmp_path / "double_rod.toml"
     scene.write_text(DOUBLE_ROD)
