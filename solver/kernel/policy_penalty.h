@@ -59,13 +59,13 @@ static int may_update_early(const context *c, const newton_record *r)
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
-   they are. Where steps have taken three increments again and again, the penalty of those to come is a hundred times
-   larger, twice at most. Not from the start, and with dependent rows, whose rounding errors it multiplies, only where
-   `outer` updates, those after an inner iteration, are many.                                                  */
+   they are. Where steps have taken more than two increments, eight more in a row, the penalty of those to come is a
+   hundred times larger, twice at most. With dependent rows, whose rounding errors it multiplies, only where `outer`
+   updates, those after an inner iteration, are many.                                                             */
 static void follow_contraction(double *island, int increments, int outer)
 {
-    const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
-    island[I_SLOW_STEPS] = slow ? island[I_SLOW_STEPS] + 1.0 : 0.0;
+    const int more = island[I_DEPENDENT] == 0.0 ? increments - 2 : outer >= 3;
+    island[I_SLOW_STEPS] = more > 0 ? island[I_SLOW_STEPS] + more : 0.0;
     if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= 2.0) return;
     island[I_PENALTY_LEVEL] += 1.0;
     island[I_SLOW_STEPS] = 0.0;
