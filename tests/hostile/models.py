@@ -21,6 +21,7 @@ SCENES = Path(__file__).parents[2] / "scenes"
 NAMES = (
     *("double_pendulum", "slider_crank", "heavy_top", "spring_pendulum", "four_bar"),
     *("slider_crank_with_clearance", "bowling_ball", "ball_on_hills", "woodpecker_toy"),
+    *("bricard", "double_wishbone"),
 )
 INTEGERS = (0, -1, 1, 2, 7, 100, 2**31 - 1, -(2**31))
 DOUBLES = (0.0, -1.0, 1e300, 5e-324, -1e300, math.nan, math.inf, 1e-9, 3.0)

@@ -18,8 +18,9 @@ HERE = Path(__file__).parent
 NAMES = (
     *("double_pendulum", "four_bar", "cam_and_follower", "slider_crank_with_clearance"),
     *("woodpecker_toy", "heavy_top", "ball_on_hills", "bowling_ball", "stewart", "die_in_a_bowl"),
+    *("bricard", "double_wishbone", "slider_crank"),
 )
-"""In the plane and in space; with inputs, functions, contacts and a mesh."""
+"""In the plane and in space; with inputs, functions, rigid bodies, contacts and a mesh."""
 
 
 def prepare(folder: Path) -> None:

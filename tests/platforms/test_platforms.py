@@ -25,7 +25,7 @@ from build_fmu.platforms import PLATFORMS, SCOPES, library_path
 from tests.fmu_instance import SCENES, instance
 
 ROOT = Path(__file__).parents[2]
-SCENES_RUN = ["double_pendulum", "four_bar", "stewart", "slider_crank_with_clearance"]
+SCENES_RUN = ["double_pendulum", "four_bar", "bricard", "stewart", "slider_crank_with_clearance"]
 """In the plane and in space, with ramped inputs, drivers with elementary functions and impacts."""
 STEPS = 40
 ARM_LIBRARIES = "/usr/aarch64-linux-gnu"
@@ -39,7 +39,7 @@ RUNNERS = {
 
 def why_not(platform: str) -> str:
     """Say what is missing here to run a platform; empty if nothing is."""
-    libraries = itertools.product((2, 3), (False, True))
+    libraries = itertools.product((2, 3), SCOPES)
     if not all(library_path(ROOT / "fmu_src", platform, *x).is_file() for x in libraries):
         return f"no libraries for {platform}: python -m build_kernel --all"
     if importlib.util.find_spec("ziglang") is None:
@@ -195,7 +195,7 @@ LARGEST = {
 @pytest.mark.parametrize(("fmi", "platforms"), LARGEST)
 def test_an_fmu_stays_small(fmi, platforms, tmp_path):
     for name in PLATFORMS:  # where all are there, zig compiled this machine's, too
-        if not library_path(ROOT / "fmu_src", name, 2, False).is_file():
+        if not library_path(ROOT / "fmu_src", name, 2, "points").is_file():
             pytest.skip(f"no library for {name}: python -m build_kernel --all")
     scene, target = SCENES / "double_pendulum.toml", tmp_path / "a.fmu"
     fmu = build(scene, target, native=True, fmi=fmi, platforms=platforms)
@@ -204,7 +204,7 @@ def test_an_fmu_stays_small(fmi, platforms, tmp_path):
 
 def test_a_library_for_linux_needs_no_newer_glibc_than_2_17():
     for platform in ("linux64", "linux-arm64"):
-        path = library_path(ROOT / "fmu_src", platform, 2, False)
+        path = library_path(ROOT / "fmu_src", platform, 2, "points")
         if why_not(platform):
             pytest.skip(why_not(platform))
         wanted = re.findall(rb"GLIBC_([0-9.]+)", path.read_bytes())
@@ -212,9 +212,10 @@ def test_a_library_for_linux_needs_no_newer_glibc_than_2_17():
 
 
 def test_the_folders_of_macos_in_fmi_3_have_a_library_of_their_processor_each():
-    path = library_path(ROOT / "fmu_src", "darwin64", 2, False)
+    path = library_path(ROOT / "fmu_src", "darwin64", 2, "points")
     if not path.is_file():
         pytest.skip("no library for darwin64: python -m build_kernel --all")
-    entries = chosen_package(True, 3, "darwin64").entries("a", {"dim": 2, "unilateral": 0})
+    sizes = {"dim": 2, "unilateral": 0, "n_bodies": 0}
+    entries = chosen_package(True, 3, "darwin64").entries("a", sizes)
     processors = {name.split("/")[1]: data[4:8][::-1].hex() for name, data in entries.items()}
     assert processors == {"x86_64-darwin": "01000007", "aarch64-darwin": "0100000c"}
