@@ -164,7 +164,7 @@ echo library > "$2"
 """
     write_compiler(path_folder, "cc", warns)
     monkeypatch.setenv("CC", "cc")
-    assert [path.read_text() for path in compiler.compile_kernel(tree)] == 6 * ["library\n"]
+    assert [path.read_text() for path in compiler.compile_kernel(tree)] == 8 * ["library\n"]
     monkeypatch.setenv("CFLAGS", "-Werror")
     with pytest.raises(compiler.CompilerError, match="error: unused"):
         compiler.compile_kernel(tree)
