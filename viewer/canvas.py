@@ -27,10 +27,19 @@ SHADES = 3
 """Of an edge, from outside to inside: enough for the eye, and few colours in all."""
 MOST_COLOURS = 256
 """Of a PNG file with one byte a pixel, which is a third as large as one with three."""
+WEIGHTS = np.array([1 << 16, 1 << 8, 1], np.uint32)
+"""Of red, green and blue in the number of a colour."""
+COARSE = np.array([*np.ndindex(4, 4, 4)], np.uint32) * 85 @ WEIGHTS
+"""Colours of which each colour has one near it."""
 SEAM = 0.5
 """Pixels by which a face is larger than it is, so that neighbours leave none between them."""
 RAIL = 24.0
 """Half the length of a rail."""
+
+
+def parts(colours: NDArray[np.uint32]) -> NDArray[np.uint8]:
+    """Red, green and blue of numbers of colours."""
+    return colours.astype(">u4").view(np.uint8).reshape(-1, 4)[:, 1:]
 
 
 class Canvas:
@@ -138,24 +147,27 @@ class Canvas:
             ends = (x - half * u, y - half * w), (x + half * u, y + half * w)
             self.path(*ends, width=width, colour=colour)
 
-    def rgb(self, level: int = 1) -> NDArray[np.uint8]:
-        """Red, green and blue of all pixels, in multiples of a level."""
-        return np.rint(self._pixels * (255 / level)).astype(np.uint8) * level
+    def rgb(self) -> NDArray[np.uint8]:
+        """Red, green and blue of all pixels."""
+        return np.rint(self._pixels * 255).astype(np.uint8)
 
     def png(self) -> bytes:
-        """PNG file of a palette; a picture of too many colours is rounded to fewer."""
-        for level in (1, 5, 17, 51, 85):  # of 255; the last leaves 4 of each of three colours
-            # One number for each colour, and the few that are not the background sorted.
-            colours = self.rgb(level).astype(np.uint32) @ np.array([1 << 16, 1 << 8, 1], np.uint32)
-            ground = colours[0, 0]
-            palette = np.unique(np.append(colours[colours != ground], ground))
-            if len(palette) <= MOST_COLOURS:
-                break
+        """PNG file of a palette; of too many colours, rare ones are rounded to others."""
+        # One number for each colour, and the few that are not the background sorted.
+        colours = self.rgb().astype(np.uint32) @ WEIGHTS
+        drawn = np.append(colours[colours != colours[0, 0]], colours[0, 0])
+        found, counts = np.unique(drawn, return_counts=True)
+        palette, place = found, np.arange(len(found))
+        if len(found) > MOST_COLOURS:
+            often = found[np.argsort(-counts, kind="stable")[: MOST_COLOURS - len(COARSE)]]
+            palette = np.concatenate([often, COARSE])
+            gaps = parts(found)[:, None].astype(np.int16) - parts(palette)
+            place = np.argmin(abs(gaps).max(axis=2), axis=1)
         # Each row begins with its filter; 0 is none.
-        rows = np.pad(np.searchsorted(palette, colours).astype(np.uint8), ((0, 0), (1, 0)))
+        rows = np.pad(place.astype(np.uint8)[np.searchsorted(found, colours)], ((0, 0), (1, 0)))
         blocks = {
             b"IHDR": struct.pack(">IIBBBBB", *colours.T.shape, 8, 3, 0, 0, 0),
-            b"PLTE": palette.astype(">u4").view(np.uint8).reshape(-1, 4)[:, 1:].tobytes(),
+            b"PLTE": parts(palette).tobytes(),
             b"IDAT": zlib.compress(rows.tobytes(), 9),
             b"IEND": b"",
         }

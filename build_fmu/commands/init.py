@@ -47,7 +47,7 @@ def text_like(like: str, name: str) -> str:
     """
     home = next(folder for folder in HOMES if folder.is_dir())
     texts = {path.stem: path.read_text(encoding="utf-8") for path in sorted(home.glob("*.toml"))}
-    known = [each for each, text in texts.items() if "file = " not in text]  # which needs others
+    known = [each for each, text in texts.items() if not re.search(r"\bfile = ", text)]  # of others
     if like not in known:
         near = nearest(like, known)
         help = f"did you mean {near!r}? " if near else ""

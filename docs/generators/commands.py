@@ -22,7 +22,7 @@ def write(folder: Path) -> None:
     commands = next(x for x in parser._actions if isinstance(x, argparse._SubParsersAction))
     said = {x.dest: x.help or "" for x in commands._choices_actions}
     codes = [f"| {code} | {meaning} |" for code, meaning in EXIT_CODES.items()]
-    parts = [HEAD, "\n".join(["| exit code | |", "|---|---|", *codes]) + "\n"]
+    parts = [HEAD, "\n".join(["| exit code | meaning |", "|---|---|", *codes]) + "\n"]
     for name, command in commands.choices.items():
         parts += [f"## holonom {name}\n", f"{said[name][:1].upper()}{said[name][1:]}.\n"]
         usage = re.sub(r"\s+", " ", command.format_usage().partition(":")[2]).strip()

@@ -85,7 +85,8 @@ def title(path: Path) -> str:
 def _picture(path: Path, top: str) -> str:
     """HTML of the moving picture, which stands still for readers who asked for that."""
     start = f'<source srcset="{top}/{path.stem}.png" media="(prefers-reduced-motion: reduce)">'
-    moves = f'<img src="{top}/{path.stem}.gif" width="480" height="360" loading="lazy" alt="">'
+    size = f'width="480" height="360" loading="lazy" alt="{title(path)} in motion"'
+    moves = f'<img src="{top}/{path.stem}.gif" {size}>'
     return f"<picture>{start}{moves}</picture>"
 
 

@@ -68,6 +68,8 @@ def test_a_picture_of_very_many_colours_is_rounded_to_a_palette():
     wanted = drawn[:, None] * (1.0 - np.arange(0.0, 1.0, 0.1))[:, None]
     # 51 of 255 to 85 of 255 lie between neighbouring shades; half of it is the error.
     assert np.abs(seen - wanted).max() <= 0.5 * 85 / 255 + 1e-9
+    canvas.disc((50.0, 45.0), radius=10.0, colour=(0.4, 0.5, 0.6))
+    assert pixels(canvas.png())[45, 50].tolist() == [102, 128, 153]  # what is large stays exact
 
 
 def test_what_lies_beside_the_canvas_is_left_out():

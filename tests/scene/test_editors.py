@@ -82,6 +82,7 @@ def test_init_refuses_a_file_that_is_there_and_changes_nothing(capsys, tmp_path)
     [
         (("a", "--like", "slidercrank"), "did you mean 'slider_crank'?"),
         (("a", "--like", "zebra"), "scenes are andrews, "),
+        (("a", "--like", "zebra"), " cam_and_follower, "),  # a profile is no file
         (("a", "--like", "die_in_a_bowl"), "there is no such scene"),  # it needs two meshes
         (("2 arms",), "'2 arms' cannot be the name of a scene; write letters"),
     ],

@@ -17,7 +17,7 @@ import solver
 from build_fmu.command_line import main
 from build_fmu.export import build_archive
 from solver.runtime import Variable
-from tests.viewer.conftest import ROOT, axe_findings, scene, until
+from tests.viewer.conftest import ROOT, axe_findings, opened, scene, until
 from viewer.drawing import drawing
 from viewer.report import ReportRun, page_text
 
@@ -308,6 +308,25 @@ def test_a_damaged_block_names_itself(pendulum, look, tmp_path):
     assert "block2, the values, is damaged" in look(bad).inner_text(".broken")
     bad.write_text(re.sub(r'(id="data">.{40}).{4}', r"\1AAAA", text), encoding="utf-8")
     assert "data, what the runs are of, is damaged" in look(bad).inner_text(".broken")
+
+
+def test_a_page_whose_end_is_missing_says_so(pendulum, launch, tmp_path):
+    """Its scripts are last: what is cut off of a page is always a part of them."""
+    text = pendulum[1].read_text(encoding="utf-8")
+    bad = tmp_path / "bad.html"
+    for part in (0.02, 0.5, 0.99):
+        bad.write_text(text[: int(part * len(text))], encoding="utf-8")
+        with opened(launch(), offline=True) as page:
+            page.goto(bad.as_uri())
+            page.get_by_text("its end is missing").wait_for(state="visible")
+
+
+def test_axes_have_two_numbers_at_least(look, tmp_path):
+    path = solver.simulate(scene("slider_crank")).report(tmp_path / "page.html")
+    page = look(path, viewport={"width": 1200, "height": 800})  # whose plots are low
+    shown = value(page, "holonom.charts.list.map(x => x.plot.axes[1]._splits.length)")
+    assert len(shown) >= 4
+    assert min(shown) >= 2
 
 
 def test_a_page_fits_a_phone(platform, look):

@@ -54,7 +54,7 @@ export class Charts {
       width: Math.max(200, host.clientWidth), height: this.height(), legend: { show: false }, pxAlign: 0, padding: [8, 18, 0, 0],
       cursor: { sync: { key: 'time' }, drag: { x: true, y: false } },
       scales: { x: { time: false }, y: log ? { distr: 3, range: (u, a, b) => [10 ** Math.floor(Math.log10(a || FLOOR)), 10 ** Math.ceil(Math.log10(Math.max(b || 0, 10 * (a || FLOOR))))] } : { range } },
-      axes: [{ ...axis, size: 26, gap: 3, values: (u, v) => apart(v) }, { ...axis, size: 68, ...(log ? { splits: decades, filter: (u, v) => v, values: (u, v) => v.map(x => x.toExponential(0)) } : { space: 24, values: (u, v) => apart(v) }) }],
+      axes: [{ ...axis, size: 26, gap: 3, values: (u, v) => apart(v) }, { ...axis, size: 68, ...(log ? { splits: decades, filter: (u, v) => v, values: (u, v) => v.map(x => x.toExponential(0)) } : { space: 18, values: (u, v) => apart(v) }) }],
       series: [{}, ...traces.map(x => ({ label: x.label, stroke: x.colour, fill: x.fill, dash: x.dash, width: x.width || 1.6, spanGaps: !log, points: { show: false } }))],
       bands: stack ? traces.slice(1).filter(x => x.fill).map((x, k) => ({ series: [k + 2, k + 1], fill: x.fill })) : [],
       hooks: { draw: [u => { const x = u.valToPos(this.time, 'x', true), { left, top, width, height } = u.bbox; if (x < left - 1 || x > left + width + 1) return; u.ctx.save(); u.ctx.setLineDash([]); u.ctx.strokeStyle = head; u.ctx.lineWidth = 1.5 * devicePixelRatio; u.ctx.beginPath(); u.ctx.moveTo(x, top); u.ctx.lineTo(x, top + height); u.ctx.stroke(); u.ctx.restore(); }] },

@@ -5,6 +5,8 @@ import { live } from './live.js';
 import { page, state } from './page.js';
 import { $ } from './text.js';
 
+$('cut').remove();                        // what a page says whose end, these scripts, is missing
+
 async function report(data) {
   const before = performance.now();
   const runs = await Promise.all(data.runs.map((meta, k) => readRun(meta, data.kinds, k, id => $(id)?.textContent ?? '')));
