@@ -132,18 +132,14 @@ static void turn_body(const context *c, int32_t a)
     }
 }
 
-/* Sum over the axes of the body with first director a: the square of the component of x, times the moment of inertia (power 1)
-   or over it (power -1). */
+/* Square of a turn x of the body with first director a in the mass norm, in which all its axes are as heavy as the heaviest
+   (bodies.py); of a torque with power -1. */
 static double turning_norm2(const context *c, int32_t a, const double *x, int power)
 {
-    const double *mass = c->number + c->m->node_mass_at + a, *d = c->k.middle + DIM * a;
-    double sum = 0.0, all = 0.0;
-    for (int i = 0; i < TURNING; i++) all += mass[i];
-    for (int i = 0; i < TURNING; i++) {
-        const double along = DIM == 2 ? x[0] : dot(x, d + DIM * i), inertia = DIM == 2 ? all : all - mass[i];
-        sum += along * along * (power < 0 ? 1.0 / inertia : inertia);
-    }
-    return sum;
+    const double inertia = (DIM - 1) * c->number[c->m->node_mass_at + a];
+    double sum = 0.0;
+    for (int k = 0; k < TURNING; k++) sum += x[k] * x[k];
+    return power < 0 ? sum / inertia : sum * inertia;
 }
 
 /* Changes the turn of that body by a spin at the end; what it was lies behind it. */
@@ -214,11 +210,7 @@ static void internal_velocity(const double *v, const double *v_low, const double
         const double term[2] = {-omega[(k + 1) % 3] * high[(k + 2) % 3], omega[(k + 2) % 3] * high[(k + 1) % 3]};
 #endif
         double sum = v[k], lost = v_low[k] - rest[k];
-        for (int i = 0; i < (int)(sizeof term / sizeof *term); i++) {
-            const double s = sum + term[i], added = s - sum;
-            lost += (sum - (s - added)) + (term[i] - added);
-            sum = s;
-        }
+        for (int i = 0; i < DIM - 1; i++) hm_add_exactly(&sum, &lost, term[i]);
         n[k] = sum + lost;
     }
 }
@@ -263,7 +255,7 @@ static void begin_turn(const context *c, int32_t a, const double *acceleration)
     turn_body(c, a);
 }
 
-/* Directors where there is no step. */
+/* Directors at the state, for a tangent without a step. */
 static void stand_still_as_bodies(const context *c)
 {
     EACH_TURN(c, b)

@@ -108,9 +108,8 @@ static void look_at(context *c, int32_t first, int32_t last)
     c->island = c->s.islands + I_SIZE * first;
     c->node = (span){begin[ISLAND_FREE], begin[ISLAND_DRIVEN] < end[ISLAND_DRIVEN] ? end[ISLAND_DRIVEN] : end[ISLAND_FREE]};
     c->all_composites = 0;
-    c->form_row[0] = (span){begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]};
-    c->form_row[1] = (span){begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]};
-    c->form_rows = is_reduced(c) ? 1 : 2;
+    c->form_rows = add_piece(c->form_row, 0, begin[ISLAND_FORM_ROW], end[ISLAND_FORM_ROW]);
+    if (!is_reduced(c)) c->form_rows = add_piece(c->form_row, c->form_rows, begin[ISLAND_RIGIDITY], end[ISLAND_RIGIDITY]);
     c->all_rows = 0;
     for (int k = 0; k < c->form_rows; k++) c->all_rows = add_piece(c->all_row, c->all_rows, c->form_row[k].begin, c->form_row[k].end);
     c->all_rows = add_piece(c->all_row, c->all_rows, first_coincidence + DIM * begin[ISLAND_COINCIDENCE],
@@ -145,13 +144,14 @@ static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
 /* Factors without rows of contacts and frictions. */
 static inline int is_open(const context *c) { return c->lu == &c->m->open || c->lu == &c->m->bare; }
 
-/* Lets the step at hand have turns of bodies for unknowns, or coordinates of all nodes. */
-static void reduce(context *c, int reduced)
+/* Lets turns of bodies be the unknowns of the step at hand, or coordinates of all nodes. All islands are at hand then. */
+static void use_unknowns(context *c, int turns)
 {
-    c->reduced = reduced;
-    c->move = reduced ? c->k.move : c->k.d;
-    c->lu = reduced ? &c->m->reduced : &c->m->full;
-    look_at(c, 0, c->m->n_islands);
+    const int same = c->reduced == turns;
+    c->reduced = turns;
+    c->move = turns ? c->k.move : c->k.d;
+    c->lu = turns ? &c->m->reduced : &c->m->full;
+    if (!same || c->m->n_islands > 1 || c->left_out) look_at(c, 0, c->m->n_islands);
 }
 
 /* Factors of the whole tangent, and lean ones, that serve. */
@@ -194,7 +194,8 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;
-    reduce(c, 0);
+    c->reduced = -1; /* neither, so that islands are looked at */
+    use_unknowns(c, 0);
     c->factors_lu = c->lu;
     c->factors_h = 0.0;
     c->fresh_increments = 0;

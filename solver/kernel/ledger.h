@@ -173,7 +173,8 @@ static void accept_island(context *c, int parity)
     const int kept = n_kept(c);
     const double per_step2 = 2.0 / (c->h * c->h), *a = s->a[1 - parity], *mu = s->mu[1 - parity];
     EACH_COORDINATE(c, k) remember(c, kept, per_step2 * c->k.w[k], s->a[parity], a[k], s->a_change, n, k);
-    EACH_ROW(c, i) remember(c, kept, c->k.lambda[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
+    const double *next = c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT && !is_penalty(c) ? c->k.lambda : c->k.mu;
+    EACH_ROW(c, i) remember(c, kept, next[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
     EACH_TURN(c, b)
         for (int k = 0; k < TURNING; k++) {
             const int32_t i = TURNING * b + k;
@@ -189,13 +190,13 @@ static void accept_island(context *c, int parity)
 static void accept_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
-    reduce(c, may_reduce(c));
+    use_unknowns(c, may_reduce(c));
     if (c->m->n_sampled) judge_sampling(c, parity); /* else what follows it would count as seldom, too */
     for (int32_t part = 0; part < parts; part++) {
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    reduce(c, 0);
+    use_unknowns(c, 0);
     if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c);

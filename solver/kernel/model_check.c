@@ -73,20 +73,26 @@ static int has_turns_and_derived(const checker *c)
     return m->row_scale_at == m->extent_at + 2 && m->row_sigma_at == m->row_scale_at + m->n_rows;
 }
 
-/* Whether directors lie one behind the other, the first ones of bodies alone, and no other free node is a direction. */
+/* Whether the directors of each body lie one behind the other among the free nodes, those of the next one behind, and no other
+   node is a direction. */
 static int has_bodies(const checker *c)
 {
     const holonom_model *m = c->m;
-    int64_t directors = 0;
-    for (int32_t a = 0; a < c->count.n_moving; a++) directors += m->node_kind[a] != NODE_POINT;
-    for (int32_t b = 0; b < m->n_bodies; b++)
-        for (int32_t k = 0; k < c->count.turning; k++)
-            if (m->node_kind[m->body_node[b] + k] != NODE_DIRECTION + k) return 0;
+    int32_t bodies = 0, expected = NODE_POINT; /* 1 more than the kind before, within a body */
+    for (int32_t a = 0; a < c->count.n_moving; a++) {
+        const int32_t kind = m->node_kind[a];
+        if (expected == NODE_POINT && kind == NODE_DIRECTION) {
+            if (a >= m->n_free || bodies >= m->n_bodies || m->body_node[bodies++] != a) return 0;
+        } else if (kind != expected || (kind != NODE_POINT && a >= m->n_free))
+            return 0;
+        expected = kind == NODE_POINT || kind == c->count.turning ? NODE_POINT : kind + 1;
+    }
+    if (bodies != m->n_bodies || expected != NODE_POINT) return 0;
     for (int32_t j = 0; j < m->n_loads; j++)
         if (m->load_axes[j] >= 0 && m->node_kind[m->load_axes[j]] != NODE_DIRECTION) return 0;
     for (int32_t j = 0; j < m->n_body_moments; j++)
         if (m->node_kind[m->body_moment[2 * j]] != NODE_DIRECTION) return 0;
-    return directors == c->count.turning * m->n_bodies && m->n_rigidity_rows <= m->n_form_rows &&
+    return m->n_rigidity_rows <= m->n_form_rows &&
            m->n_rigidity_rows == c->count.turning * (DIM - 1) * m->n_bodies;
 }
 
@@ -205,7 +211,10 @@ static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const check
     return 1;
 }
 
-static int is_turning(const checker *c, int32_t node) { return (HM_BODIES && c->reduced) && c->m->node_kind[node]; }
+/* Whether the factors at hand are those of reduced steps. */
+static inline int is_reduced(const checker *c) { return HM_BODIES && c->reduced; }
+
+static int is_turning(const checker *c, int32_t node) { return is_reduced(c) && c->m->node_kind[node]; }
 
 static int64_t size_of_unknown(const checker *c, int32_t node) { return is_turning(c, node) ? c->count.turning : DIM; }
 
@@ -218,7 +227,7 @@ static int32_t end_of_side(const checker *c, int32_t f, int32_t e)
     return e;
 }
 
-/* Components of the unknowns of form f; and elements of pairs of these, in `full` blocks or, of points, on their diagonals. */
+/* Components of the unknowns of form f. */
 static int64_t components_of(const checker *c, int32_t f)
 {
     const int32_t end = c->m->form_ptr[f] + c->m->form_free[f];
@@ -235,9 +244,10 @@ static int has_sides(const checker *c, int32_t f)
     for (int32_t e = begin; e < end; e = end_of_side(c, f, e)) sides++;
     for (int32_t e = begin + 1; e < end; e++)
         if (c->m->form_node[e] <= c->m->form_node[e - 1]) return 0;
-    return !(HM_BODIES && c->reduced) || sides <= MOST_SIDES;
+    return !is_reduced(c) || sides <= MOST_SIDES;
 }
 
+/* Elements of all pairs of unknowns of form f: whole blocks if `full` or of a turn, else the diagonals. */
 static int64_t elements(const checker *c, int32_t f, int full)
 {
     const int32_t *node = c->m->form_node, begin = c->m->form_ptr[f], end = begin + c->m->form_free[f];
@@ -262,9 +272,9 @@ static int64_t axes_slots(const checker *c, int32_t f)
 static int64_t row_slots(const checker *c, int32_t i)
 {
     const int32_t f = c->m->row_form[i], kind = c->m->form_kind[f];
-    if ((HM_BODIES && c->reduced) && i >= c->count.n_joint_rows) return 0;
+    if (is_reduced(c) && i >= c->count.n_joint_rows) return 0;
     if (!has_sides(c, f)) return -1;
-    if ((HM_BODIES && c->reduced) && kind & FORM_AXES) return axes_slots(c, f);
+    if (is_reduced(c) && kind & FORM_AXES) return axes_slots(c, f);
     return 2 * components_of(c, f) + (c->lean || kind & FORM_LINEAR ? 0 : elements(c, f, kind & FORM_TURNED));
 }
 
@@ -360,7 +370,7 @@ static int has_positions(const checker *c, const holonom_elimination *e, int64_t
         if (none ? e->node_position[a] != -1 : e->node_position[a] < 0 || e->node_position[a] + size_of_unknown(c, a) > n) return 0;
     }
     for (int32_t i = 0; i < m->n_rows; i++) {
-        const int none = (HM_BODIES && c->reduced) && i >= c->count.n_joint_rows && i < m->n_form_rows;
+        const int none = is_reduced(c) && i >= c->count.n_joint_rows && i < m->n_form_rows;
         if (none ? e->row_position[i] != -1 : e->row_position[i] < 0) return 0;
     }
     return 1;
@@ -375,7 +385,7 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
     const int32_t *group = c->length[OWN(lu_group)] ? e->lu_group : NULL;
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
-    const int grouped = (HM_BODIES && c->reduced) && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
+    const int grouped = is_reduced(c) && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
     if (n_groups < 0 || grouped != (group != NULL) || (group && (c->length[OWN(lu_group)] % 2 == 0 || group[0] != 0 || group[2 * n_groups] != n)))
         return 0;
     for (int32_t g = 0, k = 0; g <= n_groups; g++) { /* where islands begin: a pivot, its group, the targets and columns before it */
@@ -401,7 +411,7 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
            has_slots(c, OWN(cone_slot_ptr), cone_slots) && has_slots(c, OWN(load_slot_ptr), load_slots) &&
            has_slots(c, OWN(moment_slot_ptr), moment_slots) &&
            c->length[OWN(body_moment_slot)] == (c->lean ? 0 : 81 * (int64_t)m->n_body_moments) &&
-           c->length[OWN(inertia_slot)] == ((HM_BODIES && c->reduced) ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
+           c->length[OWN(inertia_slot)] == (is_reduced(c) ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
            has_positions(c, e, n);
 #undef OWN
 }

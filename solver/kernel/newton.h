@@ -50,7 +50,7 @@ HM_SELDOM static void leave_undetermined(const context *c)
         change2 += epsilon * change * change;
     }
     if (change2 > WEAK * WEAK * size2) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
-    else EACH_ROW(c, i) c->k.lambda[i] -= c->k.rhs[c->lu->row_position[i]];
+    else EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i] - c->k.rhs[c->lu->row_position[i]];
 }
 
 /* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is

@@ -59,9 +59,9 @@ static int may_update_early(const context *c, const newton_record *r)
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
-   they are. Where steps have taken more than two increments, eight more in a row, the penalty of those to come is a
-   hundred times larger, twice at most. With dependent rows, whose rounding errors it multiplies, only where `outer`
-   updates, those after an inner iteration, are many.                                                             */
+   they are. Each solve counts its increments above two, and one that takes no more begins anew; at eight the penalty of
+   those to come is a hundred times larger, twice at most. With dependent rows, whose rounding errors it multiplies, only
+   a solve with three `outer` updates counts, those after an inner iteration, and as one.                         */
 static void follow_contraction(double *island, int increments, int outer)
 {
     const int more = island[I_DEPENDENT] == 0.0 ? increments - 2 : outer >= 3;

@@ -102,7 +102,7 @@ HM_OFTEN const int32_t *scatter_cross(double factor, const double *a, const int3
 }
 
 /* Second derivative of form f over sides p and q, times a factor: x, overwritten, row by row; returns the number of its
-   elements, 0 if it vanishes and -1 if it is one number times 1, then the first of x. */
+   elements, or -1 if it is one number times 1, which is then x[0]. */
 static int side_stiffness(const context *c, int32_t f, double factor, const form_side *p, const form_side *q, double *x)
 {
     const holonom_model *m = c->m;
@@ -172,8 +172,7 @@ HM_OFTEN axes axes_of(const context *c, int32_t f, const double *directors)
     const int32_t u_turn = turned ? m->alpha_turn_at : -1, w_turn = turned ? m->beta_turn_at : -1, swapped = kind & FORM_AXES_OF_W;
     axes x;
     x.first = DIM * first_of_unknown(c, node[begin]);
-    int32_t middle = begin + 1;
-    while (middle < end && DIM * node[middle] < x.first + DIM * TURNING) middle++;
+    const int32_t middle = behind_side(c, f, begin);
     carried(c, begin, middle, swapped ? of_w : of_u, swapped ? w_turn : u_turn, directors, x.a);
     if (kind & FORM_LINEAR) {
         x.second = -1;

@@ -24,11 +24,13 @@ WORK = {
     "hv": "n", "w": "n", "d": "n",  # h v, unknown d - h v, increment d
     "momentum": "n",  # residual of the momentum balance
     "move": "n",  # increments of the unknowns in a reduced step, turns with first directors
-    "turn": "n", "spun": "n",  # part of a turn that is solved for, and the other, h omega
+    "turn": "n",  # part that is solved for; behind it that before the last increment
+    "spun": "n",  # the other part, h omega; behind it what rounding to 24 bits has left out
     "internal": "n",  # h n_i of directors, see body_turns.h
     "middle": "n", "turned": "n",  # directors in the middle and at the end of a reduced step
-    "nodal": "n",  # their balance of momentum, without
-    "torque": "n", "bend": "n",  # of axes_row_residual, with first directors; derivatives
+    "nodal": "n",  # momentum balance of directors before it is reduced to torques
+    "torque": "n",  # on bodies, with their first directors: of rows between axes, then of all
+    "bend": "n",  # what a turn does to its own torque, TURNING^2 each, likewise
     "handed_on": "n",  # part of it that the last half steps have left to this one
     "sensed": "n",  # increment of which sampled loads were told
     "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen

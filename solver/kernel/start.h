@@ -370,7 +370,7 @@ static void find_dependent_rows(const context *c)
     const holonom_model *m = c->m;
     context rows = rows_at_state(c, 0.0);
     if (m->n_reduced_values) {
-        reduce(&rows, 1);
+        use_unknowns(&rows, 1);
         stand_still_as_bodies(&rows);
     }
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);

@@ -106,8 +106,8 @@ static void prepare_step(context *c, int parity)
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * mu[parity][i];
     }
-    /* lambda is the last multiplier, not a predicted one, where nobody has taken out what rows leave undetermined: near a
-       singular configuration a line would amplify it from step to step. */
+    /* With dependent rows lambda is predicted, too: leave_undetermined has cleaned the multipliers. Else it is the last one: near
+       a singular configuration a prediction would amplify what the rows leave undetermined. */
     if (rows != ROWS_ARE_DEPENDENT) update_multipliers(c);
     if (rows == ROWS_ARE_WEAK) return;
     EACH_ROW(c, i) c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
@@ -147,7 +147,6 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, began_with_old);
-    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
     if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) leave_undetermined(c);
     total->increments += r->increments;
     total->updates += r->updates;
@@ -182,18 +181,13 @@ static inline void look_at_part(context *c, int32_t part, int32_t parts)
     if (parts > 1) look_at(c, part, part + 1);
 }
 
-static inline void look_at_all(context *c)
-{
-    if (c->m->n_islands > 1) look_at(c, 0, c->m->n_islands);
-}
-
 /* One step of all islands, each by itself. The numbers of increments and updates are those of the island that took most. */
 static int32_t solve_step(context *c, int parity)
 {
     const int32_t parts = n_apart(c);
     int32_t status = HOLONOM_OK;
     effort most = {0, 0};
-    reduce(c, may_reduce(c));
+    use_unknowns(c, may_reduce(c));
     for (int32_t part = 0; part < parts && !status; part++) {
         effort own = {0, 0};
         look_at_part(c, part, parts);
@@ -202,7 +196,7 @@ static int32_t solve_step(context *c, int parity)
         if (own.increments > most.increments) most.increments = own.increments;
         if (own.updates > most.updates) most.updates = own.updates;
     }
-    reduce(c, 0);
+    use_unknowns(c, 0);
     c->s.head[S_NEWTON_ITERATIONS] += most.increments;
     c->s.head[S_UZAWA_ITERATIONS] += most.updates;
     return status;

@@ -345,7 +345,9 @@ static inline double row_residual(const context *c, int32_t i)
 /* The nodes' part of the right-hand side -(momentum, rows) in elimination order. */
 static void gather_momentum(const context *c)
 {
-    for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
+    for (int32_t a = c->begin[ISLAND_FREE]; !is_reduced(c) && a < c->end[ISLAND_FREE]; a++)
+        EACH(k) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
+    for (int32_t a = c->begin[ISLAND_FREE]; is_reduced(c) && a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
         for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = -c->k.momentum[DIM * a + k];
 }
 

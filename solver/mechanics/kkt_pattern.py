@@ -210,7 +210,7 @@ class TangentPattern:
             "moment": [[] for _ in structure.moments.items],
             "body_moment": [],
         }  # fmt: skip
-        found["row"] += [[]] * (len(structure.form_rows) - len(kept))
+        found["row"] += [[] for _ in range(len(structure.form_rows) - len(kept))]
         if reduced:
             first = [structure.node_of[body] for body in structure.bodies.items]
             found["inertia"] = [[((a,), (a,), BLOCKS)] for a in first]
@@ -231,9 +231,8 @@ class TangentPattern:
         free, kind = self._unknown(self.structure.free(form)), self.structure.kinds[form]
         if self.lean or kind & FORM_LINEAR:
             return _border(free, row)
-        if kind & FORM_AXES and self._turns(
-            free[0]
-        ):  # each by itself adds to the inertia of its body
+        between_axes = kind & FORM_AXES and self._turns(free[0])
+        if between_axes:  # what each body does to itself goes to its inertia
             pairs = (free, free[::-1])
             return [*(((a,), (b,), BLOCKS) for a, b in pairs), *_border(free, row)]
         return [(free, free, BLOCKS if kind & FORM_TURNED else EQUAL), *_border(free, row)]

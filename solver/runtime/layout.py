@@ -230,8 +230,8 @@ TABLES = {
 NODE_POINT, NODE_DIRECTION, NODE_SECOND, NODE_THIRD = 0, 1, 2, 3
 """A second and third director of a body come right behind the first."""
 FORM_SQUARE, FORM_LINEAR, FORM_TURNED = 1, 2, 4  # w = u; w constant; quarter turns
-FORM_AXES, FORM_AXES_OF_W = 8, 16  # u turns with a body and w with another, or is constant; the
-# body that comes first carries w
+FORM_AXES = 8  # u turns with one body; w with another, or is constant
+FORM_AXES_OF_W = 16  # of these: w is that of the body that comes first
 QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
 LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
 SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h
