@@ -170,7 +170,7 @@ def _compiled(kind: Kind, folder: Path) -> tuple[Path, Path]:
     if compiler is None:
         text = "there is no C compiler"
         raise CompilerError(text)
-    sources, name = ROOT / "solver/kernel", f"{kind.dimension}_{kind.contacts}"
+    sources, name = ROOT / "solver/kernel", f"{kind.dimension}_{kind.scope}"
     kernel, host = folder / f"kernel_{name}.so", folder / f"host_{name}"
     compile_library(compiler, sources, kind, kernel)
     include = f"-I{ROOT / 'fmu_src/native'}", f"-I{sources}"
