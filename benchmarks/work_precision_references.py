@@ -53,5 +53,5 @@ def _ours(problem: Problem) -> Reference:
     method = work_precision_ours.methods(problem)[work_precision_ours.ORDERS.index(8)]
     count = FINEST * work_precision_ours.FIRST[problem.key]
     end = method.observe(problem, count)
-    source = f"ours, order 8 with {count} steps: nothing independent comes as far"
+    source = f"ours, order 8 with {count} steps"
     return Reference([list(q) for q in end.q], [list(v) for v in end.v], end.change, source)
