@@ -21,7 +21,7 @@ import solver
 from benchmarks.effort import Effort
 from benchmarks.report import Goal, Section, Table, Value
 from build_fmu import build, sweep
-from build_fmu.platforms import SCOPES
+from build_fmu.platforms import SCOPES, library_scope
 from build_kernel.compiler import CompilerError, Kind, compile_library, system_compiler
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -149,7 +149,7 @@ def _unpacked(name: str, folder: Path) -> Unpacked:
     )  # fmt: skip
     fmpy.extract(str(fmi2), str(folder / name))
     sizes = solver.assemble(scene).sizes
-    kind = Kind(sizes["dim"], bool(sizes["unilateral"]))
+    kind = Kind(sizes["dim"], library_scope(sizes))
     return Unpacked(
         name, {2: fmi2, 3: fmi3}, folder / name, fmpy.read_model_description(str(fmi2)),
         scene.experiment.step_size, Path(folder, name, "resources/model.bin").stat().st_size,
