@@ -1,4 +1,4 @@
-"""`python -m benchmarks [NAME ...] [--quick] [--output FOLDER]`: measure, print, write the page."""
+"""`python -m benchmarks [NAME ...] [--quick] [--merge] [--output FOLDER]`: measure and print."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pathlib import Path
 import solver
 from benchmarks.effort import FULL, QUICK, Effort
 from benchmarks.machine import describe
-from benchmarks.report import Section, as_json, as_markdown
+from benchmarks.report import Section, as_json, as_markdown, merged
 
 SECTIONS = {
     "steps": "benchmarks.steps",
@@ -47,14 +47,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     machine = describe()
     sections = [_measure(name, effort) for name in options.names or SECTIONS]
     page = as_markdown(machine, effort.name, sections)
+    results = as_json(machine, effort.name, sections)
     print(page)
     complete = not options.names and not options.quick
-    folder = options.output or (DOCS if complete else None)
+    folder = options.output or (DOCS if complete or options.merge else None)
     if folder:
         folder.mkdir(parents=True, exist_ok=True)
-        results = as_json(machine, effort.name, sections)
-        (folder / "benchmarks.json").write_text(results, encoding="utf-8")
-        (folder / "benchmarks.md").write_text(page, encoding="utf-8")
+        data, text = folder / "benchmarks.json", folder / "benchmarks.md"
+        if options.merge:
+            known = text.read_text(encoding="utf-8"), data.read_text(encoding="utf-8")
+            page, results = merged(*known, machine, effort.name, sections)
+        data.write_text(results, encoding="utf-8")
+        text.write_text(page, encoding="utf-8")
         _draw(sections, folder)
         print(f"written: benchmarks.md and benchmarks.json in {folder}", file=sys.stderr)
     return 0
@@ -64,10 +68,13 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks",
         description="Measure time and accuracy. A complete run writes docs/benchmarks.md and "
-        ".json; a part of it or a quick one only prints, unless --output says where to write.",
+        ".json; a part of it or a quick one only prints, unless --output or --merge is given.",
     )
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"some of: {', '.join(SECTIONS)}")
     parser.add_argument("--quick", action="store_true", help="small sizes, to try the programs")
+    parser.add_argument(
+        "--merge", action="store_true", help="put these sections in the place of written ones"
+    )
     parser.add_argument("--output", type=Path, metavar="FOLDER", help="where to write")
     options = parser.parse_args(arguments)
     unknown = [name for name in options.names if name not in SECTIONS]

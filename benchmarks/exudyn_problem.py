@@ -116,7 +116,8 @@ class Build:
     def _joint(self, joint: Joint) -> None:
         pair = [self._number(name) for name in joint.pair]
         if joint.kind == "distance":
-            self.system.CreateDistanceConstraint(itemNumbers=pair)
+            places = {f"localPosition{i}": list(end) for i, end in enumerate(joint.ends)}
+            self.system.CreateDistanceConstraint(itemNumbers=pair, **places)
         elif self.problem.planar:
             markers = [self._marker((n, tuple(self._at(n, joint.position)))) for n in joint.pair]
             self.system.AddObject(ObjectJointRevolute2D(markerNumbers=markers))

@@ -116,7 +116,7 @@ def _car_springs(problem: Problem, found: dict[tuple[str, str], np.ndarray]) -> 
 
 def counts(problem: Problem) -> list[float]:
     """Numbers of steps from coarse to fine."""
-    if problem.key.startswith("chain_"):
+    if problem.key.startswith(("chain_", "net_")):
         return [8.0, 40.0, 200.0, 1000.0, 4000.0, 16000.0]
     return [float(FIRST.get(problem.key, 200) * 4**k) for k in range(8)]
 

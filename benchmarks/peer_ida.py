@@ -213,8 +213,9 @@ def _entry(problem: Problem, tolerance: float) -> Entry:
 
 
 def _excuse(problem: Problem) -> str:
-    flat = all(x == 0.0 for b in problem.bodies.values() for x in (b.position[2], b.velocity[2]))
-    if not flat or not all(b.turn[:2] == (0.0, 0.0) for b in problem.bodies.values()):
+    bodies = problem.bodies.values()
+    across = (x for b in bodies for x in (b.position[2], b.velocity[2], *b.turn[:2]))
+    if any(across) or problem.gravity[2]:
         return "not modelled: this model of it is planar"
     return too_large(problem)
 

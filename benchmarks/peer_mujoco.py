@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 
 from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
-from benchmarks.problems_parts import GROUND, Array, Joint, Problem, rotation
+from benchmarks.problems_parts import GROUND, Array, Joint, Problem, Vector, rotation
 from benchmarks.timing import Entry
 
 SPECK = "2e-15 2e-15 2e-15"
@@ -46,14 +46,30 @@ class Tree:
         Xml.SubElement(options, "flag", flags)
         self.reached = {GROUND: Xml.SubElement(root, "worldbody")}
         self.loops = []
+        if not any(GROUND in joint.pair for joint in self.problem.joints):
+            self._float()
         waiting = list(self.problem.joints)
         while waiting:
             joint = next((j for j in waiting if self._leads_on(j)), waiting[0])
             waiting.remove(joint)
             self._add(joint)
-        self._close(root)
-        self._springs(root)
+        tendons = Xml.SubElement(root, "tendon")
+        self._close(root, tendons)
+        self._springs(root, tendons)
         return mujoco.MjModel.from_xml_string(Xml.tostring(root, encoding="unicode"))
+
+    def _float(self) -> None:
+        """Points without support slide along three axes each: all that holds them is a loop."""
+        for name, body in self.problem.bodies.items():
+            place = " ".join(map(repr, body.position))
+            element = Xml.SubElement(self.reached[GROUND], "body", {"name": name, "pos": place})
+            element.set("origin", place)
+            inertial = {"pos": "0 0 0", "mass": repr(body.mass), "diaginertia": SPECK}
+            Xml.SubElement(element, "inertial", inertial)
+            for axis in ("1 0 0", "0 1 0", "0 0 1"):
+                Xml.SubElement(element, "joint", {"type": "slide", "axis": axis})
+            self._sites(element, name, body.position)
+            self.reached[name] = element
 
     def _leads_on(self, joint: Joint) -> bool:
         return sum(name in self.reached for name in joint.pair) == 1
@@ -93,34 +109,44 @@ class Tree:
 
     def _sites(self, element: Xml.Element, name: str, anchor: tuple[float, ...]) -> None:
         """Watched places and ends of springs."""
-        body = self.problem.bodies[name]
         wanted = {f"watch{i}": at for i, (b, at) in enumerate(self.problem.watch) if b == name}
         for i, spring in enumerate(self.problem.springs):
             ends = enumerate(spring.ends)
             wanted |= {f"spring{i}{j}": at for j, (b, at) in ends if b == name}
         for site, at in wanted.items():
-            place = np.array(body.position) + body.attitude @ np.array(at) - np.array(anchor)
-            text = " ".join(repr(float(x)) for x in place)
-            Xml.SubElement(element, "site", {"name": site, "pos": text})
+            self._site(element, site, name, at, anchor)
 
-    def _close(self, root: Xml.Element) -> None:
+    def _site(self, element: Xml.Element, site: str, name: str, at: Vector, origin: Vector) -> None:
+        """Mark a place of a body, whose frame has its origin there."""
+        body = self.problem.bodies[name]
+        place = np.array(body.position) + body.attitude @ np.array(at) - np.array(origin)
+        text = " ".join(repr(float(x)) for x in place)
+        Xml.SubElement(element, "site", {"name": site, "pos": text})
+
+    def _close(self, root: Xml.Element, tendons: Xml.Element) -> None:
         equality = Xml.SubElement(root, "equality")
-        for joint in self.loops:
+        soft = {"solref": f"{2 * self._step!r} 1", "solimp": "0.9999 0.9999 0.001 0.5 2"}
+        for i, joint in enumerate(self.loops):
+            if joint.kind == "distance":
+                tendon = Xml.SubElement(tendons, "spatial", {"name": f"rod{i}"})
+                for j, (name, place) in enumerate(zip(joint.pair, joint.ends, strict=True)):
+                    self._site(self.reached[name], f"rod{i}{j}", name, place, self._origin(name))
+                    Xml.SubElement(tendon, "site", {"site": f"rod{i}{j}"})
+                Xml.SubElement(equality, "tendon", {"tendon1": f"rod{i}"} | soft)
+                continue
             a, b = (name or "world" for name in joint.pair)
             first = self._origin(joint.pair[0])
             place = np.array(joint.position) - np.array(first)
             text = " ".join(repr(float(x)) for x in place)
             # A hinge whose axis the others do not hold yet also keeps a second point in place.
             points = [text]
-            if not self.problem.planar:
+            if not self.problem.planar and joint.kind == "revolute":
                 points.append(" ".join(repr(float(x)) for x in place + np.array(joint.axis)))
             for point in points:
                 pair = {"body1": a, "body2": b, "anchor": point}
-                soft = {"solref": f"{2 * self._step!r} 1", "solimp": "0.9999 0.9999 0.001 0.5 2"}
                 Xml.SubElement(equality, "connect", pair | soft)
 
-    def _springs(self, root: Xml.Element) -> None:
-        tendons = Xml.SubElement(root, "tendon")
+    def _springs(self, root: Xml.Element, tendons: Xml.Element) -> None:
         for i, spring in enumerate(self.problem.springs):
             law = {
                 "stiffness": repr(spring.stiffness),
@@ -246,7 +272,7 @@ FIRST = {"andrews": 50, "governor": 1000}
 
 
 def _counts(problem: Problem) -> list[float]:
-    if problem.key.startswith("chain_"):
+    if problem.key.startswith(("chain_", "net_")):
         return [8.0, 40.0, 200.0, 1000.0, 4000.0, 16000.0]
     return [float(FIRST.get(problem.key, 100) * 4**k) for k in range(9)]
 

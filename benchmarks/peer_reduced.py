@@ -55,11 +55,21 @@ def library() -> ctypes.CDLL:
         return ctypes.CDLL(str(path))
 
 
+def family(problem: Problem) -> str:
+    """First part of a problem's key, by which its equations are named."""
+    return problem.key.rstrip("0123456789").rstrip("_")
+
+
+def unwritten(problem: Problem) -> str:
+    """Excuse of a code that needs the equations; empty where there are some."""
+    return "" if family(problem) in FAMILIES else "not measured: no reduced equations of it"
+
+
 def reduced(problem: Problem) -> Reduced:
     """Reduced equations of a problem."""
-    family = problem.key.rstrip("0123456789").rstrip("_")
-    constants, start = (np.array(list_, dtype=float) for list_ in FAMILIES[family](problem))
-    functions = (getattr(library(), f"{family}_{kind}") for kind in ("rates", "look"))
+    name = family(problem)
+    constants, start = (np.array(list_, dtype=float) for list_ in FAMILIES[name](problem))
+    functions = (getattr(library(), f"{name}_{kind}") for kind in ("rates", "look"))
     rates, look = functions
     for function in (rates, look):
         function.restype = None

@@ -80,13 +80,14 @@ class Build(Frames):
             return osim.UniversalJoint, X_TO_Z
         if joint.kind == "spherical":
             return osim.BallJoint, (0.0, 0.0, 0.0)
-        return osim.SliderJoint, X_TO_Z
+        x, y, z = joint.axis
+        return osim.SliderJoint, (0.0, math.atan2(-z, x), math.asin(y))  # its x axis along ours
 
     def _close(self, joint: Joint) -> None:
         """A point that both bodies share; in space also a second one on the hinge's axis."""
         a, b = joint.pair
         points = [np.array(joint.position, dtype=float)]
-        if not self.problem.planar:
+        if not self.problem.planar and joint.kind == "revolute":
             points.append(points[0] + np.array(joint.axis))
         for point in points:
             places = (_vector(point - self._origins[name]) for name in (a, b))

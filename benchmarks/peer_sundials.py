@@ -12,7 +12,7 @@ import numpy as np
 from sksundae.cvode import CVODE
 
 from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
-from benchmarks.peer_reduced import Reduced, reduced
+from benchmarks.peer_reduced import Reduced, reduced, unwritten
 from benchmarks.problems import PROBLEMS
 from benchmarks.problems_parts import Array, Problem
 from benchmarks.timing import Entry
@@ -67,6 +67,8 @@ def _method(kind: str) -> Method:
 
 
 def _excuse(problem: Problem) -> str:
+    if excuse := unwritten(problem):
+        return excuse
     if len(_equations(problem.key).start) > LARGEST:
         return "not measured: its Jacobian by differences is dense"
     return ""

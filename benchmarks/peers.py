@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import ode, solve_ivp
 
 from benchmarks.peer_methods import GaveUpError, Method, Observed
-from benchmarks.peer_reduced import Reduced, reduced
+from benchmarks.peer_reduced import Reduced, reduced, unwritten
 from benchmarks.problems_parts import Array, Problem
 from benchmarks.timing import Entry
 
@@ -114,7 +114,7 @@ def _excuse(kind: str) -> Callable[[Problem], str]:
             return "not measured: an explicit method, stepped in Python, on a stiff problem"
         if kind == "Radau" and problem.key in ("chain_100", "chain_1000"):
             return "not measured: its Jacobian by differences is dense"
-        return ""
+        return unwritten(problem)
 
     return excuse
 
@@ -126,6 +126,7 @@ PEERS = (
         settings=lambda _: TOLERANCES,
         observe=lambda problem, tolerance: observed(problem, compiled_path(problem, tolerance)),
         entry=_compiled_entry,
+        excuse=unwritten,
     ),
     _python_method("DOP853", TOLERANCES),
     _python_method("Radau", TOLERANCES[:9]),

@@ -22,7 +22,8 @@ from benchmarks.problems_parts import (
     X,
     added,
 )
-from benchmarks.problems_space import bricard, governor, heavy_top
+from benchmarks.problems_space import bricard, governor, heavy_top, net, rigid_chain
+from benchmarks.problems_vehicles import double_wishbone, stewart
 
 # ------------------------------------------------------------------------------ points and bars
 
@@ -242,5 +243,10 @@ PROBLEMS: dict[str, Callable[[], Problem]] = {
     "chain_1000": lambda: point_chain(1000),
     "hanging_chain": hanging_chain,
     "governor": governor,
+    "rigid_chain_10": lambda: rigid_chain(10),
+    "rigid_chain_100": lambda: rigid_chain(100),
+    "stewart": stewart,
+    "double_wishbone": double_wishbone,
+    "net_30": lambda: net(30),
 }
 """By key, in the order of the page."""

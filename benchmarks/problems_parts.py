@@ -58,6 +58,8 @@ class Joint:
     pair: tuple[str, str]
     position: Vector = O
     """Where it is at the start [m]; a distance joint goes from centre to centre, or this place."""
+    ends: tuple[Vector, Vector] = (O, O)
+    """Where a distance joint ends in the axes of its bodies, from their centres of mass [m]."""
     axis: Vector = Z
     redundant: bool = False
     """Leaves the rotation about x and that about z to others, whose rows say the same."""

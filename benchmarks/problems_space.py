@@ -85,6 +85,60 @@ def heavy_top() -> Problem:
     )
 
 
+def rigid_chain(n: int) -> Problem:
+    """N hinged boxes of 0.1 kg and 0.1 m, let go from the horizontal (`generate.rigid_chain`)."""
+    names = [GROUND, *(f"link{i + 1}" for i in range(n))]
+    inertia = _box(0.1, (0.1, 0.02, 0.02))
+    bodies = {
+        name: Body(mass=0.1, position=(0.1 * i + 0.05, 0.0, 0.0), inertia=inertia)
+        for i, name in enumerate(names[1:])
+    }
+    joints = tuple(
+        Joint(
+            kind="revolute",
+            pair=(names[i], names[i + 1]),
+            position=(0.1 * i, 0.0, 0.0),
+            axis=Z if i % 2 else Y,
+        )
+        for i in range(n)
+    )
+    return Problem(
+        key=f"rigid_chain_{n}",
+        title=f"Chain of {n} hinged rigid bodies",
+        stop=1.0,
+        gravity=(0.0, 0.0, -GRAVITY),
+        bodies=bodies,
+        joints=joints,
+        watch=((names[n], (0.05, 0.0, 0.0)), (names[(n + 1) // 2], (0.05, 0.0, 0.0))),
+        planar=False,
+    )
+
+
+def net(n: int) -> Problem:
+    """N x N points of 0.1 kg on rods of 0.1 m, flat, moving across, without gravity or support."""
+    bodies = {
+        f"P{i}_{j}": Body(
+            mass=0.1,
+            position=(0.1 * i, 0.1 * j, 0.0),
+            velocity=(0.0, 0.0, 0.5 * math.sin(5 * i / n) * math.sin(3 * j / n)),
+        )
+        for i in range(n)
+        for j in range(n)
+    }
+    pairs = [(f"P{i}_{j}", f"P{i + 1}_{j}") for i in range(n - 1) for j in range(n)]
+    pairs += [(f"P{i}_{j}", f"P{i}_{j + 1}") for i in range(n) for j in range(n - 1)]
+    return Problem(
+        key=f"net_{n}",
+        title=f"Net of {n} x {n} points",
+        stop=1.0,
+        gravity=O,
+        bodies=bodies,
+        joints=tuple(Joint(kind="distance", pair=pair) for pair in pairs),
+        watch=((f"P{n - 1}_{n - 1}", O), (f"P{n // 2}_{n // 2}", O)),
+        planar=False,
+    )
+
+
 GOVERNOR = {
     "rod": 0.3, "ball": 5.0, "slider": 3.0, "stiffness": 8e5, "damping": 4e4, "gravity": GRAVITY,
     "speed": 2 * math.pi, "alpha": math.pi / 6,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields, replace
 
 Value = float | str | None
 
@@ -89,6 +89,29 @@ def as_markdown(machine: Mapping[str, Value], effort: str, sections: Sequence[Se
     for section in sections:
         parts += _section(section)
     return "\n\n".join(parts) + "\n"
+
+
+def merged(
+    page: str, data: str, machine: Mapping[str, Value], effort: str, sections: Sequence[Section]
+) -> tuple[str, str]:
+    """Page and data with sections in the place of older ones, each saying when it was measured."""
+    when = f"Measured on {machine['day']} on {machine['processor']}, not with the other sections."
+    dated = [replace(section, method=f"{when}\n\n{section.method}") for section in sections]
+    content = json.loads(data)
+    content["sections"] |= json.loads(as_json(machine, effort, dated))["sections"]
+    head, *parts = page.rstrip().split("\n\n## ")
+    written = {part.partition("\n")[0]: part for part in parts}
+    for section in dated:
+        written[section.title] = "\n\n".join(_section(section)).removeprefix("## ")
+    names = [part.name for part in fields(Goal)]
+    goals = [
+        Goal(**{name: goal[name] for name in names})
+        for section in content["sections"].values()
+        for goal in section["goals"]
+    ]
+    written["Goals"] = f"Goals\n\n{_goals(goals)}"
+    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    return "\n\n## ".join([head, *written.values()]) + "\n", text
 
 
 METHOD = (

@@ -43,7 +43,7 @@ def elastic_pendulum(stiffness: float) -> Drawing:
     system = drawing.system
     bob = _mass(drawing, (1.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0))
     system.CreateSpringDamper(
-        bodyNumbers=[drawing.ground, bob], referenceLength=1.0, stiffness=stiffness
+        itemNumbers=[drawing.ground, bob], referenceLength=1.0, stiffness=stiffness
     )
     _point(drawing, bob, (2.0, 0.0, 0.0), 1.0, 1.0, (0.0, 0.0, 0.0))
     return drawing
@@ -54,7 +54,7 @@ def _mass(drawing: Drawing, place: Any, mass: float, velocity: Any) -> int:
     return drawing.system.CreateMassPoint(
         referencePosition=list(place),
         initialVelocity=list(velocity),
-        physicsMass=mass,
+        mass=mass,
         gravity=drawing.gravity,
     )
 
@@ -64,7 +64,7 @@ def _point(
 ) -> int:
     """Point on a massless rod."""
     body = _mass(drawing, place, mass, velocity)
-    drawing.system.CreateDistanceConstraint(bodyNumbers=[before, body], distance=length)
+    drawing.system.CreateDistanceConstraint(itemNumbers=[before, body], distance=length)
     return body
 
 

@@ -21,6 +21,9 @@ AHEAD = ("four_bar_2", "andrews", "bricard", "heavy_top", "car_axis")
 RATIOS = {"Exudyn": 1 / 3, "MuJoCo": 1.0}
 """Our time over the time of another code, at most, at every level that it reaches."""
 OURS = "holonom"
+MULTIBODY = ("Exudyn", "MuJoCo", "Drake", "Simbody", "IDAS")
+"""Codes that solve the mechanism as drawn, body by body."""
+RATIO_LEVELS = tuple(10.0**-k for k in range(3, 10))
 
 
 def overview(curves: Curves) -> Table:
@@ -40,6 +43,27 @@ def overview(curves: Curves) -> Table:
         columns={"problem": "problem", "solver": "solver"} | levels,
         rows=rows,
         formats=dict.fromkeys(levels, ".3g"),
+    )
+
+
+def ratios(curves: Curves) -> Table:
+    """Our best time over the best of all multibody codes, by error."""
+    levels = {f"{level:g}": f"{level:.0e} m" for level in RATIO_LEVELS}
+    rows: list[dict[str, Value]] = []
+    for problem, table in curves.values():
+        row: dict[str, Value] = {"problem": problem.title}
+        for level in RATIO_LEVELS:
+            theirs = {name: ms for name in MULTIBODY if (ms := best(table, name, level))}
+            if theirs:
+                fastest = min(theirs, key=lambda name, theirs=theirs: theirs[name])
+                ours = best(table, OURS, level)
+                told = f"{ours / theirs[fastest]:.2g}" if ours else "not reached"
+                row[f"{level:g}"] = f"{told} ({fastest})"
+        rows.append(row)
+    return Table(
+        title="Best of ours over best of all multibody codes, CPU time",
+        columns={"problem": "problem"} | levels,
+        rows=rows,
     )
 
 

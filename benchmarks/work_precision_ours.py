@@ -12,7 +12,9 @@ import numpy as np
 
 from benchmarks.mechanisms import Content, hanging_chain, scene, waving_chain
 from benchmarks.peer_methods import SAMPLES, GaveUpError, Method, Observed
-from benchmarks.problems_parts import Array, Problem
+from benchmarks.problems_parts import Array, Problem, Vector
+from benchmarks.problems_space import net
+from benchmarks.problems_vehicles import stewart
 from benchmarks.timing import Entry
 from scenes import generate
 from solver import assemble
@@ -41,6 +43,69 @@ def _hanging_chain() -> Content:
     return content | {"forces": {"damper": damper}}
 
 
+def _double_wishbone() -> Content:
+    """The suspension without its road's wave, falling at 1 m/s."""
+    content = _drawn("double_wishbone")
+    for part in (*content["bodies"].values(), content["points"]["axle"]):
+        part["velocity"] = [0.0, 0.0, -1.0]
+    return content
+
+
+def content_of(problem: Problem) -> Content:
+    """A problem in space as a scene, of its bodies, joints and springs without dampers."""
+    content: Content = {
+        "name": problem.key,
+        "gravity": list(problem.gravity),
+        "points": {},
+        "bodies": {},
+        "joints": {},
+        "forces": {},
+    }
+    for name, body in problem.bodies.items():
+        part = {"mass": body.mass, "position": body.position, "velocity": body.velocity}
+        if not body.is_point:
+            angle = math.hypot(*body.turn)
+            part |= {"inertia": body.inertia, "points": {}}
+            part["angular_velocity"] = (body.attitude @ np.array(body.omega)).tolist()
+            if angle:
+                part["orientation"] = {"axis": [x / angle for x in body.turn], "angle": angle}
+        content["points" if body.is_point else "bodies"][name] = part
+    for i, joint in enumerate(problem.joints):
+        made: Content = {"type": joint.kind}
+        if joint.kind == "distance":
+            made["points"] = joint.pair
+        else:
+            made["bodies"] = [name or "ground" for name in joint.pair]
+            made["axis" if joint.kind == "prismatic" else "position"] = (
+                joint.axis if joint.kind == "prismatic" else joint.position
+            )
+        content["joints"][f"joint{i}"] = made
+    for i, spring in enumerate(problem.springs):
+        ends = [_eye(content, f"end{i}_{j}", *end) for j, end in enumerate(spring.ends)]
+        law = {"stiffness": spring.stiffness, "free_length": spring.length}
+        content["forces"][f"spring{i}"] = {"type": "spring", "points": ends} | law
+    for i, (name, place) in enumerate(problem.watch):
+        if name in content["bodies"]:
+            content["bodies"][name]["points"][f"watch{i}"] = place
+    return content
+
+
+def _eye(content: Content, point: str, name: str, place: Vector) -> str:
+    """Add a point of a body or of the ground; return its name."""
+    if name:
+        content["bodies"][name]["points"][point] = place
+        return f"{name}.{point}"
+    content["points"][point] = {"position": place, "fixed": True}
+    return point
+
+
+def _rigid_chain(n: int) -> Content:
+    content = tomllib.loads(generate.rigid_chain(n))
+    for name in (f"link{n}", f"link{(n + 1) // 2}"):
+        content["bodies"][name]["points"] = {"end": [0.05, 0.0, 0.0]}
+    return content
+
+
 CONTENTS: dict[str, Callable[[], Content]] = {
     "double_pendulum_30": lambda: hanging_chain(2, math.radians(30.0)),
     "double_pendulum_90": lambda: hanging_chain(2),
@@ -55,6 +120,11 @@ CONTENTS: dict[str, Callable[[], Content]] = {
     "chain_1000": lambda: waving_chain(1000, 3),
     "hanging_chain": _hanging_chain,
     "governor": lambda: _drawn("flyball_governor"),
+    "rigid_chain_10": lambda: _rigid_chain(10),
+    "rigid_chain_100": lambda: _rigid_chain(100),
+    "stewart": lambda: content_of(stewart()),
+    "double_wishbone": _double_wishbone,
+    "net_30": lambda: content_of(net(30)),
 }
 """Scenes by the key of the problem."""
 WATCHED = {
@@ -71,12 +141,18 @@ WATCHED = {
     "chain_1000": ("P1000", "P500"),
     "hanging_chain": ("P5", "P2"),
     "governor": ("slider", "right_ball"),
+    "rigid_chain_10": ("link10.end", "link5.end"),
+    "rigid_chain_100": ("link100.end", "link50.end"),
+    "stewart": ("platform.watch0", "platform.watch1"),
+    "double_wishbone": ("car", "axle"),
+    "net_30": ("P29_29", "P15_15"),
 }
 """Our names of the places that a problem watches."""
 FIRST = {
     "double_pendulum_30": 20, "double_pendulum_90": 40, "four_bar_2": 40, "four_bar_40": 40,
     "andrews": 8, "bricard": 10, "heavy_top": 10, "car_axis": 8, "chain_10": 1, "chain_100": 1,
-    "chain_1000": 1, "hanging_chain": 4, "governor": 40,
+    "chain_1000": 1, "hanging_chain": 4, "governor": 40, "rigid_chain_10": 10,
+    "rigid_chain_100": 10, "stewart": 10, "double_wishbone": 2, "net_30": 1,
 }  # fmt: skip
 """Steps of the coarsest run of order 8; the lower orders begin with more of them."""
 WHEEL = 5e-4
@@ -194,6 +270,11 @@ class _Runs:
             y, vx, vy = (float(integrator[f"R.{name}"]) for name in ("y", "vx", "vy"))
             energy -= WHEEL * (0.5 * (vx * vx + vy * vy) + y)
         return energy
+
+
+def algorithm(problem: Problem) -> str:
+    """How the steps of all curves are solved, as the scene has it or by default."""
+    return scene(CONTENTS[problem.key]()).solver.algorithm
 
 
 def steps(problem: Problem, order: int) -> list[float]:

@@ -14,7 +14,7 @@ from benchmarks import instructions, kernel_run, skips
 from benchmarks.effort import QUICK, TINY, Effort
 from benchmarks.mechanisms import four_bar, free_body, hanging_chain, scene, start, waving_chain
 from benchmarks.observe import Observer
-from benchmarks.report import Goal, Section, as_json, as_markdown
+from benchmarks.report import Goal, Section, as_json, as_markdown, merged
 from benchmarks.timing import Entry, interleave
 from solver import assemble
 from tests.kernels_without_skips import kernel_without
@@ -129,6 +129,25 @@ def test_a_goal_is_met_or_missed(value, verdict):
 def test_a_page_says_when_it_is_no_measurement():
     assert "not meant as a measurement" in as_markdown(MACHINE, QUICK.name, [])
     assert "not meant as a measurement" not in as_markdown(MACHINE, "full", [])
+
+
+def test_a_merged_section_replaces_its_older_self_and_leaves_the_others():
+    def section(name, value):
+        goals = [Goal(what=f"cost of {name}", unit="s", goal=1.0, value=value)]
+        return Section(name=name, title=name.upper(), method=f"took {value}", goals=goals)
+
+    old = [section("first", 0.5), section("second", 0.25)]
+    page, data = (write(MACHINE, "full", old) for write in (as_markdown, as_json))
+    machine = MACHINE | {"day": "2026-01-02"}
+    page, data = merged(page, data, machine, "full", [section("second", 0.125)])
+    assert page.index("## FIRST") < page.index("## SECOND")
+    assert "took 0.5" in page
+    assert "took 0.125" in page
+    assert "0.25" not in page
+    assert page.count("Measured on 2026-01-02 on some") == 1
+    assert page.count("cost of") == 2
+    sections = json.loads(data)["sections"]
+    assert [part["goals"][0]["value"] for part in sections.values()] == [0.5, 0.125]
 
 
 def test_a_part_is_written_only_where_it_is_told_to(tmp_path, capsys):

@@ -99,6 +99,16 @@ def test_goals_are_ratios_at_the_worst_level_that_the_other_code_reaches():
     assert "missed" in goal.verdict
 
 
+def test_ratios_are_to_the_fastest_code_that_solves_the_mechanism_as_drawn():
+    rows = rows_of(
+        ours=[(1e-3, 1.0), (1e-5, 4.0)], exudyn=[(1e-4, 2.0), (1e-6, 8.0)], scipy=[(1e-12, 0.1)]
+    )
+    (row,) = work_precision_goals.ratios({"bricard": (problem_of("bricard"), rows)}).rows
+    assert row["0.001"] == "0.5 (Exudyn)"
+    assert row["1e-06"] == "not reached (Exudyn)"
+    assert "1e-07" not in row
+
+
 def test_the_pendulum_is_compared_with_the_fastest_of_all():
     rows = rows_of(ours=[(1e-3, 0.9), (1e-11, 0.9)], scipy=[(1e-3, 0.6), (1e-9, 0.6)])
     goals = work_precision_goals.goals({"double_pendulum_30": (None, rows)})
