@@ -212,9 +212,9 @@ static int has_slots(const checker *c, size_t ptr, int64_t (*length)(const check
 }
 
 /* Whether the factors at hand are those of reduced steps. */
-static inline int is_reduced(const checker *c) { return HM_BODIES && c->reduced; }
+static inline int is_of_turns(const checker *c) { return HM_BODIES && c->reduced; }
 
-static int is_turning(const checker *c, int32_t node) { return is_reduced(c) && c->m->node_kind[node]; }
+static int is_turning(const checker *c, int32_t node) { return is_of_turns(c) && c->m->node_kind[node]; }
 
 static int64_t size_of_unknown(const checker *c, int32_t node) { return is_turning(c, node) ? c->count.turning : DIM; }
 
@@ -244,7 +244,7 @@ static int has_sides(const checker *c, int32_t f)
     for (int32_t e = begin; e < end; e = end_of_side(c, f, e)) sides++;
     for (int32_t e = begin + 1; e < end; e++)
         if (c->m->form_node[e] <= c->m->form_node[e - 1]) return 0;
-    return !is_reduced(c) || sides <= MOST_SIDES;
+    return !is_of_turns(c) || sides <= MOST_SIDES;
 }
 
 /* Elements of all pairs of unknowns of form f: whole blocks if `full` or of a turn, else the diagonals. */
@@ -272,9 +272,9 @@ static int64_t axes_slots(const checker *c, int32_t f)
 static int64_t row_slots(const checker *c, int32_t i)
 {
     const int32_t f = c->m->row_form[i], kind = c->m->form_kind[f];
-    if (is_reduced(c) && i >= c->count.n_joint_rows) return 0;
+    if (is_of_turns(c) && i >= c->count.n_joint_rows) return 0;
     if (!has_sides(c, f)) return -1;
-    if (is_reduced(c) && kind & FORM_AXES) return axes_slots(c, f);
+    if (is_of_turns(c) && kind & FORM_AXES) return axes_slots(c, f);
     return 2 * components_of(c, f) + (c->lean || kind & FORM_LINEAR ? 0 : elements(c, f, kind & FORM_TURNED));
 }
 
@@ -370,7 +370,7 @@ static int has_positions(const checker *c, const holonom_elimination *e, int64_t
         if (none ? e->node_position[a] != -1 : e->node_position[a] < 0 || e->node_position[a] + size_of_unknown(c, a) > n) return 0;
     }
     for (int32_t i = 0; i < m->n_rows; i++) {
-        const int none = is_reduced(c) && i >= c->count.n_joint_rows && i < m->n_form_rows;
+        const int none = is_of_turns(c) && i >= c->count.n_joint_rows && i < m->n_form_rows;
         if (none ? e->row_position[i] != -1 : e->row_position[i] < 0) return 0;
     }
     return 1;
@@ -385,7 +385,7 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
     const int32_t *group = c->length[OWN(lu_group)] ? e->lu_group : NULL;
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
-    const int grouped = is_reduced(c) && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
+    const int grouped = is_of_turns(c) && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
     if (n_groups < 0 || grouped != (group != NULL) || (group && (c->length[OWN(lu_group)] % 2 == 0 || group[0] != 0 || group[2 * n_groups] != n)))
         return 0;
     for (int32_t g = 0, k = 0; g <= n_groups; g++) { /* where islands begin: a pivot, its group, the targets and columns before it */
@@ -411,7 +411,7 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
            has_slots(c, OWN(cone_slot_ptr), cone_slots) && has_slots(c, OWN(load_slot_ptr), load_slots) &&
            has_slots(c, OWN(moment_slot_ptr), moment_slots) &&
            c->length[OWN(body_moment_slot)] == (c->lean ? 0 : 81 * (int64_t)m->n_body_moments) &&
-           c->length[OWN(inertia_slot)] == (is_reduced(c) ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
+           c->length[OWN(inertia_slot)] == (is_of_turns(c) ? c->count.turning * c->count.turning * m->n_bodies : 0) &&
            has_positions(c, e, n);
 #undef OWN
 }

@@ -59,13 +59,13 @@ static int may_update_early(const context *c, const newton_record *r)
 }
 
 /* In long chains the least eigenvalue of G M^-1 G' falls like 1/N^2, and Uzawa's iteration needs more updates the longer
-   they are. Each solve counts its increments above two, and one that takes no more begins anew; at eight the penalty of
-   those to come is a hundred times larger, twice at most. With dependent rows, whose rounding errors it multiplies, only
-   a solve with three `outer` updates counts, those after an inner iteration, and as one.                         */
+   they are. After eight solves in a row of three increments or more the penalty of those to come is a hundred times
+   larger, twice at most: not from the start, where long increments have other reasons. With dependent rows, whose rounding
+   errors it multiplies, only where `outer` updates, those after an inner iteration, are three or more.           */
 static void follow_contraction(double *island, int increments, int outer)
 {
-    const int more = island[I_DEPENDENT] == 0.0 ? increments - 2 : outer >= 3;
-    island[I_SLOW_STEPS] = more > 0 ? island[I_SLOW_STEPS] + more : 0.0;
+    const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
+    island[I_SLOW_STEPS] = slow ? island[I_SLOW_STEPS] + 1.0 : 0.0;
     if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= 2.0) return;
     island[I_PENALTY_LEVEL] += 1.0;
     island[I_SLOW_STEPS] = 0.0;

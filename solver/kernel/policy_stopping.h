@@ -63,14 +63,13 @@ static inline double increments_left(const newton_record *r)
 }
 
 /* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
-   tolerance, the increments below the round-off of places where that is larger; or all below the tolerance, where
-   round-off has stalled the contraction.                                                                         */
+   tolerance; or below the tolerance, where round-off has stalled the contraction.                              */
 static int has_converged(const context *c, const newton_record *r)
 {
     const double tolerance = newton_tolerance(c->s.head), added = residual_energy(c);
     const int stalled = r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
-    const double target = r->taken_over ? OLD_MARGIN * r->target : NEWTON_MARGIN * fmax(r->target, r->floor);
-    if (increments_left(r) <= target && r->defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
+    const double margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
+    if (increments_left(r) <= margin * r->target && r->defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
         added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
         return 1;
     return stalled && r->defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;

@@ -39,20 +39,3 @@ def test_directors_that_are_not_those_of_one_body_after_the_other_are_refused(na
             broken.checked_file(library)
         count += 1
     assert count > 10
-
-
-def test_a_body_cannot_hide_the_directors_of_another_one():
-    """Counts agree; a second director without a first one would be moved by the node before it."""
-    model = solver.assemble(solver.load(SCENES / "slider_crank.toml"))
-    bodies, kinds = array("i", model.tables["body_node"]), array("i", model.tables["node_kind"])
-    tables = {"body_node": bodies, "node_kind": kinds}
-    kinds[bodies[0]] = 3
-    bodies[0] = bodies[1]
-    for name in ("reduced_node_position", "lean_node_position"):
-        position = array("i", model.tables[name])
-        if position:
-            position[model.tables["body_node"][0]] = -1
-            tables[name] = position
-    broken = model._replace(tables={**model.tables, **tables})
-    with pytest.raises(OptionError, match="an index leads beyond"):
-        broken.checked_file(shared_library(2))
