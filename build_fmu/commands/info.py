@@ -115,14 +115,13 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
 def _step(model: Model) -> dict[str, Any]:
     """What a step has for unknowns, and how many numbers the factors of its equations have."""
     sizes, dim = model.sizes, model.sizes["dim"]
-    turning = 3 if dim == 3 else 1
     turns = bool(sizes["n_reduced_values"]) and model.settings["formulation"] == "conserving-al"
     turns = turns and model.settings["multiplier_update"] == "end"
-    directors = turning * sizes["n_bodies"]
+    replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
     return {
         "algorithm": model.settings["algorithm"],
-        "coordinates": dim * (sizes["n_free"] - directors if turns else sizes["n_free"]),
-        "turns": turning * sizes["n_bodies"] if turns else 0,
+        "coordinates": dim * (sizes["n_free"] - replaced),
+        "turns": replaced,
         "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
         "factors": sizes["n_reduced_values" if turns else "n_lu_values"],
         "lean_factors": sizes["n_lean_values"] if turns or not sizes["n_bodies"] else 0,

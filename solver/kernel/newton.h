@@ -26,10 +26,12 @@ static void update_multipliers(context *c)
     if (n_frictions(c->m)) follow_cones(c);
 }
 
+/* P and its square differ by no more than so much of the multipliers where none of their rows are weakly determined. */
+#define WEAK 1e-4
+
 /* Multipliers that the next step begins with, in the place of lambda: those of this one, less the part x of dependent rows
    that is not determined. P = epsilon (G A^-1 G' + epsilon)^-1 leaves of what is determined some 1e-8, its square
    nothing; of what is weakly determined both leave much, but not the same.                                       */
-#define WEAK 1e-4
 HM_SELDOM static void leave_undetermined(const context *c)
 {
     double size2 = 0.0, change2 = 0.0;

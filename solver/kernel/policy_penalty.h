@@ -43,10 +43,12 @@ static inline int updates_slowly(const context *c, double defect, double last)
 enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK };
 #define FORGOTTEN 1e-3
 
+/* First increment, over the size of a step, that is short. */
+#define SHORT_INCREMENT 1e-2
+
 /* Whether lambda may follow early, after this Newton iteration. Of dependent rows the part of the multipliers that is not
    determined gets the errors of a solve over epsilon, which the next one with lambda held removes: there the update comes
    once, after the second increment or a short first one.                                                          */
-#define SHORT_INCREMENT 1e-2
 static int may_update_early(const context *c, const newton_record *r)
 {
     const double *head = c->s.head;

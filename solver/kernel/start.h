@@ -363,8 +363,8 @@ HM_SELDOM static void forget_dependent_rows(const context *c)
 }
 
 /* Marks islands whose rows depend on each other, by factors at the state: the pivot of a row is what is left of
-   -G M^-1 G' - epsilon, of a dependent row no more than epsilon. Those of directors would mistake some for dependent, which
-   are so among what one direction is held by.                                                                   */
+   -G M^-1 G' - epsilon, of a dependent row no more than epsilon. With coordinates of directors as unknowns, rows of joints that
+   one director alone carries would look dependent: where there are bodies, their turns are the unknowns.         */
 static void find_dependent_rows(const context *c)
 {
     const holonom_model *m = c->m;
