@@ -150,7 +150,8 @@ static inline int is_penalty(const context *c)
 static double compliance_over_sigma(const context *c)
 {
     const double *head = c->s.head;
-    const double level = c->island[I_PENALTY_LEVEL], raised = level == 0.0 ? 1.0 : level == 1.0 ? 1e2 : 1e4;
+    double raised = 1.0;
+    for (double level = c->island[I_PENALTY_LEVEL]; level > 0.0; level -= 1.0) raised *= 1e2;
     const double chi = is_penalty(c) ? head[S_PENALTY] : head[S_PENALTY] * raised;
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {

@@ -26,33 +26,37 @@ static void update_multipliers(context *c)
     if (n_frictions(c->m)) follow_cones(c);
 }
 
+/* P x of multipliers x (modified), P = epsilon (G A^-1 G' + epsilon)^-1: what an Uzawa update with the factors at hand leaves
+   of their error. */
+HM_SELDOM static void contract_multipliers(const context *c, double *x)
+{
+    for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
+        for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = 0.0;
+    EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
+    solve_factors(c);
+    EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];
+}
+
 /* P and its square differ by no more than so much of the multipliers where none of their rows are weakly determined. */
 #define WEAK 1e-4
 
 /* Multipliers that the next step begins with, in the place of lambda: those of this one, less the part x of dependent rows
-   that is not determined. P = epsilon (G A^-1 G' + epsilon)^-1 leaves of what is determined some 1e-8, its square
-   nothing; of what is weakly determined both leave much, but not the same.                                       */
+   that is not determined. P leaves of what is determined some 1e-8, its square nothing; of what is weakly determined both
+   leave much, but not the same.                                                                                  */
 HM_SELDOM static void leave_undetermined(const context *c)
 {
-    double size2 = 0.0, change2 = 0.0;
-    for (int time = 0; time < 2; time++) {
-        for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
-            for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = 0.0;
-        EACH_ROW(c, i) {
-            double *x = c->k.rhs + c->lu->row_position[i];
-            if (time == 0) *x = state_of_multiplier(c, i) == ROW_IS_ON ? c->k.mu[i] : 0.0;
-            c->k.row_bias[i] = *x;
-            *x *= -c->k.epsilon[i];
-        }
-        solve_factors(c);
-    }
+    double size2 = 0.0, change2 = 0.0, *left = c->k.row_bias;
+    EACH_ROW(c, i) left[i] = state_of_multiplier(c, i) == ROW_IS_ON ? c->k.mu[i] : 0.0;
+    contract_multipliers(c, left);
+    EACH_ROW(c, i) c->k.row_rate[i] = left[i];
+    contract_multipliers(c, left);
     EACH_ROW(c, i) {
-        const double epsilon = c->k.epsilon[i], change = c->k.rhs[c->lu->row_position[i]] - c->k.row_bias[i];
+        const double epsilon = c->k.epsilon[i], change = left[i] - c->k.row_rate[i];
         size2 += epsilon * c->k.mu[i] * c->k.mu[i];
         change2 += epsilon * change * change;
     }
     if (change2 > WEAK * WEAK * size2) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
-    else EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i] - c->k.rhs[c->lu->row_position[i]];
+    else EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i] - left[i];
 }
 
 /* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is

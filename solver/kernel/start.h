@@ -362,10 +362,36 @@ HM_SELDOM static void forget_dependent_rows(const context *c)
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
 
-/* Marks islands whose rows depend on each other, by factors at the state: the pivot of a row is what is left of
-   -G M^-1 G' - epsilon, of a dependent row no more than epsilon. With coordinates of directors as unknowns, rows of joints that
-   one director alone carries would look dependent: where there are bodies, their turns are the unknowns.         */
-static void find_dependent_rows(const context *c)
+/* What Uzawa updates with the factors at hand leave of any multipliers, in the last of four: the largest eigenvalue of P. */
+static double left_by_updates(const context *c)
+{
+    double *x = c->k.row_bias, size2 = 0.0, left2 = 0.0;
+    uint32_t random = 1;
+    EACH_ROW(c, i) x[i] = (random = 1664525u * random + 1013904223u) & 0x80000000u ? 1.0 : -1.0;
+    for (int time = 0; time < 4; time++) {
+        size2 = left2 = 0.0;
+        EACH_ROW(c, i) size2 += c->k.epsilon[i] * x[i] * x[i];
+        contract_multipliers(c, x);
+        EACH_ROW(c, i) left2 += c->k.epsilon[i] * x[i] * x[i];
+    }
+    return size2 > 0.0 ? sqrt(left2 / size2) : 0.0;
+}
+
+/* Whether a row's pivot, what is left of -G M^-1 G' - epsilon, is no more than that of a dependent row, epsilon; pivots are
+   stored inverted. */
+static int has_small_pivot(const context *c)
+{
+    EACH_ROW(c, i)
+        if (state_of_multiplier(c, i) == ROW_IS_ON &&
+            !(fabs(c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]) < 1e6 / c->number[c->m->row_sigma_at + i]))
+            return 1;
+    return 0;
+}
+
+/* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties of the others. With
+   coordinates of directors as unknowns, rows of joints that one director alone carries would look dependent: where there are
+   bodies, their turns are the unknowns.                                                                          */
+static void judge_rows(const context *c)
 {
     const holonom_model *m = c->m;
     context rows = rows_at_state(c, 0.0);
@@ -376,11 +402,8 @@ static void find_dependent_rows(const context *c)
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
-        if (fails) rows.island[I_DEPENDENT] = 1.0;
-        EACH_ROW(&rows, i)
-            if (state_of_multiplier(c, i) == ROW_IS_ON &&
-                !(fabs(c->k.value[rows.lu->lu_ptr[rows.lu->row_position[i]]]) < 1e6 / c->number[m->row_sigma_at + i]))
-                rows.island[I_DEPENDENT] = 1.0; /* pivots are stored inverted */
+        if (fails || has_small_pivot(&rows)) rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
+        else if (!is_unilateral(m)) start_penalty(&rows, 1e8 * left_by_updates(&rows)); /* the penalty of rows_at_state */
     }
 }
 
@@ -418,7 +441,7 @@ static int32_t first_multipliers(context *c)
     double *mu = c->s.mu[0];
     int32_t status = accelerations(c, mu);
     if (status) return status;
-    find_dependent_rows(c);
+    judge_rows(c);
     memcpy(c->k.mu, mu, rows);
     if (m->n_driven && (status = forces_at_state(c))) return status;
     memcpy(c->s.a[0], c->k.w, sizeof(double) * (size_t)(DIM * c->n_moving));
