@@ -46,6 +46,7 @@ typedef struct context {
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
+    int rows_known;     /* whether phi has the rows at the state, from the half step before in this internal one     */
     double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
     const holonom_elimination *factors_lu;
     int fresh_increments; /* of the last half step that made its own                                           */
@@ -198,6 +199,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     use_unknowns(c, 0);
     c->factors_lu = c->lu;
     c->factors_h = 0.0;
+    c->rows_known = 0;
     c->fresh_increments = 0;
     memcpy(number + m->extent_at, c->s.derived, derived_bytes(m));
 }

@@ -175,6 +175,7 @@ static void go_back(context *c, double t, double law_time)
     for (int i = S_WORK; i <= S_FRICTION_LOW; i++) s->head[i] = start[i];
     if (c->m->time_dependent) set_laws(c, law_time, 0);
     c->t = t;
+    c->rows_known = 0;
 }
 
 /* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta; and to
@@ -221,7 +222,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     suspend_sliding(c, 1); /* no friction answers the corrections */
     const int32_t status = put_back(c, x);
     suspend_sliding(c, 0);
-    follow_angles(c);
+    follow_angles(c, NULL);
     for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
     return status;
 }

@@ -58,42 +58,48 @@ static void book_composites(context *c)
 static void book_step(context *c)
 {
     const holonom_model *m = c->m;
-    double du[DIM], unused[DIM];
+    double du[DIM], unused[DIM], defect = 0.0, residual = 0.0; /* round-off both: their sums need no more digits */
     motion g;
     EACH_FORM_ROW(c, i) {
         if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);
-        book(c, S_DEFECT, c->k.mu[i] * (is_conserving(c) ? c->k.phi[i] - c->k.phi0[i] : g.ds));
+        defect += c->k.mu[i] * (is_conserving(c) ? c->k.phi[i] - c->k.phi0[i] : g.ds);
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         link_of(c, m->coincidence_form[j], c->k.d, du, unused);
-        book(c, S_DEFECT, dot(c->k.mu + m->n_form_rows + DIM * j, du));
+        defect += dot(c->k.mu + m->n_form_rows + DIM * j, du);
     }
-    EACH_COORDINATE(c, k) /* of driven nodes it is what moves them */
-        if (k < DIM * m->n_free) book(c, S_RESIDUAL, c->move[k] * (c->k.momentum[k] - c->k.handed_on[k]) / c->h);
-        else book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
+    book(c, S_DEFECT, defect);
+    for (int32_t k = DIM * c->begin[ISLAND_FREE]; k < DIM * c->end[ISLAND_FREE]; k++)
+        residual += c->move[k] * (c->k.momentum[k] - c->k.handed_on[k]);
+    book(c, S_RESIDUAL, residual / c->h);
+    for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++) /* what moves driven nodes */
+        book(c, S_WORK, c->k.d[k] * c->k.momentum[k] / c->h);
     for IN_ISLAND(c, j, ISLAND_LOAD) book(c, S_WORK, load_work(c, j));
     for IN_ISLAND(c, j, ISLAND_MOMENT) book(c, S_WORK, moment_work(c, j));
     for IN_ISLAND(c, j, ISLAND_BODY_MOMENT) book(c, S_WORK, body_moment_work(c, j));
     book_composites(c);
 }
 
-/* Counts full turns of angles: a direction (c, s) that crosses the negative first axis leaves (-pi, pi]. The directions
-   are kept, so that what is only measured costs one link a form and step.                                      */
-static void follow_angles(context *c)
+/* Counts full turns of angles: one whose sine changes its sign where the cosine is negative leaves (-pi, pi]. Sines are kept, so
+   that what is only measured costs one link an angle and step; moved are the increments of coordinates, NULL if short. */
+static void follow_angles(context *c, const double *moved)
 {
     const holonom_model *m = c->m;
     for (int32_t j = 0; j < m->n_quantities; j++) {
         const int32_t *form = m->quantity_form + 2 * j;
-        double u[DIM], w[DIM], first[2], *second = c->s.direction + 2 * j;
+        double u[DIM], w[DIM], du[DIM] = {0.0}, dw[DIM] = {0.0}, *sine = c->s.sine + j;
         if (m->quantity_kind[j] != QUANTITY_ANGLE) continue;
-        for (int i = 0; i < 2; i++) {
-            first[i] = second[i];
-            link_at_state(c, form[i], u, w);
-            second[i] = dot(u, w);
-        }
-        const double sense = first[0] * second[1] - first[1] * second[0];
-        if (first[1] >= 0.0 && second[1] < 0.0 && sense > 0.0) c->s.turns[j] += 1.0;
-        if (first[1] < 0.0 && second[1] >= 0.0 && sense < 0.0) c->s.turns[j] -= 1.0;
+        const double before = *sine;
+        link_at_state(c, form[1], u, w);
+        *sine = dot(u, w);
+        if ((before < 0.0) == (*sine < 0.0)) continue;
+        link_at_state(c, form[0], u, w);
+        if (moved) link_of(c, form[0], moved, du, dw);
+        const double cosine = dot(u, w);
+        EACH(k) u[k] -= du[k], w[k] -= dw[k];
+        const double sense = dot(u, w) * *sine - before * cosine;
+        if (*sine < 0.0 && sense > 0.0) c->s.turns[j] += 1.0;
+        if (before < 0.0 && sense < 0.0) c->s.turns[j] -= 1.0;
     }
 }
 
@@ -196,10 +202,11 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
+    c->rows_known = c->conserving && !is_unilateral(c->m);
     use_unknowns(c, 0);
     if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
-    follow_angles(c);
+    follow_angles(c, c->k.d);
     c->s.head[S_PARITY] = 1 - parity;
     c->s.head[S_SUBSTEPS] += 1.0;
     c->t += c->h;

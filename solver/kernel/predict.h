@@ -50,6 +50,7 @@ static void begin_halves(context *c, int halves)
     if (c->s.head[S_HALVES] != halves) forget_changes(c);
     c->s.head[S_HALVES] = c->halves = halves;
     c->factors_h = 0.0;
+    c->rows_known = 0;
 }
 
 #endif

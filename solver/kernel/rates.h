@@ -65,7 +65,7 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
         hm_add(c.s.v + k, c.s.v_low + k, step * c.s.a[0][k]);
     }
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
-    follow_angles(&c);
+    follow_angles(&c, c.k.d);
     memcpy(c.s.signal, c.k.signal1, sizeof(double) * (size_t)m->n_signals);
     head[S_TIME] = c.t + step;
     set_laws(&c, head[S_TIME], 1);

@@ -31,12 +31,19 @@ static inline int is_telling(const context *c)
     return fabs(c->h) >= (is_unilateral(c->m) ? 1e-3 : 1e-5) * usual_length(c); /* pieces between events are short */
 }
 
-/* Rows at the beginning of the step, to the last digit where they are quadratic; 0 if not `exact`. */
+/* Rows at the beginning of the step, to the last digit where they are quadratic; 0 if not `exact`. Those at the end of the half
+   step before have the digits of its increments, smaller than the coordinates.                                     */
 static void rows_at_start(context *c, int exact)
 {
     const holonom_model *m = c->m;
-    EACH_FORM_ROW(c, i) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
+    const int known = exact && c->rows_known && c->halves == 2 && c->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT;
+    EACH_FORM_ROW(c, i) c->k.phi0[i] = known ? c->k.phi[i] : exact ? row_at_state(c, i) : 0.0;
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
+        if (known) {
+            const int32_t row = m->n_form_rows + DIM * j;
+            EACH(k) c->k.phi0[row + k] = c->k.phi[row + k];
+            continue;
+        }
         double high[DIM] = {0.0}, low[DIM] = {0.0};
         if (exact) exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, high, low);
         EACH(k) c->k.phi0[m->n_form_rows + DIM * j + k] = high[k] + low[k];
@@ -90,6 +97,7 @@ static void prepare_step(context *c, int parity)
     double *const *a = c->s.a, *const *mu = c->s.mu;
     EACH_COORDINATE(c, k) { /* w is h^2/2 times an acceleration */
         c->k.hv[k] = h * c->s.v[k] + h * c->s.v_low[k];
+        if (is_director(c, k / DIM)) continue; /* its body's turn tells */
         c->k.w[k] = 0.5 * h * h * predicted(c, reach, a[parity], a[1 - parity], c->s.a_change, n, k);
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
@@ -166,6 +174,7 @@ static int32_t solve_island(context *c, int parity, effort *total)
     int32_t status = try_step(c, began_with_old, &r, total);
     if (status && began_with_old) { /* old factors may have led astray */
         c->factors_h = 0.0;
+        c->rows_known = 0;
         r = (newton_record){.theta = 1.0, .floor = r.floor};
         prepare_step(c, parity);
         status = try_step(c, 0, &r, total);

@@ -351,7 +351,7 @@ STATE = {
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
     "turns": "n_quantities",  # full turns of angles so far
-    "direction": "2 * n_quantities",  # cosine and sine of the angles, times a factor
+    "sine": "n_quantities",  # of the angles, times a factor
     "signal": "n_signals",  # prescribed values at the present time
     "quaternion": "4 * n_oriented",  # w, x, y, z; of continuous sign
     "sampled": "3 * n_sampled",  # what is known of each sampled load, see sampling.h
