@@ -107,6 +107,20 @@ HM_OFTEN void add_gradient(const context *c, int32_t f, double factor, const dou
     }
 }
 
+/* target[node] += factor times what a force on link u of form f does to its moving nodes. */
+HM_OFTEN void add_link_force(const context *c, int32_t f, double factor, const double *force, double *target)
+{
+    const holonom_model *m = c->m;
+    const double *alpha = c->number + m->alpha_at, *alpha_turn = c->number + m->alpha_turn_at;
+    const int32_t begin = m->form_ptr[f], end = begin + m->form_moving[f], turned = DIM == 2 && m->form_kind[f] & FORM_TURNED;
+    for (int32_t e = begin; e < end; e++) {
+        double *node = target + DIM * m->form_node[e];
+        const double own = factor * alpha[e];
+        EACH(k) node[k] += own * force[k];
+        if (turned) add_turned(-factor * alpha_turn[e], force, node);
+    }
+}
+
 /* Second derivative of form f with respect to entries p and q: same I + quarter J. */
 static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_t q, double *same, double *quarter)
 {

@@ -185,6 +185,17 @@ HM_SELDOM static int32_t find_beta(const context *c, int32_t j, double change)
 
 /* ---------------------------------------------------------------------------------------------- slopes */
 
+/* Whether function j is linear in its leaves, as most drivers and gears are: its slopes are the same everywhere. */
+static int is_linear(const context *c, int32_t j)
+{
+    const int32_t f = j - first_function(c), *op = c->m->operation + 4 * c->m->function_ptr[f], *end = c->m->operation + 4 * c->m->function_ptr[f + 1];
+    for (; op < end; op += 4) {
+        const int is_sum = op[0] == T_ADD || op[0] == T_SUB || op[0] == T_NEG;
+        if (!is_sum && !(op[0] == T_MUL && (op[1] < 0 || op[2] < 0)) && !(op[0] == T_DIV && op[2] < 0)) return 0;
+    }
+    return !is_damped(c, j);
+}
+
 /* Derivatives of the leaves' slopes with respect to the leaves at the end, by central differences, n x n into
    `matrix`: only the rate of Newton's iteration depends on them.                                              */
 static void differentiate_slopes(const context *c, int32_t j, double *matrix)
@@ -241,7 +252,7 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
     }
 }
 
-/* Leaves of function j, and for the tangent the function's slopes at the end and the derivatives of its slopes. */
+/* Leaves of function j, and for the tangent, where it bends, its slopes at the end and the derivatives of its slopes. */
 static int32_t set_leaves(const context *c, int32_t j, int tangent, double *matrix)
 {
     const holonom_model *m = c->m;
@@ -252,7 +263,7 @@ static int32_t set_leaves(const context *c, int32_t j, int tangent, double *matr
         const int32_t status = entry[0] == LEAF_SIGNAL ? 0 : set_leaf(c, entry, is_seeking(c), leaf + l);
         if (status) return status;
     }
-    if (!tangent) return HOLONOM_OK;
+    if (!tangent || is_linear(c, j)) return HOLONOM_OK;
     differentiate_slopes(c, j, matrix);
     load_registers(c, j, AT_END);
     run_function(c, j);
@@ -286,6 +297,12 @@ static int32_t function_slopes(const context *c, int32_t j, int tangent, composi
     load_registers(c, j, OVER_STEP);
     const int32_t last = run_function(c, j);
     damp_slopes(c, j);
+    if (tangent && is_linear(c, j)) {
+        const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
+        leaf_state *leaf = (leaf_state *)c->k.leaves;
+        memset(matrix, 0, sizeof(double) * (size_t)(n * n));
+        for (int32_t l = 0; l < n; l++) leaf[l].n_end = c->k.r.adjoint[l];
+    }
     if (tangent) function_tangent(c, j, matrix);
     result->change = is_velocity_row(c, j) ? c->h * c->k.r.r0[last] : c->k.r.dr[last];
     result->row = is_seeking(c) && !is_velocity_row(c, j) ? c->k.r.r0[last] : result->change;

@@ -124,15 +124,9 @@ static void load_force(const context *c, int32_t j, double *force)
 /* target += factor times the force of load j on the nodes of its link. */
 static void add_load(const context *c, int32_t j, double factor, double *target)
 {
-    const holonom_model *m = c->m;
-    const int32_t f = m->load_form[j];
     double force[DIM];
     load_force(c, j, force);
-    for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_moving[f]; e++) {
-        double *node = target + DIM * m->form_node[e];
-        EACH(k) node[k] += factor * c->number[m->alpha_at + e] * force[k];
-        if (m->form_kind[f] & FORM_TURNED) add_turned(-factor * c->number[m->alpha_turn_at + e], force, node);
-    }
+    add_link_force(c, c->m->load_form[j], factor, force, target);
 }
 
 /* value -= h dF/dd of a load that a body carries; returns the slots behind its own. */

@@ -139,7 +139,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
     r->previous = r->defect = 0.0;
     for (r->iteration = 0; r->iteration < max_newton; r->iteration++) {
         int32_t status = HOLONOM_OK;
-        r->kept = may_keep_factors(r);
+        r->kept = may_keep_factors(c, r);
         if (!r->kept) status = factorise(c);
         if (!status) status = newton_update(c, r);
         if (status) return status;

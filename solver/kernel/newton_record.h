@@ -7,6 +7,7 @@
 typedef struct newton_record {
     double theta;            /* contraction of the increments                                                  */
     double eta, previous;    /* the last increment and the one before it, in the mass norm [kg^1/2 m]           */
+    double first;            /* the first one with the factors at hand                                          */
     double size;             /* of d, likewise                                                                 */
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */

@@ -5,13 +5,37 @@
 #include "context.h"
 #include "forms.h"
 #include "newton_record.h"
+#include "policy_stopping.h"
 
 #define GOOD_CONTRACTION 0.05
+#define LAST_DIGITS 1e-3 /* of the tolerance of increments, where they no longer contract */
 
-/* Factors are kept while increments contract well with them. */
-static inline int may_keep_factors(const newton_record *r)
+/* What fresh factors cost, in increments: their products over the numbers that a solution reads, and an evaluation. */
+static double price_of_factors(const context *c)
 {
-    return r->factorised && r->theta < GOOD_CONTRACTION && hm_skips(SKIP_FACTORISATION);
+    const int32_t *begin = c->lu->lu_island + 4 * c->first_island, *end = c->lu->lu_island + 4 * c->last_island;
+    return 1.0 + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
+}
+
+/* Whether fresh factors would spare more increments than they cost. The next increment is theta times the last; from then on
+   fresh factors contract by theta times what is left of the way from where the present ones were made. Not lean ones, which
+   would lack the same again, and not with dependent rows: iterations that end sooner leave more in what these determine
+   weakly (Bricard at tolerances: 2e-14 of the energy in place of 5e-15).                                         */
+static int would_pay(const context *c, const newton_record *r)
+{
+    const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta, fresh = r->theta * next / r->first;
+    double saved = 0.0, with_kept = next, with_fresh = next;
+    if (is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2 || next <= goal) return 0;
+    for (; r->theta * with_kept > goal && saved < 10.0; with_kept *= r->theta) saved += 1.0;
+    for (; fresh * with_fresh > goal && saved > 0.0; with_fresh *= fresh) saved -= 1.0;
+    return saved > price_of_factors(c);
+}
+
+/* Factors are kept while increments contract well with them, and at round-off, which says nothing about them. */
+static inline int may_keep_factors(const context *c, const newton_record *r)
+{
+    if (!r->factorised || !hm_skips(SKIP_FACTORISATION)) return 0;
+    return r->theta < GOOD_CONTRACTION ? !would_pay(c, r) : r->iteration > 0 && r->eta < LAST_DIGITS * r->target;
 }
 
 /* Lean factors leave stiffness out, h^2 |sum mu_i H_i|/4m and h^2 k/4m against 1, which is then their contraction.
@@ -35,6 +59,7 @@ static void choose_factors(context *c)
 static void judge_increment(const context *c, newton_record *r)
 {
     r->factorised = 1;
+    if (!r->kept) r->first = r->eta;
     if (r->iteration > 0 && r->previous > 0.0) r->theta = r->eta / r->previous;
     else if (!r->kept) r->theta = r->eta < 0.02 * r->size ? 0.04 : 1.0;
     r->previous = r->eta;

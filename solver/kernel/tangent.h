@@ -322,10 +322,8 @@ static int32_t evaluate_residual(const context *c)
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         const int32_t row = m->n_form_rows + DIM * j;
-        double force[DIM], none[DIM] = {0.0};
         coincidence_function(c, j, c->k.phi0 + row, c->k.phi + row);
-        EACH(k) force[k] = c->h * c->k.mu[row + k];
-        add_gradient(c, m->coincidence_form[j], 1.0, none, force, c->k.momentum); /* alpha w with w = force */
+        add_link_force(c, m->coincidence_form[j], c->h, c->k.mu + row, c->k.momentum);
     }
     const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
