@@ -10,11 +10,11 @@
 #define GOOD_CONTRACTION 0.05
 #define LAST_DIGITS 1e-3 /* of the tolerance of increments, where they no longer contract */
 
-/* What fresh factors cost, in increments: their products over the numbers that a solution reads, and an evaluation. */
+/* What fresh factors cost, in increments: their products over the numbers that a solution reads, and the tangent. */
 static double price_of_factors(const context *c)
 {
     const int32_t *begin = c->lu->lu_island + 4 * c->first_island, *end = c->lu->lu_island + 4 * c->last_island;
-    return 1.0 + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
+    return (is_reduced(c) ? 2.0 : 1.0) + (double)(end[2] - begin[2]) / (1.0 + c->lu->lu_ptr[end[0]] - c->lu->lu_ptr[begin[0]]);
 }
 
 /* Whether fresh factors would spare more increments than they cost. The next increment is theta times the last; from then on
