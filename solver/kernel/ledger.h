@@ -45,12 +45,12 @@ static void book_composites(context *c)
             book(c, S_DISSIPATED, damping_share_of_step(c, j) * result.change);
         }
         if (!is_row(c, j)) continue;
-        const double mu = c->k.mu[row_of(c, j)];
+        const int32_t row = row_of(c, j);
+        const double mu = c->k.mu[row], change = c->k.change[row];
         const enum row_state state = state_of_row(c, j);
         if (state == ROW_IS_OFF) continue;
-        composite_slopes(c, j, 0, &result);
-        book(c, account_of(c, j, state), mu * result.change);
-        book(c, S_WORK, mu * (result.change - result.mechanical));
+        book(c, account_of(c, j, state), mu * change);
+        book(c, S_WORK, mu * (change - c->k.moved[row]));
     }
 }
 

@@ -286,6 +286,8 @@ static int32_t add_composites(const context *c)
         if (row >= 0) {
             c->k.phi[row] = result.row + (is_seeking(c) || (j >= first_velocity_row(c) && !c->stepping) ? 0.0 : c->k.phi0[row]);
             factor *= c->k.mu[row];
+            c->k.change[row] = result.change;
+            c->k.moved[row] = result.mechanical;
         }
         if (state == ROW_IS_SLIDING) {
             c->k.slip[row] = c->k.phi[row] / c->h;
