@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
+import subprocess
 from collections.abc import Sequence
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,8 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import holonom
+from build_kernel.compiler import FLAGS, system_compiler, zig_compiler
 from solver import SceneError
 from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, eliminate
+from solver.runtime.layout import MOST_IN_GROUP
 from tests.kernel_calls import kernel_of
 from tests.problems import Array, assemble, chain, four_bar, free_system, observe, start, tree
 
@@ -118,6 +123,43 @@ def test_the_factors_on_the_pattern_solve_what_dense_algebra_solves(graph, seed)
     solved = factor_and_solve(pattern, scatter(K, place, pattern), ordered)[place]
     expected = np.linalg.solve(K, right)
     assert np.linalg.norm(solved - expected) <= 1e-9 * np.linalg.norm(expected)
+
+
+@pytest.fixture(scope="module")
+def block_lu(tmp_path_factory) -> ctypes.CDLL:
+    """Return the kernel's factors in groups, as this machine's compiler makes them."""
+    target = tmp_path_factory.mktemp("block_lu") / "block_lu.so"
+    compiler = system_compiler() or zig_compiler() or ["cc"]
+    root = Path(__file__).resolve().parents[2]
+    options = [*FLAGS, "-DDIM=3", "-DHM_SCOPE=2", f"-I{root / 'solver' / 'kernel'}"]
+    options = [option for option in options if option != "-fvisibility=hidden"]
+    source = root / "tests" / "factors_of_groups.c"
+    subprocess.run([*compiler, *options, "-o", str(target), str(source)], check=True)
+    return ctypes.CDLL(str(target))
+
+
+@pytest.mark.skipif(not (system_compiler() or zig_compiler()), reason="no C compiler")
+@given(graphs(), st.integers(1, MOST_IN_GROUP), st.integers(0, 2**32 - 1))
+def test_groups_of_pivots_solve_what_dense_algebra_solves(block_lu, graph, most, seed):
+    # Groups of up to `most` pivots, zeros that they store included.
+    random = np.random.default_rng(seed)
+    pattern = eliminate(graph, most)
+    assert np.diff(pattern.groups).max() <= most
+    place = places(graph, pattern)
+    K = kkt_matrix(graph, random)
+    right = random.normal(size=len(K))
+    x, values = np.empty_like(right), scatter(K, place, pattern)
+    x[place] = right
+    groups = np.append(
+        np.column_stack([pattern.groups[:-1], pattern.later]).ravel(), pattern.groups[-1]
+    )
+    island = [0, 0, 0, 0, len(K), len(pattern.groups) - 1, 0, 0]
+    tables = pattern.ptr, groups, pattern.columns, pattern.target, island
+    kept = [np.ascontiguousarray(table, np.int32) for table in tables]
+    pointers = [ctypes.c_void_p(table.ctypes.data) for table in (*kept, values, x)]
+    assert block_lu.factor_and_solve(*pointers) == 0
+    expected = np.linalg.solve(K, right)
+    assert np.linalg.norm(x[place] - expected) <= 1e-9 * np.linalg.norm(expected)
 
 
 @given(graphs())

@@ -118,3 +118,12 @@ def test_long_chains_of_bodies_take_as_few_increments_as_short_ones():
         mean[n] = iterations[10:].mean()
     assert max(mean.values()) <= 2.5
     assert mean[1000] <= mean[10] + 0.2
+
+
+def test_long_steps_take_few_increments_where_fresh_factors_pay():
+    # Kept factors contract by 0.02 there: ten increments, each with one more digit and a half.
+    run = start(tomllib.loads(rigid_chain(100)), h=1e-2)
+    names = ["solver.newton_iterations", "energy.error"]
+    iterations, energy = observe(run, 1e-2, 20, names)[1:].T
+    assert energy.max() < 1e-13
+    assert iterations[2:].mean() <= 5.0
