@@ -1,4 +1,4 @@
-/* Sparse LU factors of groups of pivots with the same pattern, as bodies and their joints make.
+/* Sparse LU factors of groups of pivots with nearly the same pattern, as bodies and their joints make; zeros fill it.
 
    A group of p pivots coupled to m later places owns one piece of `value`: the block D (p x p, row by row), the columns
    of U, p entries for each later place, and the rows of L, likewise. `target` has m x m places for each group. So each

@@ -165,7 +165,7 @@ static double compliance_over_sigma(const context *c)
 {
     const double *head = c->s.head;
     double raised = 1.0;
-    for (double level = c->island[I_PENALTY_LEVEL]; level > 0.0; level -= 1.0) raised *= 1e2;
+    for (int level = 0; level < MOST_LEVELS && level < c->island[I_PENALTY_LEVEL]; level++) raised *= 1e2;
     const double chi = is_penalty(c) ? head[S_PENALTY] : head[S_PENALTY] * raised;
     const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
     switch (c->formulation) {

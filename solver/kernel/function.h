@@ -188,7 +188,8 @@ HM_SELDOM static int32_t find_beta(const context *c, int32_t j, double change)
 /* Whether function j is linear in its leaves, as most drivers and gears are: its slopes are the same everywhere. */
 static int is_linear(const context *c, int32_t j)
 {
-    const int32_t f = j - first_function(c), *op = c->m->operation + 4 * c->m->function_ptr[f], *end = c->m->operation + 4 * c->m->function_ptr[f + 1];
+    const int32_t f = j - first_function(c);
+    const int32_t *op = c->m->operation + 4 * c->m->function_ptr[f], *end = c->m->operation + 4 * c->m->function_ptr[f + 1];
     for (; op < end; op += 4) {
         const int is_sum = op[0] == T_ADD || op[0] == T_SUB || op[0] == T_NEG;
         if (!is_sum && !(op[0] == T_MUL && (op[1] < 0 || op[2] < 0)) && !(op[0] == T_DIV && op[2] < 0)) return 0;
@@ -252,7 +253,7 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
     }
 }
 
-/* Leaves of function j, and for the tangent, where it bends, its slopes at the end and the derivatives of its slopes. */
+/* Leaves of function j, and for the tangent of one that is not linear its slopes at the end and the derivatives of its slopes. */
 static int32_t set_leaves(const context *c, int32_t j, int tangent, double *matrix)
 {
     const holonom_model *m = c->m;

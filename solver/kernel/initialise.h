@@ -222,7 +222,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status) status = first_multipliers(&c);
     if (status) return status;
     follow_angles(&c, NULL);
-    memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities); /* from no angle is no turn */
+    memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities); /* the first sines have crossed nothing */
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
     if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;

@@ -511,6 +511,12 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
     const double parity = block[S_PARITY], order = block[S_ORDER_IN_USE];
     if ((parity != 0.0 && parity != 1.0) || !(order >= 0.0 && order <= 8.0 && order == 2.0 * floor(0.5 * order)))
         return "has a number that no run comes to; save it again";
+    const double *island = block + (i->s.islands - i->s.head);
+    for (int32_t k = 0; k < f->model.n_islands; k++) {
+        const double level = island[I_SIZE * k + I_PENALTY_LEVEL];
+        if (!(level >= 0.0 && level <= MOST_LEVELS && level == floor(level)))
+            return "has a penalty that no run comes to; save it again";
+    }
     for (uint32_t k = 0; k < f->header->n_variables; k++) {
         const hm_variable *v = f->variable + k;
         if (v->kind == KIND_OPTION && hm_objects(&i->message, f, v, block[v->place], NULL, 0))

@@ -58,7 +58,7 @@ static void book_composites(context *c)
 static void book_step(context *c)
 {
     const holonom_model *m = c->m;
-    double du[DIM], unused[DIM], defect = 0.0, residual = 0.0; /* round-off both: their sums need no more digits */
+    double du[DIM], unused[DIM], defect = 0.0, residual = 0.0; /* small beside the energy: plain sums in a step */
     motion g;
     EACH_FORM_ROW(c, i) {
         if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);

@@ -60,29 +60,30 @@ static int may_update_early(const context *c, const newton_record *r)
     return r->iteration > 0 || constraint_defect(c) > UNBIASED;
 }
 
-/* Penalties of an island are raised a hundredfold, at the start so often that updates leave no more than this. */
+/* The penalty of an island is raised a hundredfold as often as it takes for an Uzawa update to leave no more than this of any
+   multipliers. */
 #define GOOD_UPDATE 1e-7
-#define MOST_LEVELS 3
+#define LARGEST_RAISED 1e14
 
-/* Level of the penalty to begin with; an update at the penalty 1 leaves so much of some multipliers. In long chains the least
-   eigenvalue of G M^-1 G' falls like 1/N^2: with the same penalty for all, 10^4 hinged bodies took 16 increments a half
-   step in the place of 2.                                                                                        */
+/* Chooses the level of an island's penalty at the start; `left` over the penalty is what an update leaves of the multipliers
+   that it contracts least. The least eigenvalue of G M^-1 G' falls like 1/N^2 in long chains (theory 3.6).       */
 static void start_penalty(const context *c, double left)
 {
-    const double penalty = c->s.head[S_PENALTY];
+    double penalty = c->s.head[S_PENALTY], *level = c->island + I_PENALTY_LEVEL;
     if (penalty < EARLY_UPDATE_PENALTY || !hm_skips(SKIP_LOW_PENALTY)) return;
-    double *level = c->island + I_PENALTY_LEVEL;
-    for (*level = 0.0; left > GOOD_UPDATE * penalty && *level < MOST_LEVELS; left *= 1e-2) *level += 1.0;
+    *level = 0.0;
+    for (; left > GOOD_UPDATE * penalty && *level < MOST_LEVELS && 1e2 * penalty <= LARGEST_RAISED; penalty *= 1e2) *level += 1.0;
 }
 
-/* Where updates come to leave more than at the start: after eight solves in a row of three increments or more the penalty of those to come is a hundred times
-   larger, twice at most: not from the start, where long increments have other reasons. With dependent rows, whose rounding
-   errors it multiplies, only where `outer` updates, those after an inner iteration, are three or more.           */
+#define MOST_LATER 2.0 /* levels that are reached on the way */
+
+/* Raises the penalty of an island after eight solves in a row of three increments or more: with dependent rows, whose rounding
+   errors it multiplies, of three updates that each waited for the end of an inner iteration (`outer`).          */
 static void follow_contraction(double *island, int increments, int outer)
 {
     const int slow = island[I_DEPENDENT] != 0.0 ? outer >= 3 : increments >= 3;
     island[I_SLOW_STEPS] = slow ? island[I_SLOW_STEPS] + 1.0 : 0.0;
-    if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= 2.0) return;
+    if (!hm_skips(SKIP_LOW_PENALTY) || island[I_SLOW_STEPS] < 8.0 || island[I_PENALTY_LEVEL] >= MOST_LATER) return;
     island[I_PENALTY_LEVEL] += 1.0;
     island[I_SLOW_STEPS] = 0.0;
 }

@@ -116,6 +116,7 @@ static int32_t derive_scales(context *c)
 
 /* Length of the step without forces whose tangent is the matrix of solve_at_state. */
 #define AT_STATE 1.4142135623730951
+#define AT_STATE_PENALTY 1e8
 
 /* Context of the equations of solve_at_state, with links at the present state; with h > 0 those of a step of length h, with
    springs and dampers. */
@@ -129,7 +130,7 @@ static context rows_at_state(const context *c, double h)
     rows.at_state = 1;
     use_formulation(&rows, HOLONOM_CONSERVING_AL);
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
-    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = 1e-8 * length2 * c->number[c->m->row_sigma_at + i];
+    for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = length2 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;
 }
 
@@ -362,7 +363,7 @@ HM_SELDOM static void forget_dependent_rows(const context *c)
     for (int32_t island = 0; island < c->m->n_islands; island++) c->s.islands[I_SIZE * island + I_DEPENDENT] = 0.0;
 }
 
-/* What Uzawa updates with the factors at hand leave of any multipliers, in the last of four: the largest eigenvalue of P. */
+/* The largest eigenvalue of P (contract_multipliers): what the last of four updates leaves of random multipliers. */
 static double left_by_updates(const context *c)
 {
     double *x = c->k.row_bias, size2 = 0.0, left2 = 0.0;
@@ -403,7 +404,7 @@ static void judge_rows(const context *c)
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
         if (fails || has_small_pivot(&rows)) rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
-        else if (!is_unilateral(m)) start_penalty(&rows, 1e8 * left_by_updates(&rows)); /* the penalty of rows_at_state */
+        else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left_by_updates(&rows));
     }
 }
 

@@ -322,6 +322,8 @@ size of the mechanism."""
 
 FEW_CONTACTS = 8
 """Up to so many contacts, most entries of factors are taken not to be zero."""
+MOST_LEVELS = 3
+"""How often the penalty of an island is raised, at most."""
 MOST_IN_GROUP = 6
 """Pivots of a group of factors."""
 MOST_SIDES = 8

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from solver.runtime import Integrator, OptionError, StepError
-from solver.runtime.layout import PLACE
+from solver.runtime.layout import ISLAND, PLACE, state_sections
 from tests.kernels_without_skips import counted, integrator_without, needs_compiler
 from tests.saved_states import NUMBERS_AT, PHASE_AT, signed
 from tests.twins import PENDULUM, advance, block, model_of, start
@@ -144,6 +144,13 @@ def test_a_state_that_deforms_a_body_is_refused_by_its_name(value):
         run.restore(damaged)
     assert (run.save(), bytes(run.numbers)) == (before, numbers)
     run.advance(run.time, 0.01)
+
+
+@pytest.mark.parametrize("level", [1e18, 4.0, 0.5, -1.0], ids=str)
+def test_a_state_whose_penalty_no_run_comes_to_is_refused(level):
+    # Raised 1e18 times, it once kept the kernel from ever ending a step.
+    place = state_sections(model_of(PENDULUM).sizes)["islands"][0] + ISLAND.index("penalty_level")
+    assert_refused_and_kept(forged(level, place), "a penalty that no run comes to")
 
 
 @pytest.mark.parametrize("scene", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
