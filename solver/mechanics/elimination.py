@@ -38,8 +38,9 @@ class Pattern:
     """Places of the unknowns in the elimination order, and the stored entries of the factors.
 
     A group has the later places of its last pivot, among which those of the others lie; what these
-    lack is stored as zeros. p pivots with m later places have a block p x p, row by row, then the p entries of U of each later place, then those
-    of L. A pivot alone has its diagonal, a row of U and a column of L.
+    lack is stored as zeros. p pivots with m later places have a block p x p, row by row, then the
+    p entries of U of each later place, then those of L. A pivot alone has its diagonal, a row of U
+    and a column of L.
     """
 
     position: Integers
