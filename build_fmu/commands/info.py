@@ -247,19 +247,24 @@ def _print_equilibrium(model: Model, found: Equilibrium, redundant: Sequence[str
     held = "; drivers are held where they are at the start" if found.held else ""
     energy = [("potential energy", f"{number(found.potential_energy)} J")]
     print_table(f"{model.name} in static equilibrium{held}", ("", ""), energy)
+    places = [x for grid in found.positions.values() for x in grid.values()]
+    size = max(map(abs, places), default=1.0)
     for table in TABLES:
         if grid := getattr(found, table):
             unsure = table == "reactions" and redundant
             note = f", not unique in {', '.join(redundant)}" if unsure else ""
-            _print_grid(f"{table}{note}", grid)
+            _print_grid(f"{table}{note}", grid, size)
     if found.outputs:
         units = {variable.name: variable.unit for variable in model.variables}
         rows = [(name, number(x), units[name]) for name, x in found.outputs.items()]
         print_table("outputs", ("", "", ""), rows)
 
 
-def _print_grid(title: str, grid: Grid) -> None:
-    """One row for each part; what rounding leaves of a zero is shown as 0."""
+def _print_grid(title: str, grid: Grid, size: float) -> None:
+    """One row for each part; what rounding leaves of a zero is shown as 0.
+
+    Torques are compared with the largest force, too, across the size of the mechanism [m].
+    """
     columns = list(dict.fromkeys(column for values in grid.values() for column in values))
     units = {column: UNITS.get(column, "") for column in columns}
     least: dict[str, float] = {}
@@ -267,6 +272,8 @@ def _print_grid(title: str, grid: Grid) -> None:
         for column, value in values.items():
             unit = units[column]
             least[unit] = max(least.get(unit, 0.0), ROUNDING * abs(value))
+    if "N.m" in least:
+        least["N.m"] = max(least["N.m"], size * least.get("N", 0.0))
 
     def shown(column: str, value: float) -> str:
         return number(value if abs(value) > least[units[column]] else 0.0)
