@@ -175,7 +175,6 @@ static void go_back(context *c, double t, double law_time)
     for (int i = S_WORK; i <= S_FRICTION_LOW; i++) s->head[i] = start[i];
     if (c->m->time_dependent) set_laws(c, law_time, 0);
     c->t = t;
-    c->rows_known = 0;
 }
 
 /* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta; and to

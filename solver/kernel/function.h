@@ -253,8 +253,8 @@ static void function_tangent(const context *c, int32_t j, const double *matrix)
     }
 }
 
-/* Leaves of function j, and for the tangent of one that is not linear its slopes at the end and the derivatives of its slopes. */
-static int32_t set_leaves(const context *c, int32_t j, int tangent, double *matrix)
+/* Leaves of function j, and if it is `bent` its slopes at the end and the derivatives of its slopes. */
+static int32_t set_leaves(const context *c, int32_t j, int bent, double *matrix)
 {
     const holonom_model *m = c->m;
     leaf_state *leaf = (leaf_state *)c->k.leaves;
@@ -264,7 +264,7 @@ static int32_t set_leaves(const context *c, int32_t j, int tangent, double *matr
         const int32_t status = entry[0] == LEAF_SIGNAL ? 0 : set_leaf(c, entry, is_seeking(c), leaf + l);
         if (status) return status;
     }
-    if (!tangent || is_linear(c, j)) return HOLONOM_OK;
+    if (!bent) return HOLONOM_OK;
     differentiate_slopes(c, j, matrix);
     load_registers(c, j, AT_END);
     run_function(c, j);
@@ -293,12 +293,13 @@ static double gather_slopes(const context *c, int32_t j)
 static int32_t function_slopes(const context *c, int32_t j, int tangent, composite_result *result)
 {
     double *matrix = c->k.leaves + 12 * (int64_t)c->m->n_registers;
-    int32_t status = set_leaves(c, j, tangent, matrix);
+    const int straight = tangent && is_linear(c, j);
+    int32_t status = set_leaves(c, j, tangent && !straight, matrix);
     if (status) return status;
     load_registers(c, j, OVER_STEP);
     const int32_t last = run_function(c, j);
     damp_slopes(c, j);
-    if (tangent && is_linear(c, j)) {
+    if (straight) {
         const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
         leaf_state *leaf = (leaf_state *)c->k.leaves;
         memset(matrix, 0, sizeof(double) * (size_t)(n * n));

@@ -202,7 +202,7 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    c->rows_known = c->conserving && !is_unilateral(c->m);
+    c->rows_known = c->conserving && c->halves == 2 && !is_unilateral(c->m);
     use_unknowns(c, 0);
     if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);

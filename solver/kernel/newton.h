@@ -30,8 +30,7 @@ static void update_multipliers(context *c)
    of their error. */
 HM_SELDOM static void contract_multipliers(const context *c, double *x)
 {
-    for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE]; a = next_unknown(c, a))
-        for (int k = 0; k < unknown_size(c, a); k++) c->k.rhs[c->lu->node_position[a] + k] = 0.0;
+    memset(c->k.rhs + first_pivot(c), 0, sizeof(double) * (size_t)(end_pivot(c) - first_pivot(c)));
     EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -c->k.epsilon[i] * x[i];
     solve_factors(c);
     EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];

@@ -19,15 +19,14 @@ static double price_of_factors(const context *c)
 }
 
 /* Whether fresh factors would spare more increments than they cost. The next increment is theta times the last; from then on
-   fresh factors contract by theta times what is left of the way from where the present ones were made. Not lean ones, which
-   would lack the same again, and not with dependent rows: iterations that end sooner leave more in what these determine
+   fresh factors contract by theta times what is left of the way from where the present ones were made. Not in the place of
+   those taken over, which judge_factors weighs, nor of lean ones, which would lack the same again, and not with dependent rows: iterations that end sooner leave more in what these determine
    weakly (Bricard at tolerances: 2e-14 of the energy in place of 5e-15).                                         */
 static int would_pay(const context *c, const newton_record *r)
 {
     const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta, fresh = r->theta * next / r->first;
     double saved = 0.0, with_kept = next, with_fresh = next;
-    if (r->taken_over || !(r->first > 0.0)) return 0; /* judge_factors weighs those */
-    if (is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2 || next <= goal) return 0;
+    if (r->taken_over || is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2 || next <= goal) return 0;
     for (; r->theta * with_kept > goal && saved < 10.0; with_kept *= r->theta) saved += 1.0;
     for (; fresh * with_fresh > goal && saved > 0.0; with_fresh *= fresh) saved -= 1.0;
     return saved > price_of_factors(c);

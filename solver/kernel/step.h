@@ -31,23 +31,25 @@ static inline int is_telling(const context *c)
     return fabs(c->h) >= (is_unilateral(c->m) ? 1e-3 : 1e-5) * usual_length(c); /* pieces between events are short */
 }
 
-/* Rows at the beginning of the step, to the last digit where they are quadratic; 0 if not `exact`. Those at the end of the half
-   step before have the digits of its increments, smaller than the coordinates.                                     */
-static void rows_at_start(context *c, int exact)
+/* Form rows and coincidences at the state, to the last digit; 0 if not `exact`. */
+static void form_rows_at_state(const context *c, int exact)
 {
     const holonom_model *m = c->m;
-    const int known = exact && c->rows_known && c->halves == 2 && c->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT;
-    EACH_FORM_ROW(c, i) c->k.phi0[i] = known ? c->k.phi[i] : exact ? row_at_state(c, i) : 0.0;
+    EACH_FORM_ROW(c, i) c->k.phi0[i] = exact ? row_at_state(c, i) : 0.0;
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
-        if (known) {
-            const int32_t row = m->n_form_rows + DIM * j;
-            EACH(k) c->k.phi0[row + k] = c->k.phi[row + k];
-            continue;
-        }
         double high[DIM] = {0.0}, low[DIM] = {0.0};
         if (exact) exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, high, low);
         EACH(k) c->k.phi0[m->n_form_rows + DIM * j + k] = high[k] + low[k];
     }
+}
+
+/* Rows at the beginning of the step; functions in double precision, others to the last digit, or with the digits that the end of
+   the half step before has, of its increments, which are smaller than the coordinates.                             */
+static void rows_at_start(context *c, int exact)
+{
+    if (exact && c->rows_known && c->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT)
+        EACH_ROW(c, i) c->k.phi0[i] = c->k.phi[i];
+    else form_rows_at_state(c, exact);
     for IN_ISLAND(c, j, ISLAND_FUNCTION)
         c->k.phi0[row_of(c, j)] = exact && state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;
     for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;

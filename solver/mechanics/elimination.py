@@ -327,15 +327,15 @@ def _groups(columns: Sequence[Sequence[int]], most: int) -> list[int]:
     """
     least, first = [0], [0]
     for end in range(1, len(columns) + 1):
-        begin, later = end - 1, len(columns[end - 1])
-        cost, start = least[begin] + _operations(1, later), begin
-        while begin > 0 and end - begin < most and columns[begin - 1][:1] == [begin]:
-            begin -= 1
-            other = least[begin] + _operations(end - begin, later)
-            if other < cost:
-                cost, start = other, begin
-        least.append(cost)
-        first.append(start)
+        begins = [end - 1]
+        for begin in range(end - 1, max(end - most, 0), -1):
+            if columns[begin - 1][:1] != [begin]:
+                break
+            begins.append(begin - 1)
+        later = len(columns[end - 1])
+        costs = [least[begin] + _operations(end - begin, later) for begin in begins]
+        least.append(min(costs))
+        first.append(begins[costs.index(least[-1])])
     found = [len(columns)]
     while found[-1] > 0:
         found.append(first[found[-1]])
