@@ -17,7 +17,7 @@
 static void start_anew(context *c)
 {
     c->s.head[S_MEAN_TIME] = INFINITY;
-    forget_changes(c);
+    forget_halves(c);
 }
 
 /* Whether an input that is held over a communication step differs. */
@@ -98,7 +98,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = 0.0;
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
-    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_changes(&c);
+    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);
     int32_t status = start_ramps(&c, step);
     set_laws(&c, start, 0);
     head[S_EVENTS] = 0.0;

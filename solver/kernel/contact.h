@@ -324,7 +324,7 @@ static int32_t start_with_modes(context *c)
     for (int32_t i = 0; i < c->m->n_contacts; i++) contact_of(c, i)[C_PARTED] = 0.0;
     forget_dependent_rows(c);
     const int32_t status = first_multipliers(c);
-    forget_changes(c);
+    forget_halves(c);
     return status;
 }
 

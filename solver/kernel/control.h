@@ -163,8 +163,8 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
             if (status) lower_penalties(c);
-            if (status && known_changes(c)) { /* Newton's iteration may only have begun too far away */
-                forget_changes(c);
+            if (status && known_misses(c)) { /* Newton's iteration may only have begun too far away */
+                forget_halves(c);
                 head[S_WANTED] = h;
             }
             continue;

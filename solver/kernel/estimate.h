@@ -63,13 +63,12 @@ static inline const method *method_of(const context *c, int p) { return &METHODS
 static int difference_of_pairs(const context *c, double h, double *difference)
 {
     const int64_t n = DIM * c->n_moving;
-    const double *first = c->s.a[0], *second = c->s.a[1], *change = c->s.a_change;
+    double *const *a = c->s.a, *const *before = c->s.a_before;
     const double between = 0.5 * (h + c->s.head[S_LAST_LENGTH]);
     double *rate = c->k.estimate;
     c->s.head[S_LAST_LENGTH] = h;
     if (c->s.head[S_KNOWN] < 4.0) return 0;
-    for (int64_t k = 0; k < n; k++) /* means (a_1 + a_2)/2 of this pair, and of that before from its halves' changes */
-        rate[k] = (0.5 * (second[k] - first[k]) + change[k] + 0.5 * change[3 * n + k]) / between;
+    for (int64_t k = 0; k < n; k++) rate[k] = 0.5 * ((a[0][k] - before[0][k]) + (a[1][k] - before[1][k])) / between;
     const double of_rate = mass_norm(c, rate), speed = mass_norm(c, c->s.v);
     const double omega = speed > 0.0 ? sqrt(of_rate / speed) : 0.0;
     *difference = h * h * h * relative_size(c, of_rate, omega * of_rate);

@@ -56,7 +56,7 @@ enum skip {
     SKIP_STIFFNESS = 1,       /* lean factors: choose_factors                  */
     SKIP_FACTORISATION = 2,   /* factors kept while they contract: may_keep_factors */
     SKIP_OUTER_ITERATION = 4, /* early Uzawa updates: may_update_early         */
-    SKIP_OLD_GUESS = 8,       /* predicted half steps: known_changes           */
+    SKIP_OLD_GUESS = 8,       /* predicted half steps: known_misses           */
     SKIP_SECOND_LINK = 16,    /* rows |u|^2 - c in one pass: is_square_row      */
     SKIP_MEASURED_FORMS = 32, /* links of other forms: links_at_start          */
     SKIP_LOW_PENALTY = 64,    /* raised in long chains: follow_contraction     */

@@ -163,7 +163,6 @@ static void accept_island(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
-    const int64_t n = DIM * c->n_moving;
     const int handed = momentum_norm2(c) <= HANDED_ON * HANDED_ON * s->head[S_ENERGY_REFERENCE];
     book_step(c);
     EACH_COORDINATE(c, k) {
@@ -177,16 +176,13 @@ static void accept_island(context *c, int parity)
     for (int32_t j = c->begin[ISLAND_BODY]; HM_BODIES && j < c->end[ISLAND_BODY]; j++) follow_orientation(c, j);
     if (!is_telling(c)) return;
     const int kept = n_kept(c);
-    const double per_step2 = 2.0 / (c->h * c->h), *a = s->a[1 - parity], *mu = s->mu[1 - parity];
-    EACH_COORDINATE(c, k) remember(c, kept, per_step2 * c->k.w[k], s->a[parity], a[k], s->a_change, n, k);
+    const double per_step2 = 2.0 / (c->h * c->h);
+    const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity), turn = turning_so_far(c, parity);
+    EACH_COORDINATE(c, k) remember(kept, &a, per_step2 * c->k.w[k], k);
     const double *next = c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT && !is_penalty(c) ? c->k.lambda : c->k.mu;
-    EACH_ROW(c, i) remember(c, kept, next[i], s->mu[parity], mu[i], s->mu_change, m->n_rows, i);
+    EACH_ROW(c, i) remember(kept, &mu, next[i], i);
     EACH_TURN(c, b)
-        for (int k = 0; k < TURNING; k++) {
-            const int32_t i = TURNING * b + k;
-            const double last = s->turn[1 - parity][i], fresh = turning_of_step(c, m->body_node[b], k);
-            remember(c, kept, fresh, s->turn[parity], last, s->turn_change, TURNING * (int64_t)n_bodies(m), i);
-        }
+        for (int k = 0; k < TURNING; k++) remember(kept, &turn, turning_of_step(c, m->body_node[b], k), TURNING * b + k);
     const int32_t first = DIM * m->n_free;
     for (int32_t k = DIM * c->begin[ISLAND_DRIVEN]; k < DIM * c->end[ISLAND_DRIVEN]; k++)
         s->driven[parity][k - first] = c->k.momentum[k] / c->h;
@@ -204,7 +200,7 @@ static void accept_step(context *c, int parity)
     }
     c->rows_known = c->conserving && c->halves == 2 && !is_unilateral(c->m);
     use_unknowns(c, 0);
-    if (is_telling(c)) c->s.head[S_KNOWN] += 1.0;
+    if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c, c->k.d);
     c->s.head[S_PARITY] = 1 - parity;

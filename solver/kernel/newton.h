@@ -78,6 +78,32 @@ static int32_t evaluate_balance(context *c)
     return status;
 }
 
+/* A row whose pivot, what is left of -G A^-1 G' - epsilon, is so many times epsilon determines its multiplier well: an Uzawa
+   update leaves nothing of a prediction's error in it. Pivots are stored inverted. */
+#define FIRM 1e6
+
+static int rows_are_firm(const context *c)
+{
+    double largest = 0.0;
+    EACH_ROW(c, i)
+        largest = fmax(largest, fabs(c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]) * c->k.epsilon[i]);
+    return largest * FIRM < 1.0;
+}
+
+/* The next step begins with predicted multipliers held fixed, too, where one increment may be all it takes: where the rows
+   determine them well (a prediction would amplify from step to step what they do not), and the first increment of this
+   step was short. Else those of the last pair are held: they are corrected once more, each time by another amount, and rounded
+   to either side. A prediction is so smooth that rounding errors add up (heavy top, 3e5 steps of 4 ms: 3e-14 of the
+   energy, and 5e-15 like this).                                                                                 */
+#define NEARLY_THERE 1e-8
+
+static void choose_lambda(const context *c, const newton_record *r)
+{
+    const int is_short = r->begun < NEARLY_THERE * r->size;
+    const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
+    c->island[I_PREDICTS_LAMBDA] = r->firm && !is_unilateral(c->m) && (is_short || is_enough);
+}
+
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */
 static int32_t newton_update(context *c, newton_record *r)
 {
@@ -139,7 +165,10 @@ static int32_t iterate_newton(context *c, newton_record *r)
     for (r->iteration = 0; r->iteration < max_newton; r->iteration++) {
         int32_t status = HOLONOM_OK;
         r->kept = may_keep_factors(c, r);
-        if (!r->kept) status = factorise(c);
+        if (!r->kept) {
+            status = factorise(c);
+            if (!status) r->firm = rows_are_firm(c);
+        }
         if (!status) status = newton_update(c, r);
         if (status) return status;
         judge_increment(c, r);

@@ -6,8 +6,11 @@
 
 typedef struct newton_record {
     double theta;            /* contraction of the increments                                                  */
+    double seen;             /* likewise, of the last ones that are larger than their round-off                */
+    double known;            /* contraction that earlier steps tell of the factors at hand, or 1               */
     double eta, previous;    /* the last increment and the one before it, in the mass norm [kg^1/2 m]           */
     double first;            /* the first one with the factors at hand                                          */
+    double begun;            /* the first one of the step                                                      */
     double size;             /* of d, likewise                                                                 */
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
@@ -17,6 +20,7 @@ typedef struct newton_record {
     int kept;                /* whether they served an earlier increment too                                   */
     int taken_over;          /* whether they are those of the half step before                                 */
     int slow;                /* whether they are lean ones that contract too little                            */
+    int firm;                /* whether the rows determine all multipliers well                                */
     int held;                /* whether the last increment was followed by an early update of the multipliers         */
     int raised;              /* how often the penalty was raised                                               */
     int increments, updates; /* Newton increments and Uzawa updates of the step                                 */

@@ -59,7 +59,8 @@ static double constraint_defect(const context *c)
 /* Largest increments that are still to come, by the contraction where it is known. */
 static inline double increments_left(const newton_record *r)
 {
-    return r->iteration > 0 || (r->kept && r->increments > 1) ? r->theta * r->eta : r->eta;
+    const int told = r->iteration > 0 || (r->kept && r->increments > 1);
+    return fmin(told ? r->seen : 1.0, r->known) * r->eta;
 }
 
 /* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
@@ -84,13 +85,14 @@ static int32_t outcome_at_limit(const context *c, const newton_record *r)
     return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Whether the rows hold a margin below the tolerance. Near a singular configuration one combination of rows contracts
+/* Whether the rows hold a margin below the tolerance, and their energy does, too: it is large where multipliers are. Near a singular configuration one combination of rows contracts
    slowly, or not at all; it need not go on where its energy is that margin below round-off.                       */
 static int rows_hold(const context *c, const newton_record *r, double defect, double last)
 {
     const double tolerance = newton_tolerance(c->s.head);
-    if (defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP)) return 1;
-    return defect > 0.5 * last && defect <= tolerance && constraint_energy(c) <= CONSTRAINT_MARGIN * tolerance * r->energy;
+    const double energy = constraint_energy(c), margin = ENERGY_MARGIN * (tolerance * r->energy + r->noise);
+    if (defect <= (r->increments > 1 ? fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) : 4e-18) && energy <= margin) return 1;
+    return defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r->energy;
 }
 
 /* Whether the contraction of the rows has ended, and what is left is round-off. */

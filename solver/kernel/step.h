@@ -67,15 +67,14 @@ static int turns_little(const context *c)
 /* Increments of the unknowns of a reduced step. */
 static void begin_unknowns(const context *c, int parity, int reach)
 {
-    double *const *turn = c->s.turn;
-    const int64_t n = TURNING * (int64_t)n_bodies(c->m);
+    const history turn = turning_so_far(c, parity);
     EACH_COORDINATE(c, k) c->k.move[k] = c->k.d[k];
     EACH_TURN(c, b) {
         const int32_t a = c->m->body_node[b];
         double acceleration[TURNING];
         for (int k = 0; k < DIM * TURNING; k++) c->k.move[DIM * a + k] = 0.0;
         for (int k = 0; k < TURNING; k++)
-            acceleration[k] = predicted(c, reach, turn[parity], turn[1 - parity], c->s.turn_change, n, TURNING * b + k);
+            acceleration[k] = predicted(reach, &turn, TURNING * b + k);
         begin_turn(c, a, acceleration);
     }
 }
@@ -94,13 +93,12 @@ static void prepare_step(context *c, int parity)
     const double h = c->h;
     EACH_TURN(c, b) if (c->half == 0) straighten(c, m->body_node[b]);
     links_at_start(c);
-    const int reach = known_changes(c);
-    const int64_t n = DIM * c->n_moving;
-    double *const *a = c->s.a, *const *mu = c->s.mu;
+    const int reach = known_misses(c);
+    const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity);
     EACH_COORDINATE(c, k) { /* w is h^2/2 times an acceleration */
         c->k.hv[k] = h * c->s.v[k] + h * c->s.v_low[k];
         if (is_director(c, k / DIM)) continue; /* its body's turn tells */
-        c->k.w[k] = 0.5 * h * h * predicted(c, reach, a[parity], a[1 - parity], c->s.a_change, n, k);
+        c->k.w[k] = 0.5 * h * h * predicted(reach, &a, k);
         c->k.d[k] = c->k.hv[k] + c->k.w[k];
     }
     const int32_t first = DIM * m->n_free;
@@ -114,14 +112,15 @@ static void prepare_step(context *c, int parity)
     const double compliance = compliance_over_sigma(c), kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
     EACH_ROW(c, i) {
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
-        c->k.mu[i] = kept * mu[parity][i];
+        c->k.mu[i] = kept * c->s.mu[parity][i];
     }
     /* With dependent rows lambda is predicted, too: leave_undetermined has cleaned the multipliers. Else it is the last one: near
        a singular configuration a prediction would amplify what the rows leave undetermined. */
-    if (rows != ROWS_ARE_DEPENDENT) update_multipliers(c);
+    const int follows = rows == ROWS_ARE_DEPENDENT || (rows == ROWS_ARE_INDEPENDENT && c->island[I_PREDICTS_LAMBDA] != 0.0);
+    if (!follows) update_multipliers(c);
     if (rows == ROWS_ARE_WEAK) return;
-    EACH_ROW(c, i) c->k.mu[i] = predicted(c, reach, mu[parity], mu[1 - parity], c->s.mu_change, m->n_rows, i);
-    if (rows == ROWS_ARE_DEPENDENT) update_multipliers(c);
+    EACH_ROW(c, i) c->k.mu[i] = predicted(reach, &mu, i);
+    if (follows) update_multipliers(c);
 }
 
 /* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
@@ -157,6 +156,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, began_with_old);
+    choose_lambda(c, r);
     if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) leave_undetermined(c);
     total->increments += r->increments;
     total->updates += r->updates;
@@ -167,7 +167,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
 /* One step of an island; increments and updates that it takes are added to `total`. */
 static int32_t solve_island(context *c, int parity, effort *total)
 {
-    newton_record r = {.theta = 1.0, .floor = round_off_of_places(c)};
+    newton_record r = {.theta = 1.0, .seen = 1.0, .known = 1.0, .firm = 1, .floor = round_off_of_places(c)};
     if (is_unilateral(c->m)) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
@@ -177,7 +177,7 @@ static int32_t solve_island(context *c, int parity, effort *total)
     if (status && began_with_old) { /* old factors may have led astray */
         c->factors_h = 0.0;
         c->rows_known = 0;
-        r = (newton_record){.theta = 1.0, .floor = r.floor};
+        r = (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .firm = 1, .floor = r.floor};
         prepare_step(c, parity);
         status = try_step(c, 0, &r, total);
     }
@@ -199,6 +199,7 @@ static int32_t solve_step(context *c, int parity)
     int32_t status = HOLONOM_OK;
     effort most = {0, 0};
     use_unknowns(c, may_reduce(c));
+    set_weights(c);
     for (int32_t part = 0; part < parts && !status; part++) {
         effort own = {0, 0};
         look_at_part(c, part, parts);

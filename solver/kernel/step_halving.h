@@ -133,8 +133,8 @@ static int32_t step_halving(context *c, double h, int halvings)
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
     lower_penalties(c);
-    if (known_changes(c)) { /* Newton's iteration may only have begun too far away: lines miss what turns fast */
-        forget_changes(c);
+    if (known_misses(c)) { /* Newton's iteration may only have begun too far away: lines miss what turns fast */
+        forget_halves(c);
         return step_halving(c, h, halvings);
     }
     if (halvings == MAX_HALVINGS || slides_in_space(c)) return status; /* a slip may stop in it: the piece is cut instead */

@@ -41,7 +41,7 @@ static int32_t try_half(context *c, double h, int half)
     if (c->m->sensing) sense(c, h, parity);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, c->t + 0.5 * h, 1);
     signals_at(c, c->t + h, c->k.signal1);
-    forget_changes(c);
+    forget_halves(c);
     int32_t status = solve_contacts(c, parity);
     if (status) return status;
     accept_step(c, parity);

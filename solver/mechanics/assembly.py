@@ -22,7 +22,7 @@ from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
 
-SLOTS = {2: 4, 4: 10, 6: 18, 8: 30}
+SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 """Half steps of an internal one whose changes a state keeps, by the order: as they predict those of
 the next, all of one internal step, and at order 2, where that saves a third of the iterations, of
 two. A tolerance may choose any order; one that is set after the assembly works with fewer slots,

@@ -276,7 +276,7 @@ HEAD = (
     "impact", "impact_low", "friction", "friction_low",  # likewise, what contacts take
     "mean_time", "mean_time_before",
     "parity",  # of half steps that come one by one
-    "known", "halves",  # see predict.h
+    "known", "halves", "half_1", "half_2", "half_3", "half_4",  # see predict.h
     "wanted",  # length that a tolerance asks for
     "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
     "across", "order_in_use",
@@ -299,6 +299,8 @@ ISLAND = (
     "penalty_level", "slow_steps",  # see policy_penalty.h
     "dependent",  # whether rows depend on each other
     "full_steps", "full_wait", "fresh_steps", "fresh_wait",  # see policy_factors.h
+    "bend", "lean_contraction",  # of Newton's iteration, see policy_factors.h
+    "predicts_lambda",  # whether the multipliers held fixed are predicted, too, see newton.h
 )
 """Scalars of each island in the section `islands` of a state."""
 
@@ -345,10 +347,13 @@ STATE = {
     # balance in the last half step and in the one before it [kg m/s]
     "start": "n",  # coordinates at the start, which energies are measured from
     "a_first": "n", "a_second": "n",  # last 2 (d - h v)/h^2 of either half of a pair
+    "a_before_first": "n", "a_before_second": "n",  # those before, likewise
     "mu_first": "n_rows", "mu_second": "n_rows",  # last multipliers, likewise
-    "a_change": "n * n_slots", "mu_change": "n_rows * n_slots",  # from half to half, see predict.h
-    "turn_first": "n_turns", "turn_second": "n_turns", "turn_change": "n_turns * n_slots",  # of
-    # turns of bodies, likewise: angular accelerations
+    "mu_before_first": "n_rows", "mu_before_second": "n_rows",
+    "a_missed": "n * n_slots", "mu_missed": "n_rows * n_slots",  # see predict.h
+    "turn_first": "n_turns", "turn_second": "n_turns",  # of turns of bodies: angular accelerations
+    "turn_before_first": "n_turns", "turn_before_second": "n_turns",
+    "turn_missed": "n_turns * n_slots",
     "mean": "n_rows", "mean_before": "n_rows",  # of the last two multipliers, and those before
     "driven_first": "dim * n_driven", "driven_second": "dim * n_driven",  # forces on driven nodes
     "driven_mean": "dim * n_driven", "driven_mean_before": "dim * n_driven",  # likewise
