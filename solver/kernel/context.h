@@ -29,7 +29,7 @@ typedef struct context {
     /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
        by a step from rest whose forces and constraints act at its end.                                        */
     double theta;
-    double weight[4], line[4]; /* of the last half steps in the prediction of this one, see predict.h           */
+    double weight[4], parabola[4]; /* of the last half steps in the prediction of this one, see predict.h       */
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
     int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
     int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h                        */

@@ -30,12 +30,12 @@ static int known_misses(const context *c)
 /* Weights of the last n half steps, the last one first, in the polynomial through their middles at that of this one. */
 static void find_weights(const context *c, int n, double *weight)
 {
-    static const double even[2][4] = {{2.0, -1.0, 0.0, 0.0}, {4.0, -6.0, 4.0, -1.0}};
+    static const double even[3][4] = {{2.0, -1.0, 0.0, 0.0}, {3.0, -3.0, 1.0, 0.0}, {4.0, -6.0, 4.0, -1.0}};
     const double *length = c->s.head + S_HALF_1;
     double from[4], way = c->h, product[4] = {1.0, 1.0, 1.0, 1.0}, largest = 0.0;
     int is_even = 1;
     for (int i = 0; i < n; i++) is_even &= length[i] == way;
-    for (int i = 0; i < 4; i++) weight[i] = is_even ? even[n == 4][i] : i == 0;
+    for (int i = 0; i < 4; i++) weight[i] = is_even ? even[n - 2][i] : i == 0;
     if (is_even) return;
     for (int i = 0; i < n; i++) {
         from[i] = (i ? from[i - 1] : 0.0) + 0.5 * (way + length[i]);
@@ -49,11 +49,13 @@ static void find_weights(const context *c, int n, double *weight)
     for (int i = 0; i < n && largest <= LARGEST_WEIGHT; i++) weight[i] = product[i];
 }
 
-/* Weights for all that is predicted, and those of a line. */
+/* Weights for all that is predicted, and for multipliers of dependent rows, where more than a parabola would enlarge what
+   these leave undetermined (Bricard, 2e5 steps of 4.9 ms: 3e-14 of the energy, and 1e-15 with a parabola).       */
 static void set_weights(context *c)
 {
-    find_weights(c, n_followed(c), c->weight);
-    find_weights(c, 2, c->line);
+    const int n = n_followed(c);
+    find_weights(c, n, c->weight);
+    find_weights(c, n < 3 ? n : 3, c->parabola);
 }
 
 /* Values of the last four half steps, the last one first, their weights, and what the polynomial missed in this half of the
@@ -70,8 +72,7 @@ static inline history so_far(const context *c, int parity, const double *weight,
     return (history){weight, pair[1 - parity], pair[parity], before[1 - parity], before[parity], now, now + n * c->halves};
 }
 
-/* Accelerations, multipliers, and angular accelerations of bodies. A polynomial would enlarge what dependent rows leave
-   undetermined more than a line does (Bricard, 2e5 steps of 5 ms: 3e-14 of the energy, and 6e-16 with a line).   */
+/* Accelerations, multipliers, and angular accelerations of bodies. */
 static inline history accelerations_so_far(const context *c, int parity)
 {
     return so_far(c, parity, c->weight, c->s.a, c->s.a_before, c->s.a_missed, DIM * c->n_moving);
@@ -79,7 +80,7 @@ static inline history accelerations_so_far(const context *c, int parity)
 
 static inline history multipliers_so_far(const context *c, int parity)
 {
-    const double *weight = c->island[I_DEPENDENT] != 0.0 ? c->line : c->weight;
+    const double *weight = c->island[I_DEPENDENT] != 0.0 ? c->parabola : c->weight;
     return so_far(c, parity, weight, c->s.mu, c->s.mu_before, c->s.mu_missed, c->m->n_rows);
 }
 
