@@ -35,22 +35,27 @@ static double residual_energy(const context *c)
     return fabs(sum / c->h); /* h < 0 in the parts of a composition that go back */
 }
 
+/* Row i that the Uzawa update drives to zero. */
+static inline double driven_row(const context *c, int32_t i)
+{
+    const int averaged = c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] != 0.0;
+    return averaged ? 0.5 * (c->k.phi0[i] + c->k.phi[i]) : c->k.phi[i];
+}
+
 static double constraint_energy(const context *c)
 {
     double sum = 0.0;
     if (!HOLONOM_ENERGY_DECIDES) return 0.0;
-    EACH_ROW(c, i) sum += c->k.phi[i] * c->k.mu[i];
+    EACH_ROW(c, i) sum += driven_row(c, i) * c->k.mu[i];
     return fabs(sum);
 }
 
-/* Largest |Phi|/l^2 of the rows that the Uzawa update drives to zero. */
+/* Largest |Phi|/l^2 of those rows. */
 static double constraint_defect(const context *c)
 {
-    const int averaged = c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] != 0.0;
     double largest = 0.0;
     EACH_ROW(c, i) {
-        const double phi = averaged ? 0.5 * (c->k.phi0[i] + c->k.phi[i]) : c->k.phi[i];
-        const double scaled = fabs(phi) / c->number[c->m->row_scale_at + i];
+        const double scaled = fabs(driven_row(c, i)) / c->number[c->m->row_scale_at + i];
         if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
     }
     return largest;

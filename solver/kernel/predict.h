@@ -24,6 +24,8 @@ static int known_misses(const context *c)
     return 2 * c->halves <= c->m->n_slots && known >= 2 * c->halves ? 2 : 1;
 }
 
+/* Lengths that differ by less are the same: times of communication points are rounded. */
+#define SAME_LENGTH 1e-9
 /* Largest weight of a value: a polynomial that is followed further than this is none. */
 #define LARGEST_WEIGHT 10.0
 
@@ -34,7 +36,7 @@ static void find_weights(const context *c, int n, double *weight)
     const double *length = c->s.head + S_HALF_1;
     double from[4], way = c->h, product[4] = {1.0, 1.0, 1.0, 1.0}, largest = 0.0;
     int is_even = 1;
-    for (int i = 0; i < n; i++) is_even &= length[i] == way;
+    for (int i = 0; i < n; i++) is_even &= fabs(length[i] - way) <= SAME_LENGTH * fabs(way);
     for (int i = 0; i < 4; i++) weight[i] = is_even ? even[n - 2][i] : i == 0;
     if (is_even) return;
     for (int i = 0; i < n; i++) {
@@ -89,10 +91,12 @@ static inline history turning_so_far(const context *c, int parity)
     return so_far(c, parity, c->weight, c->s.turn, c->s.turn_before, c->s.turn_missed, TURNING * (int64_t)n_bodies(c->m));
 }
 
+/* Weights sum to 1: in this form what rests goes on to rest, to the last bit. */
 static inline double followed(const history *x, int64_t i)
 {
-    return (x->weight[0] * x->last[i] + x->weight[1] * x->same[i]) +
-           (x->weight[2] * x->last_before[i] + x->weight[3] * x->same_before[i]);
+    const double last = x->last[i];
+    return last + (x->weight[1] * (x->same[i] - last) + x->weight[2] * (x->last_before[i] - last) +
+                   x->weight[3] * (x->same_before[i] - last));
 }
 
 /* Predicted value i, with misses of so many internal steps. */

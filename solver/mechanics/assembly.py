@@ -23,10 +23,10 @@ from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
 
 SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
-"""Half steps of an internal one whose changes a state keeps, by the order: as they predict those of
-the next, all of one internal step, and at order 2, where that saves a third of the iterations, of
-two. A tolerance may choose any order; one that is set after the assembly works with fewer slots,
-and takes up to a third longer."""
+SLOTS_OF_TOLERANCE = 30
+"""Half steps whose misses a state keeps, by the order: all of two internal steps. A tolerance may
+choose any order, and has those of one step of order 8. An order that is set after the assembly
+works with fewer slots, and takes up to a third longer."""
 
 
 def assemble(scene: Scene) -> Model:
@@ -193,6 +193,11 @@ def sections_of(scene: Scene, structure: Structure) -> dict[str, Sequence[Number
     }
 
 
+def _slots(scene: Scene) -> int:
+    order, adapts = scene.solver.order, scene.solver.tolerance > 0.0
+    return SLOTS_OF_TOLERANCE if adapts and not order else SLOTS[order or 2]
+
+
 def _flat(vectors: Iterable[Sequence[Number]]) -> list[Number]:
     return [number for vector in vectors for number in vector]
 
@@ -218,6 +223,6 @@ def sizes_of(
         "n_registers": max([1, *registers]),
         "n_lu_values": tables["lu_ptr"][-1],
         **{f"n_{x}_values": (tables[f"{x}_lu_ptr"] or (0,))[-1] for x in FACTORS},
-        "n_slots": SLOTS[scene.solver.order or (8 if scene.solver.tolerance > 0.0 else 2)],
+        "n_slots": _slots(scene),
     }
     return {name: known[name] for name in SIZES}

@@ -309,7 +309,8 @@ def test_energy_within_the_tolerance_saves_iterations_and_leaves_the_path(name):
         iterations.append(sum(run.state.head["newton_iterations"] for _ in parts_of(run)))
         energies.append(float(run["energy.error"]))
     assert 1.2 * iterations[1] < iterations[0]
-    assert energies[0] < 1e-14 < energies[1] < 1e-9
+    # Some hundred steps, each solved to round-off of the energy, 1e-16.
+    assert energies[0] < 2e-14 < energies[1] < 1e-9
 
 
 def test_energy_within_the_tolerance_changes_nothing_without_one():
