@@ -54,10 +54,11 @@ def block_of(integrator: Integrator, mass: float, length: float, gravity: float)
     extent = kernel_of(integrator).numbers[model.offsets["extent"] + 1]
     settings = (head["penalty"], head["newton_tolerance"], head["energy_reference"])
     block = array("d", (mass, length, gravity, *settings, ROUND_OFF * extent, 0.0, 0.0, 0.0))
-    for vector in ("q", "q_low", "v", "v_low", "a_first", "a_second", "mu_first", "mu_second"):
+    for vector in ("q", "q_low", "v", "v_low", "a_first", "mu_first", "a_second", "mu_second"):
         block.extend(vectors[vector])
-    changes = 4 * (len(vectors["q"]) + len(vectors["mu_first"]))
-    block.extend([0.0] * changes)
+    values = len(vectors["a_first"]) + len(vectors["mu_first"])
+    block.extend([0.0] * (6 * values))  # of the pair before, and what was missed
+    block.append(1.0)  # contraction
     return block
 
 

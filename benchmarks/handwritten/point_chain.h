@@ -3,9 +3,11 @@
    of the kernel's instructions, and nothing else uses it.
 
    Same method as the kernel's: pairs of half steps of the conserving augmented Lagrangian, compensated positions
-   and velocities, rods at the beginning to twice the digits, predicted increments and multipliers, Newton's iteration
-   with factors that are kept and multipliers that follow, stopped by the same rules. The tangent leaves the geometric
-   stiffness out, so that its Schur complement G M^-1 G' is tridiagonal. No energies are booked.
+   and velocities, rods at the beginning to twice the digits, predicted accelerations and multipliers, Newton's
+   iteration with factors that are kept and multipliers that follow, stopped by the same rules. The tangent leaves the
+   geometric stiffness out, so that its Schur complement G M^-1 G' is tridiagonal; what this leaves of an increment is
+   learned on the way, so that one increment may end a half step. No energies are booked, and what is left of the
+   momentum balance is not handed on.
 
    Define N, DIM and ADVANCE before this file is included.                                                       */
 #include <math.h>
@@ -13,16 +15,19 @@
 
 typedef double vector[DIM];
 
+/* Values that are predicted: accelerations, and from MU on the multipliers. */
+enum { MU = N * DIM, VALUES = MU + N };
+
 typedef struct chain {
     double mass, length, gravity; /* of one point [kg], of one rod [m], along the last axis [m/s^2]              */
     double penalty, tolerance;    /* as the kernel's settings penalty and newton_tolerance                       */
     double reference, floor;      /* energy [J]; round-off of increments in the mass norm [kg^1/2 m]             */
     double known, solves, iterations; /* half steps since the start, in this call, Newton iterations in this call */
     vector q[N], q_low[N], v[N], v_low[N];
-    vector a[2][N];               /* last accelerations of either half                                           */
-    double mu[2][N];              /* last multipliers                                                            */
-    vector a_change[2][2][N];     /* [half][now, before]: by what they jumped from one half to the next           */
-    double mu_change[2][2][N];
+    double pair[2][VALUES];       /* values of either half of the last pair                                      */
+    double before[2][VALUES];     /* and of the pair before it                                                   */
+    double missed[2][2][VALUES];  /* [half][now, before]: what the polynomial missed in these pairs              */
+    double contraction;           /* of increments, as second ones have told; 1 before that                      */
 } chain;
 
 typedef struct half_step {
@@ -66,27 +71,43 @@ static inline double rod_at_start(const double *x, const double *x_low, const do
     return high + low;
 }
 
-/* Value now: `last` of the half before, and the jump from there that two jumps before it tell. */
-static inline double extrapolated(double known, double same, double last, double now, double before)
+/* Value i where the polynomial through the last four half steps leads. */
+static inline double followed(const chain *c, int half, int i)
 {
-    return known >= 5.0 ? last + (2.0 * now - before) : known >= 3.0 ? last + now : same;
+    const double last = c->pair[1 - half][i], same = c->pair[half][i];
+    return last + (-6.0 * (same - last) + 4.0 * (c->before[1 - half][i] - last) - (c->before[half][i] - last));
+}
+
+/* Value i there, and what the polynomial will miss, as far as the pairs before tell. */
+static inline double predicted(const chain *c, int half, int i)
+{
+    const double now = c->missed[half][0][i], before = c->missed[half][1][i];
+    if (c->known < 6.0) return c->pair[half][i];
+    return followed(c, half, i) + (c->known < 8.0 ? now : 2.0 * now - before);
+}
+
+/* Takes over value i, which has just been solved for. */
+static inline void remember(chain *c, int half, int i, double fresh)
+{
+    c->missed[half][1][i] = c->missed[half][0][i];
+    c->missed[half][0][i] = fresh - followed(c, half, i);
+    c->before[half][i] = c->pair[half][i];
+    c->pair[half][i] = fresh;
 }
 
 static inline void prepare(const chain *c, half_step *s, double h, int half)
 {
     const double square = c->length * c->length, stiff = h * h * 2.0 * square / (c->mass * c->penalty);
     POINTS(i) EACH(k) {
-        const double *now = c->a_change[half][0][i], *before = c->a_change[half][1][i];
         s->hv[i][k] = h * c->v[i][k] + h * c->v_low[i][k];
-        s->w[i][k] = 0.5 * h * h * extrapolated(c->known, c->a[half][i][k], c->a[1 - half][i][k], now[k], before[k]);
+        s->w[i][k] = 0.5 * h * h * predicted(c, half, DIM * i + k);
         s->d[i][k] = s->hv[i][k] + s->w[i][k];
     }
     POINTS(i) {
         const double *y = i ? c->q[i - 1] : NULL, *y_low = i ? c->q_low[i - 1] : NULL;
         EACH(k) s->u0[i][k] = i ? (c->q[i][k] - y[k]) + (c->q_low[i][k] - y_low[k]) : c->q[i][k] + c->q_low[i][k];
         s->phi0[i] = rod_at_start(c->q[i], c->q_low[i], y, y_low, square);
-        s->mu[i] = extrapolated(c->known, c->mu[half][i], c->mu[1 - half][i], c->mu_change[half][0][i],
-                                c->mu_change[half][1][i]);
+        s->mu[i] = predicted(c, half, MU + i);
         s->epsilon[i] = i ? 2.0 * stiff : stiff; /* h^2 sigma/(2 chi) */
     }
 }
@@ -158,46 +179,56 @@ static inline void increment(const chain *c, half_step *s, double h, double *eta
     *size2 = c->mass * size;
 }
 
-/* What Newton's iteration knows of itself: contraction, last increment and d in the mass norm, largest defect of a rod. */
+/* What Newton's iteration knows of itself: contraction, the last one that is more than round-off, last increment and d in
+   the mass norm, largest defect of a rod. */
 typedef struct progress {
-    double theta, eta, size2, defect;
+    double theta, seen, eta, size2, defect;
 } progress;
 
-/* Whether the last increment, the rods and the work of what is left of the momentum balance lie far below the tolerance,
-   or below it where rounding errors end the contraction.                                                        */
+/* What the last increment tells of the contraction, after the one before it of size `previous`. The tangent lacks the same
+   stiffness in all increments of a half step: the second one tells what the first ones of the next half steps leave. */
+static inline void judge(chain *c, int iteration, double previous, progress *r)
+{
+    const double size = sqrt(r->size2);
+    r->theta = r->eta / previous;
+    r->seen = r->eta < 1e-15 * size ? fmin(r->seen, r->theta) : r->theta;
+    if (iteration == 1 && (r->theta < c->contraction || r->eta > 1e-12 * size)) c->contraction = fmin(r->theta, 1.0);
+}
+
+/* Whether what is left of the increments, the rods, their energy and the work of what is left of the momentum balance lie
+   far below the tolerance, or below it where rounding errors end the contraction. A single increment ends a half step
+   only where the rods hold better than they must after two. */
 static inline int is_solved(const chain *c, const half_step *s, double h, int iteration, progress *r)
 {
     const double target = c->tolerance * sqrt(r->size2 + 2.0 * h * h * c->reference);
     const int is_stalled = iteration > 1 && r->theta > 0.5 && r->eta <= fmax(target, c->floor);
-    if (!(r->theta * r->eta <= 1e-6 * target || is_stalled)) return 0;
+    if (!(fmin(r->seen, c->contraction) * r->eta <= 1e-6 * target || is_stalled)) return 0;
     const double last = r->defect, square = c->length * c->length;
-    double work = 0.0;
+    double work = 0.0, rods = 0.0;
     r->defect = 0.0;
     POINTS(i) {
         const double size = fabs(s->phi[i]);
         if (!(size <= r->defect)) r->defect = size;
         work += dot(s->d[i], s->momentum[i]);
+        rods += s->phi[i] * s->mu[i];
     }
     const double energy = 0.5 * r->size2 / (h * h) + c->reference, noise = 0.5 * c->floor * c->floor / (h * h);
-    if (!(fabs(work / h) <= (is_stalled ? 1e4 : 1e-3) * (c->tolerance * energy + noise))) return 0;
-    return r->defect <= fmax(1e-5 * c->tolerance, 5.6e-17) * square ||
-           (r->defect > 0.9 * last && r->defect <= c->tolerance * square);
+    const double round_off = c->tolerance * energy + noise;
+    if (!(fabs(work / h) <= (is_stalled ? 1e4 : 1e-3) * round_off)) return 0;
+    const double allowed = iteration ? fmax(1e-5 * c->tolerance, 5.6e-17) : 4e-18;
+    return (r->defect <= allowed * square && fabs(rods) <= 1e-3 * round_off) ||
+           (r->defect > 0.9 * last && r->defect <= c->tolerance * square && fabs(rods) <= 1e4 * round_off);
 }
 
 static inline void accept(chain *c, const half_step *s, double h, int half)
 {
     POINTS(i) {
         EACH(k) {
-            const double a = 2.0 / (h * h) * s->w[i][k];
             add(&c->q[i][k], &c->q_low[i][k], s->d[i][k]);
             add(&c->v[i][k], &c->v_low[i][k], 2.0 * s->w[i][k] / h);
-            c->a_change[half][1][i][k] = c->a_change[half][0][i][k];
-            c->a_change[half][0][i][k] = a - c->a[1 - half][i][k];
-            c->a[half][i][k] = a;
+            remember(c, half, DIM * i + k, 2.0 / (h * h) * s->w[i][k]);
         }
-        c->mu_change[half][1][i] = c->mu_change[half][0][i];
-        c->mu_change[half][0][i] = s->mu[i] - c->mu[1 - half][i];
-        c->mu[half][i] = s->mu[i];
+        remember(c, half, MU + i, s->mu[i]);
     }
     c->known += 1.0;
 }
@@ -206,7 +237,7 @@ static inline void accept(chain *c, const half_step *s, double h, int half)
 static int half_step_of(chain *c, double h, int half)
 {
     half_step s;
-    progress r = {1.0, 0.0, 0.0, INFINITY};
+    progress r = {1.0, 1.0, 0.0, 0.0, INFINITY};
     prepare(c, &s, h, half);
     evaluate(c, &s, h);
     factorise(c, &s, h);
@@ -214,7 +245,7 @@ static int half_step_of(chain *c, double h, int half)
         const double previous = r.eta;
         increment(c, &s, h, &r.eta, &r.size2);
         evaluate(c, &s, h);
-        if (iteration) r.theta = r.eta / previous;
+        if (iteration) judge(c, iteration, previous, &r);
         c->iterations += 1.0;
         if (!is_solved(c, &s, h, iteration, &r)) continue;
         accept(c, &s, h, half);
