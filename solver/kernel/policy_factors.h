@@ -55,8 +55,13 @@ static void choose_factors(context *c)
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
-/* Below this, an increment over the size of a step is partly round-off, and more than the contraction makes of the one before. */
-#define ROUND_OFF_SHOWS 1e-12
+/* A second increment that is shorter, over the size of a step, may be round-off (up to 5e-14 in a wishbone), of which bends would
+   show the most; it is never more than the contraction makes of the first and round-off. */
+#define ROUND_OFF_SHOWS(c) (is_lean(c) ? 1e-14 : 1e-12)
+/* Nothing is learned in steps that take one increment: trust in what was fades with each, until a second one tells that it still
+   holds, or that there is nothing but round-off left. */
+#define FADING 1.05
+#define TRUSTED_AGAIN 0.05
 /* Of a short increment fresh full factors leave its square over the size of the step, times the bend of the equations. Measured:
    0.1 to 0.5 where bodies turn, 1e3 near singular configurations. It may have changed since it was measured (double
    pendulum, 1e6 steps of 10 ms: energy 4e-15 with this one at least, a passing 1e-13 with 0.1).                  */
@@ -67,17 +72,21 @@ static void choose_factors(context *c)
 static void learn_contraction(const context *c, const newton_record *r)
 {
     double *known = c->island + (is_lean(c) ? I_LEAN_CONTRACTION : I_BEND);
-    const double told = is_lean(c) ? r->theta : fmax(r->theta * r->size / r->first, LEAST_BEND);
+    const double told = is_lean(c) ? r->theta : r->theta * r->size / r->first;
     if (r->increments != 2 || !r->kept || r->taken_over) return;
-    if (*known == 0.0 || told < *known || r->eta > ROUND_OFF_SHOWS * r->size) *known = told;
+    if (*known == 0.0 || told < *known || r->eta > ROUND_OFF_SHOWS(c) * r->size) *known = told;
+    else *known *= TRUSTED_AGAIN;
 }
+
+/* After a step of one increment. */
+static void trust_less(const context *c) { c->island[is_lean(c) ? I_LEAN_CONTRACTION : I_BEND] *= FADING; }
 
 /* That contraction, of fresh factors whose first increment is known; 1 where nothing tells it. */
 static double known_contraction(const context *c, double first, double size)
 {
-    const double *island = c->island;
-    const double known = is_lean(c) ? island[I_LEAN_CONTRACTION] : island[I_BEND] * first / size;
-    return known == 0.0 ? 1.0 : fmin(known, 1.0);
+    const double *island = c->island, bend = island[I_BEND];
+    const double known = is_lean(c) ? island[I_LEAN_CONTRACTION] : bend > 0.0 ? fmax(bend, LEAST_BEND) * first / size : 0.0;
+    return known > 0.0 ? fmin(known, 1.0) : 1.0;
 }
 
 /* What the last increment tells of the factors: the contraction or, as long as there is no increment before it with the

@@ -157,6 +157,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     if (!status) status = iterate_uzawa(c, r, single, &updates);
     judge_factors(c, r, began_with_old);
     choose_lambda(c, r);
+    if (r->increments == 1) trust_less(c);
     if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) leave_undetermined(c);
     total->increments += r->increments;
     total->updates += r->updates;
