@@ -81,12 +81,13 @@ static void learn_contraction(const context *c, const newton_record *r)
 /* After a step of one increment. */
 static void trust_less(const context *c) { c->island[is_lean(c) ? I_LEAN_CONTRACTION : I_BEND] *= FADING; }
 
-/* That contraction, of fresh factors whose first increment is known; 1 where nothing tells it. */
+/* That contraction, of fresh factors whose first increment is known; 1 where nothing tells it, and with frictions, whose cones
+   follow multipliers from one update to the next. */
 static double known_contraction(const context *c, double first, double size)
 {
     const double *island = c->island, bend = island[I_BEND];
     const double known = is_lean(c) ? island[I_LEAN_CONTRACTION] : bend > 0.0 ? fmax(bend, LEAST_BEND) * first / size : 0.0;
-    return known > 0.0 ? fmin(known, 1.0) : 1.0;
+    return known > 0.0 && !n_frictions(c->m) ? fmin(known, 1.0) : 1.0;
 }
 
 /* What the last increment tells of the factors: the contraction or, as long as there is no increment before it with the

@@ -66,7 +66,6 @@ def test_without_a_skip_a_mechanism_moves_alike_to_round_off(name):
     [
         ("old guess", "spatial rigid chain, N = 10", 0.7),
         ("low penalty", "andrews", 0.5),
-        ("low penalty", "ten chains of 10, nine rest", 0.2),
     ],
 )
 def test_skips_that_save_iterations_save_them(skip, mechanism, saved):
