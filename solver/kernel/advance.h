@@ -13,7 +13,7 @@
 #include "start.h"
 #include "tangent.h"
 
-/* No line through means and changes from before and after a jump. */
+/* No polynomial through means and values from before and after a jump. */
 static void start_anew(context *c)
 {
     c->s.head[S_MEAN_TIME] = INFINITY;

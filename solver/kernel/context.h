@@ -48,6 +48,7 @@ typedef struct context {
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
     int rows_known;     /* whether phi has the rows at the state, from the half step before in this internal one     */
+    int firm;           /* whether the rows determine all multipliers well, by the factors at hand                */
     double factors_h;   /* length of the half step whose factors are at hand, of this internal step; else 0     */
     const holonom_elimination *factors_lu;
     int fresh_increments; /* of the last half step that made its own                                           */

@@ -516,6 +516,10 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
         const double level = island[I_SIZE * k + I_PENALTY_LEVEL];
         if (!(level >= 0.0 && level <= MOST_LEVELS && level == floor(level)))
             return "has a penalty that no run comes to; save it again";
+        const double bend = island[I_SIZE * k + I_BEND], lean = island[I_SIZE * k + I_LEAN_CONTRACTION];
+        const double predicts = island[I_SIZE * k + I_PREDICTS_LAMBDA];
+        if (!(bend >= 0.0 && bend <= MOST_LEARNED && lean >= 0.0 && lean <= MOST_LEARNED) || (predicts != 0.0 && predicts != 1.0))
+            return "has a contraction that no run comes to; save it again";
     }
     for (uint32_t k = 0; k < f->header->n_variables; k++) {
         const hm_variable *v = f->variable + k;

@@ -67,6 +67,9 @@ enum skip {
 #ifndef HOLONOM_WITHOUT
 #define HOLONOM_WITHOUT 0
 #endif
+/* Largest of the numbers that islands learn of Newton's contraction. */
+#define MOST_LEARNED 1e16
+
 static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 
 /* Whether a formulation keeps the energy exactly, of rows of all kinds. */

@@ -101,7 +101,7 @@ static void choose_lambda(const context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
     const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
-    c->island[I_PREDICTS_LAMBDA] = r->firm && !is_unilateral(c->m) && (is_short || is_enough);
+    c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && !is_unilateral(c->m) && (is_short || is_enough);
 }
 
 /* Solves for one Newton increment and adds it; its size, that of d, and what they are measured against. */
@@ -167,7 +167,7 @@ static int32_t iterate_newton(context *c, newton_record *r)
         r->kept = may_keep_factors(c, r);
         if (!r->kept) {
             status = factorise(c);
-            if (!status) r->firm = rows_are_firm(c);
+            c->firm = !status && rows_are_firm(c);
         }
         if (!status) status = newton_update(c, r);
         if (status) return status;

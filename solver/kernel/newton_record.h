@@ -20,10 +20,12 @@ typedef struct newton_record {
     int kept;                /* whether they served an earlier increment too                                   */
     int taken_over;          /* whether they are those of the half step before                                 */
     int slow;                /* whether they are lean ones that contract too little                            */
-    int firm;                /* whether the rows determine all multipliers well                                */
     int held;                /* whether the last increment was followed by an early update of the multipliers         */
     int raised;              /* how often the penalty was raised                                               */
     int increments, updates; /* Newton increments and Uzawa updates of the step                                 */
 } newton_record;
+
+/* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing, tells nothing. */
+static inline int is_misled(const newton_record *r) { return r->slow && r->iteration == 0; }
 
 #endif

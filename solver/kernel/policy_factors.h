@@ -4,6 +4,7 @@
 
 #include "context.h"
 #include "forms.h"
+#include "learned_contraction.h"
 #include "newton_record.h"
 #include "policy_stopping.h"
 
@@ -55,41 +56,6 @@ static void choose_factors(context *c)
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;
 }
 
-/* A second increment that is shorter, over the size of a step, may be round-off (up to 5e-14 in a wishbone), of which bends would
-   show the most; it is never more than the contraction makes of the first and round-off. */
-#define ROUND_OFF_SHOWS(c) (is_lean(c) ? 1e-14 : 1e-12)
-/* Nothing is learned in steps that take one increment: trust in what was fades with each, until a second one tells that it still
-   holds, or that there is nothing but round-off left. */
-#define FADING 1.05
-#define TRUSTED_AGAIN 0.05
-/* Of a short increment fresh full factors leave its square over the size of the step, times the bend of the equations. Measured:
-   0.1 to 0.5 where bodies turn, 1e3 near singular configurations. It may have changed since it was measured (double
-   pendulum, 1e6 steps of 10 ms: energy 4e-15 with this one at least, a passing 1e-13 with 0.1).                  */
-#define LEAST_BEND 1.0
-
-/* What the second increment of a step tells of the contraction by fresh factors, for the steps after it: lean ones lack the
-   stiffness, which is the same for all increments. */
-static void learn_contraction(const context *c, const newton_record *r)
-{
-    double *known = c->island + (is_lean(c) ? I_LEAN_CONTRACTION : I_BEND);
-    const double told = is_lean(c) ? r->theta : r->theta * r->size / r->first;
-    if (r->increments != 2 || !r->kept || r->taken_over) return;
-    if (*known == 0.0 || told < *known || r->eta > ROUND_OFF_SHOWS(c) * r->size) *known = told;
-    else *known *= TRUSTED_AGAIN;
-}
-
-/* After a step of one increment. */
-static void trust_less(const context *c) { c->island[is_lean(c) ? I_LEAN_CONTRACTION : I_BEND] *= FADING; }
-
-/* That contraction, of fresh factors whose first increment is known; 1 where nothing tells it, and with frictions, whose cones
-   follow multipliers from one update to the next. */
-static double known_contraction(const context *c, double first, double size)
-{
-    const double *island = c->island, bend = island[I_BEND];
-    const double known = is_lean(c) ? island[I_LEAN_CONTRACTION] : bend > 0.0 ? fmax(bend, LEAST_BEND) * first / size : 0.0;
-    return known > 0.0 && !n_frictions(c->m) ? fmin(known, 1.0) : 1.0;
-}
-
 /* What the last increment tells of the factors: the contraction or, as long as there is no increment before it with the
    same ones, its size against the step's.                                                                        */
 static void judge_increment(const context *c, newton_record *r)
@@ -105,9 +71,6 @@ static void judge_increment(const context *c, newton_record *r)
     r->previous = r->eta;
     r->slow = is_lean(c) && r->eta > r->floor && r->theta > (r->iteration > 0 ? LEAN_CONTRACTION : 0.5);
 }
-
-/* Whether the increment is no good: a long first one of lean factors, whose stiffness was missing, tells nothing. */
-static inline int is_misled(const newton_record *r) { return r->slow && r->iteration == 0; }
 
 /* Half steps for which a way that has failed is left alone, after so many the last time. */
 static inline double longer_wait(double last) { return fmin(fmax(2.0 * last, 64.0), 4096.0); }

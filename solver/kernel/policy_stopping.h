@@ -4,6 +4,7 @@
 
 #include "context.h"
 #include "forms.h"
+#include "learned_contraction.h"
 #include "newton_record.h"
 
 /* A step's error must lie far below the tolerance: what is left in momentum or constraints has one sign over
@@ -36,7 +37,7 @@ static double residual_energy(const context *c)
 }
 
 /* Row i that the Uzawa update drives to zero. */
-static inline double driven_row(const context *c, int32_t i)
+static inline double updated_row(const context *c, int32_t i)
 {
     const int averaged = c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] != 0.0;
     return averaged ? 0.5 * (c->k.phi0[i] + c->k.phi[i]) : c->k.phi[i];
@@ -46,7 +47,7 @@ static double constraint_energy(const context *c)
 {
     double sum = 0.0;
     if (!HOLONOM_ENERGY_DECIDES) return 0.0;
-    EACH_ROW(c, i) sum += driven_row(c, i) * c->k.mu[i];
+    EACH_ROW(c, i) sum += updated_row(c, i) * c->k.mu[i];
     return fabs(sum);
 }
 
@@ -55,28 +56,47 @@ static double constraint_defect(const context *c)
 {
     double largest = 0.0;
     EACH_ROW(c, i) {
-        const double scaled = fabs(driven_row(c, i)) / c->number[c->m->row_scale_at + i];
+        const double scaled = fabs(updated_row(c, i)) / c->number[c->m->row_scale_at + i];
         if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
     }
     return largest;
 }
 
-/* Largest increments that are still to come, by the contraction where it is known. */
-static inline double increments_left(const newton_record *r)
+/* Largest increments that are still to come: by the contraction that this step shows, or, of first increments and where round-off
+   hides it, by that which earlier steps tell. */
+static inline double increments_left(const context *c, const newton_record *r)
 {
     const int told = r->iteration > 0 || (r->kept && r->increments > 1);
-    return fmin(told ? r->seen : 1.0, r->known) * r->eta;
+    const double shown = told ? r->seen : 1.0;
+    return (told && r->eta > ROUND_OFF_SHOWS(c) * r->size ? shown : fmin(shown, r->known)) * r->eta;
+}
+
+/* What rows may be off by after one increment, of l^2: they were not updated, and a half step that leaves 4e-17 just before a
+   singular configuration, where multipliers are 2000 times as large, costs 2e-13 of the energy (four-bar). */
+#define ROWS_AFTER_ONE 4e-18
+
+static inline double allowed_defect(const context *c, const newton_record *r)
+{
+    return r->increments > 1 ? fmax(CONSTRAINT_MARGIN * newton_tolerance(c->s.head), QUARTER_ULP) : ROWS_AFTER_ONE;
+}
+
+/* Energy that what is left may add. */
+static inline double allowed_energy(const context *c, const newton_record *r)
+{
+    return ENERGY_MARGIN * (newton_tolerance(c->s.head) * r->energy + r->noise);
 }
 
 /* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
-   tolerance; or below the tolerance, where round-off has stalled the contraction.                              */
+   tolerance; or below the tolerance, where round-off has stalled the contraction. Rows of a nested iteration are asked by
+   rows_hold.                                                                                                    */
 static int has_converged(const context *c, const newton_record *r)
 {
     const double tolerance = newton_tolerance(c->s.head), added = residual_energy(c);
     const int stalled = r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
+    const int follows = c->s.head[S_SIMULTANEOUS] != 0.0 && !is_penalty(c);
     const double margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
-    if (increments_left(r) <= margin * r->target && r->defect <= fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) &&
-        added <= ENERGY_MARGIN * (tolerance * r->energy + r->noise))
+    if (increments_left(c, r) <= margin * r->target && !is_misled(r) && added <= allowed_energy(c, r) &&
+        (!follows || (r->defect <= allowed_defect(c, r) && constraint_energy(c) <= allowed_energy(c, r))))
         return 1;
     return stalled && r->defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
 }
@@ -90,13 +110,13 @@ static int32_t outcome_at_limit(const context *c, const newton_record *r)
     return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Whether the rows hold a margin below the tolerance, and their energy does, too: it is large where multipliers are. Near a singular configuration one combination of rows contracts
-   slowly, or not at all; it need not go on where its energy is that margin below round-off.                       */
+/* Whether the rows hold a margin below the tolerance, and their energy does, which is large where multipliers are. Near a
+   singular configuration one combination of rows contracts slowly, or not at all; it need not go on where its energy is
+   that margin below round-off.                                                                                  */
 static int rows_hold(const context *c, const newton_record *r, double defect, double last)
 {
-    const double tolerance = newton_tolerance(c->s.head);
-    const double energy = constraint_energy(c), margin = ENERGY_MARGIN * (tolerance * r->energy + r->noise);
-    if (defect <= (r->increments > 1 ? fmax(CONSTRAINT_MARGIN * tolerance, QUARTER_ULP) : 4e-18) && energy <= margin) return 1;
+    const double tolerance = newton_tolerance(c->s.head), energy = constraint_energy(c);
+    if (defect <= allowed_defect(c, r) && energy <= allowed_energy(c, r)) return 1;
     return defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r->energy;
 }
 

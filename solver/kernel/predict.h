@@ -14,9 +14,9 @@
    a line would only enlarge that. */
 static inline int n_followed(const context *c) { return c->halves == 2 ? 4 : 2; }
 
-/* Of how many internal steps before it the misses are known and used: 1 and 2 give linear and quadratic extrapolation,
-   0 leaves the values of the same half of the last pair. The formulations that do not conserve swing up from half to
-   half, where a line leads astray. */
+/* Of how many internal steps before it the misses are known and used, the last one or a line through two; 0 leaves the values of
+   the same half of the last pair. The formulations that do not conserve swing up from half to half, where a polynomial leads
+   astray. */
 static int known_misses(const context *c)
 {
     const double known = hm_skips(SKIP_OLD_GUESS) ? c->s.head[S_KNOWN] - n_followed(c) : 0.0;
@@ -26,7 +26,7 @@ static int known_misses(const context *c)
 
 /* Lengths that differ by less are the same: times of communication points are rounded. */
 #define SAME_LENGTH 1e-9
-/* Largest weight of a value: a polynomial that is followed further than this is none. */
+/* Largest weight of a value: a polynomial that leads further would enlarge errors more, and the last value is taken. */
 #define LARGEST_WEIGHT 10.0
 
 /* Weights of the last n half steps, the last one first, in the polynomial through their middles at that of this one. */
@@ -55,9 +55,9 @@ static void find_weights(const context *c, int n, double *weight)
    these leave undetermined (Bricard, 2e5 steps of 4.9 ms: 3e-14 of the energy, and 1e-15 with a parabola).       */
 static void set_weights(context *c)
 {
-    const int n = n_followed(c);
-    find_weights(c, n, c->weight);
-    find_weights(c, n < 3 ? n : 3, c->parabola);
+    find_weights(c, n_followed(c), c->weight);
+    if (n_followed(c) > 3) find_weights(c, 3, c->parabola);
+    else memcpy(c->parabola, c->weight, sizeof c->weight);
 }
 
 /* Values of the last four half steps, the last one first, their weights, and what the polynomial missed in this half of the

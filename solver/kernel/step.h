@@ -114,8 +114,9 @@ static void prepare_step(context *c, int parity)
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * c->s.mu[parity][i];
     }
-    /* With dependent rows lambda is predicted, too: leave_undetermined has cleaned the multipliers. Else it is the last one: near
-       a singular configuration a prediction would amplify what the rows leave undetermined. */
+    /* Lambda is predicted, too, with dependent rows, whose multipliers leave_undetermined has cleaned, and where choose_lambda
+       says so. Else it is the last one: near a singular configuration a prediction would amplify what the rows leave
+       undetermined. */
     const int follows = rows == ROWS_ARE_DEPENDENT || (rows == ROWS_ARE_INDEPENDENT && c->island[I_PREDICTS_LAMBDA] != 0.0);
     if (!follows) update_multipliers(c);
     if (rows == ROWS_ARE_WEAK) return;
@@ -168,7 +169,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
 /* One step of an island; increments and updates that it takes are added to `total`. */
 static int32_t solve_island(context *c, int parity, effort *total)
 {
-    newton_record r = {.theta = 1.0, .seen = 1.0, .known = 1.0, .firm = 1, .floor = round_off_of_places(c)};
+    newton_record r = {.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
     if (is_unilateral(c->m)) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
@@ -178,7 +179,7 @@ static int32_t solve_island(context *c, int parity, effort *total)
     if (status && began_with_old) { /* old factors may have led astray */
         c->factors_h = 0.0;
         c->rows_known = 0;
-        r = (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .firm = 1, .floor = r.floor};
+        r = (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = r.floor};
         prepare_step(c, parity);
         status = try_step(c, 0, &r, total);
     }

@@ -133,7 +133,7 @@ static int32_t step_halving(context *c, double h, int halvings)
     if (!status) return HOLONOM_OK;
     undo_step(c, t, law_time);
     lower_penalties(c);
-    if (known_misses(c)) { /* Newton's iteration may only have begun too far away: lines miss what turns fast */
+    if (known_misses(c)) { /* Newton's iteration may only have begun too far away: polynomials miss what turns fast */
         forget_halves(c);
         return step_halving(c, h, halvings);
     }

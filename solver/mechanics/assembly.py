@@ -22,8 +22,8 @@ from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
 
-SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 SLOTS_OF_TOLERANCE = 30
+SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 """Half steps whose misses a state keeps, by the order: all of two internal steps. A tolerance may
 choose any order, and has those of one step of order 8. An order that is set after the assembly
 works with fewer slots, and takes up to a third longer."""

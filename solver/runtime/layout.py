@@ -84,7 +84,7 @@ SIZES = (
     "n_lean_values",  # likewise of those without stiffness; 0 where these are not worth while
     "n_open_values", "n_bare_values",  # likewise of full and of lean ones without contacts
     "n_reduced_values",  # likewise of all with three unknown turns a body, one in the plane
-    "n_slots",  # half steps of an internal one whose changes a state keeps, see predict.h
+    "n_slots",  # half steps of an internal one whose misses a state keeps, see predict.h
     "n_islands",  # parts that no mass, row or force joins: each is solved by itself
     "n_sampled",  # loads that read quantities
     "n_contacts",  # gaps, each a function row that is on while it is closed

@@ -75,7 +75,7 @@ def test_an_order_with_too_few_slots_takes_the_values_of_the_last_pair():
 
 
 @pytest.mark.parametrize("order", SLOTS)
-def test_a_saved_state_goes_on_to_the_last_bit_with_its_changes(order):
+def test_a_saved_state_goes_on_to_the_last_bit_with_its_history(order):
     first, second = (swinging(order, 0.05) for _ in range(2))
     first.advance(0.0, 0.2)
     second.restore(first.save())

@@ -153,6 +153,25 @@ def test_a_state_whose_penalty_no_run_comes_to_is_refused(level):
     assert_refused_and_kept(forged(level, place), "a penalty that no run comes to")
 
 
+@pytest.mark.parametrize("name", ["bend", "lean_contraction", "predicts_lambda"])
+@pytest.mark.parametrize("number", [-1.0, 1e17])
+def test_a_state_whose_learned_contraction_no_run_comes_to_is_refused(name, number):
+    # It would take a first increment for the last one.
+    place = state_sections(model_of(PENDULUM).sizes)["islands"][0] + ISLAND.index(name)
+    assert_refused_and_kept(forged(number, place), "a contraction that no run comes to")
+
+
+def test_a_long_rest_leaves_a_state_that_comes_back():
+    # Each step of one increment trusts less in what was learned, by a twentieth, for ever.
+    run = start(PENDULUM)
+    run.advance(0.0, 0.2)
+    run.state.vectors["islands"][ISLAND.index("bend")] = 1e15
+    run.advance(run.time, 2.0)
+    other = start(PENDULUM)
+    other.restore(run.save())
+    assert block(other).tobytes() == block(run).tobytes()
+
+
 @pytest.mark.parametrize("scene", sorted(SCENES.glob("*.toml")), ids=lambda path: path.stem)
 def test_a_state_of_any_run_is_taken_however_loosely_its_steps_are_solved(scene):
     run = start(scene)
