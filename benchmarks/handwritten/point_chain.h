@@ -4,11 +4,10 @@
 
    Same method as the kernel's: pairs of half steps of the conserving augmented Lagrangian, compensated positions
    and velocities, rods at the beginning to twice the digits, predicted accelerations and multipliers, Newton's
-   iteration with factors that are kept and multipliers that follow, stopped by the same rules, but that trust in a learned contraction does
-   not fade. The tangent leaves the
-   geometric stiffness out, so that its Schur complement G M^-1 G' is tridiagonal; what this leaves of an increment is
-   learned on the way, so that one increment may end a half step. No energies are booked, and what is left of the
-   momentum balance is not handed on.
+   iteration with factors that are kept and multipliers that follow, stopped by the same rules, except that trust in a
+   learned contraction does not fade. The tangent leaves the geometric stiffness out, so that its Schur complement
+   G M^-1 G' is tridiagonal; what this leaves of an increment is learned on the way, so that one increment may end a half
+   step. No energies are booked, and what is left of the momentum balance is not handed on.
 
    Define N, DIM and ADVANCE before this file is included.                                                       */
 #include <math.h>
