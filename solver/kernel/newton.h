@@ -78,15 +78,14 @@ static int32_t evaluate_balance(context *c)
     return status;
 }
 
-/* A row whose pivot, what is left of -G A^-1 G' - epsilon, is so many times epsilon determines its multiplier well: an Uzawa
-   update leaves nothing of a prediction's error in it. Pivots are stored inverted. */
+/* A row whose pivot is so many times epsilon determines its multiplier well: an Uzawa update leaves nothing of a prediction's
+   error in it. */
 #define FIRM 1e6
 
 static int rows_are_firm(const context *c)
 {
     double largest = 0.0;
-    EACH_ROW(c, i)
-        largest = fmax(largest, fabs(c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]) * c->k.epsilon[i]);
+    EACH_ROW(c, i) largest = fmax(largest, fabs(inverse_pivot(c, i)) * c->k.epsilon[i]);
     return largest * FIRM < 1.0;
 }
 

@@ -21,8 +21,9 @@ static double price_of_factors(const context *c)
 
 /* Whether fresh factors would spare more increments than they cost. The next increment is theta times the last; from then on
    fresh factors contract by theta times what is left of the way from where the present ones were made. Not in the place of
-   those taken over, which judge_factors weighs, nor of lean ones, which would lack the same again, and not with dependent rows: iterations that end sooner leave more in what these determine
-   weakly (Bricard at tolerances: 2e-14 of the energy in place of 5e-15).                                         */
+   those taken over, which judge_factors weighs, nor of lean ones, which would lack the same again, and not with dependent
+   rows: iterations that end sooner leave more in what these determine weakly (Bricard at tolerances: 2e-14 of the energy
+   in place of 5e-15).                                                                                           */
 static int would_pay(const context *c, const newton_record *r)
 {
     const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta, fresh = r->theta * next / r->first;

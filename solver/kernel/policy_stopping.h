@@ -14,7 +14,7 @@
 /* Old factors leave more in light directions (Bricard's spins about its rods, 1 ms: 3e-16 of the energy in each step). */
 #define OLD_MARGIN 1e-7
 #define CONSTRAINT_MARGIN 1e-5
-#define QUARTER_ULP 5.6e-17 /* of 1: no row is evaluated better */
+#define QUARTER_ULP 5.6e-17 /* of 1: places tell no row better; the increments of a step do */
 /* Energy that the momentum residual may add: with near-singular factors increments shrink before the residual does,
    so it is asked for by itself; where round-off ends the iteration it must still be no more than round-off.      */
 #define ENERGY_MARGIN 1e-3

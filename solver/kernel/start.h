@@ -378,13 +378,12 @@ static double left_by_updates(const context *c)
     return size2 > 0.0 ? sqrt(left2 / size2) : 0.0;
 }
 
-/* Whether a row's pivot, what is left of -G M^-1 G' - epsilon, is no more than that of a dependent row, epsilon; pivots are
-   stored inverted. */
+/* Whether a row's pivot is no more than that of a dependent row, epsilon. */
 static int has_small_pivot(const context *c)
 {
     EACH_ROW(c, i)
         if (state_of_multiplier(c, i) == ROW_IS_ON &&
-            !(fabs(c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]) < 1e6 / c->number[c->m->row_sigma_at + i]))
+            !(fabs(inverse_pivot(c, i)) < 1e6 / c->number[c->m->row_sigma_at + i]))
             return 1;
     return 0;
 }

@@ -166,10 +166,16 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     return status;
 }
 
+/* The record of a step that has seen nothing yet. */
+static inline newton_record nothing_seen(const context *c)
+{
+    return (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
+}
+
 /* One step of an island; increments and updates that it takes are added to `total`. */
 static int32_t solve_island(context *c, int parity, effort *total)
 {
-    newton_record r = {.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
+    newton_record r = nothing_seen(c);
     if (is_unilateral(c->m)) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
@@ -179,7 +185,7 @@ static int32_t solve_island(context *c, int parity, effort *total)
     if (status && began_with_old) { /* old factors may have led astray */
         c->factors_h = 0.0;
         c->rows_known = 0;
-        r = (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = r.floor};
+        r = nothing_seen(c);
         prepare_step(c, parity);
         status = try_step(c, 0, &r, total);
     }

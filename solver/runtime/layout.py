@@ -299,7 +299,7 @@ ISLAND = (
     "penalty_level", "slow_steps",  # see policy_penalty.h
     "dependent",  # whether rows depend on each other
     "full_steps", "full_wait", "fresh_steps", "fresh_wait",  # see policy_factors.h
-    "bend", "lean_contraction",  # of Newton's iteration, see policy_factors.h
+    "bend", "lean_contraction",  # see learned_contraction.h
     "predicts_lambda",  # whether the multipliers held fixed are predicted, too, see newton.h
 )
 """Scalars of each island in the section `islands` of a state."""
