@@ -378,7 +378,7 @@ static double left_by_updates(const context *c)
     return size2 > 0.0 ? sqrt(left2 / size2) : 0.0;
 }
 
-/* Whether a row's pivot is no more than that of a dependent row, epsilon. */
+/* Whether a row's pivot is no more than a hundred times that of a dependent row, epsilon. */
 static int has_small_pivot(const context *c)
 {
     EACH_ROW(c, i)
@@ -387,6 +387,10 @@ static int has_small_pivot(const context *c)
             return 1;
     return 0;
 }
+
+/* Updates leave all of what dependent rows do not determine. A chain of 1e4 bars between two nails has pivots as small, but they
+   leave .17 of its multipliers: its rows are independent, and a larger penalty serves them.                       */
+#define LEFT_OF_DEPENDENT_ROWS 0.5
 
 /* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties of the others. With
    coordinates of directors as unknowns, rows of joints that one director alone carries would look dependent: where there are
@@ -402,8 +406,9 @@ static void judge_rows(const context *c)
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);
-        if (fails || has_small_pivot(&rows)) rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
-        else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left_by_updates(&rows));
+        const double left = fails ? 1.0 : left_by_updates(&rows);
+        if (fails || (left > LEFT_OF_DEPENDENT_ROWS && has_small_pivot(&rows))) rows.island[I_DEPENDENT] = ROWS_ARE_DEPENDENT;
+        else if (!is_unilateral(m)) start_penalty(&rows, AT_STATE_PENALTY * left);
     }
 }
 

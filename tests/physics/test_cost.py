@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scenes.generate import rigid_chain
+from scenes.generate import hanging_chain, rigid_chain
 from tests.problems import (
     Content,
     assemble,
@@ -119,6 +119,17 @@ def test_long_chains_of_bodies_take_as_few_increments_as_short_ones():
         mean[n] = iterations[5:].mean() / 2.0
     assert max(mean.values()) <= 2.5
     assert mean[1000] <= mean[10] + 0.2
+
+
+def test_a_long_chain_between_two_nails_is_not_taken_for_one_of_dependent_rows():
+    # Its last pivots are as small as those of dependent rows, whose penalty is never raised: 14 to
+    # 17 increments a half step.
+    run = start(tomllib.loads(hanging_chain(4000)), h=1e-3, paired=True)
+    names = ["solver.newton_iterations", "energy.error", "constraint.position"]
+    iterations, energy, constraint = observe(run, 1e-3, 4, names)[1:].T
+    assert energy.max() < 5e-15
+    assert constraint.max() < 1e-14
+    assert iterations.max() / 2.0 <= 8.0
 
 
 def test_long_steps_take_few_increments_where_fresh_factors_pay():
