@@ -18,7 +18,7 @@ from benchmarks.problems_vehicles import stewart
 from benchmarks.timing import Entry
 from scenes import generate
 from solver import assemble
-from solver.runtime import Integrator, StepError
+from solver.runtime import Integrator, Model, StepError
 
 try:
     import tomllib
@@ -207,21 +207,26 @@ _BY_TOLERANCE = Curve(
 
 
 class _Runs:
-    """A problem's scene, assembled once."""
+    """A problem's scene, assembled once for each curve: its order decides what the state keeps."""
 
     def __init__(self, problem: Problem) -> None:
         self._key = problem.key
-        content = CONTENTS[problem.key]()
         experiment = {"stop_time": problem.stop, "step_size": problem.stop}
-        own: Mapping[str, Any] = content.get("solver", {})
-        settings = {**own, "step_size": problem.stop}
-        self._model = assemble(scene(content | {"experiment": experiment}, **settings))
+        self._content = CONTENTS[problem.key]() | {"experiment": experiment}
+        self._models: dict[str, Model] = {}
+
+    def _model(self, curve: Curve, settings: Mapping[str, Value]) -> Model:
+        if curve.name not in self._models:
+            own: Mapping[str, Any] = self._content.get("solver", {})
+            chosen = {**own, "step_size": self._content["experiment"]["step_size"], **settings}
+            self._models[curve.name] = assemble(scene(self._content, **chosen))
+        return self._models[curve.name]
 
     def method(self, curve: Curve) -> Method:
         """What measures a curve."""
 
         def entry(problem: Problem, value: float) -> Entry:
-            integrator = self._start(curve.settings(problem, value))
+            integrator = self._start(curve, curve.settings(problem, value))
             state = integrator.save()
             return Entry(
                 lambda: integrator.advance(0.0, problem.stop), lambda: integrator.restore(state)
@@ -235,8 +240,8 @@ class _Runs:
             entry=entry,
         )
 
-    def _start(self, settings: Mapping[str, Value]) -> Integrator:
-        integrator = Integrator(self._model)
+    def _start(self, curve: Curve, settings: Mapping[str, Value]) -> Integrator:
+        integrator = Integrator(self._model(curve, settings))
         for name, value in settings.items():
             integrator[f"solver.{name}"] = value
         integrator.initialise()
@@ -244,7 +249,7 @@ class _Runs:
 
     def _observe(self, problem: Problem, curve: Curve, value: float) -> Observed:
         settings = curve.settings(problem, value)
-        integrator = self._start(settings)
+        integrator = self._start(curve, settings)
         # Steps that a tolerance chooses would be others if the run were divided.
         whole = round(problem.stop / float(settings.get("step_size", problem.stop)))
         pieces = max(k for k in range(1, min(SAMPLES, whole) + 1) if whole % k == 0)
