@@ -1,4 +1,8 @@
-"""Error of a run against the tolerance asked for, and what it costs, for the scenes."""
+"""Error of a run against the tolerance asked for, and what it costs, for the scenes.
+
+The price of a tolerance is its time over that of the best fixed step, of any order, whose errors
+are no larger at any communication point.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +15,9 @@ import numpy as np
 
 import solver
 from benchmarks.effort import Effort
-from benchmarks.report import Section, Table, Value
+from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.timing import Entry, interleave
-from solver.runtime import Integrator, Model
+from solver.runtime import Integrator, Model, StepError
 from tests.kernel_calls import kernel_of
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
@@ -22,6 +26,14 @@ TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
 POINTS = 10
 SHARPEST = 1e-12
 """Tolerance of the run that others are compared with."""
+PRICED = 1e-6
+"""Tolerance whose price is measured."""
+DEAR, MOST_DEAR = 1.5, 3
+"""Goal: no more than so many scenes at which it costs so many times the best fixed step."""
+PAIRS = {8: 15, 6: 9, 4: 5, 2: 1}
+"""Of half steps in a step of each order, as they are tried: the lower ones end early."""
+LONGER = 3.0
+"""An order that needs so many times the half steps of another is not the best."""
 
 SMOOTH = (
     *("andrews", "bifilar", "bricard", "car_axis", "chaplygin_sleigh", "double_pendulum"),
@@ -48,6 +60,21 @@ FORMATS = {
     "ms": ".2f",
     "energy": ".0e",
 }
+PRICES = {
+    "scene": "scene",
+    "error": "error",
+    "order": "last order",
+    "halves": "half steps",
+    "ms": "ms",
+    "fixed_order": "best order",
+    "fixed_halves": "its half steps",
+    "fixed_ms": "its ms",
+    "price": "times as long",
+}
+PRICE_FORMATS = {
+    "error": ".1e", "order": "g", "halves": "g", "ms": ".2f", "fixed_order": "g",
+    "fixed_halves": "g", "fixed_ms": ".2f", "price": ".2f",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +120,11 @@ def move(integrator: Integrator, length: float, points: int = POINTS) -> Iterato
 
 def course_of(name: str, tolerance: float, stop: float, *, each: int = 1) -> Course:
     """Where a run of a scene is at its communication points; `each` times as many are taken."""
-    model, integrator, length = prepared(name, tolerance, stop)
+    return course(*prepared(name, tolerance, stop), each=each)
+
+
+def course(model: Model, integrator: Integrator, length: float, *, each: int = 1) -> Course:
+    """Where a run that is about to move is at its communication points."""
     dim, free, at = model.sizes["dim"], model.sizes["n_free"], model.offsets["node_mass"]
     root = np.sqrt(np.repeat(np.array(kernel_of(integrator).numbers[at : at + free]), dim))
     vectors, head = integrator.state.vectors, integrator.state.head
@@ -112,14 +143,88 @@ def course_of(name: str, tolerance: float, stop: float, *, each: int = 1) -> Cou
     )
 
 
+def fixed(name: str, order: int, count: int, length: float) -> tuple[Model, Integrator, float]:
+    """A scene that is about to move for a length in `count` steps of an order."""
+    steps = {"solver.step_size": length / count, "experiment.step_size": length / POINTS}
+    chosen = {"solver.order": order, "solver.tolerance": 0.0, **steps}
+    model = solver.assemble(solver.load(SCENES / f"{name}.toml", chosen))
+    integrator = Integrator(model)
+    integrator.initialise()
+    return model, integrator, length
+
+
+def fewest_steps(
+    name: str, order: int, length: float, exact: Course, error: float, most: float
+) -> int:
+    """Fewest steps of an order in each communication step that err no more; 0 if more than most."""
+
+    def is_enough(each: int) -> bool:
+        try:
+            return course(*fixed(name, order, POINTS * each, length)).error(exact) <= error
+        except StepError:
+            return False
+
+    short, enough = 0, 1
+    while not is_enough(enough):
+        short, enough = enough, math.ceil(1.5 * enough)
+        if enough > most:
+            return 0
+    while enough - short > max(1, 0.05 * enough):
+        middle = (short + enough) // 2
+        short, enough = (short, middle) if is_enough(middle) else (middle, enough)
+    return enough
+
+
+def price(name: str, stop: float, effort: Effort) -> dict[str, Value]:
+    """What a tolerance costs beside the best fixed step that errs no more."""
+    exact = _EXACT.get((name, stop)) or course_of(name, SHARPEST, stop)
+    _EXACT[name, stop] = exact
+    *_, length = prepared(name, PRICED, stop)
+    found = course_of(name, PRICED, stop)
+    error, least = found.error(exact), math.inf
+    counts: dict[int, int] = {}
+    for order, pairs in PAIRS.items():
+        most = LONGER * min(least, 4.0 * found.halves) / (2 * pairs * POINTS)
+        count = POINTS * fewest_steps(name, order, length, exact, error, most)
+        if count:
+            counts[order] = count
+            least = min(least, 2 * pairs * count)
+    entries = {order: _entry(*fixed(name, order, n, length)[1:]) for order, n in counts.items()}
+    times = interleave(
+        {"run": _entry(*prepared(name, PRICED, stop)[1:])}
+        | {str(order): entry for order, entry in entries.items()},
+        effort,
+    )
+    row: dict[str, Value] = {"scene": name, "error": error, "order": found.order}
+    ms = 1e3 * times["run"].minimum
+    row |= {"halves": found.halves, "ms": ms}
+    if not counts:
+        return row
+    best = min(counts, key=lambda order: times[str(order)].minimum)
+    least_ms = 1e3 * times[str(best)].minimum
+    row |= {"fixed_order": best, "fixed_halves": 2 * PAIRS[best] * counts[best]}
+    return row | {"fixed_ms": least_ms, "price": ms / least_ms}
+
+
+def _entry(integrator: Integrator, length: float) -> Entry:
+    """A run, and the way back to where it begins."""
+    state, horizon = integrator.save(), integrator.state.head["horizon"]
+
+    def prepare() -> None:
+        integrator.restore(state)
+        integrator.state.head["horizon"] = horizon
+
+    return Entry(lambda: sum(move(integrator, length)), prepare)
+
+
 def measure(effort: Effort) -> Section:
     stop = max(0.01, STOP * effort.scale)
+    names = [n for group in (SMOOTH, DAMPED) for n in (group if effort.steps > 2 else group[:1])]
     rows = [
-        row(name, tolerance, stop, effort)
-        for names in (SMOOTH, DAMPED)
-        for name in (names if effort.steps > 2 else names[:1])
-        for tolerance in TOLERANCES[: effort.steps]
+        row(n, tolerance, stop, effort) for n in names for tolerance in TOLERANCES[: effort.steps]
     ]
+    prices = [price(n, stop, effort) for n in names]
+    dear = sum(float(str(r.get("price", 0.0))) > DEAR for r in prices)
     return Section(
         name="tolerances",
         title="Error against the tolerance asked for",
@@ -127,9 +232,28 @@ def measure(effort: Effort) -> Section:
             f"Scenes over {stop:g} s or their own experiment, in ten communication steps, order "
             "and length of internal steps chosen. Error: the largest of places and rates at any "
             "of the points, in the mass norm over size and speed of the mechanism, against a run "
-            f"with {SHARPEST:.0e}."
+            f"with {SHARPEST:.0e}. Price: a run with {PRICED:.0e} and, in turn with it, the fixed "
+            "steps of each order that err no more at any of the points, the fewest to 5 %; the "
+            "best of these. Fixed steps of a motion that comes back the way it went lose their "
+            "errors again, which steps of changing length do not."
         ),
-        tables=[Table(title="Tolerances", columns=COLUMNS, rows=rows, formats=FORMATS)],
+        tables=[
+            Table(title="Tolerances", columns=COLUMNS, rows=rows, formats=FORMATS),
+            Table(
+                title=f"Price of a tolerance of {PRICED:.0e}",
+                columns=PRICES,
+                rows=prices,
+                formats=PRICE_FORMATS,
+            ),
+        ],
+        goals=[
+            Goal(
+                what=f"scenes whose tolerance costs more than {DEAR:g} times the best fixed step",
+                unit="1",
+                goal=MOST_DEAR,
+                value=float(dear),
+            )
+        ],
     )
 
 
@@ -141,12 +265,7 @@ def row(name: str, tolerance: float, stop: float, effort: Effort) -> dict[str, V
     exact = _EXACT.get((name, stop)) or course_of(name, SHARPEST, stop)
     _EXACT[name, stop] = exact
     found = course_of(name, tolerance, stop)
-    runs: list[tuple[Integrator, float]] = []
-
-    def prepare() -> None:
-        runs[:] = [prepared(name, tolerance, stop)[1:]]
-
-    times = interleave({"run": Entry(lambda: sum(move(*runs[0])), prepare)}, effort)
+    times = interleave({"run": _entry(*prepared(name, tolerance, stop)[1:])}, effort)
     return {
         "scene": name,
         "tolerance": tolerance,

@@ -310,23 +310,52 @@ HM_SELDOM static int impact_revise(const hm_impact *x, const impact_parts *s, in
     return 1;
 }
 
-/* Impulses for the restitution at hand; 0, or 1 if no statuses were found that agree with them. All contacts change at
-   once, or, where that goes round in circles, the first alone (Murty 1974).                                      */
+/* Whether statuses that agree with all inequalities are found from those at hand, for which impulses follow. All contacts change
+   at once, or the first `alone` (Murty 1974).                                                                     */
+HM_SELDOM static int impact_agrees(hm_impact *x, const impact_parts *s, int alone, int32_t turns)
+{
+    for (int32_t turn = 0; turn < turns; turn++) {
+        const double defect = impact_settle(x, s);
+        int changes = 0;
+        for (int32_t i = 0; i < x->contacts && !(alone && changes); i++) changes |= impact_revise(x, s, i);
+        if (changes) continue;
+        if (!(defect < 10.0 * IMPACT_TOLERANCE)) return 0;
+        for (int32_t i = 0; i < x->contacts; i++)
+            if (x->status[i] == IMPACT_CLOSED && impact_rests(x, s, i)) x->status[i] = IMPACT_STICKS;
+        return 1;
+    }
+    return 0;
+}
+
+/* Gives the first contacts the statuses that the digits of a number to base 3 tell; those that slide go on as they slip now. */
+HM_SELDOM static void impact_start(hm_impact *x, const impact_parts *s, int32_t digits)
+{
+    for (int32_t i = 0; i < x->contacts; i++, digits /= 3) {
+        const int32_t k = x->first[i];
+        x->status[i] = digits % 3;
+        for (int32_t a = 0; a <= x->tangents[i] && x->status[i] == IMPACT_PARTED; a++) x->impulse[k + a] = 0.0;
+        if (x->status[i] == IMPACT_CLOSED) impact_slide(x, i, 1.0, x->after + k + 1, s->direction);
+        if (x->status[i] == IMPACT_STICKS && impact_slips(x, i) == 0) x->status[i] = IMPACT_CLOSED;
+    }
+}
+
+enum { IMPACT_STARTS = 243, IMPACT_TURNS = 4 }; /* all statuses of five contacts */
+
+/* Impulses for the restitution at hand; 0, or 1 if no statuses were found that agree with them. Where changes go round in circles,
+   other statuses are begun with: five contacts of a mechanism of four freedoms did, after a guess that the last digit of a
+   mass decided.                                                                                                   */
 HM_SELDOM static int impact_search(hm_impact *x, const impact_parts *s)
 {
     int alone = 0;
+    int32_t starts = 1;
     for (int32_t sweeps = 32; sweeps <= 32768; sweeps *= 4, alone = !alone) {
         impact_guess(x, s, sweeps);
-        for (int32_t turn = 0; turn < (alone ? x->contacts + 8 : 32); turn++) {
-            const double defect = impact_settle(x, s);
-            int changes = 0;
-            for (int32_t i = 0; i < x->contacts && !(alone && changes); i++) changes |= impact_revise(x, s, i);
-            if (changes) continue;
-            if (!(defect < 10.0 * IMPACT_TOLERANCE)) break;
-            for (int32_t i = 0; i < x->contacts; i++)
-                if (x->status[i] == IMPACT_CLOSED && impact_rests(x, s, i)) x->status[i] = IMPACT_STICKS;
-            return 0;
-        }
+        if (impact_agrees(x, s, alone, alone ? x->contacts + 8 : 32)) return 0;
+    }
+    for (int32_t i = 0; i < x->contacts && starts < IMPACT_STARTS; i++) starts *= 3;
+    for (int32_t start = 0; start < starts; start++) {
+        impact_start(x, s, start);
+        if (impact_agrees(x, s, 0, IMPACT_TURNS)) return 0;
     }
     return 1;
 }

@@ -22,10 +22,10 @@ from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
 
-SLOTS_OF_TOLERANCE = 30
+SLOTS_OF_TOLERANCE = 36
 SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 """Half steps whose misses a state keeps, by the order: all of two internal steps. A tolerance may
-choose any order, and has those of one step of order 8. An order that is set after the assembly
+choose any order, and has those of two steps of order 6. An order that is set after the assembly
 works with fewer slots, and takes up to a third longer."""
 
 

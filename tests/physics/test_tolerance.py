@@ -295,7 +295,8 @@ def test_errors_lie_below_three_times_the_request_and_follow_it(name):
     courses = [course_of(name, tolerance=tolerance) for tolerance in asked]
     errors = [course.error(exact) for course in courses]
     for tolerance, error in zip(asked, errors, strict=True):
-        assert 0.08 * tolerance < error < (6.0 if name == "four_bar" else 3.0) * tolerance
+        # Steps of the higher orders are few, and equal parts of a communication step: often short.
+        assert 0.05 * tolerance < error < 3.0 * tolerance
     assert errors == sorted(errors, reverse=True)
     assert courses[-1].order > 4.0
 
