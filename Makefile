@@ -142,7 +142,7 @@ $(VENV)/installed-docs: $(VENV)/created $(BUILD)
 
 $(VENV)/installed-benchmarks: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and what benchmarks need"
-	@$(INSTALL) '.[benchmarks]'
+	@$(INSTALL) '.[test,benchmarks]'
 	@touch $@ $(VENV)/installed
 
 $(VENV)/installed-importers: $(VENV)/created $(BUILD)
