@@ -13,6 +13,7 @@ import platform
 import shutil
 import sys
 import tempfile
+import threading
 from pathlib import Path
 from typing import NamedTuple
 
@@ -39,6 +40,9 @@ CHOICE = COUNTER.with_suffix(".h")
 PROBE = COUNTER.with_name("probe.c")
 WRAPPED = [f"-Wl,--wrap=hm_{x}_{name}" for x in ("lu", "block") for name in ("factor", "solve")]
 """The linker of Linux puts the counter in place of factorisations and solves."""
+
+COMPILING = threading.Lock()
+"""Threads ask for the same kernel at once."""
 
 needs_compiler = pytest.mark.skipif(
     not (system_compiler() or zig_compiler()), reason="no C compiler to compile kernels with"
@@ -80,7 +84,9 @@ def kernel_without(bits: int, dimension: int, *, energy_decides: bool = True) ->
     """
     # A library that is loaded cannot be deleted on every system.
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        copy = shutil.copy(_compiled(dimension), Path(folder, f"without{bits}.library"))
+        with COMPILING:
+            compiled = _compiled(dimension)
+        copy = shutil.copy(compiled, Path(folder, f"without{bits}.library"))
         library = load_library(dimension, str(copy))
     ctypes.c_int.in_dll(library, "holonom_without").value = bits
     ctypes.c_int.in_dll(library, "holonom_energy_decides").value = energy_decides
