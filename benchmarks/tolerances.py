@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ import solver
 from benchmarks.effort import Effort
 from benchmarks.report import Goal, Section, Table, Value
 from benchmarks.timing import Entry, interleave
+from benchmarks.work_precision_ours import STAGES
 from solver.runtime import Integrator, Model, StepError
 from tests.kernel_calls import kernel_of
 
@@ -30,8 +32,6 @@ PRICED = 1e-6
 """Tolerance whose price is measured."""
 DEAR, MOST_DEAR = 1.5, 3
 """Goal: no more than so many scenes at which it costs so many times the best fixed step."""
-PAIRS = {8: 15, 6: 9, 4: 5, 2: 1}
-"""Of half steps in a step of each order, as they are tried: the lower ones end early."""
 LONGER = 3.0
 """An order that needs so many times the half steps of another is not the best."""
 
@@ -177,33 +177,26 @@ def fewest_steps(
 
 def price(name: str, stop: float, effort: Effort) -> dict[str, Value]:
     """What a tolerance costs beside the best fixed step that errs no more."""
-    exact = _EXACT.get((name, stop)) or course_of(name, SHARPEST, stop)
-    _EXACT[name, stop] = exact
-    *_, length = prepared(name, PRICED, stop)
-    found = course_of(name, PRICED, stop)
+    exact, found = exact_course(name, stop), course_of(name, PRICED, stop)
+    _, integrator, length = prepared(name, PRICED, stop)
     error, least = found.error(exact), math.inf
-    counts: dict[int, int] = {}
-    for order, pairs in PAIRS.items():
+    halves: dict[str, int] = {}
+    entries = {"run": _entry(integrator, length)}
+    for order, pairs in reversed(STAGES.items()):  # the lower ones end early
         most = LONGER * min(least, 4.0 * found.halves) / (2 * pairs * POINTS)
         count = POINTS * fewest_steps(name, order, length, exact, error, most)
         if count:
-            counts[order] = count
-            least = min(least, 2 * pairs * count)
-    entries = {order: _entry(*fixed(name, order, n, length)[1:]) for order, n in counts.items()}
-    times = interleave(
-        {"run": _entry(*prepared(name, PRICED, stop)[1:])}
-        | {str(order): entry for order, entry in entries.items()},
-        effort,
-    )
+            entries[str(order)] = _entry(*fixed(name, order, count, length)[1:])
+            halves[str(order)] = 2 * pairs * count
+            least = min(halves.values())
+    ms = {key: 1e3 * times.minimum for key, times in interleave(entries, effort).items()}
     row: dict[str, Value] = {"scene": name, "error": error, "order": found.order}
-    ms = 1e3 * times["run"].minimum
-    row |= {"halves": found.halves, "ms": ms}
-    if not counts:
+    row |= {"halves": found.halves, "ms": ms["run"]}
+    if not halves:
         return row
-    best = min(counts, key=lambda order: times[str(order)].minimum)
-    least_ms = 1e3 * times[str(best)].minimum
-    row |= {"fixed_order": best, "fixed_halves": 2 * PAIRS[best] * counts[best]}
-    return row | {"fixed_ms": least_ms, "price": ms / least_ms}
+    best = min(halves, key=ms.__getitem__)
+    row |= {"fixed_order": float(best), "fixed_halves": halves[best]}
+    return row | {"fixed_ms": ms[best], "price": ms["run"] / ms[best]}
 
 
 def _entry(integrator: Integrator, length: float) -> Entry:
@@ -224,7 +217,7 @@ def measure(effort: Effort) -> Section:
         row(n, tolerance, stop, effort) for n in names for tolerance in TOLERANCES[: effort.steps]
     ]
     prices = [price(n, stop, effort) for n in names]
-    dear = sum(float(str(r.get("price", 0.0))) > DEAR for r in prices)
+    dear = sum(isinstance(found := r.get("price"), float) and found > DEAR for r in prices)
     return Section(
         name="tolerances",
         title="Error against the tolerance asked for",
@@ -257,19 +250,20 @@ def measure(effort: Effort) -> Section:
     )
 
 
-_EXACT: dict[tuple[str, float], Course] = {}
+@cache
+def exact_course(name: str, stop: float) -> Course:
+    """What runs of a scene are compared with."""
+    return course_of(name, SHARPEST, stop)
 
 
 def row(name: str, tolerance: float, stop: float, effort: Effort) -> dict[str, Value]:
     """What a tolerance gives and costs."""
-    exact = _EXACT.get((name, stop)) or course_of(name, SHARPEST, stop)
-    _EXACT[name, stop] = exact
     found = course_of(name, tolerance, stop)
     times = interleave({"run": _entry(*prepared(name, tolerance, stop)[1:])}, effort)
     return {
         "scene": name,
         "tolerance": tolerance,
-        "ratio": found.error(exact) / tolerance,
+        "ratio": found.error(exact_course(name, stop)) / tolerance,
         "order": found.order,
         "halves": found.halves,
         "ms": 1e3 * times["run"].minimum,

@@ -110,24 +110,27 @@ static int32_t outcome_at_limit(const context *c, const newton_record *r)
     return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
+/* Whether the rows hold as far as is asked, and their energy is no more than so many times what it may be. */
+static inline int rows_within(const context *c, const newton_record *r, double defect, double times)
+{
+    return defect <= allowed_defect(c, r) && constraint_energy(c) <= times * allowed_energy(c, r);
+}
+
 /* Whether the rows hold a margin below the tolerance, and their energy does, which is large where multipliers are. Near a
    singular configuration one combination of rows contracts slowly, or not at all; it need not go on where its energy is
    that margin below round-off.                                                                                  */
 static int rows_hold(const context *c, const newton_record *r, double defect, double last)
 {
-    const double tolerance = newton_tolerance(c->s.head), energy = constraint_energy(c);
-    if (defect <= allowed_defect(c, r) && energy <= allowed_energy(c, r)) return 1;
-    return defect > 0.5 * last && defect <= tolerance && energy <= CONSTRAINT_MARGIN * tolerance * r->energy;
+    const double tolerance = newton_tolerance(c->s.head);
+    if (rows_within(c, r, defect, 1.0)) return 1;
+    return defect > 0.5 * last && defect <= tolerance && constraint_energy(c) <= CONSTRAINT_MARGIN * tolerance * r->energy;
 }
 
 /* Whether the rows hold as far as places tell, and their energy is nearly what it may be. No penalty makes that better where steps
    are long and multipliers large (Bricard at a tolerance of 1e-6: half steps of 6 increments went on to 14).      */
 #define NEARLY 30.0
 
-static int rows_are_round_off(const context *c, const newton_record *r, double defect)
-{
-    return defect <= allowed_defect(c, r) && constraint_energy(c) <= NEARLY * allowed_energy(c, r);
-}
+static int rows_are_round_off(const context *c, const newton_record *r, double defect) { return rows_within(c, r, defect, NEARLY); }
 
 /* Whether the contraction of the rows has ended, and what is left is round-off. */
 static int is_stalled_round_off(const context *c, const newton_record *r, double defect, double last)

@@ -136,7 +136,7 @@ static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *upda
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
         if (rows_hold(c, r, defect, last)) return HOLONOM_OK;
-        const int raised = !rows_are_round_off(c, r, defect) && updates_slowly(c, defect, last) && raise_penalty(c, r);
+        const int raised = updates_slowly(c, defect, last) && !rows_are_round_off(c, r, defect) && raise_penalty(c, r);
         if (!raised && is_stalled_round_off(c, r, defect, last)) return HOLONOM_OK;
         if (*updates >= max_uzawa) return outcome_of_updates(c, r, defect);
         last = defect;

@@ -133,9 +133,10 @@ def test_errors_stay_below_the_tolerance_and_steps_grow_with_it(name):
         assert found[-1] <= 5.0 * tolerance
     # Between them a higher order may need fewer steps for less error.
     assert steps[0] <= min(steps[1:])
-    # What is not prescribed, and does not rest, follows the tolerance over its four decades, or is
-    # below it: where one step covers a communication step, it meets a wide request with ease.
-    assert found[-1] <= max(1e-2 * found[0], TOLERANCES[-1])
+    # What is not prescribed, and does not rest, follows the tolerance over its four decades. Where
+    # one step covers a communication step, it may meet a wide request a thousand times too well.
+    eased = found[0] < 1e-3 * TOLERANCES[0]
+    assert found[-1] <= max(1e-2 * found[0], TOLERANCES[-1] if eased else 1e-9)
 
 
 def test_the_step_a_tolerance_takes_does_not_depend_on_skips():
