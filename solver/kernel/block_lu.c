@@ -1,25 +1,38 @@
 /* Sparse LU factors of groups of pivots with nearly the same pattern, as bodies and their joints make; zeros fill it.
 
-   A group of p pivots coupled to m later places owns one piece of `value`: the block D (p x p, row by row), the columns
-   of U, p entries for each later place, and the rows of L, likewise. `target` has m x m places for each group. So each
-   of p products finds its operands side by side, and one place. Orders and pivots are as in lu.c.               */
+   A group of p pivots coupled to m later places, an even number, owns one piece of `value`: the block D (p x p, row by
+   row), then U and L, of each two later places the entries of one pivot after the other. So what two places need is
+   found, and computed, side by side. Factors are those of D, in its place, U itself, and L D^-1. `target` has m x m places
+   for each group. Where the last place is listed twice, its second entries are 0. Orders and pivots are as in lu.c. */
 #include "holonom.h"
 #include "internal.h"
+#include "lanes.h"
 
 #include <math.h>
 
 #if defined(__GNUC__) && !defined(__clang__)
-#define UNROLL _Pragma("GCC unroll 6")
+#define UNROLL _Pragma("GCC unroll 5")
 #else
 #define UNROLL
 #endif
 
-_Static_assert(MOST_IN_GROUP == 6, "groups of these sizes are compiled");
+_Static_assert(MOST_IN_GROUP == 5, "groups of these sizes are compiled");
+
+/* x[place[i]] -= the sum of a_k b_ki, k < p, of two places. */
+HM_OFTEN void subtract_products(const int p, const lanes *a, const double *b, const int32_t *place, double *x)
+{
+    lanes sum = lanes_times(a[0], lanes_at(b));
+    UNROLL
+    for (int k = 1; k < p; k++) sum = lanes_plus(sum, a[k], lanes_at(b + 2 * k));
+    x[place[0]] -= LANE(sum, 0);
+    x[place[1]] -= LANE(sum, 1);
+}
 
 /* One group. These functions are compiled for each p, with what is used again in registers.                     */
 HM_OFTEN int factor_group(const int p, int32_t m, double *D, const int32_t *target, double *value)
 {
     double *const U = D + p * p, *const L = U + p * m;
+    lanes x[MOST_IN_GROUP];
     UNROLL
     for (int k = 0; k < p; k++) {
         double *row = D + p * k;
@@ -32,59 +45,55 @@ HM_OFTEN int factor_group(const int p, int32_t m, double *D, const int32_t *targ
             for (int j = k + 1; j < p; j++) D[p * i + j] -= factor * row[j];
         }
     }
-    for (double *u = U; p > 1 && u < L; u += p)
-        UNROLL
-        for (int k = 0; k < p; k++)
-            UNROLL
-            for (int i = k + 1; i < p; i++) u[i] -= D[p * i + k] * u[k];
-    for (double *l = L; l < L + p * m; l += p) {
-        double x[MOST_IN_GROUP];
+    for (double *l = L; l < L + p * m; l += 2 * p) {
         UNROLL
         for (int k = 0; k < p; k++) {
-            double sum = l[k];
+            x[k] = lanes_at(l + 2 * k);
             UNROLL
-            for (int j = 0; j < k; j++) sum -= x[j] * D[p * j + k];
-            l[k] = x[k] = sum * D[p * k + k];
+            for (int j = 0; j < k; j++) x[k] = lanes_less(x[k], both_lanes(D[p * j + k]), x[j]);
+            x[k] = lanes_times(both_lanes(D[p * k + k]), x[k]);
         }
-        for (const double *u = U; u < L; u += p) {
-            double sum = x[0] * u[0];
+        UNROLL
+        for (int k = p - 1; k >= 0; k--) {
             UNROLL
-            for (int k = 1; k < p; k++) sum += x[k] * u[k];
-            value[*target++] -= sum;
+            for (int j = k + 1; j < p; j++) x[k] = lanes_less(x[k], both_lanes(D[p * j + k]), x[j]);
+            put_lanes(l + 2 * k, x[k]);
+        }
+        for (int lane = 0; lane < 2; lane++) {
+            UNROLL
+            for (int k = 0; k < p; k++) x[k] = both_lanes(l[2 * k + lane]);
+            for (const double *u = U; u < L; u += 2 * p, target += 2) subtract_products(p, x, u, target, value);
         }
     }
     return 0;
 }
 
-HM_OFTEN void reduce_group(const int p, int32_t m, const double *D, const int32_t *column, double *y, double *x)
+HM_OFTEN void reduce_group(const int p, int32_t m, const double *D, const int32_t *column, const double *y, double *x)
 {
     const double *l = D + p * p + p * m;
-    double own[MOST_IN_GROUP];
+    lanes own[MOST_IN_GROUP];
     UNROLL
-    for (int k = 0; k < p; k++) {
-        double sum = y[k];
-        UNROLL
-        for (int j = 0; j < k; j++) sum -= D[p * k + j] * own[j];
-        y[k] = own[k] = sum;
-    }
-    for (int32_t i = 0; i < m; i++, l += p) {
-        double sum = l[0] * own[0];
-        UNROLL
-        for (int k = 1; k < p; k++) sum += l[k] * own[k];
-        x[column[i]] -= sum;
-    }
+    for (int k = 0; k < p; k++) own[k] = both_lanes(y[k]);
+    for (int32_t i = 0; i < m; i += 2, l += 2 * p) subtract_products(p, own, l, column + i, x);
 }
 
 HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t *column, double *y, const double *x)
 {
     const double *u = D + p * p;
+    lanes sum[MOST_IN_GROUP];
     double own[MOST_IN_GROUP];
     UNROLL
-    for (int k = 0; k < p; k++) own[k] = y[k];
-    for (int32_t j = 0; j < m; j++, u += p) {
-        const double other = x[column[j]];
+    for (int k = 0; k < p; k++) sum[k] = lanes_of(y[k], 0.0);
+    for (int32_t j = 0; j < m; j += 2, u += 2 * p) {
+        const lanes other = lanes_of(x[column[j]], x[column[j + 1]]);
         UNROLL
-        for (int k = 0; k < p; k++) own[k] -= u[k] * other;
+        for (int k = 0; k < p; k++) sum[k] = lanes_less(sum[k], lanes_at(u + 2 * k), other);
+    }
+    UNROLL
+    for (int k = 0; k < p; k++) {
+        own[k] = LANE(sum[k], 0) + LANE(sum[k], 1);
+        UNROLL
+        for (int j = 0; j < k; j++) own[k] -= D[p * k + j] * own[j];
     }
     UNROLL
     for (int k = p - 1; k >= 0; k--) {
@@ -100,8 +109,7 @@ HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t
     case 2: call(2); break;                                                                                    \
     case 3: call(3); break;                                                                                    \
     case 4: call(4); break;                                                                                    \
-    case 5: call(5); break;                                                                                    \
-    default: call(6);                                                                                          \
+    default: call(5);                                                                                          \
     }
 
 /* Groups of islands first .. last - 1. value (modified): matrix in, factors out, pivots inverted. Returns 0, or 1 at a

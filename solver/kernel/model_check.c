@@ -399,7 +399,7 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
             if (e->lu_ptr[k + i] != e->lu_ptr[k] + i * (size + 1)) return 0;
         const int64_t width = e->lu_ptr[k + size] - (int64_t)e->lu_ptr[k] - size * size, neighbours = width / (2 * size);
         if (width < 0 || width % (2 * size) || columns + neighbours > c->length[OWN(lu_column)] ||
-            !within(e->lu_column + columns, neighbours, k + size, n) || (group && group[2 * g + 1] != neighbours))
+            !within(e->lu_column + columns, neighbours, k + size, n) || (group && (group[2 * g + 1] != neighbours || neighbours % 2)))
             return 0;
         columns += neighbours;
         targets += neighbours * neighbours;

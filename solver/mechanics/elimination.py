@@ -39,8 +39,9 @@ class Pattern:
 
     A group has the later places of its last pivot, among which those of the others lie; what these
     lack is stored as zeros. p pivots with m later places have a block p x p, row by row, then the
-    p entries of U of each later place, then those of L. A pivot alone has its diagonal, a row of U
-    and a column of L.
+    entries of U, then those of L: for `lanes` later places side by side, 2 in groups, those of one
+    pivot after the other. The last place is listed twice where that makes m a multiple of `lanes`.
+    A pivot alone has its diagonal, a row of U and a column of L.
     """
 
     position: Integers
@@ -51,6 +52,7 @@ class Pattern:
     """These places, increasing, of one pivot after the other."""
     groups: Integers
     """First pivot of each group, and the end."""
+    lanes: int
 
     @property
     def n_products(self) -> int:
@@ -74,8 +76,9 @@ class Pattern:
 
     @cached_property
     def later(self) -> Integers:
-        """Number of later places of each group."""
-        return self.counts[self.groups[1:] - 1]
+        """Number of later places of each group, a multiple of `lanes`."""
+        own = self.counts[self.groups[1:] - 1]
+        return own + -own % self.lanes
 
     @cached_property
     def begin(self) -> Integers:
@@ -93,11 +96,9 @@ class Pattern:
     def columns(self) -> Integers:
         """Later places of the groups, one after the other."""
         last = self.groups[1:] - 1
-        pieces = [np.empty(0, np.int64)]
-        pieces += [
-            self.column[a : a + n] for a, n in zip(self._first[last], self.later, strict=True)
-        ]
-        return np.concatenate(pieces)
+        within = np.arange(self.later.sum()) - np.repeat(_pointers(self.later)[:-1], self.later)
+        within = np.minimum(within, np.repeat(self.counts[last] - 1, self.later))
+        return self.column[np.repeat(self._first[last], self.later) + within]
 
     @cached_property
     def _first(self) -> Integers:
@@ -122,7 +123,8 @@ class Pattern:
         place = np.where(inside, 0, found - self._first[last]) + np.where(
             i < j, 0, self.later[group]
         )
-        beside = p * (p + place) + first - begin
+        whole, lane = np.divmod(place, self.lanes)
+        beside = p * p + self.lanes * (p * whole + first - begin) + lane
         return self.begin[group] + np.where(inside, p * (i - begin) + j - begin, beside)
 
     @cached_property
@@ -304,8 +306,8 @@ def _take_out(
         degree[other] += sum([weight[b] for b in new]) - weight[block]
 
 
-def eliminate(graph: Graph, most: int = 1) -> Pattern:
-    """Return the order and the pattern of the factors of a graph, in groups of `most` pivots."""
+def eliminate(graph: Graph, most: int | None = None) -> Pattern:
+    """Return the order and the pattern of a graph's factors, alone or in groups of `most` pivots."""
     order = sorted(block_order(graph), key=graph.islands.__getitem__)
     sizes = np.array(graph.sizes, dtype=np.int64)
     position = np.empty(len(order), dtype=np.int64)
@@ -315,7 +317,8 @@ def eliminate(graph: Graph, most: int = 1) -> Pattern:
         position=position,
         counts=np.array([len(places) for places in columns], dtype=np.int64),
         column=np.fromiter(chain.from_iterable(columns), dtype=np.int64),
-        groups=np.array(_groups(columns, most), dtype=np.int64),
+        groups=np.array(_groups(columns, most or 1), dtype=np.int64),
+        lanes=2 if most else 1,
     )
 
 
@@ -325,7 +328,7 @@ def _groups(columns: Sequence[Sequence[int]], most: int) -> list[int]:
     A pivot whose first later place is the next pivot has all other later places with it, and can
     share its group; what that one has besides is stored as zeros.
     """
-    least, first = [0], [0]
+    least, first = [0.0], [0]
     for end in range(1, len(columns) + 1):
         begins = [end - 1]
         for begin in range(end - 1, max(end - most, 0), -1):
@@ -343,13 +346,14 @@ def _groups(columns: Sequence[Sequence[int]], most: int) -> list[int]:
 
 
 @cache
-def _operations(p: int, m: int) -> int:
+def _operations(p: int, m: int) -> float:
     """Instructions that a group takes in one factorisation and two solutions.
 
     Of p pivots with m later places; counted, of block_lu.c compiled for x86-64.
     """
-    factors = 40 + m * m * (2 * p + 6) + 2 * m * p * (p + 1) + p**3
-    return factors + 4 * (15 + m * (2 * p + 6) + p * p)
+    m += m % 2
+    factors = 45 + m * m * (1.4 * p + 7.3) + m * p * (p + 10.6) + 1.7 * p**3
+    return factors + 2 * (30 + m * (3.4 * p + 9.8) + p * (0.8 * p + 21))
 
 
 def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int]]:

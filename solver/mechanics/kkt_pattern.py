@@ -174,7 +174,7 @@ class TangentPattern:
                 },
                 self.islands, frozenset(map(self._of, loose)),
             ),
-            MOST_IN_GROUP if self.grouped else 1,
+            MOST_IN_GROUP if self.grouped else None,
         )  # fmt: skip
 
     def _of(self, item: int) -> int:

@@ -125,14 +125,14 @@ def test_the_factors_on_the_pattern_solve_what_dense_algebra_solves(graph, seed)
     assert np.linalg.norm(solved - expected) <= 1e-9 * np.linalg.norm(expected)
 
 
-@pytest.fixture(scope="module")
-def block_lu(tmp_path_factory) -> ctypes.CDLL:
-    """Return the kernel's factors in groups, as this machine's compiler makes them."""
+@pytest.fixture(scope="module", params=[[], ["-DHM_NO_VECTORS"]], ids=["vectors", "no vectors"])
+def block_lu(request, tmp_path_factory) -> ctypes.CDLL:
+    """Return the kernel's factors in groups, as this machine's compiler makes them, and others."""
     target = tmp_path_factory.mktemp("block_lu") / "block_lu.so"
     compiler = system_compiler() or zig_compiler() or ["cc"]
     root = Path(__file__).resolve().parents[2]
     options = [*FLAGS, "-DDIM=3", "-DHM_SCOPE=2", f"-I{root / 'solver' / 'kernel'}"]
-    options = [option for option in options if option != "-fvisibility=hidden"]
+    options = [option for option in options if option != "-fvisibility=hidden"] + request.param
     source = root / "tests" / "factors_of_groups.c"
     subprocess.run([*compiler, *options, "-o", str(target), str(source)], check=True)
     return ctypes.CDLL(str(target))
@@ -145,6 +145,7 @@ def test_groups_of_pivots_solve_what_dense_algebra_solves(block_lu, graph, most,
     random = np.random.default_rng(seed)
     pattern = eliminate(graph, most)
     assert np.diff(pattern.groups).max() <= most
+    assert not np.any(pattern.later % 2)
     place = places(graph, pattern)
     K = kkt_matrix(graph, random)
     right = random.normal(size=len(K))
