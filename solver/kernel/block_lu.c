@@ -19,7 +19,7 @@
 _Static_assert(MOST_IN_GROUP == 5, "groups of these sizes are compiled");
 
 /* x[place[i]] -= the sum of a_k b_ki, k < p, of two places. */
-HM_OFTEN void subtract_products(const int p, const lanes *a, const double *b, const int32_t *place, double *x)
+HM_OFTEN void subtract_from_two(const int p, const lanes *a, const double *b, const int32_t *place, double *x)
 {
     lanes sum = lanes_times(a[0], lanes_at(b));
     UNROLL
@@ -62,7 +62,7 @@ HM_OFTEN int factor_group(const int p, int32_t m, double *D, const int32_t *targ
         for (int lane = 0; lane < 2; lane++) {
             UNROLL
             for (int k = 0; k < p; k++) x[k] = both_lanes(l[2 * k + lane]);
-            for (const double *u = U; u < L; u += 2 * p, target += 2) subtract_products(p, x, u, target, value);
+            for (const double *u = U; u < L; u += 2 * p, target += 2) subtract_from_two(p, x, u, target, value);
         }
     }
     return 0;
@@ -74,7 +74,7 @@ HM_OFTEN void reduce_group(const int p, int32_t m, const double *D, const int32_
     lanes own[MOST_IN_GROUP];
     UNROLL
     for (int k = 0; k < p; k++) own[k] = both_lanes(y[k]);
-    for (int32_t i = 0; i < m; i += 2, l += 2 * p) subtract_products(p, own, l, column + i, x);
+    for (int32_t i = 0; i < m; i += 2, l += 2 * p) subtract_from_two(p, own, l, column + i, x);
 }
 
 HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t *column, double *y, const double *x)

@@ -60,6 +60,11 @@ class Pattern:
         return int(np.sum(self.counts**2))
 
     @property
+    def n_operations(self) -> float:
+        """Instructions of one factorisation and two solutions, see `_operations`."""
+        return sum(map(_operations, self._size.tolist(), self.later.tolist()))
+
+    @property
     def n_entries(self) -> int:
         """Stored entries of the factors."""
         return int(self.ptr[-1])

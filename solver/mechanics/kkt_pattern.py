@@ -405,6 +405,7 @@ def eliminations(structure: Structure) -> dict[str, array]:
     """Return the tables of the full tangent's elimination, and of others where they are cheaper.
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
+    Of a body or two, all pivots make one group of the full tangent, which is cheaper than several.
     """
     anchors = RowOrder(structure).of_rows()
     reduced = bool(structure.bodies.items)
@@ -413,7 +414,8 @@ def eliminations(structure: Structure) -> dict[str, array]:
     lean = TangentPattern(structure, anchors, "lean_", reduced=reduced)
     used = [full, whole] if reduced else [full]
     kinds = ["open_"]
-    if 2 * lean.pattern.n_products <= whole.pattern.n_products:
+    cheaper = lean.pattern.n_operations <= whole.pattern.n_operations
+    if cheaper and 2 * lean.pattern.n_products <= whole.pattern.n_products:
         used.append(lean)
         kinds.append("bare_")
     if structure.mechanism.contacts:

@@ -44,7 +44,6 @@ DEARER = {
     ("outer iteration", "bifilar", 4, "iterations"): 1.11,
     ("fresh factors", "bifilar", 4, "products"): 1.09,
     ("outer iteration", "chaplygin_sleigh", 4, "iterations"): 1.05,
-    ("stiffness", "chaplygin_sleigh", 4, "products"): 1.08,
     ("directors", "jansen", 4, "products"): 1.05,
     ("outer iteration", "rolling_disc", 4, "iterations"): 1.06,
     ("outer iteration", "zoo in the plane", 4, "iterations"): 1.08,
