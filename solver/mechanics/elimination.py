@@ -312,7 +312,7 @@ def _take_out(
 
 
 def eliminate(graph: Graph, most: int | None = None) -> Pattern:
-    """Return the order and the pattern of a graph's factors, alone or in groups of `most` pivots."""
+    """Return the order and pattern of a graph's factors, alone or in groups of `most` pivots."""
     order = sorted(block_order(graph), key=graph.islands.__getitem__)
     sizes = np.array(graph.sizes, dtype=np.int64)
     position = np.empty(len(order), dtype=np.int64)
