@@ -47,8 +47,8 @@ void __wrap_hm_lu_solve(int32_t begin, int32_t end, const int32_t *ptr, const in
 static void count_groups(const holonom_elimination *lu, int32_t first, int32_t last, int64_t *of_factors, int64_t *of_solves)
 {
     for (int32_t g = lu->lu_island[4 * first + 1]; g < lu->lu_island[4 * last + 1]; g++) {
-        const int64_t p = lu->lu_group[2 * g + 2] - lu->lu_group[2 * g];
-        for (int64_t m = lu->lu_group[2 * g + 1]; m < lu->lu_group[2 * g + 1] + p; m++) {
+        const int64_t p = lu->lu_group[3 * g + 3] - lu->lu_group[3 * g];
+        for (int64_t m = lu->lu_group[3 * g + 1]; m < lu->lu_group[3 * g + 1] + p; m++) {
             *of_factors += m * (m + 1);
             *of_solves += 2 * m + 1;
         }

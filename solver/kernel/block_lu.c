@@ -4,6 +4,9 @@
    row), then U and L, of each two later places the entries of one pivot after the other. So what two places need is
    found, and computed, side by side. Factors are those of D, in its place, U itself, and L D^-1. `target` has m x m places
    for each group. Where the last place is listed twice, its second entries are 0. Orders and pivots are as in lu.c. */
+#if DIM == 3
+#include "articulated.h"
+#endif
 #include "holonom.h"
 #include "internal.h"
 #include "lanes.h"
@@ -103,27 +106,38 @@ HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t
     }
 }
 
-#define OF_SIZE(p, call)                                                                                       \
+/* A group of a body and a joint with a axes has 9 + a pivots. */
+#define OF_SIZE(p, call, of_joint)                                                                             \
     switch (p) {                                                                                               \
     case 1: call(1); break;                                                                                    \
     case 2: call(2); break;                                                                                    \
     case 3: call(3); break;                                                                                    \
     case 4: call(4); break;                                                                                    \
-    default: call(5);                                                                                          \
+    case 5: call(5); break;                                                                                    \
+    default: of_joint;                                                                                         \
     }
+#if DIM == 3
+#define FACTOR_JOINT fails = factor_any_joint(p - 9, m, group[2], D, target, value)
+#define REDUCE_JOINT reduce_any_joint(p - 9, m, group[2], D, column, x + group[0], x)
+#define SOLVE_JOINT solve_any_joint(p - 9, m, group[2], D, column, x + group[0], x)
+#else
+#define FACTOR_JOINT fails = 1
+#define REDUCE_JOINT break
+#define SOLVE_JOINT break
+#endif
 
 /* Groups of islands first .. last - 1. value (modified): matrix in, factors out, pivots inverted. Returns 0, or 1 at a
    pivot that is zero or not finite. */
 int32_t hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t last, double *value)
 {
-    const int32_t *begin = lu->lu_island + 4 * first, *end = lu->lu_group + 2 * lu->lu_island[4 * last + 1];
-    const int32_t *group = lu->lu_group + 2 * begin[1], *target = lu->lu_target + begin[2];
+    const int32_t *begin = lu->lu_island + 4 * first, *end = lu->lu_group + 3 * lu->lu_island[4 * last + 1];
+    const int32_t *group = lu->lu_group + 3 * begin[1], *target = lu->lu_target + begin[2];
     double *D = value + lu->lu_ptr[begin[0]];
-    for (; group < end; group += 2) {
-        const int32_t p = group[2] - group[0], m = group[1];
+    for (; group < end; group += 3) {
+        const int32_t p = group[3] - group[0], m = group[1];
         int fails;
 #define FACTOR(p) fails = factor_group(p, m, D, target, value)
-        OF_SIZE(p, FACTOR)
+        OF_SIZE(p, FACTOR, FACTOR_JOINT)
         if (fails) return 1;
         target += m * m;
         D += p * (p + 2 * m);
@@ -134,22 +148,22 @@ int32_t hm_block_factor(const holonom_elimination *lu, int32_t first, int32_t la
 /* Replaces the right-hand side x by the solution, in elimination order. */
 void hm_block_solve(const holonom_elimination *lu, int32_t first, int32_t last, const double *value, double *x)
 {
-    const int32_t *begin = lu->lu_island + 4 * first, *end = lu->lu_group + 2 * lu->lu_island[4 * last + 1];
-    const int32_t *group = lu->lu_group + 2 * begin[1], *column = lu->lu_column + begin[3];
+    const int32_t *begin = lu->lu_island + 4 * first, *end = lu->lu_group + 3 * lu->lu_island[4 * last + 1];
+    const int32_t *group = lu->lu_group + 3 * begin[1], *column = lu->lu_column + begin[3];
     const double *D = value + lu->lu_ptr[begin[0]];
-    for (; group < end; group += 2) {
-        const int32_t p = group[2] - group[0], m = group[1];
+    for (; group < end; group += 3) {
+        const int32_t p = group[3] - group[0], m = group[1];
 #define REDUCE(p) reduce_group(p, m, D, column, x + group[0], x)
-        OF_SIZE(p, REDUCE)
+        OF_SIZE(p, REDUCE, REDUCE_JOINT)
         column += m;
         D += p * (p + 2 * m);
     }
-    while (group > lu->lu_group + 2 * begin[1]) {
-        group -= 2;
-        const int32_t p = group[2] - group[0], m = group[1];
+    while (group > lu->lu_group + 3 * begin[1]) {
+        group -= 3;
+        const int32_t p = group[3] - group[0], m = group[1];
         column -= m;
         D -= p * (p + 2 * m);
 #define SOLVE(p) solve_group(p, m, D, column, x + group[0], x)
-        OF_SIZE(p, SOLVE)
+        OF_SIZE(p, SOLVE, SOLVE_JOINT)
     }
 }

@@ -29,10 +29,13 @@ static inline lanes both_lanes(double x) { return lanes_of(x, x); }
 
 /* The product of each lane's numbers, and a sum with it or less it. */
 #define PRODUCT(i) LANE(a, i) * LANE(b, i)
+#define SUM(i) LANE(a, i) + LANE(b, i)
 #define WITH_PRODUCT(i) LANE(sum, i) + PRODUCT(i)
 #define LESS_PRODUCT(i) LANE(sum, i) - PRODUCT(i)
 
 static inline lanes lanes_times(lanes a, lanes b) { return LANES(a * b, PRODUCT); }
+
+static inline lanes lanes_sum(lanes a, lanes b) { return LANES(a + b, SUM); }
 
 static inline lanes lanes_plus(lanes sum, lanes a, lanes b) { return LANES(sum + a * b, WITH_PRODUCT); }
 

@@ -381,26 +381,30 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
 {
     const holonom_model *m = c->m;
 #define OWN(name) (first + TABLE(full.name) - TABLE(full))
-    const int64_t n_groups = c->length[OWN(lu_group)] ? c->length[OWN(lu_group)] / 2 : n;
+    const int64_t n_groups = c->length[OWN(lu_group)] ? c->length[OWN(lu_group)] / 3 : n;
     const int32_t *group = c->length[OWN(lu_group)] ? e->lu_group : NULL;
     int64_t columns = 0, targets = 0;
     int32_t island = 0;
     const int grouped = is_of_turns(c) && (m->n_contacts <= FEW_CONTACTS || e == &m->open || e == &m->bare);
-    if (n_groups < 0 || grouped != (group != NULL) || (group && (c->length[OWN(lu_group)] % 2 == 0 || group[0] != 0 || group[2 * n_groups] != n)))
+    if (n_groups < 0 || grouped != (group != NULL) || (group && (c->length[OWN(lu_group)] % 3 != 1 || group[0] != 0 || group[3 * n_groups] != n)))
         return 0;
     for (int32_t g = 0, k = 0; g <= n_groups; g++) { /* where islands begin: a pivot, its group, the targets and columns before it */
         const int32_t *at = e->lu_island + 4 * island;
         for (; island <= m->n_islands && at[0] == k; island++, at += 4)
             if (at[1] != g || at[2] != targets || at[3] != columns || (island == 0 && k)) return 0;
         if (g == n_groups) break;
-        const int64_t size = group ? group[2 * g + 2] - (int64_t)group[2 * g] : 1;
-        if (size < 1 || size > MOST_IN_GROUP || k + size > n) return 0;
-        for (int32_t i = 1; i < size; i++)
-            if (e->lu_ptr[k + i] != e->lu_ptr[k] + i * (size + 1)) return 0;
+        const int64_t size = group ? group[3 * g + 3] - (int64_t)group[3 * g] : 1;
+        const int jointed = DIM == 3 && size >= LEAST_WITH_JOINT && size <= MOST_WITH_JOINT;
+        if (size < 1 || (size > MOST_IN_GROUP && !jointed) || k + size > n) return 0;
+        for (int32_t i = 1; i < size; i++) {
+            const int64_t last = jointed && i >= 6 ? size - 1 : i;
+            if (e->lu_ptr[k + i] != e->lu_ptr[k] + last * (size + 1)) return 0;
+        }
         const int64_t width = e->lu_ptr[k + size] - (int64_t)e->lu_ptr[k] - size * size, neighbours = width / (2 * size);
         if (width < 0 || width % (2 * size) || columns + neighbours > c->length[OWN(lu_column)] ||
-            !within(e->lu_column + columns, neighbours, k + size, n) || (group && (group[2 * g + 1] != neighbours || neighbours % 2)))
+            !within(e->lu_column + columns, neighbours, k + size, n) || (group && (group[3 * g + 1] != neighbours || neighbours % 2)))
             return 0;
+        if (group && group[3 * g + 2] != 0 && !(jointed && group[3 * g + 2] == 1 && neighbours >= 6)) return 0;
         columns += neighbours;
         targets += neighbours * neighbours;
         k += (int32_t)size;

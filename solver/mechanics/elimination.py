@@ -12,10 +12,12 @@ and linear coincidences couple equal components only. (Tinney & Walker 1967; Geo
 from __future__ import annotations
 
 import heapq
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import chain
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +33,10 @@ MOST_PRODUCTS = 5_000_000
 """Products of one factorisation that every mechanism may need."""
 MOST_OF_A_NET = 150
 """Products over n^1.5, of n unknowns, that a large one may need; nets of springs need 110."""
+
+BODY = 6
+"""Unknowns of a body in space: its turn and its place."""
+NO_JOINT, GROUND = -2, -1
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,6 +59,9 @@ class Pattern:
     groups: Integers
     """First pivot of each group, and the end."""
     lanes: int
+    parents: Integers
+    """Of each group: the first of the `BODY` later places, turn and place of the other body of the
+    joint that the group has, which come first among them; else `GROUND` or `NO_JOINT`."""
 
     @property
     def n_products(self) -> int:
@@ -62,7 +71,11 @@ class Pattern:
     @property
     def n_operations(self) -> float:
         """Instructions of one factorisation and two solutions, see `_operations`."""
-        return sum(map(_operations, self._size.tolist(), self.later.tolist()))
+        groups = zip(self._size.tolist(), self.later.tolist(), self.parents.tolist(), strict=True)
+        return sum(
+            _operations(p, m) if parent == NO_JOINT else _joint_operations(m)
+            for p, m, parent in groups
+        )
 
     @property
     def n_entries(self) -> int:
@@ -92,18 +105,36 @@ class Pattern:
 
     @cached_property
     def ptr(self) -> Integers:
-        """Place of the diagonal of each pivot, and the end of all entries."""
+        """Place of the diagonal of each pivot, and the end of all entries; rows of a joint share one."""
         size = self._size[self._group]
         within = np.arange(len(self.counts)) - self.groups[self._group]
+        of_joint = (self.parents[self._group] != NO_JOINT) & (within >= BODY)
+        within[of_joint] = size[of_joint] - 1
         return np.append(self.begin[self._group] + within * (size + 1), self.begin[-1])
 
     @cached_property
     def columns(self) -> Integers:
-        """Later places of the groups, one after the other."""
+        """Later places of the groups, one after the other: of the parent first, then increasing."""
         last = self.groups[1:] - 1
-        within = np.arange(self.later.sum()) - np.repeat(_pointers(self.later)[:-1], self.later)
-        within = np.minimum(within, np.repeat(self.counts[last] - 1, self.later))
-        return self.column[np.repeat(self._first[last], self.later) + within]
+        columns = np.empty(self.later.sum(), dtype=np.int64)
+        begin = np.repeat(_pointers(self.later)[:-1], self.counts[last])
+        own = np.concatenate([np.arange(a, b) for a, b in zip(self._first[last], self._first[last + 1], strict=True)])
+        columns[begin + self._rank[own]] = self.column[own]
+        odd = np.flatnonzero(self.counts[last] < self.later)
+        ends = _pointers(self.later)[1:][odd]
+        columns[ends - 1] = columns[ends - 2]
+        return columns
+
+    @cached_property
+    def _rank(self) -> Integers:
+        """Place of each element above the diagonal among those of the last pivot of a group."""
+        rank = np.arange(len(self.column)) - np.repeat(self._first[:-1], self.counts)
+        for group in np.flatnonzero(self.parents >= 0):
+            first, end = self._first[self.groups[group + 1] - 1 :][:2]
+            places, parent = self.column[first:end], self.parents[group]
+            order = np.argsort((places < parent) | (places >= parent + BODY), kind="stable")
+            rank[first + order] = np.arange(end - first)
+        return rank
 
     @cached_property
     def _first(self) -> Integers:
@@ -125,7 +156,7 @@ class Pattern:
         found = np.searchsorted(self._elements, element)
         inside = second <= last
         assert np.all(inside | (np.append(self._elements, -1)[found] == element)), "not stored"
-        place = np.where(inside, 0, found - self._first[last]) + np.where(
+        place = np.where(inside, 0, np.append(self._rank, 0)[found]) + np.where(
             i < j, 0, self.later[group]
         )
         whole, lane = np.divmod(place, self.lanes)
@@ -151,6 +182,17 @@ def _pointers(counts: Integers) -> Integers:
     return np.concatenate([[0], np.cumsum(counts)])
 
 
+class TreeBody(NamedTuple):
+    """Blocks of a body of a tree: its turn, its place, rows of the joint that carries it.
+
+    These are a coincidence, which is one block, and up to three directions; none of a free body.
+    """
+
+    blocks: tuple[int, ...]
+    parent: int | None = None
+    """Turn of the other body of the joint, if it is not the ground."""
+
+
 @dataclass(frozen=True, slots=True)
 class Graph:
     """Blocks and how they are coupled.
@@ -169,6 +211,27 @@ class Graph:
     loose: frozenset[int] = frozenset()
     """Rows of contacts and frictions: where too many of them couple the same nodes, they are
     eliminated first, by their bare regularisation."""
+    trees: Sequence[TreeBody] = ()
+    """Bodies of trees, which are eliminated with their joints."""
+
+    def joined(self) -> Graph:
+        """Return the graph in which each body of a tree is one node, its rows and all."""
+        first = {block: body.blocks[0] for body in self.trees for block in body.blocks}
+        kept = [block for block in range(len(self.sizes)) if first.get(block, block) == block]
+        number = {block: k for k, block in enumerate(kept)}
+        sizes, couplings = [0] * len(kept), dict[tuple[int, int], bool]()
+        of = [number[first.get(block, block)] for block in range(len(self.sizes))]
+        for block, size in enumerate(self.sizes):
+            sizes[of[block]] += size
+        for (x, y), full in self.couplings.items():
+            a, b = sorted((of[x], of[y]))
+            couplings[a, b] = couplings.get((a, b), False) or full or x in first or y in first
+        anchors = {of[x]: [of[y] for y in near] for x, near in self.anchors.items() if x not in first}
+        return Graph(
+            sizes, sum(block < self.n_nodes for block in kept), couplings, anchors,
+            [self.islands[block] for block in kept], frozenset(of[x] for x in self.loose),
+            [TreeBody((of[x.blocks[0]],), None if x.parent is None else of[x.parent]) for x in self.trees],
+        )  # fmt: skip
 
 
 class Carriers:
@@ -246,7 +309,7 @@ def block_order(graph: Graph) -> list[int]:
 
 
 def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
-    """Return such an order, with loose rows first."""
+    """Return such an order, with loose rows first; bodies of trees come after those they carry."""
     weight, neighbours = graph.sizes, [set[int]() for _ in graph.sizes]
     for a, b in graph.couplings:
         if a != b:
@@ -257,6 +320,8 @@ def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
     degree = [sum([weight[b] for b in near]) for near in neighbours]
     done = [False] * len(weight)
     carriers, waiting = Carriers(graph), set()
+    children = Counter(body.parent for body in graph.trees)
+    parent = {body.blocks[0]: body.parent for body in graph.trees}
     # Rows enter the heap as neighbours of an eliminated block, so after one of their nodes.
     heap = [(degree[block], block) for block in chain(range(graph.n_nodes), loose)]
     heapq.heapify(heap)
@@ -266,7 +331,7 @@ def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
             block = min(waiting, key=lambda b: (degree[b], b))
         else:
             size, block = heapq.heappop(heap)
-            if done[block] or size != degree[block]:
+            if done[block] or size != degree[block] or children[block]:
                 continue
             carried = block < graph.n_nodes or block in loose or carriers.carry(block)
             if not carried:
@@ -274,6 +339,7 @@ def _order(graph: Graph, loose: frozenset[int]) -> list[int]:
                 continue
         done[block] = True
         order.append(block)
+        children[parent.get(block)] -= 1
         left -= weight[block] * degree[block] ** 2
         if left < 0:
             raise AssemblyError(_too_dense(graph, most))
@@ -313,31 +379,57 @@ def _take_out(
 
 def eliminate(graph: Graph, most: int | None = None) -> Pattern:
     """Return the order and pattern of a graph's factors, alone or in groups of `most` pivots."""
-    order = sorted(block_order(graph), key=graph.islands.__getitem__)
+    order = sorted(_expanded_order(graph), key=graph.islands.__getitem__)
     sizes = np.array(graph.sizes, dtype=np.int64)
     position = np.empty(len(order), dtype=np.int64)
     position[order] = _pointers(sizes[order])[:-1]
     columns = _fill(_coupled(graph, position, sizes))
+    jointed = [body for body in graph.trees if len(body.blocks) > 2]
+    parents = {
+        int(position[body.blocks[0]]): GROUND if body.parent is None else int(position[body.parent])
+        for body in jointed
+    }
+    whole = {int(position[body.blocks[0]]): int(sizes[[*body.blocks]].sum()) for body in jointed}
+    groups = _groups(columns, most or 1, whole)
     return Pattern(
         position=position,
         counts=np.array([len(places) for places in columns], dtype=np.int64),
         column=np.fromiter(chain.from_iterable(columns), dtype=np.int64),
-        groups=np.array(_groups(columns, most or 1), dtype=np.int64),
+        groups=np.array(groups, dtype=np.int64),
         lanes=2 if most else 1,
+        parents=np.array([parents.get(first, NO_JOINT) for first in groups[:-1]], dtype=np.int64),
     )
 
 
-def _groups(columns: Sequence[Sequence[int]], most: int) -> list[int]:
+def _expanded_order(graph: Graph) -> list[int]:
+    """Return the elimination order of the blocks; those of a body of a tree follow each other."""
+    if not graph.trees:
+        return block_order(graph)
+    blocks = {body.blocks[0]: body.blocks for body in graph.trees}
+    inner = {block for body in graph.trees for block in body.blocks[1:]}
+    kept = [block for block in range(len(graph.sizes)) if block not in inner]
+    found = (kept[k] for k in block_order(graph.joined()))
+    return [x for block in found for x in blocks.get(block, (block,))]
+
+
+def _groups(columns: Sequence[Sequence[int]], most: int, whole: Mapping[int, int]) -> list[int]:
     """First pivots of groups, and the end, of those that take the fewest operations.
 
     A pivot whose first later place is the next pivot has all other later places with it, and can
-    share its group; what that one has besides is stored as zeros.
+    share its group; what that one has besides is stored as zeros. `whole` are the sizes of groups
+    that are given, by their first pivots.
     """
     least, first = [0.0], [0]
+    given = [end for begin, size in whole.items() for end in [begin] * size]
+    inside = dict(zip((k for a, n in whole.items() for k in range(a, a + n)), given, strict=True))
     for end in range(1, len(columns) + 1):
+        if (begin := inside.get(end - 1)) is not None:
+            least.append(least[begin])
+            first.append(begin)
+            continue
         begins = [end - 1]
         for begin in range(end - 1, max(end - most, 0), -1):
-            if columns[begin - 1][:1] != [begin]:
+            if columns[begin - 1][:1] != [begin] or begin - 1 in inside:
                 break
             begins.append(begin - 1)
         later = len(columns[end - 1])
@@ -348,6 +440,12 @@ def _groups(columns: Sequence[Sequence[int]], most: int) -> list[int]:
     while found[-1] > 0:
         found.append(first[found[-1]])
     return found[::-1]
+
+
+def _joint_operations(m: int) -> float:
+    """Instructions that a body with its joint takes in one factorisation and two solutions."""
+    m += m % 2
+    return 1500.0 + 60.0 * m + 6.0 * m * m
 
 
 @cache

@@ -16,9 +16,10 @@ from itertools import accumulate, chain, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.mechanics.elimination import Graph, Integers, eliminate
+from solver.mechanics.elimination import Graph, Integers, TreeBody, eliminate
 from solver.mechanics.mechanism import Load
 from solver.mechanics.structure import ROW_KINDS, Composite, Structure, flat, pointers
+from solver.mechanics.trees import carried_bodies
 from solver.runtime.layout import (
     FACTORS,
     FEW_CONTACTS,
@@ -173,6 +174,7 @@ class TangentPattern:
                     if row in self.block
                 },
                 self.islands, frozenset(map(self._of, loose)),
+                self._trees() if self.grouped else (),
             ),
             MOST_IN_GROUP if self.grouped else None,
         )  # fmt: skip
@@ -292,6 +294,18 @@ class TangentPattern:
 
     # ------------------------------------------------------------------------------- the graph
 
+    def _trees(self) -> list[TreeBody]:
+        """Return the bodies that are eliminated with the joints that carry them."""
+        first, found = self.ends, []
+        for body in carried_bodies(self.structure):
+            blocks, joint = [body.turn, body.place], body.joint
+            if joint is not None:
+                blocks.append(first[2] + joint.coincidence)
+                blocks += [first[0] + row for row in joint.directions]
+            parent = None if body.parent is None else self._of(body.parent)
+            found.append(TreeBody(tuple(map(self._of, blocks)), parent))
+        return found
+
     def _couplings(self) -> dict[tuple[int, int], bool]:
         """Of coupled blocks: False where equal components are coupled, True where all are."""
         pieces = chain.from_iterable(chain.from_iterable(self.contributions.values()))
@@ -366,9 +380,10 @@ class TangentPattern:
         return {name: table for name, table in named.items() if name in TABLES}
 
     def _groups(self) -> Integers:
-        """First pivot and number of later places of each group, and the end."""
+        """Of each group first pivot, number of later places, 1 with a parent; and the end."""
         pattern = self.pattern
-        return np.append(np.column_stack([pattern.groups[:-1], pattern.later]), pattern.groups[-1])
+        columns = pattern.groups[:-1], pattern.later, pattern.parents >= 0
+        return np.append(np.column_stack(columns), pattern.groups[-1])
 
     def _pieces_of_islands(self) -> array:
         """Of each island, and the end: its first pivot, its group, targets and columns of this."""

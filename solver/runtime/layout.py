@@ -122,7 +122,7 @@ ELIMINATION = {
     "node_position": Table("n_free", -1, "n_pivots"),  # first place in the elimination order
     "row_position": Table("n_rows", -1, "n_pivots"),  # place of the row's multiplier
     "lu_ptr": Pointers("n_pivots", "n_lu_values"),  # diagonal of each pivot, see lu.c
-    "lu_group": Table(),  # of each group first pivot, m (even); and the end; none: each is one
+    "lu_group": Table(),  # of each: first pivot, m (even), 1: has a parent; the end; or no groups
     "lu_column": Table(),  # m places coupled to each group or pivot, in the order of its U row
     "lu_target": Table("", 0, "n_lu_values"),  # m x m targets of its update, row by row
     "lu_island": Table("4 * n_island_ends"),  # its first pivot, its group, its targets, columns
@@ -328,6 +328,8 @@ MOST_LEVELS = 3
 """How often the penalty of an island is raised, at most."""
 MOST_IN_GROUP = 5
 """Pivots of a group of factors."""
+LEAST_WITH_JOINT, MOST_WITH_JOINT = 9, 12
+"""Those of a group of a body in space and the rows of its joint."""
 MOST_SIDES = 8
 """Unknowns of a form u . w: u and w are links of two places, which have two unknowns at most."""
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import holonom
 from build_kernel.compiler import FLAGS, system_compiler, zig_compiler
 from solver import SceneError
-from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, eliminate
+from solver.mechanics.elimination import MOST_PRODUCTS, Graph, Pattern, TreeBody, eliminate
 from solver.runtime.layout import MOST_IN_GROUP
 from tests.kernel_calls import kernel_of
 from tests.problems import Array, assemble, chain, four_bar, free_system, observe, start, tree
@@ -146,21 +146,118 @@ def test_groups_of_pivots_solve_what_dense_algebra_solves(block_lu, graph, most,
     pattern = eliminate(graph, most)
     assert np.diff(pattern.groups).max() <= most
     assert not np.any(pattern.later % 2)
-    place = places(graph, pattern)
     K = kkt_matrix(graph, random)
     right = random.normal(size=len(K))
+    solved = solve_in_groups(block_lu, graph, pattern, K, right)
+    expected = np.linalg.solve(K, right)
+    assert np.linalg.norm(solved - expected) <= 1e-9 * np.linalg.norm(expected)
+
+
+def solve_in_groups(
+    block_lu: ctypes.CDLL, graph: Graph, pattern: Pattern, K: Array, right: Array
+) -> Array:
+    """Solution by the kernel's factors in groups, in the order of the blocks."""
+    place = places(graph, pattern)
     x, values = np.empty_like(right), scatter(K, place, pattern)
     x[place] = right
-    groups = np.append(
-        np.column_stack([pattern.groups[:-1], pattern.later]).ravel(), pattern.groups[-1]
-    )
+    columns = pattern.groups[:-1], pattern.later, pattern.parents >= 0
+    groups = np.append(np.column_stack(columns).ravel(), pattern.groups[-1])
     island = [0, 0, 0, 0, len(K), len(pattern.groups) - 1, 0, 0]
     tables = pattern.ptr, groups, pattern.columns, pattern.target, island
     kept = [np.ascontiguousarray(table, np.int32) for table in tables]
     pointers = [ctypes.c_void_p(table.ctypes.data) for table in (*kept, values, x)]
     assert block_lu.factor_and_solve(*pointers) == 0
+    return x[place]
+
+
+@st.composite
+def tree_joints(draw: st.DrawFn) -> list[tuple[int | None, int]]:
+    """Of each body of trees: the one that carries it, or -1 for the ground, or None; directions."""
+    count = draw(st.integers(1, 7))
+    return [
+        (
+            draw(st.sampled_from([None, -1, *range(body)])),
+            draw(st.integers(0, 3)),
+        )
+        for body in range(count)
+    ]
+
+
+def cross_matrix(x: Array) -> Array:
+    """Matrix of the cross product x times."""
+    return np.cross(np.eye(3), x)
+
+
+def tree_of_bodies(
+    joints: Sequence[tuple[int | None, int]], springs: Sequence[tuple[int, int]],
+    random: np.random.Generator,
+) -> tuple[Graph, Array]:  # fmt: skip
+    """Graph of bodies with the joints that carry them, and its matrix in a step, in unknowns
+    turn and place: arms and directions differ in the middle and at the end of it.
+    """
+    n = len(joints)
+    sizes, trees = [3] * (2 * n), []
+    pairs = (0, 0), (0, 1), (1, 1)
+    couplings = {(2 * b + i, 2 * b + k): True for b in range(n) for i, k in pairs}
+    for body, (parent, directions) in enumerate(joints):
+        rows = []
+        if parent is not None:
+            rows = [len(sizes) + k for k in range(1 + directions)]
+            sizes += [3] + [1] * directions
+            near = [b for b in (body, parent) if b >= 0]
+            couplings |= {(2 * b + k, rows[0]): k == 0 for b in near for k in range(2)}
+            couplings |= {(2 * b, row): True for b in near for row in rows[1:]}
+        turn = 2 * parent if parent is not None and parent >= 0 else None
+        trees.append(TreeBody((2 * body, 2 * body + 1, *rows), turn))
+    tied = [*springs, *((b, p) for b, (p, _) in enumerate(joints) if p is not None and p >= 0)]
+    couplings |= {tuple(sorted((2 * a + i, 2 * b + k))): True for a, b in tied for i in range(2)
+                  for k in range(2) if (a, i) != (b, k)}  # fmt: skip
+    first = [0, *np.cumsum(sizes).tolist()]
+    K = np.zeros((first[-1], first[-1]))
+    for a, b in [*tied, *((b, b) for b in range(n))]:
+        for i, k in {(a, b), (b, a)}:
+            K[6 * i : 6 * i + 6, 6 * k : 6 * k + 6] += random.uniform(-0.1, 0.1, (6, 6))
+    K[range(6 * n), range(6 * n)] += 4.0
+    h = 1e-2
+    for body, ((parent, directions), tree) in enumerate(zip(joints, trees, strict=True)):
+        if parent is None:
+            continue
+        sign = random.choice([-1.0, 1.0])
+        for factor, at in ((h, 0), (1.0, 1)):
+            row = first[tree.blocks[2]]
+            g = np.eye(3)[:directions] + random.uniform(-0.2, 0.2, (directions, 3))
+            for b, s in ((body, sign), (parent, -sign)):
+                if b < 0:
+                    continue
+                rows = np.zeros((3 + directions, 6))
+                rows[:3, :3] = -s * cross_matrix(random.normal(size=3))
+                rows[:3, 3:] = s * np.eye(3)
+                rows[3:, :3] = s * sign * g
+                if at:
+                    K[row : row + len(rows), 6 * b : 6 * b + 6] = rows
+                else:
+                    K[6 * b : 6 * b + 6, row : row + len(rows)] = factor * rows.T
+    anchors = {r: [t.blocks[0], t.blocks[1]] for t in trees for r in t.blocks[2:]}
+    return Graph(sizes, 2 * n, couplings, anchors, [0] * len(sizes), trees=trees), K
+
+
+@pytest.mark.skipif(not (system_compiler() or zig_compiler()), reason="no C compiler")
+@given(tree_joints(), st.data(), st.integers(0, 2**32 - 1))
+def test_bodies_with_their_joints_solve_what_dense_algebra_solves(block_lu, joints, data, seed):
+    # Balls, universal joints, hinges and welds, to the ground or to other bodies, springs between
+    # any of these; their rows have no compliance here.
+    body = st.integers(0, len(joints) - 1)
+    springs = data.draw(st.lists(st.tuples(body, body), max_size=3))
+    graph, K = tree_of_bodies(
+        joints, [(a, b) for a, b in springs if a != b], np.random.default_rng(seed)
+    )
+    pattern = eliminate(graph, MOST_IN_GROUP)
+    jointed = [9 + directions for parent, directions in joints if parent is not None]
+    assert sorted(x for x in np.diff(pattern.groups) if x > MOST_IN_GROUP) == sorted(jointed)
+    right = np.random.default_rng(seed).normal(size=len(K))
+    solved = solve_in_groups(block_lu, graph, pattern, K, right)
     expected = np.linalg.solve(K, right)
-    assert np.linalg.norm(x[place] - expected) <= 1e-9 * np.linalg.norm(expected)
+    assert np.linalg.norm(solved - expected) <= 1e-9 * np.linalg.norm(expected)
 
 
 @given(graphs())

@@ -1,0 +1,450 @@
+/* Factors of a body together with the joint that carries it (articulated bodies: Featherstone 1983).
+
+   A group of 9 + a pivots is the turn of a body b (3), its place (3), three rows of a coincidence and a rows of axes, a <= 3.
+   The other body of the joint, if it is not the ground, comes first among the later places X, turn and place:
+
+       [ A     U    J_m' ] [ x_b ]   [ r ]      J:  s (dr_b + dtheta_b x arm - dr - dtheta x (arm + reach)) = c_0,
+       [ L     .    .    ] [ X   ] = [ . ]          g_k . (dtheta_b - dtheta) = c_k,
+       [ J     .    0    ] [ mu  ]   [ c ]
+
+   s = 1 or -1. All that the joint allows is x_b = T X + S q + e, and what its forces do no work on is the same with arms and
+   directions g in the middle, T_m and S_m. With the equation S_m' (A x_b + U X) = S_m' r of 3 - a unknowns, x_b and mu drop
+   out, and X gets
+
+       (L + T_m' A) T + T_m' U - (L S + T_m' A S) K (S_m' U + S_m' A T),     K = (S_m' A S)^-1.
+
+   The compliance epsilon of these rows is left out: they are independent, and it is some 1e-8 of the rest. Their residuals
+   have it, so that a solution has its effect after one increment more.                                          */
+#ifndef HOLONOM_ARTICULATED_H
+#define HOLONOM_ARTICULATED_H
+
+#include "internal.h"
+#include "lanes.h"
+
+#include <math.h>
+#include <string.h>
+
+#define BODY 6 /* components of a motion: turn, place */
+
+/* What solutions read, in the place of the joint's rows; behind it K (f x f), and of joints with axes their duals at the
+   end and in the middle (3 x 3 each). The last entry of these rows stays 0, see lu_ptr. */
+typedef struct joint_motion {
+    double sign, rate; /* s, and 1/(h s): multiplier of a row over its force */
+    double arm[2][3], reach[2][3];
+} joint_motion;
+
+enum { AT_END, IN_MIDDLE };
+
+HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis, const double *K, double *kept)
+{
+    const int of_K = (3 - a) * (3 - a);
+    memcpy(kept, x, sizeof *x);
+    memcpy(kept + sizeof *x / sizeof(double), K, sizeof(double) * (size_t)of_K);
+    if (a) memcpy(kept + sizeof *x / sizeof(double) + of_K, axis, sizeof(double) * 18);
+}
+
+static inline const double *inverse_of(const joint_motion *x) { return (const double *)(const void *)(x + 1); }
+
+/* The a directions dual to g, and free ones. */
+static inline const double *axes_at(const int a, const joint_motion *x, int at)
+{
+    return inverse_of(x) + (3 - a) * (3 - a) + 9 * at;
+}
+
+/* x = a x b. */
+static inline void outer(const double *a, const double *b, double *x)
+{
+    x[0] = a[1] * b[2] - a[2] * b[1];
+    x[1] = a[2] * b[0] - a[0] * b[2];
+    x[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* a . b of six components. */
+HM_OFTEN double product(const double *a, const double *b)
+{
+    lanes sum = lanes_times(lanes_at(a), lanes_at(b));
+    for (int k = 2; k < BODY; k += 2) sum = lanes_plus(sum, lanes_at(a + k), lanes_at(b + k));
+    return LANE(sum, 0) + LANE(sum, 1);
+}
+
+static inline double inner(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* The basis x dual to g. Returns 1 if g lies in a plane. */
+static int dual_basis(const double *g, double *x)
+{
+    outer(g + 3, g + 6, x);
+    const double volume = inner(g, x), scale = 1.0 / volume;
+    if (!(fabs(volume) > 1e-300 && fabs(volume) < 1e300)) return 1;
+    outer(g + 6, g, x + 3);
+    outer(g, g + 3, x + 6);
+    for (int i = 0; i < 9; i++) x[i] *= scale;
+    return 0;
+}
+
+/* Completes a directions g to a basis, and takes its dual one; without any they are those of space. */
+HM_OFTEN int free_axes(const int a, double *g, double *x)
+{
+    for (int i = 0; i < 9 && !a; i++) x[i] = i % 4 == 0;
+    if (!a) return 0;
+    if (a == 1) {
+        const double size[3] = {fabs(g[0]), fabs(g[1]), fabs(g[2])};
+        const int least = size[0] < size[1] ? (size[0] < size[2] ? 0 : 2) : (size[1] < size[2] ? 1 : 2);
+        for (int k = 0; k < 3; k++) g[6 + k] = k == least;
+        outer(g, g + 6, g + 3);
+    }
+    if (a < 3) outer(g, g + 3, g + 6);
+    return dual_basis(g, x);
+}
+
+/* Motions S (f x 6) along free directions: the turn, and what it does to the place. */
+HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, double S[3][BODY])
+{
+    for (int k = 0; k < 3 - a; k++) {
+        for (int i = 0; i < 3; i++) S[k][i] = axis[3 * (a + k) + i];
+        outer(arm, S[k], S[k] + 3);
+    }
+}
+
+/* A wrench x of the body, over the motion of the other one: T' x, of the point of the step that this reach is taken at. */
+static inline void carry(const double *reach, const double *x, double *carried)
+{
+    outer(reach, x + 3, carried);
+    for (int k = 0; k < 3; k++) {
+        carried[k] += x[k];
+        carried[3 + k] = x[3 + k];
+    }
+}
+
+/* The geometry of a joint, from its rows in D, U and L: entries of the matrices of cross products with s and h s times the arms,
+   the other body's with the opposite sign. */
+HM_OFTEN joint_motion read_joint(const int p, int32_t held, const double *D, const double *U, const double *L)
+{
+    const double s = D[6 * p + 3], r = 1.0 / D[3 * p + 6], *theta0 = U, *theta2 = U + 2 * p, *of0 = L, *of1 = L + 1;
+    joint_motion x = {s, r, {{s * D[7 * p + 2], -s * D[6 * p + 2], s * D[6 * p + 1]}, {-r * D[p + 8], r * D[8], -r * D[7]}}, {{0.0}}};
+    if (held) {
+        x.reach[AT_END][0] = -s * theta2[2 * 7] - x.arm[AT_END][0];
+        x.reach[AT_END][1] = s * theta2[2 * 6] - x.arm[AT_END][1];
+        x.reach[AT_END][2] = -s * theta0[2 * 6 + 1] - x.arm[AT_END][2];
+        x.reach[IN_MIDDLE][0] = r * of1[2 * 8] - x.arm[IN_MIDDLE][0];
+        x.reach[IN_MIDDLE][1] = -r * of0[2 * 8] - x.arm[IN_MIDDLE][1];
+        x.reach[IN_MIDDLE][2] = r * of0[2 * 7] - x.arm[IN_MIDDLE][2];
+    }
+    return x;
+}
+
+/* Directions of the joint at the end or in the middle, from its rows, and their dual and free axes. */
+HM_OFTEN int read_axes(const int a, const double *D, int at, double *axis)
+{
+    const int p = 9 + a;
+    double g[9];
+    for (int k = 0; k < a; k++)
+        for (int i = 0; i < 3; i++) g[3 * k + i] = at == AT_END ? D[(9 + k) * p + i] : D[i * p + 9 + k];
+    return free_axes(a, g, axis);
+}
+
+/* K (f x f) becomes its inverse. Returns 1 if it is singular. */
+HM_OFTEN int invert(const int f, double *K)
+{
+    double whole[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, x[9];
+    if (f == 1) {
+        if (!(fabs(K[0]) > 1e-300 && fabs(K[0]) < 1e300)) return 1;
+        K[0] = 1.0 / K[0];
+        return 0;
+    }
+    for (int i = 0; i < f; i++)
+        for (int k = 0; k < f; k++) whole[3 * i + k] = K[f * i + k];
+    if (f && dual_basis(whole, x)) return 1;
+    for (int i = 0; i < f; i++)
+        for (int k = 0; k < f; k++) K[f * i + k] = x[3 * k + i];
+    return 0;
+}
+
+/* Of two rows side by side: to the wrenches, 6 lanes, adds reach x f of their forces. */
+HM_OFTEN void carry_two(const double *reach, lanes *x)
+{
+    const lanes a = both_lanes(reach[0]), b = both_lanes(reach[1]), c = both_lanes(reach[2]);
+    x[0] = lanes_less(lanes_plus(x[0], b, x[5]), c, x[4]);
+    x[1] = lanes_less(lanes_plus(x[1], c, x[3]), a, x[5]);
+    x[2] = lanes_less(lanes_plus(x[2], a, x[4]), b, x[3]);
+}
+
+/* Likewise of one row, of 3 lanes. */
+HM_OFTEN void carry_row(const double *reach, lanes *x)
+{
+    const double force[3] = {LANE(x[1], 1), LANE(x[2], 0), LANE(x[2], 1)};
+    double turn[3];
+    outer(reach, force, turn);
+    x[0] = lanes_sum(x[0], lanes_of(turn[0], turn[1]));
+    x[1] = lanes_sum(x[1], lanes_of(turn[2], 0.0));
+}
+
+/* P = T_m' (U + A T) + L T of the other body, 6 rows of 3 lanes. */
+HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D, const double *U, const double *L, lanes P[BODY][3])
+{
+    for (int i = 0; i < BODY; i++) {
+        for (int k = 0; k < 3; k++) P[i][k] = lanes_at(D + p * i + 2 * k);
+        carry_row(x->reach[AT_END], P[i]);
+        for (int k = 0; k < 3; k++) P[i][k] = lanes_sum(P[i][k], lanes_at(U + 2 * (p * k + i)));
+    }
+    for (int k = 0; k < 3; k++) {
+        lanes column[BODY];
+        for (int i = 0; i < BODY; i++) column[i] = P[i][k];
+        carry_two(x->reach[IN_MIDDLE], column);
+        for (int i = 0; i < 3; i++) P[i][k] = column[i];
+    }
+    for (int i = 0; i < BODY; i += 2) {
+        lanes rows[BODY];
+        for (int k = 0; k < BODY; k++) rows[k] = lanes_at(L + p * i + 2 * k);
+        carry_two(x->reach[AT_END], rows);
+        for (int k = 0; k < 3; k++) {
+            P[i][k] = lanes_sum(P[i][k], lanes_of(LANE(rows[2 * k], 0), LANE(rows[2 * k + 1], 0)));
+            P[i + 1][k] = lanes_sum(P[i + 1][k], lanes_of(LANE(rows[2 * k], 1), LANE(rows[2 * k + 1], 1)));
+        }
+    }
+}
+
+/* V = S_m' (U + A T) in the place of rows 6 .. of U, and W = (L + T_m' A) S K in that of L. */
+HM_OFTEN int free_factors(const int a, int32_t m, int32_t held, const joint_motion *x, const double *axis, const double *D,
+                          double *U, double *L, double *K)
+{
+    const int f = 3 - a, p = 9 + a;
+    double S[3][BODY], Sm[3][BODY];
+    lanes Y[3][3], Z[3][3];
+    free_motions(a, x->arm[AT_END], axis, S);
+    free_motions(a, x->arm[IN_MIDDLE], axis + 9, Sm);
+    for (int k = 0; k < f; k++) {
+        for (int i = 0; i < BODY; i += 2) Y[k][i / 2] = lanes_of(product(D + p * i, S[k]), product(D + p * (i + 1), S[k]));
+        for (int j = 0; j < 3; j++) {
+            Z[k][j] = both_lanes(0.0);
+            for (int i = 0; i < BODY; i++) Z[k][j] = lanes_plus(Z[k][j], both_lanes(Sm[k][i]), lanes_at(D + p * i + 2 * j));
+        }
+    }
+    for (int i = 0; i < f; i++)
+        for (int k = 0; k < f; k++) {
+            lanes sum = both_lanes(0.0);
+            for (int j = 0; j < 3; j++) sum = lanes_plus(sum, lanes_at(Sm[i] + 2 * j), Y[k][j]);
+            K[f * i + k] = LANE(sum, 0) + LANE(sum, 1);
+        }
+    if (invert(f, K)) return 1;
+    for (int k = 0; k < f && held; k++) {
+        carry_row(x->reach[AT_END], Z[k]);
+        carry_row(x->reach[IN_MIDDLE], Y[k]);
+    }
+    for (int32_t i = 0; i < m; i += 2) {
+        double *u = U + p * i, *l = L + p * i;
+        lanes w[3];
+        for (int k = 0; k < f; k++) {
+            const int of_other = held && i < BODY;
+            lanes v = of_other ? Z[k][i / 2] : both_lanes(0.0);
+            w[k] = of_other ? Y[k][i / 2] : both_lanes(0.0);
+            for (int j = 0; j < BODY; j++) {
+                v = lanes_plus(v, both_lanes(Sm[k][j]), lanes_at(u + 2 * j));
+                w[k] = lanes_plus(w[k], both_lanes(S[k][j]), lanes_at(l + 2 * j));
+            }
+            put_lanes(u + 2 * (BODY + k), v);
+        }
+        for (int k = 0; k < f; k++) {
+            lanes sum = lanes_times(w[0], both_lanes(K[k]));
+            for (int j = 1; j < f; j++) sum = lanes_plus(sum, w[j], both_lanes(K[f * j + k]));
+            put_lanes(l + 2 * (BODY + k), sum);
+        }
+    }
+    return 0;
+}
+
+/* x[place] += two numbers. */
+HM_OFTEN void add_two(lanes sum, const int32_t *place, double *x)
+{
+    x[place[0]] += LANE(sum, 0);
+    x[place[1]] += LANE(sum, 1);
+}
+
+/* Adds P - W V to the matrix of the other body; `target` has m x m places of the later ones. */
+HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY][3], const double *U, const double *L,
+                           const int32_t *target, double *value)
+{
+    for (int i = 0; i < BODY; i++, target += m)
+        for (int k = 0; k < 3; k++) {
+            lanes sum = P[i][k];
+            for (int j = 0; j < f; j++)
+                sum = lanes_less(sum, both_lanes(L[2 * (p * (i / 2) + BODY + j) + i % 2]), lanes_at(U + 2 * (p * k + BODY + j)));
+            add_two(sum, target + 2 * k, value);
+        }
+}
+
+/* Likewise T_m' U, L T and 0, less W V, of other later places, of which the joint's other body comes `first`. */
+HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint_motion *x, const double *U, const double *L,
+                                    const int32_t *target, double *value)
+{
+    const int p = 12 - f;
+    for (int32_t i = 0; i < m; i++)
+        for (int32_t k = i < first ? first : 0; k < m; k += 2) {
+            const double *u = U + p * k, *l = L + p * (i - i % 2) + i % 2;
+            lanes column[BODY], sum = both_lanes(0.0);
+            if (i < first) {
+                for (int j = 0; j < BODY; j++) column[j] = lanes_at(u + 2 * j);
+                carry_two(x->reach[IN_MIDDLE], column);
+                sum = column[i];
+            } else if (k < first) {
+                for (int j = 0; j < BODY; j++) column[j] = both_lanes(l[2 * j]);
+                carry_two(x->reach[AT_END], column);
+                sum = lanes_of(LANE(column[k], 0), LANE(column[k + 1], 0));
+            }
+            for (int j = 0; j < f; j++) sum = lanes_less(sum, both_lanes(l[2 * (BODY + j)]), lanes_at(u + 2 * (BODY + j)));
+            add_two(sum, target + m * i + k, value);
+        }
+}
+
+/* Matrix in, factors out. Returns 1 if it is singular. */
+HM_OFTEN int factor_joint(const int a, int32_t m, int32_t held, double *D, const int32_t *target, double *value)
+{
+    const int p = 9 + a;
+    double *const U = D + p * p, *const L = U + p * m, axis[18], K[9];
+    lanes P[BODY][3];
+    const joint_motion x = read_joint(p, held, D, U, L);
+    if (read_axes(a, D, AT_END, axis) || read_axes(a, D, IN_MIDDLE, axis + 9)) return 1;
+    if (held) carry_inertia(p, &x, D, U, L, P);
+    if (free_factors(a, m, held, &x, axis, D, U, L, K)) return 1;
+    if (held) add_to_other(3 - a, p, m, P, U, L, target, value);
+    if (m > (held ? BODY : 0)) add_to_others(3 - a, m, held ? BODY : 0, &x, U, L, target, value);
+    keep_joint(a, &x, axis, K, D + BODY * p);
+    D[p * p - 1] = 0.0;
+    return 0;
+}
+
+/* sum q_k of the free axes. */
+HM_OFTEN void free_turn(const int a, const double *axis, const double *q, double *turn)
+{
+    for (int i = 0; i < 3; i++) {
+        turn[i] = a ? 0.0 : q[i];
+        for (int k = 0; k < 3 - a && a; k++) turn[i] += q[k] * axis[3 * (a + k) + i];
+    }
+}
+
+/* S_m' of a wrench x. */
+HM_OFTEN void free_forces(const int a, const double *arm, const double *axis, const double *x, double *force)
+{
+    double torque[3];
+    outer(arm, x + 3, torque);
+    for (int i = 0; i < 3; i++) torque[i] = x[i] - torque[i];
+    for (int k = 0; k < 3 - a; k++) force[k] = a ? inner(axis + 3 * (a + k), torque) : torque[k];
+}
+
+/* The motion e that the rows c ask for. */
+HM_OFTEN void asked_motion(const int a, const joint_motion *x, const double *c, double *e)
+{
+    double across[3];
+    for (int i = 0; i < 3; i++) {
+        e[i] = 0.0;
+        e[3 + i] = x->sign * c[i];
+        for (int k = 0; k < a; k++) e[i] += c[3 + k] * axes_at(a, x, AT_END)[3 * k + i];
+    }
+    if (!a) return;
+    outer(x->arm[AT_END], e, across);
+    for (int i = 0; i < 3; i++) e[3 + i] += across[i];
+}
+
+/* y -= A x. */
+HM_OFTEN void subtract_motion(const int p, const double *D, const double *x, double *y)
+{
+    for (int i = 0; i < BODY; i++) y[i] -= product(D + p * i, x);
+}
+
+/* y: own right-hand sides r and c; r becomes r - A e. The right-hand sides x of later places change. */
+HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, double *x)
+{
+    const int f = 3 - a, p = 9 + a;
+    const double *l = D + p * p + p * m;
+    const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY * p);
+    double e[BODY], own[BODY], force[3];
+    asked_motion(a, joint, y + BODY, e);
+    subtract_motion(p, D, e, y);
+    free_forces(a, joint->arm[IN_MIDDLE], axes_at(a, joint, IN_MIDDLE), y, force);
+    if (held) {
+        carry(joint->reach[IN_MIDDLE], y, own);
+        for (int k = 0; k < BODY; k++) x[column[k]] += own[k];
+    }
+    for (int32_t i = 0; i < m; i += 2, l += 2 * p) {
+        lanes sum = lanes_times(both_lanes(e[0]), lanes_at(l));
+        for (int k = 1; k < BODY; k++) sum = lanes_plus(sum, both_lanes(e[k]), lanes_at(l + 2 * k));
+        for (int k = 0; k < f; k++) sum = lanes_plus(sum, both_lanes(force[k]), lanes_at(l + 2 * (BODY + k)));
+        x[column[i]] -= LANE(sum, 0);
+        x[column[i + 1]] -= LANE(sum, 1);
+    }
+}
+
+/* y: motion of the body, then its multipliers, from the solution x of later places. */
+HM_OFTEN void solve_joint(const int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, const double *x)
+{
+    const int f = 3 - a, p = 9 + a;
+    const double *u = D + p * p;
+    const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY * p);
+    const double *K = inverse_of(joint), *axis = axes_at(a, joint, AT_END), *axis_m = axes_at(a, joint, IN_MIDDLE);
+    double e[BODY], own[BODY], q[3] = {0.0}, left[3], across[3], other[BODY] = {0.0};
+    lanes wrench[BODY], force[3];
+    asked_motion(a, joint, y + BODY, e);
+    free_forces(a, joint->arm[IN_MIDDLE], axis_m, y, left);
+    for (int k = 0; k < f; k++) force[k] = lanes_of(left[k], 0.0);
+    for (int k = 0; k < BODY; k++) wrench[k] = both_lanes(0.0);
+    for (int32_t i = 0; i < m; i += 2, u += 2 * p) {
+        const lanes later = lanes_of(x[column[i]], x[column[i + 1]]);
+        for (int k = 0; k < BODY; k++) wrench[k] = lanes_plus(wrench[k], later, lanes_at(u + 2 * k));
+        for (int k = 0; k < f; k++) force[k] = lanes_less(force[k], later, lanes_at(u + 2 * (BODY + k)));
+    }
+    for (int i = 0; i < f; i++)
+        for (int k = 0; k < f; k++) q[i] += K[f * i + k] * (LANE(force[k], 0) + LANE(force[k], 1));
+    free_turn(a, axis, q, own);
+    outer(joint->arm[AT_END], own, own + 3);
+    for (int k = 0; k < BODY && held; k++) other[k] = x[column[k]];
+    outer(other, joint->reach[AT_END], across);
+    for (int k = 0; k < 3; k++) {
+        own[k] += other[k];
+        own[3 + k] += other[3 + k] + across[k];
+    }
+    for (int k = 0; k < BODY; k++) y[k] -= LANE(wrench[k], 0) + LANE(wrench[k], 1);
+    subtract_motion(p, D, own, y);
+    outer(joint->arm[IN_MIDDLE], y + 3, across);
+    for (int k = 0; k < 3; k++) {
+        across[k] = y[k] - across[k];
+        y[BODY + k] = joint->rate * y[3 + k];
+    }
+    for (int k = 0; k < a; k++) y[9 + k] = inner(axis_m + 3 * k, across);
+    for (int k = 0; k < BODY; k++) y[k] = own[k] + e[k];
+}
+
+/* Hinges, which chains and robots are made of, have functions of their own. */
+#define HINGE 2
+
+HM_SELDOM static int factor_other_joint(int a, int32_t m, int32_t held, double *D, const int32_t *target, double *value)
+{
+    return factor_joint(a, m, held, D, target, value);
+}
+
+HM_SELDOM static void reduce_other_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, double *x)
+{
+    reduce_joint(a, m, held, D, column, y, x);
+}
+
+HM_SELDOM static void solve_other_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, const double *x)
+{
+    solve_joint(a, m, held, D, column, y, x);
+}
+
+static int factor_any_joint(int a, int32_t m, int32_t held, double *D, const int32_t *target, double *value)
+{
+    return a == HINGE ? factor_joint(HINGE, m, held, D, target, value) : factor_other_joint(a, m, held, D, target, value);
+}
+
+static void reduce_any_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, double *x)
+{
+    if (a == HINGE) reduce_joint(HINGE, m, held, D, column, y, x);
+    else reduce_other_joint(a, m, held, D, column, y, x);
+}
+
+static void solve_any_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, const double *x)
+{
+    if (a == HINGE) solve_joint(HINGE, m, held, D, column, y, x);
+    else solve_other_joint(a, m, held, D, column, y, x);
+}
+
+#endif

@@ -1,0 +1,135 @@
+"""Trees of rigid bodies: the joint that carries each body, where its rows are all that islands have.
+
+A joint makes one place of two bodies, or of a body and the ground, coincide, and keeps up to three
+pairs of their directions at right angles. The rows of the joints of a tree are independent of each
+other; those of a loop need not be, so islands with loops or other rows have no trees here.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from solver.mechanics.structure import Structure
+from solver.runtime.layout import FORM_AXES
+
+MOST_DIRECTIONS = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """Bodies that a joint joins, by their numbers, one where it joins a body to the ground."""
+
+    bodies: frozenset[int]
+    coincidence: int
+    directions: list[int] = field(default_factory=list)
+    """Joint rows."""
+
+
+@dataclass(frozen=True, slots=True)
+class CarriedBody:
+    """A body of a tree and the joint that carries it, None of a free one.
+
+    `turn` and `place` are the nodes of its first director and its centre of mass; `parent` is the
+    first director of the other body of the joint, None of the ground.
+    """
+
+    turn: int
+    place: int
+    joint: Joint | None = None
+    parent: int | None = None
+
+
+def carried_bodies(structure: Structure) -> list[CarriedBody]:
+    """Return the bodies of islands that are trees, or several, in space."""
+    if structure.mechanism.dim == 2 or not structure.mechanism.rigid:
+        return []
+    survey = _Survey(structure)
+    return [
+        body for island in range(structure.islands.count) for body in survey.of_island(island)
+    ]
+
+
+class _Survey:
+    def __init__(self, structure: Structure) -> None:
+        self._structure, node_of = structure, structure.node_of
+        self._bodies = [[node_of[n] for n in nodes] for nodes in structure.mechanism.rigid]
+        self._body_of = {n: k for k, nodes in enumerate(self._bodies) for n in nodes}
+        self._centres = {nodes[0] for nodes in self._bodies}
+
+    def of_island(self, island: int) -> list[CarriedBody]:
+        joints = self._joints(island)
+        return [] if joints is None else list(self._forest(joints))
+
+    def _joints(self, island: int) -> list[Joint] | None:
+        """Joints of an island, or None if it has other rows."""
+        structure = self._structure
+        found: dict[frozenset[int], Joint] = {}
+        for part in (structure.function_rows, structure.velocity_rows):
+            if part.begin[island] < part.begin[island + 1]:
+                return None
+        links = structure.coincidences
+        for k in range(links.begin[island], links.begin[island + 1]):
+            bodies = self._joined(links.items[k].form)
+            if bodies is None or bodies in found:
+                return None
+            found[bodies] = Joint(bodies, k)
+        rows = structure.joint_rows
+        for k in range(rows.begin[island], rows.begin[island + 1]):
+            form = rows.items[k].form
+            joint = found.get(frozenset(map(self._body_of.get, structure.free(form))))
+            if joint is None or not structure.kinds[form] & FORM_AXES:
+                return None
+            joint.directions.append(k)
+        return list(found.values())
+
+    def _joined(self, form: int) -> frozenset[int] | None:
+        """Bodies of a coincidence, which are one or two and move as wholes; else None."""
+        free = {n.node: n for n in self._structure.entries[form] if n.node < self._structure.n_free}
+        bodies = frozenset(self._body_of.get(n, -1) for n in free)
+        centres = [self._bodies[k][0] for k in bodies if k >= 0]
+        if -1 in bodies or not 1 <= len(bodies) <= 2 or not free.keys() >= set(centres):
+            return None
+        shares = sorted(free[n].alpha for n in centres)
+        expected = [[(-1.0, 0.0), (1.0, 0.0)], [(1.0, 0.0)], [(-1.0, 0.0)]]
+        return bodies if shares in expected else None
+
+    def _forest(self, joints: list[Joint]) -> Iterator[CarriedBody]:
+        """Bodies from the ground, or from the first one of a free tree, outwards; none of loops."""
+        near = defaultdict[int | None, list[Joint]](list)
+        for joint in joints:
+            if len(joint.directions) > MOST_DIRECTIONS:
+                return
+            for body in joint.bodies:
+                near[body].append(joint)
+            if len(joint.bodies) == 1:
+                near[None].append(joint)
+        seen: set[int | None] = {None}
+        found: list[CarriedBody] = []
+        used = 0
+        roots: list[int | None] = [None, *near]
+        for root in roots:
+            if root in seen and root is not None:
+                continue
+            seen.add(root)
+            if root is not None:
+                found.append(self._body(root))
+            queue = [root]
+            for parent in queue:
+                for joint in near[parent]:
+                    others = joint.bodies - {parent}
+                    if seen.issuperset(others):
+                        continue
+                    (body,) = others
+                    seen.add(body)
+                    queue.append(body)
+                    used += 1
+                    turn = None if parent is None else self._bodies[parent][1]
+                    found.append(self._body(body, joint, turn))
+        if used == len(joints):
+            yield from found
+
+    def _body(self, body: int, joint: Joint | None = None, parent: int | None = None) -> CarriedBody:
+        place, turn, *_ = self._bodies[body]
+        return CarriedBody(turn, place, joint, parent)
