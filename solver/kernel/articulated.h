@@ -20,6 +20,7 @@
 
 #include "internal.h"
 #include "lanes.h"
+#include "vectors.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,7 +34,7 @@ typedef struct joint_motion {
     double arm[2][3], reach[2][3];
 } joint_motion;
 
-enum { AT_END, IN_MIDDLE };
+enum { OF_END, OF_MIDDLE };
 
 HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis, const double *K, double *kept)
 {
@@ -51,14 +52,6 @@ static inline const double *axes_at(const int a, const joint_motion *x, int at)
     return inverse_of(x) + (3 - a) * (3 - a) + 9 * at;
 }
 
-/* x = a x b. */
-static inline void outer(const double *a, const double *b, double *x)
-{
-    x[0] = a[1] * b[2] - a[2] * b[1];
-    x[1] = a[2] * b[0] - a[0] * b[2];
-    x[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* a . b of six components. */
 HM_OFTEN double product(const double *a, const double *b)
 {
@@ -67,16 +60,14 @@ HM_OFTEN double product(const double *a, const double *b)
     return LANE(sum, 0) + LANE(sum, 1);
 }
 
-static inline double inner(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /* The basis x dual to g. Returns 1 if g lies in a plane. */
 static int dual_basis(const double *g, double *x)
 {
-    outer(g + 3, g + 6, x);
-    const double volume = inner(g, x), scale = 1.0 / volume;
+    cross_product(g + 3, g + 6, x);
+    const double volume = dot(g, x), scale = 1.0 / volume;
     if (!(fabs(volume) > 1e-300 && fabs(volume) < 1e300)) return 1;
-    outer(g + 6, g, x + 3);
-    outer(g, g + 3, x + 6);
+    cross_product(g + 6, g, x + 3);
+    cross_product(g, g + 3, x + 6);
     for (int i = 0; i < 9; i++) x[i] *= scale;
     return 0;
 }
@@ -90,9 +81,9 @@ HM_OFTEN int free_axes(const int a, double *g, double *x)
         const double size[3] = {fabs(g[0]), fabs(g[1]), fabs(g[2])};
         const int least = size[0] < size[1] ? (size[0] < size[2] ? 0 : 2) : (size[1] < size[2] ? 1 : 2);
         for (int k = 0; k < 3; k++) g[6 + k] = k == least;
-        outer(g, g + 6, g + 3);
+        cross_product(g, g + 6, g + 3);
     }
-    if (a < 3) outer(g, g + 3, g + 6);
+    if (a < 3) cross_product(g, g + 3, g + 6);
     return dual_basis(g, x);
 }
 
@@ -101,14 +92,14 @@ HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, d
 {
     for (int k = 0; k < 3 - a; k++) {
         for (int i = 0; i < 3; i++) S[k][i] = axis[3 * (a + k) + i];
-        outer(arm, S[k], S[k] + 3);
+        cross_product(arm, S[k], S[k] + 3);
     }
 }
 
 /* A wrench x of the body, over the motion of the other one: T' x, of the point of the step that this reach is taken at. */
 static inline void carry(const double *reach, const double *x, double *carried)
 {
-    outer(reach, x + 3, carried);
+    cross_product(reach, x + 3, carried);
     for (int k = 0; k < 3; k++) {
         carried[k] += x[k];
         carried[3 + k] = x[3 + k];
@@ -122,12 +113,12 @@ HM_OFTEN joint_motion read_joint(const int p, int32_t held, const double *D, con
     const double s = D[6 * p + 3], r = 1.0 / D[3 * p + 6], *theta0 = U, *theta2 = U + 2 * p, *of0 = L, *of1 = L + 1;
     joint_motion x = {s, r, {{s * D[7 * p + 2], -s * D[6 * p + 2], s * D[6 * p + 1]}, {-r * D[p + 8], r * D[8], -r * D[7]}}, {{0.0}}};
     if (held) {
-        x.reach[AT_END][0] = -s * theta2[2 * 7] - x.arm[AT_END][0];
-        x.reach[AT_END][1] = s * theta2[2 * 6] - x.arm[AT_END][1];
-        x.reach[AT_END][2] = -s * theta0[2 * 6 + 1] - x.arm[AT_END][2];
-        x.reach[IN_MIDDLE][0] = r * of1[2 * 8] - x.arm[IN_MIDDLE][0];
-        x.reach[IN_MIDDLE][1] = -r * of0[2 * 8] - x.arm[IN_MIDDLE][1];
-        x.reach[IN_MIDDLE][2] = r * of0[2 * 7] - x.arm[IN_MIDDLE][2];
+        x.reach[OF_END][0] = -s * theta2[2 * 7] - x.arm[OF_END][0];
+        x.reach[OF_END][1] = s * theta2[2 * 6] - x.arm[OF_END][1];
+        x.reach[OF_END][2] = -s * theta0[2 * 6 + 1] - x.arm[OF_END][2];
+        x.reach[OF_MIDDLE][0] = r * of1[2 * 8] - x.arm[OF_MIDDLE][0];
+        x.reach[OF_MIDDLE][1] = -r * of0[2 * 8] - x.arm[OF_MIDDLE][1];
+        x.reach[OF_MIDDLE][2] = r * of0[2 * 7] - x.arm[OF_MIDDLE][2];
     }
     return x;
 }
@@ -138,7 +129,7 @@ HM_OFTEN int read_axes(const int a, const double *D, int at, double *axis)
     const int p = 9 + a;
     double g[9];
     for (int k = 0; k < a; k++)
-        for (int i = 0; i < 3; i++) g[3 * k + i] = at == AT_END ? D[(9 + k) * p + i] : D[i * p + 9 + k];
+        for (int i = 0; i < 3; i++) g[3 * k + i] = at == OF_END ? D[(9 + k) * p + i] : D[i * p + 9 + k];
     return free_axes(a, g, axis);
 }
 
@@ -173,7 +164,7 @@ HM_OFTEN void carry_row(const double *reach, lanes *x)
 {
     const double force[3] = {LANE(x[1], 1), LANE(x[2], 0), LANE(x[2], 1)};
     double turn[3];
-    outer(reach, force, turn);
+    cross_product(reach, force, turn);
     x[0] = lanes_sum(x[0], lanes_of(turn[0], turn[1]));
     x[1] = lanes_sum(x[1], lanes_of(turn[2], 0.0));
 }
@@ -183,19 +174,19 @@ HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D,
 {
     for (int i = 0; i < BODY; i++) {
         for (int k = 0; k < 3; k++) P[i][k] = lanes_at(D + p * i + 2 * k);
-        carry_row(x->reach[AT_END], P[i]);
+        carry_row(x->reach[OF_END], P[i]);
         for (int k = 0; k < 3; k++) P[i][k] = lanes_sum(P[i][k], lanes_at(U + 2 * (p * k + i)));
     }
     for (int k = 0; k < 3; k++) {
         lanes column[BODY];
         for (int i = 0; i < BODY; i++) column[i] = P[i][k];
-        carry_two(x->reach[IN_MIDDLE], column);
+        carry_two(x->reach[OF_MIDDLE], column);
         for (int i = 0; i < 3; i++) P[i][k] = column[i];
     }
     for (int i = 0; i < BODY; i += 2) {
         lanes rows[BODY];
         for (int k = 0; k < BODY; k++) rows[k] = lanes_at(L + p * i + 2 * k);
-        carry_two(x->reach[AT_END], rows);
+        carry_two(x->reach[OF_END], rows);
         for (int k = 0; k < 3; k++) {
             P[i][k] = lanes_sum(P[i][k], lanes_of(LANE(rows[2 * k], 0), LANE(rows[2 * k + 1], 0)));
             P[i + 1][k] = lanes_sum(P[i + 1][k], lanes_of(LANE(rows[2 * k], 1), LANE(rows[2 * k + 1], 1)));
@@ -210,8 +201,8 @@ HM_OFTEN int free_factors(const int a, int32_t m, int32_t held, const joint_moti
     const int f = 3 - a, p = 9 + a;
     double S[3][BODY], Sm[3][BODY];
     lanes Y[3][3], Z[3][3];
-    free_motions(a, x->arm[AT_END], axis, S);
-    free_motions(a, x->arm[IN_MIDDLE], axis + 9, Sm);
+    free_motions(a, x->arm[OF_END], axis, S);
+    free_motions(a, x->arm[OF_MIDDLE], axis + 9, Sm);
     for (int k = 0; k < f; k++) {
         for (int i = 0; i < BODY; i += 2) Y[k][i / 2] = lanes_of(product(D + p * i, S[k]), product(D + p * (i + 1), S[k]));
         for (int j = 0; j < 3; j++) {
@@ -227,8 +218,8 @@ HM_OFTEN int free_factors(const int a, int32_t m, int32_t held, const joint_moti
         }
     if (invert(f, K)) return 1;
     for (int k = 0; k < f && held; k++) {
-        carry_row(x->reach[AT_END], Z[k]);
-        carry_row(x->reach[IN_MIDDLE], Y[k]);
+        carry_row(x->reach[OF_END], Z[k]);
+        carry_row(x->reach[OF_MIDDLE], Y[k]);
     }
     for (int32_t i = 0; i < m; i += 2) {
         double *u = U + p * i, *l = L + p * i;
@@ -283,11 +274,11 @@ HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint
             lanes column[BODY], sum = both_lanes(0.0);
             if (i < first) {
                 for (int j = 0; j < BODY; j++) column[j] = lanes_at(u + 2 * j);
-                carry_two(x->reach[IN_MIDDLE], column);
+                carry_two(x->reach[OF_MIDDLE], column);
                 sum = column[i];
             } else if (k < first) {
                 for (int j = 0; j < BODY; j++) column[j] = both_lanes(l[2 * j]);
-                carry_two(x->reach[AT_END], column);
+                carry_two(x->reach[OF_END], column);
                 sum = lanes_of(LANE(column[k], 0), LANE(column[k + 1], 0));
             }
             for (int j = 0; j < f; j++) sum = lanes_less(sum, both_lanes(l[2 * (BODY + j)]), lanes_at(u + 2 * (BODY + j)));
@@ -302,7 +293,7 @@ HM_OFTEN int factor_joint(const int a, int32_t m, int32_t held, double *D, const
     double *const U = D + p * p, *const L = U + p * m, axis[18], K[9];
     lanes P[BODY][3];
     const joint_motion x = read_joint(p, held, D, U, L);
-    if (read_axes(a, D, AT_END, axis) || read_axes(a, D, IN_MIDDLE, axis + 9)) return 1;
+    if (read_axes(a, D, OF_END, axis) || read_axes(a, D, OF_MIDDLE, axis + 9)) return 1;
     if (held) carry_inertia(p, &x, D, U, L, P);
     if (free_factors(a, m, held, &x, axis, D, U, L, K)) return 1;
     if (held) add_to_other(3 - a, p, m, P, U, L, target, value);
@@ -325,9 +316,9 @@ HM_OFTEN void free_turn(const int a, const double *axis, const double *q, double
 HM_OFTEN void free_forces(const int a, const double *arm, const double *axis, const double *x, double *force)
 {
     double torque[3];
-    outer(arm, x + 3, torque);
+    cross_product(arm, x + 3, torque);
     for (int i = 0; i < 3; i++) torque[i] = x[i] - torque[i];
-    for (int k = 0; k < 3 - a; k++) force[k] = a ? inner(axis + 3 * (a + k), torque) : torque[k];
+    for (int k = 0; k < 3 - a; k++) force[k] = a ? dot(axis + 3 * (a + k), torque) : torque[k];
 }
 
 /* The motion e that the rows c ask for. */
@@ -337,10 +328,10 @@ HM_OFTEN void asked_motion(const int a, const joint_motion *x, const double *c, 
     for (int i = 0; i < 3; i++) {
         e[i] = 0.0;
         e[3 + i] = x->sign * c[i];
-        for (int k = 0; k < a; k++) e[i] += c[3 + k] * axes_at(a, x, AT_END)[3 * k + i];
+        for (int k = 0; k < a; k++) e[i] += c[3 + k] * axes_at(a, x, OF_END)[3 * k + i];
     }
     if (!a) return;
-    outer(x->arm[AT_END], e, across);
+    cross_product(x->arm[OF_END], e, across);
     for (int i = 0; i < 3; i++) e[3 + i] += across[i];
 }
 
@@ -359,9 +350,9 @@ HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t held, const double *D
     double e[BODY], own[BODY], force[3];
     asked_motion(a, joint, y + BODY, e);
     subtract_motion(p, D, e, y);
-    free_forces(a, joint->arm[IN_MIDDLE], axes_at(a, joint, IN_MIDDLE), y, force);
+    free_forces(a, joint->arm[OF_MIDDLE], axes_at(a, joint, OF_MIDDLE), y, force);
     if (held) {
-        carry(joint->reach[IN_MIDDLE], y, own);
+        carry(joint->reach[OF_MIDDLE], y, own);
         for (int k = 0; k < BODY; k++) x[column[k]] += own[k];
     }
     for (int32_t i = 0; i < m; i += 2, l += 2 * p) {
@@ -379,11 +370,11 @@ HM_OFTEN void solve_joint(const int a, int32_t m, int32_t held, const double *D,
     const int f = 3 - a, p = 9 + a;
     const double *u = D + p * p;
     const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY * p);
-    const double *K = inverse_of(joint), *axis = axes_at(a, joint, AT_END), *axis_m = axes_at(a, joint, IN_MIDDLE);
+    const double *K = inverse_of(joint), *axis = axes_at(a, joint, OF_END), *axis_m = axes_at(a, joint, OF_MIDDLE);
     double e[BODY], own[BODY], q[3] = {0.0}, left[3], across[3], other[BODY] = {0.0};
     lanes wrench[BODY], force[3];
     asked_motion(a, joint, y + BODY, e);
-    free_forces(a, joint->arm[IN_MIDDLE], axis_m, y, left);
+    free_forces(a, joint->arm[OF_MIDDLE], axis_m, y, left);
     for (int k = 0; k < f; k++) force[k] = lanes_of(left[k], 0.0);
     for (int k = 0; k < BODY; k++) wrench[k] = both_lanes(0.0);
     for (int32_t i = 0; i < m; i += 2, u += 2 * p) {
@@ -394,21 +385,21 @@ HM_OFTEN void solve_joint(const int a, int32_t m, int32_t held, const double *D,
     for (int i = 0; i < f; i++)
         for (int k = 0; k < f; k++) q[i] += K[f * i + k] * (LANE(force[k], 0) + LANE(force[k], 1));
     free_turn(a, axis, q, own);
-    outer(joint->arm[AT_END], own, own + 3);
+    cross_product(joint->arm[OF_END], own, own + 3);
     for (int k = 0; k < BODY && held; k++) other[k] = x[column[k]];
-    outer(other, joint->reach[AT_END], across);
+    cross_product(other, joint->reach[OF_END], across);
     for (int k = 0; k < 3; k++) {
         own[k] += other[k];
         own[3 + k] += other[3 + k] + across[k];
     }
     for (int k = 0; k < BODY; k++) y[k] -= LANE(wrench[k], 0) + LANE(wrench[k], 1);
     subtract_motion(p, D, own, y);
-    outer(joint->arm[IN_MIDDLE], y + 3, across);
+    cross_product(joint->arm[OF_MIDDLE], y + 3, across);
     for (int k = 0; k < 3; k++) {
         across[k] = y[k] - across[k];
         y[BODY + k] = joint->rate * y[3 + k];
     }
-    for (int k = 0; k < a; k++) y[9 + k] = inner(axis_m + 3 * k, across);
+    for (int k = 0; k < a; k++) y[9 + k] = dot(axis_m + 3 * k, across);
     for (int k = 0; k < BODY; k++) y[k] = own[k] + e[k];
 }
 

@@ -4,13 +4,11 @@
 #define HOLONOM_CONTEXT_H
 
 #include "internal.h"
+#include "vectors.h"
 
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-
-#define EACH(k) for (int k = 0; k < DIM; k++)
-#define TURNING (DIM == 2 ? 1 : 3) /* components of a moment */
 
 typedef struct span {
     int32_t begin, end;
@@ -122,23 +120,6 @@ static void look_at(context *c, int32_t first, int32_t last)
     for (int k = ISLAND_ELEMENT; k <= ISLAND_POTENTIAL; k++)
         c->all_composites = add_piece(c->all_composite, c->all_composites, begin[k], end[k]);
     take_all_rows(c);
-}
-
-static inline double dot(const double *a, const double *b)
-{
-    double sum = 0.0;
-    EACH(k) sum += a[k] * b[k];
-    return sum;
-}
-
-/* x = a x b, in the plane its one component. */
-static inline void cross_product(const double *a, const double *b, double *x)
-{
-#if DIM == 2
-    x[0] = a[0] * b[1] - a[1] * b[0];
-#else
-    EACH(k) x[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-#endif
 }
 
 /* Lean or bare: the last two of a model. */

@@ -117,11 +117,10 @@ class Pattern:
         """Later places of the groups, one after the other: of the parent first, then increasing."""
         last = self.groups[1:] - 1
         columns = np.empty(self.later.sum(), dtype=np.int64)
-        begin = np.repeat(_pointers(self.later)[:-1], self.counts[last])
-        own = np.concatenate([np.arange(a, b) for a, b in zip(self._first[last], self._first[last + 1], strict=True)])
-        columns[begin + self._rank[own]] = self.column[own]
-        odd = np.flatnonzero(self.counts[last] < self.later)
-        ends = _pointers(self.later)[1:][odd]
+        group = np.repeat(np.arange(len(last)), self.counts[last])
+        own = np.arange(len(group)) + (self._first[last] - _pointers(self.counts[last])[:-1])[group]
+        columns[_pointers(self.later)[group] + self._rank[own]] = self.column[own]
+        ends = _pointers(self.later)[1:][self.counts[last] < self.later]
         columns[ends - 1] = columns[ends - 2]
         return columns
 
@@ -226,7 +225,9 @@ class Graph:
         for (x, y), full in self.couplings.items():
             a, b = sorted((of[x], of[y]))
             couplings[a, b] = couplings.get((a, b), False) or full or x in first or y in first
-        anchors = {of[x]: [of[y] for y in near] for x, near in self.anchors.items() if x not in first}
+        anchors = {
+            of[x]: [of[y] for y in near] for x, near in self.anchors.items() if x not in first
+        }
         return Graph(
             sizes, sum(block < self.n_nodes for block in kept), couplings, anchors,
             [self.islands[block] for block in kept], frozenset(of[x] for x in self.loose),

@@ -46,9 +46,7 @@ def carried_bodies(structure: Structure) -> list[CarriedBody]:
     if structure.mechanism.dim == 2 or not structure.mechanism.rigid:
         return []
     survey = _Survey(structure)
-    return [
-        body for island in range(structure.islands.count) for body in survey.of_island(island)
-    ]
+    return [body for island in range(structure.islands.count) for body in survey.of_island(island)]
 
 
 class _Survey:
@@ -130,6 +128,8 @@ class _Survey:
         if used == len(joints):
             yield from found
 
-    def _body(self, body: int, joint: Joint | None = None, parent: int | None = None) -> CarriedBody:
+    def _body(
+        self, body: int, joint: Joint | None = None, parent: int | None = None
+    ) -> CarriedBody:
         place, turn, *_ = self._bodies[body]
         return CarriedBody(turn, place, joint, parent)
