@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.equilibrium import TABLES, UNITS, Equilibrium, Grid, driver_names, find_equilibrium
@@ -15,6 +16,7 @@ from build_fmu.platforms import library_scope, library_word
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
+from solver.runtime.layout import LEAST_WITH_JOINT
 
 if TYPE_CHECKING:
     from solver.mechanics.mobility import Survey
@@ -118,6 +120,7 @@ def _step(model: Model) -> dict[str, Any]:
     turns = bool(sizes["n_reduced_values"]) and model.settings["formulation"] == "conserving-al"
     turns = turns and model.settings["multiplier_update"] == "end"
     replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
+    pivots = pairwise(model.tables["reduced_lu_group"][::3])
     return {
         "algorithm": model.settings["algorithm"],
         "coordinates": dim * (sizes["n_free"] - replaced),
@@ -125,6 +128,7 @@ def _step(model: Model) -> dict[str, Any]:
         "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
         "factors": sizes["n_reduced_values" if turns else "n_lu_values"],
         "lean_factors": sizes["n_lean_values"] if turns or not sizes["n_bodies"] else 0,
+        "articulated_bodies": sum(after - first >= LEAST_WITH_JOINT for first, after in pivots),
     }
 
 
@@ -184,6 +188,8 @@ def _unknowns(step: Mapping[str, Any]) -> str:
     lean = f", {step['lean_factors']} without stiffness" if step["lean_factors"] else ""
     held = {"nested": "held while Newton iterates", "simultaneous": "following each iteration"}
     text = f"{' + '.join(parts)}; {step['factors']} numbers in the factors{lean}"
+    if bodies := step["articulated_bodies"]:
+        text += f"; {bodies} {'body' if bodies == 1 else 'bodies'} eliminated with the joint below"
     return f"{text}; multipliers {held[step['algorithm']]} ({step['algorithm']})"
 
 

@@ -105,7 +105,7 @@ class Pattern:
 
     @cached_property
     def ptr(self) -> Integers:
-        """Place of the diagonal of each pivot, and the end of all entries; rows of a joint share one."""
+        """Place of the diagonal of each pivot, rows of a joint one for all, and the end of entries."""
         size = self._size[self._group]
         within = np.arange(len(self.counts)) - self.groups[self._group]
         of_joint = (self.parents[self._group] != NO_JOINT) & (within >= BODY)
@@ -118,7 +118,8 @@ class Pattern:
         last = self.groups[1:] - 1
         columns = np.empty(self.later.sum(), dtype=np.int64)
         group = np.repeat(np.arange(len(last)), self.counts[last])
-        own = np.arange(len(group)) + (self._first[last] - _pointers(self.counts[last])[:-1])[group]
+        skipped = self._first[last] - _pointers(self.counts[last])[:-1]
+        own = np.arange(len(group)) + skipped[group]
         columns[_pointers(self.later)[group] + self._rank[own]] = self.column[own]
         ends = _pointers(self.later)[1:][self.counts[last] < self.later]
         columns[ends - 1] = columns[ends - 2]
@@ -214,7 +215,7 @@ class Graph:
     """Bodies of trees, which are eliminated with their joints."""
 
     def joined(self) -> Graph:
-        """Return the graph in which each body of a tree is one node, its rows and all."""
+        """Return the graph in which each body of a tree is one node, its joint's rows with it."""
         first = {block: body.blocks[0] for body in self.trees for block in body.blocks}
         kept = [block for block in range(len(self.sizes)) if first.get(block, block) == block]
         number = {block: k for k, block in enumerate(kept)}
@@ -231,7 +232,10 @@ class Graph:
         return Graph(
             sizes, sum(block < self.n_nodes for block in kept), couplings, anchors,
             [self.islands[block] for block in kept], frozenset(of[x] for x in self.loose),
-            [TreeBody((of[x.blocks[0]],), None if x.parent is None else of[x.parent]) for x in self.trees],
+            [
+                TreeBody((of[x.blocks[0]],), None if x.parent is None else of[x.parent])
+                for x in self.trees
+            ],
         )  # fmt: skip
 
 

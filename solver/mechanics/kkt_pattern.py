@@ -382,7 +382,7 @@ class TangentPattern:
     def _groups(self) -> Integers:
         """Of each group first pivot, number of later places, 1 with a parent; and the end."""
         pattern = self.pattern
-        columns = pattern.groups[:-1], pattern.later, pattern.parents >= 0
+        columns = pattern.groups[:-1], pattern.later, (pattern.parents >= 0).astype(np.int64)
         return np.append(np.column_stack(columns), pattern.groups[-1])
 
     def _pieces_of_islands(self) -> array:

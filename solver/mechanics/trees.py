@@ -1,4 +1,4 @@
-"""Trees of rigid bodies: the joint that carries each body, where its rows are all that islands have.
+"""Trees of rigid bodies: the joint that carries each one, in islands without other rows.
 
 A joint makes one place of two bodies, or of a body and the ground, coincide, and keeps up to three
 pairs of their directions at right angles. The rows of the joints of a tree are independent of each
@@ -54,14 +54,13 @@ class _Survey:
         self._structure, node_of = structure, structure.node_of
         self._bodies = [[node_of[n] for n in nodes] for nodes in structure.mechanism.rigid]
         self._body_of = {n: k for k, nodes in enumerate(self._bodies) for n in nodes}
-        self._centres = {nodes[0] for nodes in self._bodies}
 
     def of_island(self, island: int) -> list[CarriedBody]:
         joints = self._joints(island)
         return [] if joints is None else list(self._forest(joints))
 
     def _joints(self, island: int) -> list[Joint] | None:
-        """Joints of an island, or None if it has other rows."""
+        """Return the joints of an island, or None if it has other rows."""
         structure = self._structure
         found: dict[frozenset[int], Joint] = {}
         for part in (structure.function_rows, structure.velocity_rows):
@@ -76,15 +75,16 @@ class _Survey:
         rows = structure.joint_rows
         for k in range(rows.begin[island], rows.begin[island + 1]):
             form = rows.items[k].form
-            joint = found.get(frozenset(map(self._body_of.get, structure.free(form))))
+            joint = found.get(frozenset(self._body_of.get(n, -1) for n in structure.free(form)))
             if joint is None or not structure.kinds[form] & FORM_AXES:
                 return None
             joint.directions.append(k)
         return list(found.values())
 
     def _joined(self, form: int) -> frozenset[int] | None:
-        """Bodies of a coincidence, which are one or two and move as wholes; else None."""
-        free = {n.node: n for n in self._structure.entries[form] if n.node < self._structure.n_free}
+        """Return the bodies of a coincidence, which are one or two and move as wholes, or None."""
+        free = {x.node: x for x in self._structure.entries[form]}
+        free = {n: free[n] for n in self._structure.free(form)}
         bodies = frozenset(self._body_of.get(n, -1) for n in free)
         centres = [self._bodies[k][0] for k in bodies if k >= 0]
         if -1 in bodies or not 1 <= len(bodies) <= 2 or not free.keys() >= set(centres):
@@ -94,7 +94,7 @@ class _Survey:
         return bodies if shares in expected else None
 
     def _forest(self, joints: list[Joint]) -> Iterator[CarriedBody]:
-        """Bodies from the ground, or from the first one of a free tree, outwards; none of loops."""
+        """Go from the ground, or from the first body of a free tree, outwards; no bodies of loops."""
         near = defaultdict[int | None, list[Joint]](list)
         for joint in joints:
             if len(joint.directions) > MOST_DIRECTIONS:
@@ -103,12 +103,11 @@ class _Survey:
                 near[body].append(joint)
             if len(joint.bodies) == 1:
                 near[None].append(joint)
-        seen: set[int | None] = {None}
+        seen = set[int | None]()
         found: list[CarriedBody] = []
         used = 0
-        roots: list[int | None] = [None, *near]
-        for root in roots:
-            if root in seen and root is not None:
+        for root in (None, *list(near)):
+            if root in seen:
                 continue
             seen.add(root)
             if root is not None:

@@ -192,8 +192,9 @@ def tree_of_bodies(
     joints: Sequence[tuple[int | None, int]], springs: Sequence[tuple[int, int]],
     random: np.random.Generator,
 ) -> tuple[Graph, Array]:  # fmt: skip
-    """Graph of bodies with the joints that carry them, and its matrix in a step, in unknowns
-    turn and place: arms and directions differ in the middle and at the end of it.
+    """Graph of bodies with the joints that carry them, and its matrix in a step.
+
+    Unknowns are turn and place; arms and directions differ in the middle and at the end.
     """
     n = len(joints)
     sizes, trees = [3] * (2 * n), []
@@ -219,12 +220,12 @@ def tree_of_bodies(
             K[6 * i : 6 * i + 6, 6 * k : 6 * k + 6] += random.uniform(-0.1, 0.1, (6, 6))
     K[range(6 * n), range(6 * n)] += 4.0
     h = 1e-2
-    for body, ((parent, directions), tree) in enumerate(zip(joints, trees, strict=True)):
+    for body, ((parent, directions), carried) in enumerate(zip(joints, trees, strict=True)):
         if parent is None:
             continue
         sign = random.choice([-1.0, 1.0])
         for factor, at in ((h, 0), (1.0, 1)):
-            row = first[tree.blocks[2]]
+            row = first[carried.blocks[2]]
             g = np.eye(3)[:directions] + random.uniform(-0.2, 0.2, (directions, 3))
             for b, s in ((body, sign), (parent, -sign)):
                 if b < 0:

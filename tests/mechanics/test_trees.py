@@ -1,0 +1,107 @@
+"""Bodies of trees in space are eliminated with the joints that carry them, and move as by LU."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import solver
+from benchmarks.skips import SKIPS
+from solver.runtime import Model
+from solver.runtime.layout import LEAST_WITH_JOINT
+from tests.fmu_instance import SCENES
+from tests.kernels_without_skips import integrator_without, needs_compiler
+from tests.problems import Content, assemble, mechanism, step, view
+
+KINDS = {"spherical": 0, "universal": 1, "revolute": 2, "fixed": 3}
+"""Joints that let two places meet, and the pairs of directions that each keeps."""
+
+
+def joint_pivots(model: Model) -> list[int]:
+    """Pivots of each group of a body with its joint, in the order of elimination."""
+    sizes = [after - first for first, after in pairwise(model.tables["reduced_lu_group"][::3])]
+    return [size for size in sizes if size >= LEAST_WITH_JOINT]
+
+
+@st.composite
+def trees(draw: st.DrawFn) -> tuple[Content, list[int]]:
+    """Up to five bodies on joints, with springs between any, and the pivots of each with its joint.
+
+    The first body is free or on the ground.
+    """
+    count, random = draw(st.integers(2, 5)), np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    grounded, kinds = draw(st.booleans()), []
+    bodies, joints, places = {}, {}, random.uniform(-1.0, 1.0, (count, 3))
+    for body in range(count):
+        bodies[f"B{body}"] = {
+            "position": places[body].tolist(), "mass": random.uniform(0.5, 2.0),
+            "inertia": random.uniform(0.1, 0.15, 3).tolist(),
+        }  # fmt: skip
+        if body == 0 and not grounded:
+            bodies["B0"] |= {"angular_velocity": random.uniform(-1.0, 1.0, 3).tolist()}
+            continue
+        kinds.append(draw(st.sampled_from([*KINDS])))
+        other = f"B{draw(st.integers(0, body - 1))}" if body else "ground"
+        pair = [other, f"B{body}"] if draw(st.booleans()) else [f"B{body}", other]
+        joint = {"type": kinds[-1], "bodies": pair, "position": random.uniform(-1, 1, 3).tolist()}
+        axis, second = np.linalg.qr(random.normal(size=(3, 2)))[0].T
+        if kinds[-1] == "revolute":
+            joint["axis"] = axis.tolist()
+        elif kinds[-1] == "universal":
+            joint["axes"] = [axis.tolist(), second.tolist()]
+        joints[f"j{body}"] = joint
+    ends = st.lists(st.integers(0, count - 1), min_size=2, max_size=2, unique=True)
+    forces = {
+        f"s{k}": {"type": "spring", "points": [f"B{a}", f"B{b}"], "stiffness": 20.0}
+        for k, (a, b) in enumerate(draw(st.lists(ends, max_size=2)))
+    }
+    content = mechanism("tree", 3, bodies=bodies, joints=joints, forces=forces)
+    return content, sorted(9 + KINDS[kind] for kind in kinds)
+
+
+@needs_compiler
+@given(trees())
+def test_a_tree_moves_as_with_directors_for_unknowns(drawn):
+    # The director form knows nothing of trees: its rows, those of rigidity too, go through the LU.
+    content, pivots = drawn
+    model = assemble(content, step_size=2e-3, assemble=True)
+    assert sorted(joint_pivots(model)) == pivots
+    runs = [integrator_without(bits, model) for bits in (0, SKIPS["directors"])]
+    for run in runs:
+        for _ in range(20):
+            step(run, 2e-3)
+    first, second = runs
+    assert np.abs(view(first, "q") - view(second, "q")).max() <= 1e-11
+    size = 1.0 + np.abs(view(second, "v")).max()
+    assert np.abs(view(first, "v") - view(second, "v")).max() <= 1e-10 * size
+    errors = [first.model.index(name) for name in ("energy.error", "constraint.position")]
+    assert np.abs(first.get(errors)).max() <= 1e-13
+
+
+@pytest.mark.parametrize("name", ["bricard", "double_wishbone", "flyball_governor", "stewart"])
+def test_islands_with_loops_or_other_rows_have_no_trees(name):
+    assert joint_pivots(solver.assemble(solver.load(SCENES / f"{name}.toml"))) == []
+
+
+def test_a_heavy_top_is_eliminated_with_its_tip():
+    assert joint_pivots(solver.assemble(solver.load(SCENES / "heavy_top.toml"))) == [9]
+
+
+def test_a_driver_leaves_its_island_to_the_sparse_factors_and_others_as_they_are():
+    swing = {
+        "type": "revolute",
+        "bodies": ["ground", "A"],
+        "position": [0, 0, 0],
+        "axis": [0, 1, 0],
+    }
+    body = {"position": [1, 0, 0], "mass": 1, "inertia": [0.1, 0.1, 0.1]}
+    other = body | {"position": [1, 5, 0]}
+    joints = {"a": swing, "b": swing | {"bodies": ["ground", "B"], "position": [0, 5, 0]}}
+    content = mechanism("two", 3, bodies={"A": body, "B": other}, joints=joints)
+    assert joint_pivots(assemble(content)) == [11, 11]
+    driven = content | {"drivers": {"motor": {"type": "angle", "joint": "a", "value": "t"}}}
+    assert joint_pivots(assemble(driven)) == [11]
