@@ -105,7 +105,7 @@ class Pattern:
 
     @cached_property
     def ptr(self) -> Integers:
-        """Place of the diagonal of each pivot, rows of a joint one for all, and the end of entries."""
+        """Place of the diagonal of each pivot, one for all rows of a joint, and the end of all."""
         size = self._size[self._group]
         within = np.arange(len(self.counts)) - self.groups[self._group]
         of_joint = (self.parents[self._group] != NO_JOINT) & (within >= BODY)

@@ -15,6 +15,8 @@ from solver.mechanics.structure import Structure
 from solver.runtime.layout import FORM_AXES
 
 MOST_DIRECTIONS = 3
+FORTH, BACK = (1.0, 0.0), (-1.0, 0.0)
+"""Coefficients of a centre of mass in a coincidence, without a turn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,12 +91,12 @@ class _Survey:
         centres = [self._bodies[k][0] for k in bodies if k >= 0]
         if -1 in bodies or not 1 <= len(bodies) <= 2 or not free.keys() >= set(centres):
             return None
-        shares = sorted(free[n].alpha for n in centres)
-        expected = [[(-1.0, 0.0), (1.0, 0.0)], [(1.0, 0.0)], [(-1.0, 0.0)]]
-        return bodies if shares in expected else None
+        shares = [free[n].alpha for n in centres]
+        opposite = shares in ([FORTH, BACK], [BACK, FORTH]) or shares in ([FORTH], [BACK])
+        return bodies if opposite else None
 
     def _forest(self, joints: list[Joint]) -> Iterator[CarriedBody]:
-        """Go from the ground, or from the first body of a free tree, outwards; no bodies of loops."""
+        """Go outwards from the ground, or from the first body of a free tree; nothing if it loops."""
         near = defaultdict[int | None, list[Joint]](list)
         for joint in joints:
             if len(joint.directions) > MOST_DIRECTIONS:
