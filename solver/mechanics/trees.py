@@ -96,7 +96,7 @@ class _Survey:
         return bodies if opposite else None
 
     def _forest(self, joints: list[Joint]) -> Iterator[CarriedBody]:
-        """Go outwards from the ground, or from the first body of a free tree; nothing if it loops."""
+        """Go outwards from the ground, or from the first body of a free tree; no loops."""
         near = defaultdict[int | None, list[Joint]](list)
         for joint in joints:
             if len(joint.directions) > MOST_DIRECTIONS:
