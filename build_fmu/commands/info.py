@@ -16,7 +16,7 @@ from build_fmu.platforms import library_scope, library_word
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
-from solver.runtime.layout import LEAST_WITH_JOINT
+from solver.runtime.layout import EARLY_UPDATE_PENALTY, LEAST_WITH_JOINT
 
 if TYPE_CHECKING:
     from solver.mechanics.mobility import Survey
@@ -119,6 +119,7 @@ def _step(model: Model) -> dict[str, Any]:
     sizes, dim = model.sizes, model.sizes["dim"]
     turns = bool(sizes["n_reduced_values"]) and model.settings["formulation"] == "conserving-al"
     turns = turns and model.settings["multiplier_update"] == "end"
+    turns = turns and model.settings["penalty"] >= EARLY_UPDATE_PENALTY
     replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
     pivots = pairwise(model.tables["reduced_lu_group"][::3])
     return {
@@ -128,7 +129,7 @@ def _step(model: Model) -> dict[str, Any]:
         "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
         "factors": sizes["n_reduced_values" if turns else "n_lu_values"],
         "lean_factors": sizes["n_lean_values"] if turns or not sizes["n_bodies"] else 0,
-        "articulated_bodies": sum(after - first >= LEAST_WITH_JOINT for first, after in pivots),
+        "articulated_bodies": turns * sum(b - a >= LEAST_WITH_JOINT for a, b in pivots),
     }
 
 

@@ -30,9 +30,6 @@ static inline int updates_slowly(const context *c, double defect, double last)
     return defect > 0.25 * last && defect > 10.0 * last / (1.0 + c->s.head[S_PENALTY]);
 }
 
-/* From this penalty on, an Uzawa update contracts far better than a Newton iteration, and the multipliers of a nested
-   iteration need not wait for its end: an inner solve has to be no more exact than the outer one (inexact Uzawa). */
-#define EARLY_UPDATE_PENALTY 1e6
 /* Defect below which a row needs no update: what is left, epsilon (mu - lambda), has the sign of dmu/dt at every step
    and adds up in the energy (double pendulum, 2e5 steps of 1 ms: 4e-13 J with 6e-17, 1e-14 J with this). */
 #define UNBIASED 1e-19

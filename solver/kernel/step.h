@@ -79,11 +79,12 @@ static void begin_unknowns(const context *c, int parity, int reach)
     }
 }
 
-/* Whether turns of bodies are the unknowns: rows that hold at the end of a step make it the same. */
+/* Whether turns of bodies are the unknowns: rows that hold at the end of a step make it the same. Low penalties are left to the
+   directors: articulated.h counts on Uzawa updates that contract better than Newton's increments.                */
 static inline int may_reduce(const context *c)
 {
     return HM_BODIES && c->m->n_reduced_values && c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] == 0.0 &&
-           hm_skips(SKIP_DIRECTORS);
+           c->s.head[S_PENALTY] >= EARLY_UPDATE_PENALTY && hm_skips(SKIP_DIRECTORS);
 }
 
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */

@@ -321,6 +321,9 @@ FRICTION = (
 DRAWN_INTO = 1e-8
 """Penetration of contacts that rounding explains, of a drawing and of closing it; relative to the
 size of the mechanism."""
+EARLY_UPDATE_PENALTY = 1e6
+"""From this one on an Uzawa update contracts far better than a Newton iteration: multipliers of a
+nested iteration need not wait for its end (inexact Uzawa), and bodies turn as wholes."""
 
 FEW_CONTACTS = 8
 """Up to so many contacts, most entries of factors are taken not to be zero."""

@@ -11,11 +11,13 @@ from hypothesis import strategies as st
 
 import solver
 from benchmarks.skips import SKIPS
+from scenes.generate import rigid_chain
 from solver.runtime import Model
 from solver.runtime.layout import LEAST_WITH_JOINT
 from tests.fmu_instance import SCENES
 from tests.kernels_without_skips import integrator_without, needs_compiler
-from tests.problems import Content, assemble, mechanism, step, view
+from tests.problems import Content, assemble, mechanism, observe, start, step, view
+from tests.scene_files import tomllib
 
 KINDS = {"spherical": 0, "universal": 1, "revolute": 2, "fixed": 3}
 """Joints that let two places meet, and the pairs of directions that each keeps."""
@@ -80,6 +82,14 @@ def test_a_tree_moves_as_with_directors_for_unknowns(drawn):
     assert np.abs(view(first, "v") - view(second, "v")).max() <= 1e-10 * size
     errors = [first.model.index(name) for name in ("energy.error", "constraint.position")]
     assert np.abs(first.get(errors)).max() <= 1e-13
+
+
+@pytest.mark.parametrize("penalty", [1e2, 1e6])
+def test_trees_keep_rows_and_energy_at_low_penalties(penalty):
+    # Trees leave the compliance out of their factors: at 1e2 they would not converge.
+    run = start(tomllib.loads(rigid_chain(4)), h=2e-3, penalty=penalty)
+    errors = observe(run, 2e-3, 20, ["energy.error", "constraint.position"])
+    assert np.abs(errors).max() <= 1e-14
 
 
 @pytest.mark.parametrize("name", ["bricard", "double_wishbone", "flyball_governor", "stewart"])
