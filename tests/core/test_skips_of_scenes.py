@@ -30,7 +30,6 @@ TRADES = ("stiffness", "factorisation", "fresh factors", "directors", "all")
 
 DEARER = {
     ("fresh factors", "bifilar", 2, "products"): 1.31,
-    ("outer iteration", "chaplygin_sleigh", 2, "iterations"): 1.15,
     ("stiffness", "differential", 2, "products"): 1.04,
     ("fresh factors", "differential", 2, "products"): 1.03,
     ("fresh factors", "double_pendulum", 2, "products"): 1.03,
@@ -38,15 +37,11 @@ DEARER = {
     ("stiffness", "flyball_governor", 2, "products"): 1.03,
     ("directors", "jansen", 2, "products"): 1.05,
     ("fresh factors", "pendulum", 2, "products"): 1.04,
-    ("outer iteration", "rolling_disc", 2, "iterations"): 1.11,
     ("old guess", "spring_pendulum", 2, "iterations"): 1.18,
     ("islands", "zoo in space", 2, "iterations"): 1.06,
     ("outer iteration", "bifilar", 4, "iterations"): 1.11,
     ("fresh factors", "bifilar", 4, "products"): 1.09,
-    ("outer iteration", "chaplygin_sleigh", 4, "iterations"): 1.05,
     ("directors", "jansen", 4, "products"): 1.05,
-    ("outer iteration", "rolling_disc", 4, "iterations"): 1.06,
-    ("outer iteration", "zoo in the plane", 4, "iterations"): 1.08,
     ("outer iteration", "bifilar", 8, "iterations"): 1.13,
     ("fresh factors", "bifilar", 8, "products"): 1.14,
     ("low penalty", "double_wishbone", 8, "products"): 1.04,
@@ -56,9 +51,6 @@ DEARER = {
     ("outer iteration", "pendulum", 8, "products"): 1.05,
     ("old guess", "pendulum", 8, "iterations"): 1.06,
     ("old guess", "pendulum", 8, "products"): 1.05,
-    ("outer iteration", "rolling_disc", 8, "iterations"): 1.03,
-    ("outer iteration", "zoo in the plane", 8, "iterations"): 1.09,
-    ("old guess", "zoo in the plane", 8, "iterations"): 1.11,
 }
 """Where a skip does not pay, by order and measure: at most so much (docs/skips.md)."""
 
