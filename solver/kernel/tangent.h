@@ -393,7 +393,8 @@ static inline int32_t factorise(const context *c)
     return status ? status : factorise_matrix(c);
 }
 
-/* Pivot of row i, what is left of -G A^-1 G' - epsilon; it is stored inverted. */
+/* Inverse pivot of row i, of what is left of -G A^-1 G' - epsilon; 0 of a row in a tree (articulated.h), which is independent and
+   well determined. */
 static inline double inverse_pivot(const context *c, int32_t i) { return c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]; }
 
 /* Replaces the right-hand side by the solution. */

@@ -124,6 +124,7 @@ class TangentPattern:
         kind: str = "",
         *,
         reduced: bool = False,
+        trees: bool = True,
     ) -> None:  # fmt: skip
         self.structure, self.kind = structure, kind
         self.lean = kind in ("lean_", "bare_")
@@ -174,7 +175,7 @@ class TangentPattern:
                     if row in self.block
                 },
                 self.islands, frozenset(map(self._of, loose)),
-                self._trees() if self.grouped else (),
+                self._trees() if self.grouped and trees else (),
             ),
             MOST_IN_GROUP if self.grouped else None,
         )  # fmt: skip
@@ -420,13 +421,21 @@ def eliminations(structure: Structure) -> dict[str, array]:
     """Return the tables of the full tangent's elimination, and of others where they are cheaper.
 
     Newton's iteration takes a step or two more with lean factors: they must save half the products.
-    Of a body or two, all pivots make one group of the full tangent, which is cheaper than several.
+    Of one to three bodies they can take more instructions, in more groups of pivots; they are left
+    out then.
     """
     anchors = RowOrder(structure).of_rows()
     reduced = bool(structure.bodies.items)
     full = TangentPattern(structure, anchors)
-    whole = TangentPattern(structure, anchors, "reduced_", reduced=True) if reduced else full
-    lean = TangentPattern(structure, anchors, "lean_", reduced=reduced)
+
+    def smaller(kind: str) -> TangentPattern:
+        """Return a tangent that fits into the memory of the full one, with trees if it can."""
+        found = TangentPattern(structure, anchors, kind, reduced=reduced)
+        if reduced and found.pattern.n_entries > full.pattern.n_entries:
+            return TangentPattern(structure, anchors, kind, reduced=True, trees=False)
+        return found
+
+    whole, lean = smaller("reduced_") if reduced else full, smaller("lean_")
     used = [full, whole] if reduced else [full]
     kinds = ["open_"]
     cheaper = lean.pattern.n_operations <= whole.pattern.n_operations
@@ -434,11 +443,11 @@ def eliminations(structure: Structure) -> dict[str, array]:
         used.append(lean)
         kinds.append("bare_")
     if structure.mechanism.contacts:
-        used += [TangentPattern(structure, anchors, kind, reduced=reduced) for kind in kinds]
+        used += map(smaller, kinds)
     kinds = tuple(f"{kind}_" for kind in FACTORS)
     found = {name: array("i") for name in TABLES if name.startswith(kinds)}
     for pattern in used:
-        if pattern.pattern.n_entries <= full.pattern.n_entries:  # all live in the same memory
+        if pattern.pattern.n_entries <= full.pattern.n_entries:
             found |= pattern.tables()
     return found
 

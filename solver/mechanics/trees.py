@@ -1,8 +1,9 @@
 """Trees of rigid bodies: the joint that carries each one, in islands without other rows.
 
 A joint makes one place of two bodies, or of a body and the ground, coincide, and keeps up to three
-pairs of their directions at right angles. The rows of the joints of a tree are independent of each
-other; those of a loop need not be, so islands with loops or other rows have no trees here.
+pairs of their directions at right angles. The rows of one joint are independent of each other, and
+of those of the rest of a tree; those of a loop, or of other parts, need not be. So islands with
+these have no trees here.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ from dataclasses import dataclass, field
 from solver.mechanics.structure import Structure
 from solver.runtime.layout import FORM_AXES
 
-MOST_DIRECTIONS = 3
 FORTH, BACK = (1.0, 0.0), (-1.0, 0.0)
 """Coefficients of a centre of mass in a coincidence, without a turn."""
 
@@ -44,14 +44,14 @@ class CarriedBody:
 
 
 def carried_bodies(structure: Structure) -> list[CarriedBody]:
-    """Return the bodies of islands that are trees, or several, in space."""
+    """Return the bodies of islands whose joints form trees; none in the plane."""
     if structure.mechanism.dim == 2 or not structure.mechanism.rigid:
         return []
-    survey = _Survey(structure)
+    survey = _TreeSearch(structure)
     return [body for island in range(structure.islands.count) for body in survey.of_island(island)]
 
 
-class _Survey:
+class _TreeSearch:
     def __init__(self, structure: Structure) -> None:
         self._structure, node_of = structure, structure.node_of
         self._bodies = [[node_of[n] for n in nodes] for nodes in structure.mechanism.rigid]
@@ -80,6 +80,8 @@ class _Survey:
             joint = found.get(frozenset(self._body_of.get(n, -1) for n in structure.free(form)))
             if joint is None or not structure.kinds[form] & FORM_AXES:
                 return None
+            if rows.items[k].row.name != links.items[joint.coincidence].row.name:
+                return None  # rows of another part may repeat those of the joint
             joint.directions.append(k)
         return list(found.values())
 
@@ -96,19 +98,17 @@ class _Survey:
         return bodies if opposite else None
 
     def _forest(self, joints: list[Joint]) -> Iterator[CarriedBody]:
-        """Go outwards from the ground, or from the first body of a free tree; no loops."""
-        near = defaultdict[int | None, list[Joint]](list)
+        """Go outwards from the ground, or from the first body; nothing if joints form a loop."""
+        joints_of = defaultdict[int | None, list[Joint]](list)
         for joint in joints:
-            if len(joint.directions) > MOST_DIRECTIONS:
-                return
             for body in joint.bodies:
-                near[body].append(joint)
+                joints_of[body].append(joint)
             if len(joint.bodies) == 1:
-                near[None].append(joint)
+                joints_of[None].append(joint)
         seen = set[int | None]()
         found: list[CarriedBody] = []
-        used = 0
-        for root in (None, *list(near)):
+        n_joints = 0
+        for root in (None, *joints_of):
             if root in seen:
                 continue
             seen.add(root)
@@ -116,17 +116,17 @@ class _Survey:
                 found.append(self._body(root))
             queue = [root]
             for parent in queue:
-                for joint in near[parent]:
+                for joint in joints_of[parent]:
                     others = joint.bodies - {parent}
                     if seen.issuperset(others):
                         continue
                     (body,) = others
                     seen.add(body)
                     queue.append(body)
-                    used += 1
+                    n_joints += 1
                     turn = None if parent is None else self._bodies[parent][1]
                     found.append(self._body(body, joint, turn))
-        if used == len(joints):
+        if n_joints == len(joints):
             yield from found
 
     def _body(

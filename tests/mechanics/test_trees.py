@@ -57,11 +57,15 @@ def trees(draw: st.DrawFn) -> tuple[Content, list[int]]:
             joint["axes"] = [axis.tolist(), second.tolist()]
         joints[f"j{body}"] = joint
     ends = st.lists(st.integers(0, count - 1), min_size=2, max_size=2, unique=True)
-    forces = {
+    points = {"P": {"position": [0.1, 3.0, 0.2], "mass": 1.0}} if draw(st.booleans()) else {}
+    if points:  # an odd number of later places
+        other = f"B{draw(st.integers(0, count - 1))}"
+        tie = {"tie": {"type": "spring", "points": ["P", other], "stiffness": 20.0}}
+    forces = ({} if not points else tie) | {
         f"s{k}": {"type": "spring", "points": [f"B{a}", f"B{b}"], "stiffness": 20.0}
         for k, (a, b) in enumerate(draw(st.lists(ends, max_size=2)))
     }
-    content = mechanism("tree", 3, bodies=bodies, joints=joints, forces=forces)
+    content = mechanism("tree", 3, points=points, bodies=bodies, joints=joints, forces=forces)
     return content, sorted(9 + KINDS[kind] for kind in kinds)
 
 
@@ -95,6 +99,38 @@ def test_trees_keep_rows_and_energy_at_low_penalties(penalty):
 @pytest.mark.parametrize("name", ["bricard", "double_wishbone", "flyball_governor", "stewart"])
 def test_islands_with_loops_or_other_rows_have_no_trees(name):
     assert joint_pivots(solver.assemble(solver.load(SCENES / f"{name}.toml"))) == []
+
+
+HINGE = {"type": "revolute", "bodies": ["A", "B"], "position": [1, 0, 0], "axis": [0, 1, 0]}
+BALL = {"type": "spherical", "bodies": ["A", "B"], "position": [1, 0, 0]}
+ANGLE = {"type": "angle", "bodies": ["A", "B"], "axes": [[0, 1, 0], [1, 0, 0]]}
+
+
+@pytest.mark.parametrize("joints", [[HINGE, ANGLE], [BALL, ANGLE, ANGLE]], ids=["hinge", "ball"])
+def test_rows_that_repeat_those_of_a_joint_leave_its_island_to_the_sparse_factors(joints):
+    # Their matrix without compliance is singular.
+    body = {"mass": 1, "inertia": [0.1, 0.2, 0.25]}
+    bodies = {"A": body | {"position": [0, 0, 0]}, "B": body | {"position": [2, 0, 0]}}
+    named = {f"j{k}": joint for k, joint in enumerate(joints)}
+    content = mechanism("repeated", 3, bodies=bodies, joints=named)
+    assert joint_pivots(assemble(content)) == []
+    errors = observe(start(content), 0.01, 20, ["energy.error", "constraint.position"])
+    assert np.abs(errors).max() <= 1e-14
+
+
+def test_trees_that_need_more_memory_than_directors_are_left_out():
+    # Springs from each of two hinged bodies to each of three points: 24 later places.
+    body = {"mass": 1, "inertia": [0.1, 0.2, 0.25]}
+    bodies = {"A": body | {"position": [0, 0, 0]}, "B": body | {"position": [2, 0, 0]}}
+    points = {f"P{k}": {"position": [k, 1.0 + k * k, 1], "mass": 1} for k in range(3)}
+    springs = {
+        f"s{a}{b}": {"type": "spring", "points": [a, b], "stiffness": 5}
+        for a in bodies for b in points
+    }  # fmt: skip
+    content = mechanism("net", 3, bodies=bodies, points=points, joints={"j": HINGE}, forces=springs)
+    model = assemble(content)
+    assert 0 < model.sizes["n_reduced_values"] <= model.sizes["n_lu_values"]
+    assert joint_pivots(model) == []
 
 
 def test_a_heavy_top_is_eliminated_with_its_tip():
