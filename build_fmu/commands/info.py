@@ -190,7 +190,7 @@ def _unknowns(step: Mapping[str, Any]) -> str:
     held = {"nested": "held while Newton iterates", "simultaneous": "following each iteration"}
     text = f"{' + '.join(parts)}; {step['factors']} numbers in the factors{lean}"
     if bodies := step["articulated_bodies"]:
-        text += f"; {bodies} {'body' if bodies == 1 else 'bodies'} eliminated with the joint below"
+        text += f"; {bodies} eliminated with {'its joint' if bodies == 1 else 'their joints'}"
     return f"{text}; multipliers {held[step['algorithm']]} ({step['algorithm']})"
 
 

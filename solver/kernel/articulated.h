@@ -13,8 +13,9 @@
 
        (L + T_m' A) T + T_m' U - (L S + T_m' A S) K (S_m' U + S_m' A T),     K = (S_m' A S)^-1.
 
-   The compliance epsilon of these rows is left out: they are independent, and it is some 1e-8 of the rest. Their residuals
-   have it, so that a solution has its effect after one increment more.                                          */
+   A group has p = 9 + a pivots, f = 3 - a free directions and m later places, an even number; `has_parent` is 1 where the
+   other body moves. The compliance epsilon of its rows is left out: they are independent, and it is some 1e-8 of the rest.
+   Their residuals have it, so that a solution has its effect after one increment more.                          */
 #ifndef HOLONOM_ARTICULATED_H
 #define HOLONOM_ARTICULATED_H
 
@@ -25,8 +26,6 @@
 #include <math.h>
 #include <string.h>
 
-#define BODY 6 /* components of a motion: turn, place */
-
 /* What solutions read, in the place of the joint's rows; behind it K (f x f), and of joints with axes their duals at the
    end and in the middle (3 x 3 each). The last entry of these rows stays 0, see lu_ptr. */
 typedef struct joint_motion {
@@ -35,6 +34,10 @@ typedef struct joint_motion {
 } joint_motion;
 
 enum { OF_END, OF_MIDDLE };
+
+#define KEPT(a) (sizeof(joint_motion) / sizeof(double) + (3 - (a)) * (3 - (a)) + ((a) ? 18 : 0))
+_Static_assert(KEPT(0) < 3 * 9 && KEPT(1) < 4 * 10 && KEPT(2) < 5 * 11 && KEPT(3) < 6 * 12, "fits rows 6 .. of D,
+               less the last entry");
 
 HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis, const double *K, double *kept)
 {
@@ -56,7 +59,7 @@ static inline const double *axes_at(const int a, const joint_motion *x, int at)
 HM_OFTEN double product(const double *a, const double *b)
 {
     lanes sum = lanes_times(lanes_at(a), lanes_at(b));
-    for (int k = 2; k < BODY; k += 2) sum = lanes_plus(sum, lanes_at(a + k), lanes_at(b + k));
+    for (int k = 2; k < BODY_UNKNOWNS; k += 2) sum = lanes_plus(sum, lanes_at(a + k), lanes_at(b + k));
     return LANE(sum, 0) + LANE(sum, 1);
 }
 
@@ -88,7 +91,7 @@ HM_OFTEN int free_axes(const int a, double *g, double *x)
 }
 
 /* Motions S (f x 6) along free directions: the turn, and what it does to the place. */
-HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, double S[3][BODY])
+HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, double S[3][BODY_UNKNOWNS])
 {
     for (int k = 0; k < 3 - a; k++) {
         for (int i = 0; i < 3; i++) S[k][i] = axis[3 * (a + k) + i];
@@ -96,7 +99,7 @@ HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, d
     }
 }
 
-/* A wrench x of the body, over the motion of the other one: T' x, of the point of the step that this reach is taken at. */
+/* carried = T' x of a wrench x of the body: the reach at the end makes T, that in the middle T_m. */
 static inline void carry(const double *reach, const double *x, double *carried)
 {
     cross_product(reach, x + 3, carried);
@@ -106,13 +109,16 @@ static inline void carry(const double *reach, const double *x, double *carried)
     }
 }
 
-/* The geometry of a joint, from its rows in D, U and L: entries of the matrices of cross products with s and h s times the arms,
-   the other body's with the opposite sign. */
-HM_OFTEN joint_motion read_joint(const int p, int32_t held, const double *D, const double *U, const double *L)
+/* The geometry of a joint, from its rows in D, U and L: entries of the matrices of cross products with s and h s times the
+   arms, the other body's with the opposite sign. */
+HM_OFTEN joint_motion read_joint(const int p, int32_t has_parent, const double *D, const double *U, const double *L)
 {
     const double s = D[6 * p + 3], r = 1.0 / D[3 * p + 6], *theta0 = U, *theta2 = U + 2 * p, *of0 = L, *of1 = L + 1;
-    joint_motion x = {s, r, {{s * D[7 * p + 2], -s * D[6 * p + 2], s * D[6 * p + 1]}, {-r * D[p + 8], r * D[8], -r * D[7]}}, {{0.0}}};
-    if (held) {
+    joint_motion x = {s,
+                      r,
+                      {{s * D[7 * p + 2], -s * D[6 * p + 2], s * D[6 * p + 1]}, {-r * D[p + 8], r * D[8], -r * D[7]}},
+                      {{0.0}}};
+    if (has_parent) {
         x.reach[OF_END][0] = -s * theta2[2 * 7] - x.arm[OF_END][0];
         x.reach[OF_END][1] = s * theta2[2 * 6] - x.arm[OF_END][1];
         x.reach[OF_END][2] = -s * theta0[2 * 6 + 1] - x.arm[OF_END][2];
@@ -170,22 +176,23 @@ HM_OFTEN void carry_row(const double *reach, lanes *x)
 }
 
 /* P = T_m' (U + A T) + L T of the other body, 6 rows of 3 lanes. */
-HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D, const double *U, const double *L, lanes P[BODY][3])
+HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D, const double *U, const double *L,
+                            lanes P[BODY_UNKNOWNS][3])
 {
-    for (int i = 0; i < BODY; i++) {
+    for (int i = 0; i < BODY_UNKNOWNS; i++) {
         for (int k = 0; k < 3; k++) P[i][k] = lanes_at(D + p * i + 2 * k);
         carry_row(x->reach[OF_END], P[i]);
         for (int k = 0; k < 3; k++) P[i][k] = lanes_sum(P[i][k], lanes_at(U + 2 * (p * k + i)));
     }
     for (int k = 0; k < 3; k++) {
-        lanes column[BODY];
-        for (int i = 0; i < BODY; i++) column[i] = P[i][k];
+        lanes column[BODY_UNKNOWNS];
+        for (int i = 0; i < BODY_UNKNOWNS; i++) column[i] = P[i][k];
         carry_two(x->reach[OF_MIDDLE], column);
         for (int i = 0; i < 3; i++) P[i][k] = column[i];
     }
-    for (int i = 0; i < BODY; i += 2) {
-        lanes rows[BODY];
-        for (int k = 0; k < BODY; k++) rows[k] = lanes_at(L + p * i + 2 * k);
+    for (int i = 0; i < BODY_UNKNOWNS; i += 2) {
+        lanes rows[BODY_UNKNOWNS];
+        for (int k = 0; k < BODY_UNKNOWNS; k++) rows[k] = lanes_at(L + p * i + 2 * k);
         carry_two(x->reach[OF_END], rows);
         for (int k = 0; k < 3; k++) {
             P[i][k] = lanes_sum(P[i][k], lanes_of(LANE(rows[2 * k], 0), LANE(rows[2 * k + 1], 0)));
@@ -195,19 +202,22 @@ HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D,
 }
 
 /* V = S_m' (U + A T) in the place of rows 6 .. of U, and W = (L + T_m' A) S K in that of L. */
-HM_OFTEN int free_factors(const int a, int32_t m, int32_t held, const joint_motion *x, const double *axis, const double *D,
+HM_OFTEN int free_factors(const int a, int32_t m, int32_t has_parent, const joint_motion *x, const double *axis,
+                          const double *D,
                           double *U, double *L, double *K)
 {
     const int f = 3 - a, p = 9 + a;
-    double S[3][BODY], Sm[3][BODY];
+    double S[3][BODY_UNKNOWNS], Sm[3][BODY_UNKNOWNS];
     lanes Y[3][3], Z[3][3];
     free_motions(a, x->arm[OF_END], axis, S);
     free_motions(a, x->arm[OF_MIDDLE], axis + 9, Sm);
     for (int k = 0; k < f; k++) {
-        for (int i = 0; i < BODY; i += 2) Y[k][i / 2] = lanes_of(product(D + p * i, S[k]), product(D + p * (i + 1), S[k]));
+        for (int i = 0; i < BODY_UNKNOWNS; i += 2)
+            Y[k][i / 2] = lanes_of(product(D + p * i, S[k]), product(D + p * (i + 1), S[k]));
         for (int j = 0; j < 3; j++) {
             Z[k][j] = both_lanes(0.0);
-            for (int i = 0; i < BODY; i++) Z[k][j] = lanes_plus(Z[k][j], both_lanes(Sm[k][i]), lanes_at(D + p * i + 2 * j));
+            for (int i = 0; i < BODY_UNKNOWNS; i++)
+                Z[k][j] = lanes_plus(Z[k][j], both_lanes(Sm[k][i]), lanes_at(D + p * i + 2 * j));
         }
     }
     for (int i = 0; i < f; i++)
@@ -217,7 +227,7 @@ HM_OFTEN int free_factors(const int a, int32_t m, int32_t held, const joint_moti
             K[f * i + k] = LANE(sum, 0) + LANE(sum, 1);
         }
     if (invert(f, K)) return 1;
-    for (int k = 0; k < f && held; k++) {
+    for (int k = 0; k < f && has_parent; k++) {
         carry_row(x->reach[OF_END], Z[k]);
         carry_row(x->reach[OF_MIDDLE], Y[k]);
     }
@@ -225,19 +235,19 @@ HM_OFTEN int free_factors(const int a, int32_t m, int32_t held, const joint_moti
         double *u = U + p * i, *l = L + p * i;
         lanes w[3];
         for (int k = 0; k < f; k++) {
-            const int of_other = held && i < BODY;
+            const int of_other = has_parent && i < BODY_UNKNOWNS;
             lanes v = of_other ? Z[k][i / 2] : both_lanes(0.0);
             w[k] = of_other ? Y[k][i / 2] : both_lanes(0.0);
-            for (int j = 0; j < BODY; j++) {
+            for (int j = 0; j < BODY_UNKNOWNS; j++) {
                 v = lanes_plus(v, both_lanes(Sm[k][j]), lanes_at(u + 2 * j));
                 w[k] = lanes_plus(w[k], both_lanes(S[k][j]), lanes_at(l + 2 * j));
             }
-            put_lanes(u + 2 * (BODY + k), v);
+            put_lanes(u + 2 * (BODY_UNKNOWNS + k), v);
         }
         for (int k = 0; k < f; k++) {
             lanes sum = lanes_times(w[0], both_lanes(K[k]));
             for (int j = 1; j < f; j++) sum = lanes_plus(sum, w[j], both_lanes(K[f * j + k]));
-            put_lanes(l + 2 * (BODY + k), sum);
+            put_lanes(l + 2 * (BODY_UNKNOWNS + k), sum);
         }
     }
     return 0;
@@ -251,19 +261,20 @@ HM_OFTEN void add_two(lanes sum, const int32_t *place, double *x)
 }
 
 /* Adds P - W V to the matrix of the other body; `target` has m x m places of the later ones. */
-HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY][3], const double *U, const double *L,
+HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNKNOWNS][3], const double *U, const double *L,
                            const int32_t *target, double *value)
 {
-    for (int i = 0; i < BODY; i++, target += m)
+    for (int i = 0; i < BODY_UNKNOWNS; i++, target += m)
         for (int k = 0; k < 3; k++) {
             lanes sum = P[i][k];
             for (int j = 0; j < f; j++)
-                sum = lanes_less(sum, both_lanes(L[2 * (p * (i / 2) + BODY + j) + i % 2]), lanes_at(U + 2 * (p * k + BODY + j)));
+                sum = lanes_less(sum, both_lanes(L[2 * (p * (i / 2) + BODY_UNKNOWNS + j) + i % 2]),
+                                 lanes_at(U + 2 * (p * k + BODY_UNKNOWNS + j)));
             add_two(sum, target + 2 * k, value);
         }
 }
 
-/* Likewise T_m' U, L T and 0, less W V, of other later places, of which the joint's other body comes `first`. */
+/* Adds T_m' U - W V, L T - W V or -W V for pairs of later places that are not both of the other body, which are the `first`. */
 HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint_motion *x, const double *U, const double *L,
                                     const int32_t *target, double *value)
 {
@@ -271,34 +282,36 @@ HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint
     for (int32_t i = 0; i < m; i++)
         for (int32_t k = i < first ? first : 0; k < m; k += 2) {
             const double *u = U + p * k, *l = L + p * (i - i % 2) + i % 2;
-            lanes column[BODY], sum = both_lanes(0.0);
+            lanes column[BODY_UNKNOWNS], sum = both_lanes(0.0);
             if (i < first) {
-                for (int j = 0; j < BODY; j++) column[j] = lanes_at(u + 2 * j);
+                for (int j = 0; j < BODY_UNKNOWNS; j++) column[j] = lanes_at(u + 2 * j);
                 carry_two(x->reach[OF_MIDDLE], column);
                 sum = column[i];
             } else if (k < first) {
-                for (int j = 0; j < BODY; j++) column[j] = both_lanes(l[2 * j]);
+                for (int j = 0; j < BODY_UNKNOWNS; j++) column[j] = both_lanes(l[2 * j]);
                 carry_two(x->reach[OF_END], column);
                 sum = lanes_of(LANE(column[k], 0), LANE(column[k + 1], 0));
             }
-            for (int j = 0; j < f; j++) sum = lanes_less(sum, both_lanes(l[2 * (BODY + j)]), lanes_at(u + 2 * (BODY + j)));
+            for (int j = 0; j < f; j++)
+                sum = lanes_less(sum, both_lanes(l[2 * (BODY_UNKNOWNS + j)]), lanes_at(u + 2 * (BODY_UNKNOWNS + j)));
             add_two(sum, target + m * i + k, value);
         }
 }
 
 /* Matrix in, factors out. Returns 1 if it is singular. */
-HM_OFTEN int factor_joint(const int a, int32_t m, int32_t held, double *D, const int32_t *target, double *value)
+HM_OFTEN int factor_joint(const int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
 {
     const int p = 9 + a;
     double *const U = D + p * p, *const L = U + p * m, axis[18], K[9];
-    lanes P[BODY][3];
-    const joint_motion x = read_joint(p, held, D, U, L);
+    lanes P[BODY_UNKNOWNS][3];
+    const joint_motion x = read_joint(p, has_parent, D, U, L);
     if (read_axes(a, D, OF_END, axis) || read_axes(a, D, OF_MIDDLE, axis + 9)) return 1;
-    if (held) carry_inertia(p, &x, D, U, L, P);
-    if (free_factors(a, m, held, &x, axis, D, U, L, K)) return 1;
-    if (held) add_to_other(3 - a, p, m, P, U, L, target, value);
-    if (m > (held ? BODY : 0)) add_to_others(3 - a, m, held ? BODY : 0, &x, U, L, target, value);
-    keep_joint(a, &x, axis, K, D + BODY * p);
+    if (has_parent) carry_inertia(p, &x, D, U, L, P);
+    if (free_factors(a, m, has_parent, &x, axis, D, U, L, K)) return 1;
+    if (has_parent) add_to_other(3 - a, p, m, P, U, L, target, value);
+    if (m > (has_parent ? BODY_UNKNOWNS : 0)) add_to_others(3 - a, m, has_parent ? BODY_UNKNOWNS : 0, &x, U, L, target,
+                                                            value);
+    keep_joint(a, &x, axis, K, D + BODY_UNKNOWNS * p);
     D[p * p - 1] = 0.0;
     return 0;
 }
@@ -321,8 +334,8 @@ HM_OFTEN void free_forces(const int a, const double *arm, const double *axis, co
     for (int k = 0; k < 3 - a; k++) force[k] = a ? dot(axis + 3 * (a + k), torque) : torque[k];
 }
 
-/* The motion e that the rows c ask for. */
-HM_OFTEN void asked_motion(const int a, const joint_motion *x, const double *c, double *e)
+/* e: a motion of the body that meets the right-hand sides c of its rows while the other one rests. */
+HM_OFTEN void particular_motion(const int a, const joint_motion *x, const double *c, double *e)
 {
     double across[3];
     for (int i = 0; i < 3; i++) {
@@ -338,104 +351,111 @@ HM_OFTEN void asked_motion(const int a, const joint_motion *x, const double *c, 
 /* y -= A x. */
 HM_OFTEN void subtract_motion(const int p, const double *D, const double *x, double *y)
 {
-    for (int i = 0; i < BODY; i++) y[i] -= product(D + p * i, x);
+    for (int i = 0; i < BODY_UNKNOWNS; i++) y[i] -= product(D + p * i, x);
 }
 
 /* y: own right-hand sides r and c; r becomes r - A e. The right-hand sides x of later places change. */
-HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, double *x)
+HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
+                           double *x)
 {
     const int f = 3 - a, p = 9 + a;
     const double *l = D + p * p + p * m;
-    const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY * p);
-    double e[BODY], own[BODY], force[3];
-    asked_motion(a, joint, y + BODY, e);
+    const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY_UNKNOWNS * p);
+    double e[BODY_UNKNOWNS], own[BODY_UNKNOWNS], force[3];
+    particular_motion(a, joint, y + BODY_UNKNOWNS, e);
     subtract_motion(p, D, e, y);
     free_forces(a, joint->arm[OF_MIDDLE], axes_at(a, joint, OF_MIDDLE), y, force);
-    if (held) {
+    if (has_parent) {
         carry(joint->reach[OF_MIDDLE], y, own);
-        for (int k = 0; k < BODY; k++) x[column[k]] += own[k];
+        for (int k = 0; k < BODY_UNKNOWNS; k++) x[column[k]] += own[k];
     }
     for (int32_t i = 0; i < m; i += 2, l += 2 * p) {
         lanes sum = lanes_times(both_lanes(e[0]), lanes_at(l));
-        for (int k = 1; k < BODY; k++) sum = lanes_plus(sum, both_lanes(e[k]), lanes_at(l + 2 * k));
-        for (int k = 0; k < f; k++) sum = lanes_plus(sum, both_lanes(force[k]), lanes_at(l + 2 * (BODY + k)));
+        for (int k = 1; k < BODY_UNKNOWNS; k++) sum = lanes_plus(sum, both_lanes(e[k]), lanes_at(l + 2 * k));
+        for (int k = 0; k < f; k++) sum = lanes_plus(sum, both_lanes(force[k]), lanes_at(l + 2 * (BODY_UNKNOWNS + k)));
         x[column[i]] -= LANE(sum, 0);
         x[column[i + 1]] -= LANE(sum, 1);
     }
 }
 
 /* y: motion of the body, then its multipliers, from the solution x of later places. */
-HM_OFTEN void solve_joint(const int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, const double *x)
+HM_OFTEN void solve_joint(const int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
+                          const double *x)
 {
     const int f = 3 - a, p = 9 + a;
     const double *u = D + p * p;
-    const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY * p);
+    const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY_UNKNOWNS * p);
     const double *K = inverse_of(joint), *axis = axes_at(a, joint, OF_END), *axis_m = axes_at(a, joint, OF_MIDDLE);
-    double e[BODY], own[BODY], q[3] = {0.0}, left[3], across[3], other[BODY] = {0.0};
-    lanes wrench[BODY], force[3];
-    asked_motion(a, joint, y + BODY, e);
+    double e[BODY_UNKNOWNS], own[BODY_UNKNOWNS], q[3] = {0.0}, left[3], across[3], other[BODY_UNKNOWNS] = {0.0};
+    lanes wrench[BODY_UNKNOWNS], force[3];
+    particular_motion(a, joint, y + BODY_UNKNOWNS, e);
     free_forces(a, joint->arm[OF_MIDDLE], axis_m, y, left);
     for (int k = 0; k < f; k++) force[k] = lanes_of(left[k], 0.0);
-    for (int k = 0; k < BODY; k++) wrench[k] = both_lanes(0.0);
+    for (int k = 0; k < BODY_UNKNOWNS; k++) wrench[k] = both_lanes(0.0);
     for (int32_t i = 0; i < m; i += 2, u += 2 * p) {
         const lanes later = lanes_of(x[column[i]], x[column[i + 1]]);
-        for (int k = 0; k < BODY; k++) wrench[k] = lanes_plus(wrench[k], later, lanes_at(u + 2 * k));
-        for (int k = 0; k < f; k++) force[k] = lanes_less(force[k], later, lanes_at(u + 2 * (BODY + k)));
+        for (int k = 0; k < BODY_UNKNOWNS; k++) wrench[k] = lanes_plus(wrench[k], later, lanes_at(u + 2 * k));
+        for (int k = 0; k < f; k++) force[k] = lanes_less(force[k], later, lanes_at(u + 2 * (BODY_UNKNOWNS + k)));
     }
     for (int i = 0; i < f; i++)
         for (int k = 0; k < f; k++) q[i] += K[f * i + k] * (LANE(force[k], 0) + LANE(force[k], 1));
     free_turn(a, axis, q, own);
     cross_product(joint->arm[OF_END], own, own + 3);
-    for (int k = 0; k < BODY && held; k++) other[k] = x[column[k]];
+    for (int k = 0; k < BODY_UNKNOWNS && has_parent; k++) other[k] = x[column[k]];
     cross_product(other, joint->reach[OF_END], across);
     for (int k = 0; k < 3; k++) {
         own[k] += other[k];
         own[3 + k] += other[3 + k] + across[k];
     }
-    for (int k = 0; k < BODY; k++) y[k] -= LANE(wrench[k], 0) + LANE(wrench[k], 1);
+    for (int k = 0; k < BODY_UNKNOWNS; k++) y[k] -= LANE(wrench[k], 0) + LANE(wrench[k], 1);
     subtract_motion(p, D, own, y);
     cross_product(joint->arm[OF_MIDDLE], y + 3, across);
     for (int k = 0; k < 3; k++) {
         across[k] = y[k] - across[k];
-        y[BODY + k] = joint->rate * y[3 + k];
+        y[BODY_UNKNOWNS + k] = joint->rate * y[3 + k];
     }
     for (int k = 0; k < a; k++) y[9 + k] = dot(axis_m + 3 * k, across);
-    for (int k = 0; k < BODY; k++) y[k] = own[k] + e[k];
+    for (int k = 0; k < BODY_UNKNOWNS; k++) y[k] = own[k] + e[k];
 }
 
 /* Hinges, which chains and robots are made of, have functions of their own. */
 #define HINGE 2
 
-HM_SELDOM static int factor_other_joint(int a, int32_t m, int32_t held, double *D, const int32_t *target, double *value)
+HM_SELDOM static int factor_other_joint(int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
 {
-    return factor_joint(a, m, held, D, target, value);
+    return factor_joint(a, m, has_parent, D, target, value);
 }
 
-HM_SELDOM static void reduce_other_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, double *x)
+HM_SELDOM static void reduce_other_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column,
+                                         double *y, double *x)
 {
-    reduce_joint(a, m, held, D, column, y, x);
+    reduce_joint(a, m, has_parent, D, column, y, x);
 }
 
-HM_SELDOM static void solve_other_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, const double *x)
+HM_SELDOM static void solve_other_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column,
+                                        double *y, const double *x)
 {
-    solve_joint(a, m, held, D, column, y, x);
+    solve_joint(a, m, has_parent, D, column, y, x);
 }
 
-static int factor_any_joint(int a, int32_t m, int32_t held, double *D, const int32_t *target, double *value)
+static int factor_any_joint(int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
 {
-    return a == HINGE ? factor_joint(HINGE, m, held, D, target, value) : factor_other_joint(a, m, held, D, target, value);
+    return a == HINGE ? factor_joint(HINGE, m, has_parent, D, target, value) : factor_other_joint(a, m, has_parent, D,
+                                                                                                  target, value);
 }
 
-static void reduce_any_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, double *x)
+static void reduce_any_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
+                             double *x)
 {
-    if (a == HINGE) reduce_joint(HINGE, m, held, D, column, y, x);
-    else reduce_other_joint(a, m, held, D, column, y, x);
+    if (a == HINGE) reduce_joint(HINGE, m, has_parent, D, column, y, x);
+    else reduce_other_joint(a, m, has_parent, D, column, y, x);
 }
 
-static void solve_any_joint(int a, int32_t m, int32_t held, const double *D, const int32_t *column, double *y, const double *x)
+static void solve_any_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
+                            const double *x)
 {
-    if (a == HINGE) solve_joint(HINGE, m, held, D, column, y, x);
-    else solve_other_joint(a, m, held, D, column, y, x);
+    if (a == HINGE) solve_joint(HINGE, m, has_parent, D, column, y, x);
+    else solve_other_joint(a, m, has_parent, D, column, y, x);
 }
 
 #endif

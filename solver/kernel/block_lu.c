@@ -117,9 +117,9 @@ HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t
     default: of_joint;                                                                                         \
     }
 #if DIM == 3
-#define FACTOR_JOINT fails = factor_any_joint(p - 9, m, group[2], D, target, value)
-#define REDUCE_JOINT reduce_any_joint(p - 9, m, group[2], D, column, x + group[0], x)
-#define SOLVE_JOINT solve_any_joint(p - 9, m, group[2], D, column, x + group[0], x)
+#define FACTOR_JOINT fails = factor_any_joint(p - LEAST_WITH_JOINT, m, group[2], D, target, value)
+#define REDUCE_JOINT reduce_any_joint(p - LEAST_WITH_JOINT, m, group[2], D, column, x + group[0], x)
+#define SOLVE_JOINT solve_any_joint(p - LEAST_WITH_JOINT, m, group[2], D, column, x + group[0], x)
 #else
 #define FACTOR_JOINT fails = 1
 #define REDUCE_JOINT break

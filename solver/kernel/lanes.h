@@ -41,4 +41,9 @@ static inline lanes lanes_plus(lanes sum, lanes a, lanes b) { return LANES(sum +
 
 static inline lanes lanes_less(lanes sum, lanes a, lanes b) { return LANES(sum - a * b, LESS_PRODUCT); }
 
+#undef PRODUCT
+#undef SUM
+#undef WITH_PRODUCT
+#undef LESS_PRODUCT
+
 #endif

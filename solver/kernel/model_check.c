@@ -397,14 +397,14 @@ HM_SELDOM static int has_elimination(const checker *c, const holonom_elimination
         const int jointed = DIM == 3 && size >= LEAST_WITH_JOINT && size <= MOST_WITH_JOINT;
         if (size < 1 || (size > MOST_IN_GROUP && !jointed) || k + size > n) return 0;
         for (int32_t i = 1; i < size; i++) {
-            const int64_t last = jointed && i >= 6 ? size - 1 : i;
+            const int64_t last = jointed && i >= BODY_UNKNOWNS ? size - 1 : i;
             if (e->lu_ptr[k + i] != e->lu_ptr[k] + last * (size + 1)) return 0;
         }
         const int64_t width = e->lu_ptr[k + size] - (int64_t)e->lu_ptr[k] - size * size, neighbours = width / (2 * size);
         if (width < 0 || width % (2 * size) || columns + neighbours > c->length[OWN(lu_column)] ||
             !within(e->lu_column + columns, neighbours, k + size, n) || (group && (group[3 * g + 1] != neighbours || neighbours % 2)))
             return 0;
-        if (group && group[3 * g + 2] != 0 && !(jointed && group[3 * g + 2] == 1 && neighbours >= 6)) return 0;
+        if (group && group[3 * g + 2] != 0 && !(jointed && group[3 * g + 2] == 1 && neighbours >= BODY_UNKNOWNS)) return 0;
         columns += neighbours;
         targets += neighbours * neighbours;
         k += (int32_t)size;

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from solver.runtime.errors import AssemblyError
+from solver.runtime.layout import BODY_UNKNOWNS
 
 Integers = NDArray[np.integer]
 
@@ -34,8 +35,6 @@ MOST_PRODUCTS = 5_000_000
 MOST_OF_A_NET = 150
 """Products over n^1.5, of n unknowns, that a large one may need; nets of springs need 110."""
 
-BODY = 6
-"""Unknowns of a body in space: its turn and its place."""
 NO_JOINT, GROUND = -2, -1
 
 
@@ -60,8 +59,8 @@ class Pattern:
     """First pivot of each group, and the end."""
     lanes: int
     parents: Integers
-    """Of each group: the first of the `BODY` later places, turn and place of the other body of the
-    joint that the group has, which come first among them; else `GROUND` or `NO_JOINT`."""
+    """Of each group that is a body with its joint: `GROUND`, or the first later place of the other
+    body, whose `BODY_UNKNOWNS` (turn, place) come first among these; of all others `NO_JOINT`."""
 
     @property
     def n_products(self) -> int:
@@ -108,7 +107,7 @@ class Pattern:
         """Place of the diagonal of each pivot, one for all rows of a joint, and the end of all."""
         size = self._size[self._group]
         within = np.arange(len(self.counts)) - self.groups[self._group]
-        of_joint = (self.parents[self._group] != NO_JOINT) & (within >= BODY)
+        of_joint = (self.parents[self._group] != NO_JOINT) & (within >= BODY_UNKNOWNS)
         within[of_joint] = size[of_joint] - 1
         return np.append(self.begin[self._group] + within * (size + 1), self.begin[-1])
 
@@ -132,7 +131,9 @@ class Pattern:
         for group in np.flatnonzero(self.parents >= 0):
             first, end = self._first[self.groups[group + 1] - 1 :][:2]
             places, parent = self.column[first:end], self.parents[group]
-            order = np.argsort((places < parent) | (places >= parent + BODY), kind="stable")
+            order = np.argsort(
+                (places < parent) | (places >= parent + BODY_UNKNOWNS), kind="stable"
+            )
             rank[first + order] = np.arange(end - first)
         return rank
 

@@ -331,6 +331,8 @@ MOST_LEVELS = 3
 """How often the penalty of an island is raised, at most."""
 MOST_IN_GROUP = 5
 """Pivots of a group of factors."""
+BODY_UNKNOWNS = 6
+"""Of a body in space: its turn and its place."""
 LEAST_WITH_JOINT, MOST_WITH_JOINT = 9, 12
 """Those of a group of a body in space and the rows of its joint."""
 MOST_SIDES = 8
