@@ -36,8 +36,8 @@ typedef struct joint_motion {
 enum { OF_END, OF_MIDDLE };
 
 #define KEPT(a) (sizeof(joint_motion) / sizeof(double) + (3 - (a)) * (3 - (a)) + ((a) ? 18 : 0))
-_Static_assert(KEPT(0) < 3 * 9 && KEPT(1) < 4 * 10 && KEPT(2) < 5 * 11 && KEPT(3) < 6 * 12, "fits rows 6 .. of D,
-               less the last entry");
+_Static_assert(KEPT(0) < 3 * 9 && KEPT(1) < 4 * 10 && KEPT(2) < 5 * 11 && KEPT(3) < 6 * 12,
+               "fits rows 6 .. of D, less the last entry");
 
 HM_OFTEN void keep_joint(const int a, const joint_motion *x, const double *axis, const double *K, double *kept)
 {
@@ -274,7 +274,8 @@ HM_OFTEN void add_to_other(const int f, const int p, int32_t m, lanes P[BODY_UNK
         }
 }
 
-/* Adds T_m' U - W V, L T - W V or -W V for pairs of later places that are not both of the other body, which are the `first`. */
+/* Adds T_m' U - W V, L T - W V or -W V for pairs of later places that are not both of the other body, of which the `first`
+   are. */
 HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint_motion *x, const double *U, const double *L,
                                     const int32_t *target, double *value)
 {
