@@ -99,16 +99,6 @@ HM_OFTEN void free_motions(const int a, const double *arm, const double *axis, d
     }
 }
 
-/* carried = T' x of a wrench x of the body: the reach at the end makes T, that in the middle T_m. */
-static inline void carry(const double *reach, const double *x, double *carried)
-{
-    cross_product(reach, x + 3, carried);
-    for (int k = 0; k < 3; k++) {
-        carried[k] += x[k];
-        carried[3 + k] = x[3 + k];
-    }
-}
-
 /* The geometry of a joint, from its rows in D, U and L: entries of the matrices of cross products with s and h s times the
    arms, the other body's with the opposite sign. */
 HM_OFTEN joint_motion read_joint(const int p, int32_t has_parent, const double *D, const double *U, const double *L)
@@ -156,7 +146,8 @@ HM_OFTEN int invert(const int f, double *K)
     return 0;
 }
 
-/* Of two rows side by side: to the wrenches, 6 lanes, adds reach x f of their forces. */
+/* T' of two wrenches side by side, 6 lanes: their torques get reach x force. The reach at the end makes T, that in the middle
+   T_m. */
 HM_OFTEN void carry_two(const double *reach, lanes *x)
 {
     const lanes a = both_lanes(reach[0]), b = both_lanes(reach[1]), c = both_lanes(reach[2]);
@@ -203,8 +194,7 @@ HM_OFTEN void carry_inertia(const int p, const joint_motion *x, const double *D,
 
 /* V = S_m' (U + A T) in the place of rows 6 .. of U, and W = (L + T_m' A) S K in that of L. */
 HM_OFTEN int free_factors(const int a, int32_t m, int32_t has_parent, const joint_motion *x, const double *axis,
-                          const double *D,
-                          double *U, double *L, double *K)
+                          const double *D, double *U, double *L, double *K)
 {
     const int f = 3 - a, p = 9 + a;
     double S[3][BODY_UNKNOWNS], Sm[3][BODY_UNKNOWNS];
@@ -302,7 +292,7 @@ HM_SELDOM static void add_to_others(int f, int32_t m, int32_t first, const joint
 /* Matrix in, factors out. Returns 1 if it is singular. */
 HM_OFTEN int factor_joint(const int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
 {
-    const int p = 9 + a;
+    const int p = 9 + a, first = has_parent ? BODY_UNKNOWNS : 0;
     double *const U = D + p * p, *const L = U + p * m, axis[18], K[9];
     lanes P[BODY_UNKNOWNS][3];
     const joint_motion x = read_joint(p, has_parent, D, U, L);
@@ -310,8 +300,7 @@ HM_OFTEN int factor_joint(const int a, int32_t m, int32_t has_parent, double *D,
     if (has_parent) carry_inertia(p, &x, D, U, L, P);
     if (free_factors(a, m, has_parent, &x, axis, D, U, L, K)) return 1;
     if (has_parent) add_to_other(3 - a, p, m, P, U, L, target, value);
-    if (m > (has_parent ? BODY_UNKNOWNS : 0)) add_to_others(3 - a, m, has_parent ? BODY_UNKNOWNS : 0, &x, U, L, target,
-                                                            value);
+    if (m > first) add_to_others(3 - a, m, first, &x, U, L, target, value);
     keep_joint(a, &x, axis, K, D + BODY_UNKNOWNS * p);
     D[p * p - 1] = 0.0;
     return 0;
@@ -362,13 +351,16 @@ HM_OFTEN void reduce_joint(const int a, int32_t m, int32_t has_parent, const dou
     const int f = 3 - a, p = 9 + a;
     const double *l = D + p * p + p * m;
     const joint_motion *joint = (const joint_motion *)(const void *)(D + BODY_UNKNOWNS * p);
-    double e[BODY_UNKNOWNS], own[BODY_UNKNOWNS], force[3];
+    double e[BODY_UNKNOWNS], across[3], force[3];
     particular_motion(a, joint, y + BODY_UNKNOWNS, e);
     subtract_motion(p, D, e, y);
     free_forces(a, joint->arm[OF_MIDDLE], axes_at(a, joint, OF_MIDDLE), y, force);
     if (has_parent) {
-        carry(joint->reach[OF_MIDDLE], y, own);
-        for (int k = 0; k < BODY_UNKNOWNS; k++) x[column[k]] += own[k];
+        cross_product(joint->reach[OF_MIDDLE], y + 3, across);
+        for (int k = 0; k < 3; k++) {
+            x[column[k]] += across[k] + y[k];
+            x[column[3 + k]] += y[3 + k];
+        }
     }
     for (int32_t i = 0; i < m; i += 2, l += 2 * p) {
         lanes sum = lanes_times(both_lanes(e[0]), lanes_at(l));
@@ -437,26 +429,6 @@ HM_SELDOM static void solve_other_joint(int a, int32_t m, int32_t has_parent, co
                                         double *y, const double *x)
 {
     solve_joint(a, m, has_parent, D, column, y, x);
-}
-
-static int factor_any_joint(int a, int32_t m, int32_t has_parent, double *D, const int32_t *target, double *value)
-{
-    return a == HINGE ? factor_joint(HINGE, m, has_parent, D, target, value) : factor_other_joint(a, m, has_parent, D,
-                                                                                                  target, value);
-}
-
-static void reduce_any_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
-                             double *x)
-{
-    if (a == HINGE) reduce_joint(HINGE, m, has_parent, D, column, y, x);
-    else reduce_other_joint(a, m, has_parent, D, column, y, x);
-}
-
-static void solve_any_joint(int a, int32_t m, int32_t has_parent, const double *D, const int32_t *column, double *y,
-                            const double *x)
-{
-    if (a == HINGE) solve_joint(HINGE, m, has_parent, D, column, y, x);
-    else solve_other_joint(a, m, has_parent, D, column, y, x);
 }
 
 #endif

@@ -117,9 +117,11 @@ HM_OFTEN void solve_group(const int p, int32_t m, const double *D, const int32_t
     default: of_joint;                                                                                         \
     }
 #if DIM == 3
-#define FACTOR_JOINT fails = factor_any_joint(p - LEAST_WITH_JOINT, m, group[2], D, target, value)
-#define REDUCE_JOINT reduce_any_joint(p - LEAST_WITH_JOINT, m, group[2], D, column, x + group[0], x)
-#define SOLVE_JOINT solve_any_joint(p - LEAST_WITH_JOINT, m, group[2], D, column, x + group[0], x)
+#define BY_JOINT(name, ...)                                                                                    \
+    (p == LEAST_WITH_JOINT + HINGE ? name##_joint(HINGE, __VA_ARGS__) : name##_other_joint(p - LEAST_WITH_JOINT, __VA_ARGS__))
+#define FACTOR_JOINT fails = BY_JOINT(factor, m, group[2], D, target, value)
+#define REDUCE_JOINT BY_JOINT(reduce, m, group[2], D, column, x + group[0], x)
+#define SOLVE_JOINT BY_JOINT(solve, m, group[2], D, column, x + group[0], x)
 #else
 #define FACTOR_JOINT fails = 1
 #define REDUCE_JOINT break

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from solver.mechanics.elimination import Graph, Integers, TreeBody, eliminate
 from solver.mechanics.mechanism import Load
 from solver.mechanics.structure import ROW_KINDS, Composite, Structure, flat, pointers
-from solver.mechanics.trees import carried_bodies
+from solver.mechanics.trees import CarriedBody, carried_bodies
 from solver.runtime.layout import (
     FACTORS,
     FEW_CONTACTS,
@@ -124,7 +124,7 @@ class TangentPattern:
         kind: str = "",
         *,
         reduced: bool = False,
-        trees: bool = True,
+        trees: Sequence[CarriedBody] = (),
     ) -> None:  # fmt: skip
         self.structure, self.kind = structure, kind
         self.lean = kind in ("lean_", "bare_")
@@ -175,7 +175,7 @@ class TangentPattern:
                     if row in self.block
                 },
                 self.islands, frozenset(map(self._of, loose)),
-                self._trees() if self.grouped and trees else (),
+                self._tree_bodies(trees) if self.grouped else (),
             ),
             MOST_IN_GROUP if self.grouped else None,
         )  # fmt: skip
@@ -295,10 +295,10 @@ class TangentPattern:
 
     # ------------------------------------------------------------------------------- the graph
 
-    def _trees(self) -> list[TreeBody]:
-        """Return the bodies that are eliminated with the joints that carry them."""
+    def _tree_bodies(self, trees: Sequence[CarriedBody]) -> list[TreeBody]:
+        """Return the blocks of bodies that are eliminated with the joints that carry them."""
         first, found = self.ends, []
-        for body in carried_bodies(self.structure):
+        for body in trees:
             blocks, joint = [body.turn, body.place], body.joint
             if joint is not None:
                 blocks.append(first[2] + joint.coincidence)
@@ -426,13 +426,13 @@ def eliminations(structure: Structure) -> dict[str, array]:
     """
     anchors = RowOrder(structure).of_rows()
     reduced = bool(structure.bodies.items)
-    full = TangentPattern(structure, anchors)
+    full, trees = TangentPattern(structure, anchors), carried_bodies(structure)
 
     def smaller(kind: str) -> TangentPattern:
         """Return a tangent that fits into the memory of the full one, with trees if it can."""
-        found = TangentPattern(structure, anchors, kind, reduced=reduced)
-        if reduced and found.pattern.n_entries > full.pattern.n_entries:
-            return TangentPattern(structure, anchors, kind, reduced=True, trees=False)
+        found = TangentPattern(structure, anchors, kind, reduced=reduced, trees=trees)
+        if trees and found.pattern.n_entries > full.pattern.n_entries:
+            return TangentPattern(structure, anchors, kind, reduced=reduced)
         return found
 
     whole, lean = smaller("reduced_") if reduced else full, smaller("lean_")
@@ -447,7 +447,7 @@ def eliminations(structure: Structure) -> dict[str, array]:
     kinds = tuple(f"{kind}_" for kind in FACTORS)
     found = {name: array("i") for name in TABLES if name.startswith(kinds)}
     for pattern in used:
-        if pattern.pattern.n_entries <= full.pattern.n_entries:
+        if pattern.pattern.n_entries <= full.pattern.n_entries:  # all live in the same memory
             found |= pattern.tables()
     return found
 
