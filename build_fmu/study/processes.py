@@ -19,6 +19,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 from multiprocessing.connection import Connection
+from multiprocessing.synchronize import Semaphore
 from typing import Any, NamedTuple
 
 from build_fmu.errors import EnvironmentLackError
@@ -69,11 +70,14 @@ def _results_of_a_pool(
     # Processes know nothing of this one (spawn): an FMU cannot be loaded and forked.
     context = multiprocessing.get_context("spawn")
     end, ours = context.Pipe(duplex=False)
-    pool = ProcessPoolExecutor(count, context, _begin, (task.function, task.shared, end))
+    all_there = context.Semaphore(0)
+    shared = (task.function, task.shared, end, all_there)
+    pool = ProcessPoolExecutor(count, context, _begin, shared)
     running: dict[Future[Any], list[Any]] = {}
     together = 1
     try:
         _require_start(pool)
+        _start_all(pool, count, all_there)
         while waiting or running:
             while waiting and len(running) < (most or 2 * count):  # so that none need wait
                 share = min(together, -(-len(waiting) // (2 * count)))
@@ -115,6 +119,19 @@ def _require_start(pool: ProcessPoolExecutor) -> None:
         raise EnvironmentLackError(text) from None
 
 
+def _start_all(pool: ProcessPoolExecutor, count: int, all_there: Semaphore) -> None:
+    """Start every process before the first job.
+
+    The pool starts one for each job that finds none idle. Before Python 3.12.1 an error within the
+    pool (python/cpython issue 109047) loses a study where it starts one as another dies.
+    """
+    with _interrupts_wait():
+        for _ in range(count):
+            pool.submit(_wait_for_all)
+    for _ in range(count):
+        all_there.release()
+
+
 @contextlib.contextmanager
 def _interrupts_wait() -> Iterator[None]:
     """Let Ctrl-C wait until a process is known to this one.
@@ -137,13 +154,17 @@ def _interrupts_wait() -> Iterator[None]:
 
 _work: Callable[[Any], Any]
 """What a process of a pool does with a job."""
+_all_there: Semaphore
+"""Released once for each process of a pool, when all have been started."""
 
 
-def _begin(function: Callable[[Any, Any], Any], shared: Any, end: Connection) -> None:
+def _begin(
+    function: Callable[[Any, Any], Any], shared: Any, end: Connection, all_there: Semaphore
+) -> None:
     """Get a process ready for jobs; it ends with the first one, or when that closes the pipe."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C goes to all; the first process decides
-    global _work
-    _work = partial(function, shared)
+    global _work, _all_there
+    _work, _all_there = partial(function, shared), all_there
     threading.Thread(target=_end_with, args=(end,), daemon=True).start()
 
 
@@ -151,6 +172,10 @@ def _end_with(pipe: Connection) -> None:
     with contextlib.suppress(EOFError, OSError):
         pipe.recv()
     os._exit(1)
+
+
+def _wait_for_all() -> None:
+    _all_there.acquire()
 
 
 def _do(jobs: Sequence[Any]) -> tuple[float, list[Any]]:

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
 
 import pytest
 
@@ -36,6 +37,21 @@ def test_a_job_that_ends_its_process_is_lost_and_no_other(engine, first):
             wait_until(lambda: not multiprocessing.active_children())
         found[job] = result
     assert found == {i: i * i for i in jobs} | {FATAL: DIED}
+
+
+def test_every_process_is_there_before_the_first_job(monkeypatch):
+    """A pool of Python 3.11 that starts one as another dies loses the study."""
+    there = []
+
+    class Counted(ProcessPoolExecutor):
+        def submit(self, function, /, *arguments):
+            if arguments:  # jobs; what only starts processes has none
+                there.append(len(multiprocessing.active_children()))
+            return super().submit(function, *arguments)
+
+    monkeypatch.setattr("build_fmu.study.processes.ProcessPoolExecutor", Counted)
+    assert len(list(engine_of("processes:3")(Task(square, 0, lost), range(20)))) == 20
+    assert set(there) == {3}
 
 
 def test_processes_that_are_killed_while_idle_cost_nothing():
