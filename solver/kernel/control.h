@@ -1,6 +1,7 @@
 /* Internal steps as long, and of the order, that a tolerance asks for.
 
-   A step may add tolerance h/horizon, so that a run over the horizon ends with an error of the tolerance. */
+   A step may add tolerance h/horizon, so that a run over the horizon ends with an error of the tolerance, and what steps before it
+   have left of theirs: where a few steps fill a communication step, one step less is often only a little too few. */
 #ifndef HOLONOM_CONTROL_H
 #define HOLONOM_CONTROL_H
 
@@ -29,10 +30,12 @@ static double tolerated(const context *c)
     return c->s.head[S_TOLERANCE] + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
 }
 
-/* Number of equal steps, of about the length wanted, that cover a time. */
-static double steps_over(const context *c, double time, double wanted)
+/* Number of equal steps of an order, of about the length wanted, that cover a time. */
+static double steps_over(const context *c, int p, double time, double wanted)
 {
-    return fmax(1.0, ceil(time / fmin(STRETCHED * wanted, c->s.head[S_LONGEST_STEP]) * (1.0 - 1e-10)));
+    const double *head = c->s.head, unspent = fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
+    const double stretch = fmax(STRETCHED, hm_pow(fmin(REJECTED, SAFETY + unspent) / SAFETY, 1.0 / ORDERS[p]));
+    return fmax(1.0, ceil(time / fmin(stretch * wanted, head[S_LONGEST_STEP]) * (1.0 - 1e-10)));
 }
 
 /* Length of a step of an order that adds what it may where the motion changes at a rate. */
@@ -55,7 +58,7 @@ static void choose_order(context *c, double rate, double step)
     const double bonus = c->damped ? 0.8 : 0.9;
     int best = present;
     for (int p = 0; p < N_ORDERS; p++) {
-        const double n = steps_over(c, step, length_for(c, p, rate));
+        const double n = steps_over(c, p, step, length_for(c, p, rate));
         const double cost = method_of(c, p)->pairs * n * cost_of_half_step(c, rate * step / n) * (p == present ? bonus : 1.0);
         if (!(cost < least)) continue;
         least = cost;
@@ -139,6 +142,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     const double longest = fmax(h, longest_after(c, head[S_WANTED]));
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, 0.2), 2.0));
     if (share > REJECTED) return 1;
+    if (judged) head[S_UNSPENT] += (SAFETY - share) * h / head[S_HORIZON];
     if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
     return 0;
 }
@@ -154,7 +158,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double rest = step - done;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !is_unilateral(c->m) ? 2.0 : 1.0;
-        const double n = fmax(least, steps_over(c, rest, head[S_WANTED]));
+        const double n = fmax(least, steps_over(c, index_of((int)head[S_ORDER_IN_USE]), rest, head[S_WANTED]));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
