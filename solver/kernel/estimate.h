@@ -37,12 +37,16 @@ typedef struct method {
     double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
 } method;
 
-/* Compositions, and with dampers weighted covers. */
-static const method METHODS[2][N_ORDERS] = {
+/* Compositions, weighted covers, and those with dampers. */
+static const method METHODS[3][N_ORDERS] = {
     {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
      {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
      {9, 4.0, 2.9, 5.2e-6, 1e-13, 2.0},
      {15, 6.0, 2.64, 3.1e-7, 1e-12, 2.5}},
+    {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
+     {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
+     {6, 4.0, 7.9, 1e-6, 1e-13, 2.0},
+     {10, 6.0, 8.1, 2.4e-8, 1e-12, 2.5}},
     {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
      {3, 2.0, 4.9, 1.2e-3, 1e-13, 1.0},
      {6, 4.0, 5.9, 3e-5, 1e-13, 1.5},
@@ -56,7 +60,10 @@ typedef struct step_error {
 
 static inline int index_of(int order) { return order / 2 - 1; }
 
-static inline const method *method_of(const context *c, int p) { return &METHODS[c->damped != 0][p]; }
+static const method *method_of(const context *c, int p)
+{
+    return &METHODS[c->damped ? 2 : is_covering(c, 0, ORDERS[p])][p];
+}
 
 /* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
    nothing tells it yet.                                                                                         */
@@ -87,7 +94,7 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
 {
     const method *used = method_of(c, index_of(order));
     const int64_t n = DIM * c->n_moving;
-    const double *x = c->k.estimate + (c->damped && !c->unweighted ? 2 * n : 0);
+    const double *x = c->k.estimate + (is_covering(c, c->damped, order) && !c->unweighted ? 2 * n : 0);
     double difference;
     if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;

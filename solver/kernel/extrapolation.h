@@ -24,6 +24,7 @@ enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
+#define LEAST_FREE 1e-8          /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
 enum { N_WEIGHTED = 3 };
 static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTION};
@@ -33,6 +34,7 @@ typedef struct extrapolation {
     double before[RIGID], momentum[RIGID];  /* momenta at the start, and weighted ones at the end         */
     double scale[RIGID];                    /* sums of their terms' sizes                                 */
     int kept[RIGID];                        /* whether every pair keeps them                              */
+    int damped;                             /* whether something takes energy out                         */
 } extrapolation;
 
 /* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
@@ -41,10 +43,15 @@ static int may_extrapolate(const context *c)
     return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
-HM_OFTEN int is_extrapolating(const context *c)
+/* Whether steps of an order are weighted covers: with dampers all above 2, under a tolerance those above 4 too, which take fewer
+   half steps than compositions. Covers by half the length, which tell an error, are no loads' that read the mechanism.  */
+static int is_covering(const context *c, int damped, int order)
 {
-    return c->s.head[S_ORDER_IN_USE] > 2.0 && may_extrapolate(c) && is_dissipative(c);
+    if (order == 2 || !may_extrapolate(c)) return 0;
+    return damped || (order > 4 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_COMPOSED] == 0.0 && !c->m->sensing && !c->m->n_signals && !c->m->n_velocity_rows);
 }
+
+HM_OFTEN int is_extrapolating(const context *c) { return is_covering(c, is_dissipative(c), (int)c->s.head[S_ORDER_IN_USE]); }
 
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
 static double weight_of(int pairs, int first, int last)
@@ -66,19 +73,20 @@ static void add_correction(context *c, double *x)
     add_solution(c, x);
 }
 
-/* Puts coordinates back onto the rows, by displacements as small as can be; factors are those of the state nearby. */
+/* Puts coordinates back onto the rows, by displacements as small as can be; rows and factors at hand are those of the state. */
 static int32_t close_rows(context *c)
 {
     const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
     double last = INFINITY;
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
-        stand_still(c);
+        if (i) stand_still(c);
         memcpy(c->k.phi, c->k.phi0, rows);
         const double defect = largest_row(c, c->k.phi);
         if (defect < 1e-17 || (defect <= c->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
-        last = defect;
         add_correction(c, c->k.w);
         for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.q + k, c->s.q_low + k, c->k.w[k]);
+        if (i && defect <= c->s.head[S_NEWTON_TOLERANCE] && defect / last * defect < 1e-17) return HOLONOM_OK;
+        last = defect;
     }
     return last <= c->s.head[S_NEWTON_TOLERANCE] ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
@@ -86,9 +94,11 @@ static int32_t close_rows(context *c)
 /* Lets velocities follow rows and signals, by the smallest change. */
 static void follow_rows(context *c)
 {
+    const double round_off = 1e-17 * speed_scale(c) / c->number[c->m->extent_at + 1];
     double last = INFINITY, size = INFINITY;
     signal_rates_at(c, c->t, c->k.signal_rate);
-    for (int i = 0; i < MAX_CORRECTIONS; i++, last = size) {
+    for (int i = 0; i < MAX_CORRECTIONS && (i < 2 || !(size / last * size < round_off)); i++) {
+        last = size;
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
         size = largest_row(c, c->k.phi);
         if (!(size < 0.5 * last)) return;
@@ -99,21 +109,22 @@ static void follow_rows(context *c)
 }
 
 /* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
-static void free_velocities(context *c, double L[RIGID][RIGID])
+static void free_velocities(context *c, const int *kept, double L[RIGID][RIGID])
 {
     const holonom_model *m = c->m;
     const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
     double momentum[RIGID], unused[RIGID], *u = c->k.free, *asked = c->k.row_rate;
     memset(u, 0, n);
-    row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, asked); /* rates that rows ask of what stands still */
+    if (m->n_velocity_rows) row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, asked); /* of what stands still */
     for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = c->s.v[k] + c->s.v_low[k];
-    for (int repeat = 0; repeat < 3; repeat++) { /* what the regularised factors leave is corrected again */
+    const int asks = m->n_velocity_rows && largest_row(c, asked) > 0.0; /* else velocities on the rows are free */
+    for (int repeat = 0; repeat < 3 && asks; repeat++) { /* what the regularised factors leave is corrected again */
         row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.phi);
         for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= asked[i];
         add_correction(c, u);
     }
     inertia(c, 2.0, u, c->k.momentum);
-    rigid_momenta(c, c->k.momentum, momentum, unused);
+    rigid_momenta(c, kept, c->k.momentum, momentum, unused);
     for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
     add_rigid(c, L, momentum, u);
 }
@@ -125,10 +136,15 @@ static double unbalanced(const context *c)
 }
 
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
-   u'Mu s^2/2 + v'Mu s + excess = 0. */
-static int32_t balance_energy(context *c)
+   u'Mu s^2/2 + v'Mu s + excess = 0. A body that flies has none but those of its momenta: without dampers steps are compositions
+   then, from here on.                                                                                            */
+static int32_t balance_energy(context *c, int damped)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
+    if (!damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v))) {
+        c->k.pair_backup[S_COMPOSED] = c->k.finest[S_COMPOSED] = 1.0;
+        return HOLONOM_NOT_FINITE;
+    }
     for (int i = 0; i < 3; i++) {
         const double excess = unbalanced(c); /* leaves M v in momentum */
         double along = 0.0;
@@ -136,6 +152,7 @@ static int32_t balance_energy(context *c)
         if (excess == 0.0) return HOLONOM_OK;
         const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
         if (!(fabs(part) <= LARGEST_SCALING)) return HOLONOM_NOT_FINITE;
+        c->balanced = fmax(c->balanced, fabs(part) * sqrt(square) / speed_scale(c));
         for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
     }
     return HOLONOM_OK;
@@ -152,8 +169,8 @@ static int32_t put_back(context *c, const extrapolation *x)
     follow_rows(c);
     factor_rigid(c, x->kept, L);
     momenta(c, c->k.momentum);
-    rigid_momenta(c, c->k.momentum, lacking, size);
-    for (int i = 0; i < RIGID; i++) lacking[i] = x->momentum[i] - lacking[i];
+    rigid_momenta(c, x->kept, c->k.momentum, lacking, size);
+    for (int i = 0; i < RIGID; i++) lacking[i] = x->kept[i] ? x->momentum[i] - lacking[i] : 0.0;
     memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     add_rigid(c, L, lacking, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
@@ -161,8 +178,8 @@ static int32_t put_back(context *c, const extrapolation *x)
         book(c, S_WORK, unbalanced(c));
         return HOLONOM_OK;
     }
-    free_velocities(c, L);
-    return balance_energy(c);
+    free_velocities(c, x->kept, L);
+    return balance_energy(c, x->damped);
 }
 
 /* Goes back to the start of the step, from which its next cover begins; what predicts half steps stays. */
@@ -191,7 +208,7 @@ static void weigh(context *c, double weight, double less, extrapolation *x)
         x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
     }
     momenta(c, c->k.momentum);
-    rigid_momenta(c, c->k.momentum, total, size);
+    rigid_momenta(c, x->kept, c->k.momentum, total, size);
     for (int i = 0; i < RIGID; i++) {
         x->momentum[i] += weight * (total[i] - x->before[i]);
         if (!(fabs(total[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
@@ -232,15 +249,17 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
     const double t = c->t, law_time = c->number[c->m->time_at];
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    extrapolation x = {.booked = {0.0}};
+    extrapolation x = {.damped = is_dissipative(c)};
     int32_t status = HOLONOM_OK;
     int half = 0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
     memset(c->k.estimate, 0, sizeof(double) * (size_t)(4 * DIM * c->n_moving));
     momenta(c, c->k.momentum);
-    rigid_momenta(c, c->k.momentum, x.before, x.scale);
-    for (int i = 0; i < RIGID; i++) x.kept[i] = 1, x.momentum[i] = x.before[i];
+    for (int i = 0; i < RIGID; i++) x.kept[i] = 1;
+    rigid_momenta(c, x.kept, c->k.momentum, x.before, x.scale);
+    for (int i = 0; i < RIGID; i++) x.momentum[i] = x.before[i];
     begin_halves(c, covers * (covers + 1));
+    c->balanced = 0.0;
     for (int pairs = 1; pairs <= covers; pairs++) {
         const double weight = weight_of(pairs, 1, covers);
         if (pairs > 1) go_back(c, t, law_time);

@@ -25,13 +25,13 @@ static void rigid_velocity(const context *c, int i, int32_t a, double *xi)
 #endif
 }
 
-/* Momenta of the whole mechanism from those of its nodes, and the sums of their terms' sizes. */
-static void rigid_momenta(const context *c, const double *p, double *total, double *size)
+/* Those momenta of the whole mechanism that are kept, from those of its nodes, and the sums of their terms' sizes. */
+static void rigid_momenta(const context *c, const int *kept, const double *p, double *total, double *size)
 {
     double xi[DIM];
     for (int i = 0; i < RIGID; i++) {
         total[i] = size[i] = 0.0;
-        for (int32_t a = 0; a < c->n_moving; a++) {
+        for (int32_t a = 0; a < c->n_moving && kept[i]; a++) {
             rigid_velocity(c, i, a, xi);
             total[i] += dot(xi, p + DIM * a);
             EACH(k) size[i] += fabs(xi[k] * p[DIM * a + k]);
@@ -56,7 +56,8 @@ static void factor_rigid(const context *c, const int *kept, double L[RIGID][RIGI
     double x[DIM], y[DIM], K[RIGID][RIGID] = {{0.0}};
     for (int32_t e = 0; e < m->n_mass; e++)
         for (int i = 0; i < RIGID; i++)
-            for (int j = 0; j <= i; j++) {
+            for (int j = 0; j <= i && kept[i]; j++) {
+                if (!kept[j]) continue;
                 rigid_velocity(c, i, m->mass_node[2 * e], x);
                 rigid_velocity(c, j, m->mass_node[2 * e + 1], y);
                 K[i][j] += c->number[m->mass_at + e] * dot(x, y);
