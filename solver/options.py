@@ -12,7 +12,7 @@ TINY = 2.2250738585072014e-308
 """Least normal number, for what must be greater than zero."""
 
 ORDERS = (2.0, 4.0, 6.0, 8.0)
-"""Orders of accuracy: symmetric compositions of 1, 5, 9 and 15 pairs of half steps."""
+"""Orders of accuracy: a pair of half steps, and compositions or weighted covers of pairs."""
 
 FORMULATIONS = (
     "conserving-al",  # eq 15 with beta = 1/2 (exact for quadratic rows), eq 26
@@ -112,8 +112,7 @@ _TABLE = (
            low=1.0, high=1e3, whole=True),
     Option("max_uzawa", 20.0, "Uzawa updates in a step", low=1.0, high=1e3, whole=True),
     Option("order", AUTOMATIC,
-           "order of accuracy: 2, 4, 6 or 8, with 1, 5, 9 or 15 pairs of half steps in a step; "
-           "0: chosen by the tolerance, 2 without one",
+           "order of accuracy: 2, 4, 6 or 8; 0: chosen by the tolerance, 2 without one",
            allowed=(AUTOMATIC, *ORDERS), low=0.0, high=max(ORDERS)),
     Option("tolerance", 0.0, "relative error of a run, or 0: steps of step_size",
            low=0.0, high=0.1, least=1e-14),

@@ -211,7 +211,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         done = covered == rest ? step : done + covered;
         follow_energies(c);
     }
-    if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
+    if (c->unweighted && c->damped) head[S_ORDER_IN_USE] = 2.0; /* without dampers it rests */
     return HOLONOM_OK;
 }
 
