@@ -35,6 +35,7 @@ typedef struct context {
     int constraints_only;      /* 1: only the rows act                                                               */
     int careful;               /* 1: smooth frictions have steeper slopes in the tangent: a step has failed           */
     int at_state;              /* 1: there is no step, and slips are those of the velocities                         */
+    int covered;        /* whether the last internal step was one of weighted covers                               */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
@@ -175,7 +176,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->careful = c->at_state = c->unweighted = c->damped = 0;
+    c->constraints_only = c->careful = c->at_state = c->covered = c->unweighted = c->damped = 0;
     c->balanced = 0.0;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;

@@ -19,7 +19,6 @@ enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
-#define AT_REST 1e-3   /* of what a step may add, what it does add where nothing moves */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
@@ -139,15 +138,11 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     if (judged) share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(share, across);
-    if (!c->damped && is_covering(c, 0, order) && !is_noise(c, method_of(c, index_of(order)), c->balanced, h))
+    if (!c->damped && c->covered && !is_noise(c, method_of(c, index_of(order)), c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     const double longest = fmax(h, longest_after(c, head[S_WANTED]));
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, 0.2), 2.0));
-    if (c->unweighted && !c->damped && share > AT_REST) { /* shorter steps are weighted, or compositions from here on */
-        head[S_WANTED] = 0.5 * h;
-        return 1;
-    }
     if (share > REJECTED) return 1;
     if (judged) head[S_UNSPENT] += (SAFETY - share) * h / head[S_HORIZON];
     if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
@@ -211,7 +206,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         done = covered == rest ? step : done + covered;
         follow_energies(c);
     }
-    if (c->unweighted && c->damped) head[S_ORDER_IN_USE] = 2.0; /* without dampers it rests */
+    if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return HOLONOM_OK;
 }
 

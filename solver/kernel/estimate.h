@@ -92,9 +92,9 @@ static int is_noise(const context *c, const method *used, double difference, dou
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(const context *c, int order, double h, step_error *e)
 {
-    const method *used = method_of(c, index_of(order));
+    const method *used = &METHODS[c->damped ? 2 : c->covered][index_of(order)];
     const int64_t n = DIM * c->n_moving;
-    const double *x = c->k.estimate + (is_covering(c, c->damped, order) && !c->unweighted ? 2 * n : 0);
+    const double *x = c->k.estimate + (c->covered && !c->unweighted ? 2 * n : 0);
     double difference;
     if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
@@ -184,8 +184,9 @@ static double difference_from_halves(context *c, double t, double h, double law_
 {
     double *head = c->s.head, *whole = c->k.whole_backup, *before = whole + c->state_size, *x = c->k.estimate;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    const double law_time_after = c->number[c->m->time_at];
+    const double law_time_after = c->number[c->m->time_at], balanced = c->balanced;
     const int64_t n = DIM * c->n_moving;
+    const int covered = c->covered;
     memcpy(whole, head, bytes);
     memcpy(before, c->k.pair_backup, bytes);
     memcpy(head, before, bytes);
@@ -202,6 +203,8 @@ static double difference_from_halves(context *c, double t, double h, double law_
         found += PASSING * h / head[S_HORIZON] * relative_size(c, 0.0, mass_norm(c, x + 2 * n));
     }
     c->unweighted = 0;
+    c->covered = covered;
+    c->balanced = balanced;
     whole[S_NEWTON_ITERATIONS] += head[S_NEWTON_ITERATIONS] - before[S_NEWTON_ITERATIONS];
     whole[S_UZAWA_ITERATIONS] += head[S_UZAWA_ITERATIONS] - before[S_UZAWA_ITERATIONS];
     memcpy(head, whole, bytes);
@@ -214,7 +217,7 @@ static double difference_from_halves(context *c, double t, double h, double law_
 static void learn(context *c, int order, double t, double h, double law_time, const step_error *e)
 {
     const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED_4 + p - 1] += 1.0);
-    if (checks < 0 || e->is_noise || c->m->sensing) return;
+    if (checks < 0 || e->is_noise || c->m->sensing || c->covered != is_covering(c, c->damped, order)) return;
     const double error = difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
     const double largest = c->damped ? LARGEST_MULTIPLE * LARGEST_MULTIPLE : LARGEST_MULTIPLE;

@@ -43,12 +43,16 @@ static int may_extrapolate(const context *c)
     return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
-/* Whether steps of an order are weighted covers: with dampers all above 2, under a tolerance those above 4 too, which take fewer
-   half steps than compositions. Covers by half the length, which tell an error, are no loads' that read the mechanism.  */
+/* Whether steps of an order are weighted covers: with dampers all above 2; else, under a tolerance, those above 4, which take fewer
+   half steps than compositions, where neither drivers nor velocity rows (theory 8.3) nor loads that read the mechanism stand
+   against it. */
 static int is_covering(const context *c, int damped, int order)
 {
+    const holonom_model *m = c->m;
     if (order == 2 || !may_extrapolate(c)) return 0;
-    return damped || (order > 4 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_COMPOSED] == 0.0 && !c->m->sensing && !c->m->n_signals && !c->m->n_velocity_rows);
+    if (damped) return 1;
+    return order > 4 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_COMPOSED] == 0.0 && !m->sensing && !m->n_signals &&
+           !m->n_velocity_rows;
 }
 
 HM_OFTEN int is_extrapolating(const context *c) { return is_covering(c, is_dissipative(c), (int)c->s.head[S_ORDER_IN_USE]); }
@@ -142,7 +146,7 @@ static int32_t balance_energy(context *c, int damped)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
     if (!damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v))) {
-        c->k.pair_backup[S_COMPOSED] = c->k.finest[S_COMPOSED] = 1.0;
+        c->k.pair_backup[S_COMPOSED] = 1.0;
         return HOLONOM_NOT_FINITE;
     }
     for (int i = 0; i < 3; i++) {
@@ -243,7 +247,8 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     return status;
 }
 
-/* One internal step; where its weighted end cannot be put back, that of the finest cover stands, which conserves. */
+/* One internal step. Where its weighted end cannot be put back, that of the finest cover stands, which conserves, if there are
+   dampers; else the step is to be a composition.                                                                 */
 HM_SELDOM static int32_t extrapolated_step(context *c, double h)
 {
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
@@ -271,10 +276,10 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
         weigh(c, weight, weight - weight_of(pairs, 2, covers), &x);
     }
     memcpy(c->k.finest, c->s.head, bytes);
-    if (take_weighted(c, &x)) {
-        memcpy(c->s.head, c->k.finest, bytes);
-        c->unweighted = 1;
-    }
+    c->covered = !take_weighted(c, &x);
+    if (c->covered || !x.damped) return HOLONOM_OK;
+    memcpy(c->s.head, c->k.finest, bytes);
+    c->unweighted = c->covered = 1;
     return HOLONOM_OK;
 }
 

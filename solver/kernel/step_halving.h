@@ -63,6 +63,22 @@ HM_OFTEN int is_unpaired(const context *c)
     return c->s.head[S_PAIRED] == 0.0 && c->s.head[S_ORDER_IN_USE] == 2.0 && !(c->s.head[S_TOLERANCE] > 0.0);
 }
 
+/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted, what was learned known. */
+static void undo_step(context *c, double t, double law_time)
+{
+    double learned[2 * N_COMPOSED];
+    memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
+    if (!is_unpaired(c)) {
+        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
+    }
+    c->t = t;
+    c->s.head[S_NEWTON_ITERATIONS] = newton;
+    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
+    memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
+}
+
 /* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
 static int32_t internal_step(context *c, double h)
 {
@@ -74,7 +90,13 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
-    if (is_extrapolating(c)) return extrapolated_step(c, h);
+    c->covered = 0;
+    if (is_extrapolating(c)) {
+        const double t = c->t, law_time = c->number[c->m->time_at];
+        status = extrapolated_step(c, h);
+        if (status || c->covered) return status;
+        undo_step(c, t, law_time);
+    }
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
     int stages = 1;
@@ -90,22 +112,6 @@ static int32_t internal_step(context *c, double h)
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;
     return status;
-}
-
-/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted, what was learned known. */
-static void undo_step(context *c, double t, double law_time)
-{
-    double learned[2 * N_COMPOSED];
-    memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
-    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
-    if (!is_unpaired(c)) {
-        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
-        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
-    }
-    c->t = t;
-    c->s.head[S_NEWTON_ITERATIONS] = newton;
-    c->s.head[S_UZAWA_ITERATIONS] = uzawa;
-    memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
 }
 
 /* After a failure penalties are those that were asked for. */
