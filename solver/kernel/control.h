@@ -18,6 +18,7 @@
 enum { MAX_REPEATS = 40 };
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
+#define MOST_AIMED 1.5 /* likewise, aimed at where steps before have added less */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
@@ -30,12 +31,17 @@ static double tolerated(const context *c)
     return c->s.head[S_TOLERANCE] + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
 }
 
-/* Number of equal steps of an order, of about the length wanted, that cover a time. */
-static double steps_over(const context *c, int p, double time, double wanted)
+/* Number of equal steps of at most a length that cover a time. */
+static double steps_over(const context *c, double time, double longest)
 {
-    const double *head = c->s.head, unspent = fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
-    const double stretch = fmax(STRETCHED, hm_pow(fmin(REJECTED, SAFETY + unspent) / SAFETY, 1.0 / ORDERS[p]));
-    return fmax(1.0, ceil(time / fmin(stretch * wanted, head[S_LONGEST_STEP]) * (1.0 - 1e-10)));
+    return fmax(1.0, ceil(time / fmin(longest, c->s.head[S_LONGEST_STEP]) * (1.0 - 1e-10)));
+}
+
+/* Longest of the next steps, in equal parts of a time: they may add what steps before them have left. */
+static double longest_next(const context *c, double time)
+{
+    const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
+    return fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
 }
 
 /* Length of a step of an order that adds what it may where the motion changes at a rate. */
@@ -58,7 +64,7 @@ static void choose_order(context *c, double rate, double step)
     const double bonus = c->damped ? 0.8 : 0.9;
     int best = present;
     for (int p = 0; p < N_ORDERS; p++) {
-        const double n = steps_over(c, p, step, length_for(c, p, rate));
+        const double n = steps_over(c, step, STRETCHED * length_for(c, p, rate));
         const double cost = method_of(c, p)->pairs * n * cost_of_half_step(c, rate * step / n) * (p == present ? bonus : 1.0);
         if (!(cost < least)) continue;
         least = cost;
@@ -144,7 +150,9 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     const double longest = fmax(h, longest_after(c, head[S_WANTED]));
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, 0.2), 2.0));
     if (share > REJECTED) return 1;
-    if (judged) head[S_UNSPENT] += (SAFETY - share) * h / head[S_HORIZON];
+    /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
+    const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
+    head[S_UNSPENT] = fmin(SAFETY, head[S_UNSPENT] + left);
     if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
     return 0;
 }
@@ -160,7 +168,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double rest = step - done;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !is_unilateral(c->m) ? 2.0 : 1.0;
-        const double n = fmax(least, steps_over(c, index_of((int)head[S_ORDER_IN_USE]), rest, head[S_WANTED]));
+        const double n = fmax(least, steps_over(c, rest, longest_next(c, rest)));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;

@@ -2,8 +2,8 @@
 
    The difference from an embedded solution of order r, e ~ (omega h)^(r+1), tells how fast the motion changes, and with it
    the error of the step's own order p, (omega h)^(p+1) times a mean over mechanisms. How far a mechanism is from the mean
-   is learned by repeating a few steps as two of half the length. With dampers, the embedded solution is that of all covers
-   but the coarsest. */
+   is learned by repeating a few steps as two of half the length. Of weighted covers, the embedded solution is that of all but
+   the coarsest. */
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
@@ -18,8 +18,8 @@
 #include "step_halving.h"
 #include "tangent.h"
 
-/* Of the mean over mechanisms, the least and the largest multiple that an error is taken for; the largest one squared for
-   weighted covers, on which strong dampers show. */
+/* Of the mean over mechanisms, the least and the largest multiple that an error is taken for; the largest one squared
+   with dampers, of which strong ones show on weighted covers. */
 #define LEAST_MULTIPLE 0.01
 #define LARGEST_MULTIPLE 100.0
 /* Of what does not add up, as much as one step leaves behind: at the largest of all steps, over the mean of those measured. */
@@ -37,7 +37,7 @@ typedef struct method {
     double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
 } method;
 
-/* Compositions, weighted covers, and those with dampers. */
+enum { COMPOSED, COVERED, COVERED_DAMPED };
 static const method METHODS[3][N_ORDERS] = {
     {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
      {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
@@ -60,9 +60,10 @@ typedef struct step_error {
 
 static inline int index_of(int order) { return order / 2 - 1; }
 
+/* How steps of an order are taken from here on. */
 static const method *method_of(const context *c, int p)
 {
-    return &METHODS[c->damped ? 2 : is_covering(c, 0, ORDERS[p])][p];
+    return &METHODS[c->damped ? COVERED_DAMPED : is_covering(c, 0, ORDERS[p]) ? COVERED : COMPOSED][p];
 }
 
 /* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
@@ -92,7 +93,7 @@ static int is_noise(const context *c, const method *used, double difference, dou
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(const context *c, int order, double h, step_error *e)
 {
-    const method *used = &METHODS[c->damped ? 2 : c->covered][index_of(order)];
+    const method *used = &METHODS[c->damped ? COVERED_DAMPED : c->covered ? COVERED : COMPOSED][index_of(order)];
     const int64_t n = DIM * c->n_moving;
     const double *x = c->k.estimate + (c->covered && !c->unweighted ? 2 * n : 0);
     double difference;
@@ -216,8 +217,9 @@ static double difference_from_halves(context *c, double t, double h, double law_
 /* Counts a step of length h from t that has been judged, and learns from some of them how far errors are from the mean. */
 static void learn(context *c, int order, double t, double h, double law_time, const step_error *e)
 {
+    if (c->covered != is_covering(c, c->damped, order)) return; /* taken otherwise than those to come */
     const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED_4 + p - 1] += 1.0);
-    if (checks < 0 || e->is_noise || c->m->sensing || c->covered != is_covering(c, c->damped, order)) return;
+    if (checks < 0 || e->is_noise || c->m->sensing) return;
     const double error = difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
     const double largest = c->damped ? LARGEST_MULTIPLE * LARGEST_MULTIPLE : LARGEST_MULTIPLE;

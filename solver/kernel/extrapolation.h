@@ -1,4 +1,4 @@
-/* Steps of order 4, 6 and 8 where dampers take energy out (theory 8.3).
+/* Steps of order 4, 6 and 8 as weighted covers (theory 8.3): where dampers take energy out, and of orders 6 and 8 under a tolerance.
 
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
@@ -43,16 +43,23 @@ static int may_extrapolate(const context *c)
     return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
-/* Whether steps of an order are weighted covers: with dampers all above 2; else, under a tolerance, those above 4, which take fewer
-   half steps than compositions, where neither drivers nor velocity rows (theory 8.3) nor loads that read the mechanism stand
-   against it. */
-static int is_covering(const context *c, int damped, int order)
+/* Steps in a row after whose covers no velocity was free to bring their energy back: then compositions serve for good. */
+#define MOST_HELD 3.0
+
+/* Whether covers without dampers are sure to serve: they let springs swing up that steps do not resolve, and nothing puts back
+   what drivers ask for or what velocity rows keep by reversibility (theory 8.3).                                  */
+static inline int may_cover_undamped(const context *c)
 {
     const holonom_model *m = c->m;
+    return c->s.head[S_HELD] < MOST_HELD && !m->sensing && !m->n_signals && !m->n_velocity_rows && !m->n_elements && !m->n_potentials;
+}
+
+/* Whether steps of an order are weighted covers: with dampers all above 2; else, under a tolerance, those above 4, which take fewer
+   half steps than compositions.                                                                                  */
+static int is_covering(const context *c, int damped, int order)
+{
     if (order == 2 || !may_extrapolate(c)) return 0;
-    if (damped) return 1;
-    return order > 4 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_COMPOSED] == 0.0 && !m->sensing && !m->n_signals &&
-           !m->n_velocity_rows;
+    return damped || (order > 4 && c->s.head[S_TOLERANCE] > 0.0 && may_cover_undamped(c));
 }
 
 HM_OFTEN int is_extrapolating(const context *c) { return is_covering(c, is_dissipative(c), (int)c->s.head[S_ORDER_IN_USE]); }
@@ -140,15 +147,15 @@ static double unbalanced(const context *c)
 }
 
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
-   u'Mu s^2/2 + v'Mu s + excess = 0. A body that flies has none but those of its momenta: without dampers steps are compositions
-   then, from here on.                                                                                            */
+   u'Mu s^2/2 + v'Mu s + excess = 0. A body that flies has none but those of its momenta, and a spherical pendulum none for a
+   moment; without dampers the step is a composition then.                                                        */
 static int32_t balance_energy(context *c, int damped)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
-    if (!damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v))) {
-        c->k.pair_backup[S_COMPOSED] = 1.0;
-        return HOLONOM_NOT_FINITE;
-    }
+    const int held = !damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v));
+    c->k.pair_backup[S_HELD] += held; /* which undo_step returns to */
+    if (held) return HOLONOM_NOT_FINITE;
+    c->s.head[S_HELD] = 0.0;
     for (int i = 0; i < 3; i++) {
         const double excess = unbalanced(c); /* leaves M v in momentum */
         double along = 0.0;

@@ -50,8 +50,8 @@ def apply_overrides(
         if not is_readable(text):
             problems.append(Problem("", "not a readable text", override=where))
         elif path is None or not _replace(data, path, value):
-            tables = sorted(table for table, part in SECTIONS.items() if name in fields_of(part))
-            meant = " or ".join(f"'{table}.{name}'" for table in tables)
+            tables = [table for table, part in SECTIONS.items() if name in fields_of(part)]
+            meant = " or ".join(f"'{table}.{name}'" for table in sorted(tables, reverse=True))
             help = f"did you mean {meant}?" if meant else did_you_mean(name, _known(data))
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
             named = override.named if isinstance(override, Given) else ""

@@ -126,6 +126,11 @@ def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
         message = f"must be > start_time = {start:g} s, got {stop:g}"
         reader.draft.error(("experiment", "stop_time"), message)
     tolerance = reader.constant(("experiment", "tolerance"), run.tolerance, 0.0, _TOLERANCE)
+    chosen = SolverSettings(**settings)
+    if tolerance and chosen.tolerance == 0.0:
+        message = "has no effect on steps of fixed length, which this scene has"
+        help = f"write tolerance = {tolerance:g} in [solver], which chooses order and steps"
+        reader.draft.warn(("experiment", "tolerance"), message, help)
     # Whole internal steps, so that the communication step does not change the motion.
     counts, whole = range(1, MOST_INTERNAL_STEPS + 1), (stop - start) * (1.0 + 1e-9)
     steps = max((k for k in counts if ROWS * k * inner <= whole), default=1)
@@ -133,4 +138,4 @@ def read_settings(reader: "Reader") -> tuple[SolverSettings, Experiment]:
     experiment = Experiment(
         start_time=start, stop_time=stop, step_size=step, tolerance=tolerance or None
     )
-    return SolverSettings(**settings), experiment
+    return chosen, experiment

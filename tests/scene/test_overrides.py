@@ -119,7 +119,7 @@ def test_an_override_can_correct_a_mistake_of_the_file():
     [
         ("stop_time", "'experiment.stop_time'"),
         ("penalty", "'solver.penalty'"),
-        ("step_size", "'experiment.step_size' or 'solver.step_size'"),
+        ("step_size", "'solver.step_size' or 'experiment.step_size'"),
     ],
 )
 def test_a_field_of_solver_or_experiment_without_its_table_is_suggested_with_it(name, meant):
