@@ -144,6 +144,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     if (judged) share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(share, across);
+    /* Where a mechanism almost stands, little energy is much velocity. */
     if (!c->damped && c->covered && !is_noise(c, method_of(c, index_of(order)), c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);

@@ -37,17 +37,21 @@ typedef struct method {
     double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
 } method;
 
+#define PAIR {1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0}
+#define FIVE_PARTS {5, 3.0, 2.7, 6e-5, 1e-13, 1.5}
+
+/* Compositions, weighted covers, and those with dampers, which are of order 4, too. */
 enum { COMPOSED, COVERED, COVERED_DAMPED };
 static const method METHODS[3][N_ORDERS] = {
-    {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
-     {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
+    {PAIR,
+     FIVE_PARTS,
      {9, 4.0, 2.9, 5.2e-6, 1e-13, 2.0},
      {15, 6.0, 2.64, 3.1e-7, 1e-12, 2.5}},
-    {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
-     {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
+    {PAIR,
+     FIVE_PARTS,
      {6, 4.0, 7.9, 1e-6, 1e-13, 2.0},
      {10, 6.0, 8.1, 2.4e-8, 1e-12, 2.5}},
-    {{1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0},
+    {PAIR,
      {3, 2.0, 4.9, 1.2e-3, 1e-13, 1.0},
      {6, 4.0, 5.9, 3e-5, 1e-13, 1.5},
      {10, 6.0, 6.2, 7e-7, 1e-12, 2.0}}};
@@ -60,11 +64,14 @@ typedef struct step_error {
 
 static inline int index_of(int order) { return order / 2 - 1; }
 
-/* How steps of an order are taken from here on. */
-static const method *method_of(const context *c, int p)
+/* A step of an order that was, or is to be, one of covers or a composition. */
+static inline const method *method_by(const context *c, int covers, int p)
 {
-    return &METHODS[c->damped ? COVERED_DAMPED : is_covering(c, 0, ORDERS[p]) ? COVERED : COMPOSED][p];
+    return &METHODS[c->damped ? COVERED_DAMPED : covers ? COVERED : COMPOSED][p];
 }
+
+/* How steps of an order are taken from here on. */
+static const method *method_of(const context *c, int p) { return method_by(c, is_covering(c, c->damped, ORDERS[p]), p); }
 
 /* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
    nothing tells it yet.                                                                                         */
@@ -93,7 +100,7 @@ static int is_noise(const context *c, const method *used, double difference, dou
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(const context *c, int order, double h, step_error *e)
 {
-    const method *used = &METHODS[c->damped ? COVERED_DAMPED : c->covered ? COVERED : COMPOSED][index_of(order)];
+    const method *used = method_by(c, c->covered, index_of(order));
     const int64_t n = DIM * c->n_moving;
     const double *x = c->k.estimate + (c->covered && !c->unweighted ? 2 * n : 0);
     double difference;

@@ -84,7 +84,8 @@ static void add_correction(context *c, double *x)
     add_solution(c, x);
 }
 
-/* Puts coordinates back onto the rows, by displacements as small as can be; rows and factors at hand are those of the state. */
+/* Puts coordinates back onto the rows, by displacements as small as can be; rows and factors at hand are those of the state. A
+   correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
 static int32_t close_rows(context *c)
 {
     const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
@@ -102,7 +103,7 @@ static int32_t close_rows(context *c)
     return last <= c->s.head[S_NEWTON_TOLERANCE] ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 
-/* Lets velocities follow rows and signals, by the smallest change. */
+/* Lets velocities follow rows and signals, by the smallest change; it ends likewise. */
 static void follow_rows(context *c)
 {
     const double round_off = 1e-17 * speed_scale(c) / c->number[c->m->extent_at + 1];
@@ -125,10 +126,13 @@ static void free_velocities(context *c, const int *kept, double L[RIGID][RIGID])
     const holonom_model *m = c->m;
     const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
     double momentum[RIGID], unused[RIGID], *u = c->k.free, *asked = c->k.row_rate;
+    int asks = 0; /* whether rows ask for rates of what stands still; else velocities on the rows are free */
     memset(u, 0, n);
-    if (m->n_velocity_rows) row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, asked); /* of what stands still */
+    if (m->n_velocity_rows) {
+        row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, asked);
+        asks = largest_row(c, asked) > 0.0;
+    }
     for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = c->s.v[k] + c->s.v_low[k];
-    const int asks = m->n_velocity_rows && largest_row(c, asked) > 0.0; /* else velocities on the rows are free */
     for (int repeat = 0; repeat < 3 && asks; repeat++) { /* what the regularised factors leave is corrected again */
         row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.phi);
         for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= asked[i];
@@ -181,7 +185,7 @@ static int32_t put_back(context *c, const extrapolation *x)
     factor_rigid(c, x->kept, L);
     momenta(c, c->k.momentum);
     rigid_momenta(c, x->kept, c->k.momentum, lacking, size);
-    for (int i = 0; i < RIGID; i++) lacking[i] = x->kept[i] ? x->momentum[i] - lacking[i] : 0.0;
+    for (int i = 0; i < RIGID; i++) lacking[i] = x->momentum[i] - lacking[i];
     memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     add_rigid(c, L, lacking, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);

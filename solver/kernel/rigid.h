@@ -56,8 +56,8 @@ static void factor_rigid(const context *c, const int *kept, double L[RIGID][RIGI
     double x[DIM], y[DIM], K[RIGID][RIGID] = {{0.0}};
     for (int32_t e = 0; e < m->n_mass; e++)
         for (int i = 0; i < RIGID; i++)
-            for (int j = 0; j <= i && kept[i]; j++) {
-                if (!kept[j]) continue;
+            for (int j = 0; j <= i; j++) {
+                if (!kept[i] || !kept[j]) continue;
                 rigid_velocity(c, i, m->mass_node[2 * e], x);
                 rigid_velocity(c, j, m->mass_node[2 * e + 1], y);
                 K[i][j] += c->number[m->mass_at + e] * dot(x, y);
