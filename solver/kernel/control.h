@@ -25,12 +25,6 @@ enum { MAX_REPEATS = 40 };
 enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
 #define MOMENT 1e4 /* half steps for which steps may be short where a contact changes: till then they foretell nothing */
 
-/* Error of a run that is asked for, relative to size and speed. */
-static double tolerated(const context *c)
-{
-    return c->s.head[S_TOLERANCE] + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
-}
-
 /* Number of equal steps of at most a length that cover a time. */
 static double steps_over(const context *c, double time, double longest)
 {

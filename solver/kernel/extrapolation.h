@@ -23,6 +23,7 @@
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
+#define LOOSE 1e-2               /* of what a step may add to the error, what half steps of its covers may leave */
 #define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
 #define LEAST_FREE 1e-8          /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
@@ -31,9 +32,9 @@ static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTI
 
 typedef struct extrapolation {
     double booked[N_WEIGHTED];              /* weighted changes in the ledger                             */
-    double before[RIGID], momentum[RIGID];  /* momenta at the start, and weighted ones at the end         */
-    double scale[RIGID];                    /* sums of their terms' sizes                                 */
-    int kept[RIGID];                        /* whether every pair keeps them                              */
+    double before[RIGID], scale[RIGID];     /* momenta at the start, and sums of their terms' sizes       */
+    double may_differ;                      /* relative change of a momentum that is kept                 */
+    int kept[RIGID];                        /* whether every cover keeps them                             */
     int damped;                             /* whether something takes energy out                         */
 } extrapolation;
 
@@ -185,7 +186,7 @@ static int32_t put_back(context *c, const extrapolation *x)
     factor_rigid(c, x->kept, L);
     momenta(c, c->k.momentum);
     rigid_momenta(c, x->kept, c->k.momentum, lacking, size);
-    for (int i = 0; i < RIGID; i++) lacking[i] = x->momentum[i] - lacking[i];
+    for (int i = 0; i < RIGID; i++) lacking[i] = x->before[i] - lacking[i];
     memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     add_rigid(c, L, lacking, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
@@ -224,10 +225,8 @@ static void weigh(context *c, double weight, double less, extrapolation *x)
     }
     momenta(c, c->k.momentum);
     rigid_momenta(c, x->kept, c->k.momentum, total, size);
-    for (int i = 0; i < RIGID; i++) {
-        x->momentum[i] += weight * (total[i] - x->before[i]);
-        if (!(fabs(total[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
-    }
+    for (int i = 0; i < RIGID; i++)
+        if (!(fabs(total[i] - x->before[i]) <= x->may_differ * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
@@ -258,34 +257,44 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     return status;
 }
 
+/* Takes all covers of a step of length h, and weighs their ends. */
+static int32_t take_covers(context *c, double h, int covers, extrapolation *x)
+{
+    const double t = c->t, law_time = c->number[c->m->time_at];
+    int half = 0;
+    begin_halves(c, covers * (covers + 1));
+    for (int pairs = 1; pairs <= covers; pairs++) {
+        const double weight = weight_of(pairs, 1, covers);
+        if (pairs > 1) go_back(c, t, law_time);
+        for (int i = 0; i < 2 * pairs; i++) {
+            const int32_t status = single_step(c, 0.5 * h / pairs, half++);
+            if (status) return status;
+            if (i % 2) average_multipliers(c, c->t - 0.5 * h / pairs);
+        }
+        if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
+        weigh(c, weight, weight - weight_of(pairs, 2, covers), x);
+    }
+    return HOLONOM_OK;
+}
+
 /* One internal step. Where its weighted end cannot be put back, that of the finest cover stands, which conserves, if there are
    dampers; else the step is to be a composition.                                                                 */
 HM_SELDOM static int32_t extrapolated_step(context *c, double h)
 {
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
-    const double t = c->t, law_time = c->number[c->m->time_at];
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
     extrapolation x = {.damped = is_dissipative(c)};
-    int32_t status = HOLONOM_OK;
-    int half = 0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
     memset(c->k.estimate, 0, sizeof(double) * (size_t)(4 * DIM * c->n_moving));
     momenta(c, c->k.momentum);
     for (int i = 0; i < RIGID; i++) x.kept[i] = 1;
     rigid_momenta(c, x.kept, c->k.momentum, x.before, x.scale);
-    for (int i = 0; i < RIGID; i++) x.momentum[i] = x.before[i];
-    begin_halves(c, covers * (covers + 1));
     c->balanced = 0.0;
-    for (int pairs = 1; pairs <= covers; pairs++) {
-        const double weight = weight_of(pairs, 1, covers);
-        if (pairs > 1) go_back(c, t, law_time);
-        for (int i = 0; i < 2 * pairs; i++) {
-            if ((status = single_step(c, 0.5 * h / pairs, half++))) return status;
-            if (i % 2) average_multipliers(c, c->t - 0.5 * h / pairs);
-        }
-        if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
-        weigh(c, weight, weight - weight_of(pairs, 2, covers), &x);
-    }
+    c->loose = x.damped ? 0.0 : LOOSE * tolerated(c) * h / c->s.head[S_HORIZON];
+    x.may_differ = fmax(MOMENTUM_ROUND_OFF, 2 * covers * c->loose);
+    const int32_t status = take_covers(c, h, covers, &x);
+    c->loose = 0.0;
+    if (status) return status;
     memcpy(c->k.finest, c->s.head, bytes);
     c->covered = !take_weighted(c, &x);
     if (c->covered || !x.damped) return HOLONOM_OK;

@@ -35,4 +35,10 @@ static double relative_size(const context *c, double of_q, double of_v)
     return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
 }
 
+/* Error of a run that is asked for, relative to size and speed. */
+static inline double tolerated(const context *c)
+{
+    return c->s.head[S_TOLERANCE] + c->s.head[S_ABSOLUTE_TOLERANCE] / c->number[c->m->extent_at];
+}
+
 #endif
