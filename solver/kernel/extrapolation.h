@@ -44,15 +44,39 @@ static int may_extrapolate(const context *c)
     return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
-/* Steps in a row after whose covers no velocity was free to bring their energy back: then compositions serve for good. */
+/* Steps in a row after whose covers no velocity was free to bring their energy back, or which were too long for the springs: then
+   compositions serve for good. */
 #define MOST_HELD 3.0
 
-/* Whether covers without dampers are sure to serve: they let springs swing up that steps do not resolve, and nothing puts back
-   what drivers ask for or what velocity rows keep by reversibility (theory 8.3).                                  */
+/* Whether covers without dampers are sure to serve: nothing puts back what drivers ask for or what velocity rows keep by
+   reversibility, and potentials do not tell how stiff they are (theory 8.3).                                     */
 static inline int may_cover_undamped(const context *c)
 {
     const holonom_model *m = c->m;
-    return c->s.head[S_HELD] < MOST_HELD && !m->sensing && !m->n_signals && !m->n_velocity_rows && !m->n_elements && !m->n_potentials;
+    return c->s.head[S_HELD] < MOST_HELD && !m->sensing && !m->n_signals && !m->n_velocity_rows && !m->n_potentials;
+}
+
+/* Springs turn by no more than this in a step of covers, which let swing up what they do not resolve: here by 1e-4 a step at
+   order 6, and by 1e-6 at order 8. */
+#define MOST_SWUNG 3.0
+
+/* Bound on the fastest motion of springs alone [1/s], by the trace of M^-1 K; infinite with springs of other quantities than
+   lengths. */
+static double elastic_rate(const context *c)
+{
+    const holonom_model *m = c->m;
+    double trace = 0.0;
+    for (int32_t j = 0; j < m->n_elements; j++) {
+        const double stiffness = c->number[m->stiffness_at + j];
+        const int32_t q = m->leaf[4 * m->leaf_ptr[j] + 1], f = m->quantity_form[2 * q];
+        if (stiffness == 0.0) continue;
+        if (m->quantity_kind[q] != QUANTITY_LENGTH) return INFINITY;
+        for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+            const double turn = m->form_kind[f] & FORM_TURNED ? c->number[m->alpha_turn_at + e] : 0.0;
+            trace += stiffness * (hm_square(c->number[m->alpha_at + e]) + turn * turn) / c->number[m->node_mass_at + m->form_node[e]];
+        }
+    }
+    return sqrt(trace);
 }
 
 /* Whether steps of an order are weighted covers: with dampers all above 2; else, under a tolerance, those above 4, which take fewer
