@@ -84,7 +84,7 @@ static double elastic_rate(const context *c)
 static int is_covering(const context *c, int damped, int order)
 {
     if (order == 2 || !may_extrapolate(c)) return 0;
-    return damped || (order > 4 && c->s.head[S_TOLERANCE] > 0.0 && may_cover_undamped(c));
+    return damped || (order > 2 && c->s.head[S_TOLERANCE] > 0.0 && may_cover_undamped(c));
 }
 
 HM_OFTEN int is_extrapolating(const context *c) { return is_covering(c, is_dissipative(c), (int)c->s.head[S_ORDER_IN_USE]); }
