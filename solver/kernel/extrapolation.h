@@ -232,6 +232,7 @@ static void go_back(context *c, double t, double law_time)
     for (int i = S_WORK; i <= S_FRICTION_LOW; i++) s->head[i] = start[i];
     if (c->m->time_dependent) set_laws(c, law_time, 0);
     c->t = t;
+    c->rows_known = 0;
 }
 
 /* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta; and to
@@ -318,6 +319,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
     x.may_differ = fmax(MOMENTUM_ROUND_OFF, 2 * covers * c->loose);
     const int32_t status = take_covers(c, h, covers, &x);
     c->loose = 0.0;
+    c->rows_known = 0;
     if (status) return status;
     memcpy(c->k.finest, c->s.head, bytes);
     c->covered = !take_weighted(c, &x);
