@@ -38,13 +38,13 @@ typedef struct method {
 } method;
 
 #define PAIR {1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0}
-#define FIVE_PARTS {5, 3.0, 2.7, 6e-5, 1e-13, 1.5}
 
-/* Compositions, weighted covers, and those with dampers, which are of order 4, too. */
+/* Compositions, weighted covers, and those with dampers. Of order 4, covers without dampers have the numbers of a swinging
+   spring. */
 enum { COMPOSED, COVERED, COVERED_DAMPED };
 static const method METHODS[3][N_ORDERS] = {
     {PAIR,
-     FIVE_PARTS,
+     {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
      {9, 4.0, 2.9, 5.2e-6, 1e-13, 2.0},
      {15, 6.0, 2.64, 3.1e-7, 1e-12, 2.5}},
     {PAIR,

@@ -1,4 +1,4 @@
-/* Steps of order 4, 6 and 8 as weighted covers (theory 8.3): where dampers take energy out, and of orders 6 and 8 under a tolerance.
+/* Steps of order 4, 6 and 8 as weighted covers (theory 8.3): where dampers take energy out, and under a tolerance.
 
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
@@ -24,6 +24,7 @@ enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LOOSE 1e-2               /* of what a step may add to the error, what half steps of its covers may leave */
+#define UNSEEN 1e-4              /* part of the mass from which on points count as much lighter than the mechanism */
 #define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
 #define LEAST_FREE 1e-8          /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
@@ -44,7 +45,7 @@ static int may_extrapolate(const context *c)
     return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
 }
 
-/* Steps in a row after whose covers no velocity was free to bring their energy back, or which were too long for the springs: then
+/* Steps in a row that were to be covers but left no velocity free to bring their energy back, or were too long for the springs: then
    compositions serve for good. */
 #define MOST_HELD 3.0
 
@@ -56,9 +57,9 @@ static inline int may_cover_undamped(const context *c)
     return c->s.head[S_HELD] < MOST_HELD && !m->sensing && !m->n_signals && !m->n_velocity_rows && !m->n_potentials;
 }
 
-/* Springs turn by no more than this in a step of covers, which let swing up what they do not resolve: here by 1e-4 a step at
-   order 6, and by 1e-6 at order 8. */
-#define MOST_SWUNG 3.0
+/* Springs turn by no more than this in a step of covers, which let swing up what they do not resolve: by 2e-3 a step of order 6
+   here, and by four tenths from 8 on. Scenes whose springs move them keep below 1.7. */
+#define MOST_TURNED 3.0
 
 /* Bound on the fastest motion of springs alone [1/s], by the trace of M^-1 K; infinite with springs of other quantities than
    lengths. */
@@ -79,15 +80,24 @@ static double elastic_rate(const context *c)
     return sqrt(trace);
 }
 
-/* Whether steps of an order are weighted covers: with dampers all above 2; else, under a tolerance, those above 4, which take fewer
-   half steps than compositions.                                                                                  */
+/* Whether steps of an order above 2 are weighted covers: with dampers, or under a tolerance, where they take fewer half steps and
+   increments than compositions. */
 static int is_covering(const context *c, int damped, int order)
 {
     if (order == 2 || !may_extrapolate(c)) return 0;
-    return damped || (order > 2 && c->s.head[S_TOLERANCE] > 0.0 && may_cover_undamped(c));
+    return damped || (c->s.head[S_TOLERANCE] > 0.0 && may_cover_undamped(c));
 }
 
 HM_OFTEN int is_extrapolating(const context *c) { return is_covering(c, is_dissipative(c), (int)c->s.head[S_ORDER_IN_USE]); }
+
+/* Whether the step at hand, of length h, is to be one of covers; one that is too long for the springs is not, and counts. */
+static int takes_covers(context *c, double h)
+{
+    if (!is_extrapolating(c)) return 0;
+    const int held = !is_dissipative(c) && !(h * elastic_rate(c) <= MOST_TURNED);
+    c->s.head[S_HELD] += held;
+    return !held;
+}
 
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
 static double weight_of(int pairs, int first, int last)
@@ -274,6 +284,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
         head[at] = start[at], head[at + 1] = start[at + 1];
         book(c, at, i == 0 ? x->booked[i] : fmax(x->booked[i], 0.0));
     }
+    for (int i = S_DEFECT; i <= S_RESIDUAL_LOW; i++) head[i] = start[i]; /* what half steps leave is put back, too */
     suspend_sliding(c, 1); /* no friction answers the corrections */
     const int32_t status = put_back(c, x);
     suspend_sliding(c, 0);
@@ -302,6 +313,17 @@ static int32_t take_covers(context *c, double h, int covers, extrapolation *x)
     return HOLONOM_OK;
 }
 
+/* What the half steps of covers of a step of length h may leave, over their size. The mass norm does not see the velocities of points that
+   are much lighter than the mechanism, so that these ask for more. */
+static double loose_by(const context *c, double h)
+{
+    const double mass = hm_square(c->number[c->m->extent_at + 1] / c->number[c->m->extent_at]);
+    double least = UNSEEN * mass;
+    for (int32_t a = 0; a < c->m->n_free; a++)
+        if (!c->m->node_kind[a]) least = fmin(least, c->number[c->m->node_mass_at + a]);
+    return LOOSE * tolerated(c) * h / c->s.head[S_HORIZON] * sqrt(least / (UNSEEN * mass));
+}
+
 /* One internal step. Where its weighted end cannot be put back, that of the finest cover stands, which conserves, if there are
    dampers; else the step is to be a composition.                                                                 */
 HM_SELDOM static int32_t extrapolated_step(context *c, double h)
@@ -315,7 +337,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
     for (int i = 0; i < RIGID; i++) x.kept[i] = 1;
     rigid_momenta(c, x.kept, c->k.momentum, x.before, x.scale);
     c->balanced = 0.0;
-    c->loose = x.damped ? 0.0 : LOOSE * tolerated(c) * h / c->s.head[S_HORIZON];
+    c->loose = x.damped ? 0.0 : loose_by(c, h);
     x.may_differ = fmax(MOMENTUM_ROUND_OFF, 2 * covers * c->loose);
     const int32_t status = take_covers(c, h, covers, &x);
     c->loose = 0.0;

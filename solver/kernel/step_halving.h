@@ -91,9 +91,7 @@ static int32_t internal_step(context *c, double h)
         return status;
     }
     c->covered = 0;
-    const int covers = is_extrapolating(c), held = covers && !is_dissipative(c) && !(h * elastic_rate(c) <= MOST_SWUNG);
-    c->s.head[S_HELD] += held;
-    if (covers && !held) {
+    if (takes_covers(c, h)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         status = extrapolated_step(c, h);
         if (status || c->covered) return status;
