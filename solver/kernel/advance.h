@@ -17,6 +17,7 @@
 static void start_anew(context *c)
 {
     c->s.head[S_MEAN_TIME] = INFINITY;
+    c->s.head[S_HELD] = 0.0;
     forget_halves(c);
 }
 

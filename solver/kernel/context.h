@@ -44,7 +44,8 @@ typedef struct context {
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
-    double loose;       /* what a half step of covers may leave, over its size, since the step is put back; else 0 */
+    double loose;       /* relative error allowed in each half step of undamped covers, which are put back; 0 elsewhere */
+    double left;        /* that of the last internal step                                                         */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
@@ -178,7 +179,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
     c->constraints_only = c->careful = c->at_state = c->covered = c->unweighted = c->damped = 0;
-    c->balanced = c->loose = 0.0;
+    c->balanced = c->loose = c->left = 0.0;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;

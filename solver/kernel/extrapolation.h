@@ -2,8 +2,8 @@
 
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
-   (Richardson). Each pair conserves, weighted ends do so up to the order: they are put back onto the constraints, onto
-   the momenta that every pair kept, and onto the energy that the weighted ledger asks for. Contacts do not change
+   (Richardson). Pairs conserve, without dampers as far as they are solved; weighted ends do so up to the order: they are put
+   back onto the constraints, onto the momenta that every cover kept, and onto the energy that the weighted ledger asks for. Contacts do not change
    within a step (event.h): closed ones, and frictions that stick, are rows like others; what slides takes energy as
    dampers do. */
 #ifndef HOLONOM_EXTRAPOLATION_H
@@ -23,7 +23,7 @@
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
-#define LOOSE 1e-2               /* of what a step may add to the error, what half steps of its covers may leave */
+#define LOOSE 1e-2               /* part of a step's allowed error that each of its half steps may leave */
 #define UNSEEN 1e-4              /* part of the mass from which on points count as much lighter than the mechanism */
 #define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
 #define LEAST_FREE 1e-8          /* part of the kinetic energy that velocities must have which momenta and rows leave free */
@@ -57,16 +57,27 @@ static inline int may_cover_undamped(const context *c)
     return c->s.head[S_HELD] < MOST_HELD && !m->sensing && !m->n_signals && !m->n_velocity_rows && !m->n_potentials;
 }
 
-/* Springs turn by no more than this in a step of covers, which let swing up what they do not resolve: by 2e-3 a step of order 6
-   here, and by four tenths from 8 on. Scenes whose springs move them keep below 1.7. */
-#define MOST_TURNED 3.0
+/* Springs turn by no more than this in a step of covers of order 4, 6 and 8, which let swing up what they do not resolve: here by
+   1e-3 a step. Scenes whose springs move them keep below 1.7. */
+static const double MOST_TURNED[] = {1.7, 2.8, 4.2};
 
-/* Bound on the fastest motion of springs alone [1/s], by the trace of M^-1 K; infinite with springs of other quantities than
-   lengths. */
+/* Products of inertia, squared over both moments, up to which the diagonal of M tells M^-1: bars have 1/4. */
+#define DIAGONAL_ENOUGH 0.3
+
+/* Estimate of the fastest motion of springs alone [1/s], by the trace of M^-1 K with the diagonal of M; infinite with large products
+   of inertia and with springs of other quantities than lengths. */
 static double elastic_rate(const context *c)
 {
     const holonom_model *m = c->m;
-    double trace = 0.0;
+    double trace = 0.0, *diagonal = c->k.ahead;
+    if (!m->n_elements) return 0.0;
+    memset(diagonal, 0, sizeof(double) * (size_t)m->n_free);
+    for (int32_t e = 0; e < m->n_mass_free; e++)
+        if (m->mass_node[2 * e] == m->mass_node[2 * e + 1]) diagonal[m->mass_node[2 * e]] += c->number[m->mass_at + e];
+    for (int32_t e = 0; e < m->n_mass_free; e++) {
+        const int32_t a = m->mass_node[2 * e], b = m->mass_node[2 * e + 1];
+        if (a != b && hm_square(c->number[m->mass_at + e]) > DIAGONAL_ENOUGH * diagonal[a] * diagonal[b]) return INFINITY;
+    }
     for (int32_t j = 0; j < m->n_elements; j++) {
         const double stiffness = c->number[m->stiffness_at + j];
         const int32_t q = m->leaf[4 * m->leaf_ptr[j] + 1], f = m->quantity_form[2 * q];
@@ -74,7 +85,7 @@ static double elastic_rate(const context *c)
         if (m->quantity_kind[q] != QUANTITY_LENGTH) return INFINITY;
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
             const double turn = m->form_kind[f] & FORM_TURNED ? c->number[m->alpha_turn_at + e] : 0.0;
-            trace += stiffness * (hm_square(c->number[m->alpha_at + e]) + turn * turn) / c->number[m->node_mass_at + m->form_node[e]];
+            trace += stiffness * (hm_square(c->number[m->alpha_at + e]) + turn * turn) / diagonal[m->form_node[e]];
         }
     }
     return sqrt(trace);
@@ -90,13 +101,19 @@ static int is_covering(const context *c, int damped, int order)
 
 HM_OFTEN int is_extrapolating(const context *c) { return is_covering(c, is_dissipative(c), (int)c->s.head[S_ORDER_IN_USE]); }
 
-/* Whether the step at hand, of length h, is to be one of covers; one that is too long for the springs is not, and counts. */
-static int takes_covers(context *c, double h)
+/* Whether a step of length h without dampers is too long for the springs. */
+static int swings_up(const context *c, double h)
 {
-    if (!is_extrapolating(c)) return 0;
-    const int held = !is_dissipative(c) && !(h * elastic_rate(c) <= MOST_TURNED);
-    c->s.head[S_HELD] += held;
-    return !held;
+    return !is_dissipative(c) && !(h * elastic_rate(c) <= MOST_TURNED[(int)c->s.head[S_ORDER_IN_USE] / 2 - 2]);
+}
+
+/* Counts a step that was to be one of covers and was too long for the springs; what is at rest tells no length. */
+static void count_held(context *c)
+{
+    double *head = c->s.head;
+    head[S_HELD] += mass_product(c, c->s.v, c->s.v) > 0.0;
+    if (head[S_HELD] < MOST_HELD) return;
+    for (int i = S_JUDGED_4; i < S_JUDGED_4 + 6; i++) head[i] = 0.0; /* of covers; compositions learn for themselves */
 }
 
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
@@ -245,8 +262,8 @@ static void go_back(context *c, double t, double law_time)
     c->rows_known = 0;
 }
 
-/* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate), ledger and momenta; and to
-   what they differ by from those of one order less, without the coarsest cover: `less` times.                  */
+/* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate) and ledger; and to what they
+   differ by from those of one order less, without the coarsest cover: `less` times. Momenta that changed are not kept. */
 static void weigh(context *c, double weight, double less, extrapolation *x)
 {
     const hm_state *s = &c->s;
@@ -314,11 +331,13 @@ static int32_t take_covers(context *c, double h, int covers, extrapolation *x)
 }
 
 /* What the half steps of covers of a step of length h may leave, over their size. The mass norm does not see the velocities of points that
-   are much lighter than the mechanism, so that these ask for more. */
+   are much lighter than the mechanism: half steps are solved further where there are such points. Events are located by gaps at
+   ends, which are to be exact. */
 static double loose_by(const context *c, double h)
 {
     const double mass = hm_square(c->number[c->m->extent_at + 1] / c->number[c->m->extent_at]);
     double least = UNSEEN * mass;
+    if (is_unilateral(c->m)) return 0.0;
     for (int32_t a = 0; a < c->m->n_free; a++)
         if (!c->m->node_kind[a]) least = fmin(least, c->number[c->m->node_mass_at + a]);
     return LOOSE * tolerated(c) * h / c->s.head[S_HORIZON] * sqrt(least / (UNSEEN * mass));
@@ -337,7 +356,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
     for (int i = 0; i < RIGID; i++) x.kept[i] = 1;
     rigid_momenta(c, x.kept, c->k.momentum, x.before, x.scale);
     c->balanced = 0.0;
-    c->loose = x.damped ? 0.0 : loose_by(c, h);
+    c->left = c->loose = x.damped ? 0.0 : loose_by(c, h);
     x.may_differ = fmax(MOMENTUM_ROUND_OFF, 2 * covers * c->loose);
     const int32_t status = take_covers(c, h, covers, &x);
     c->loose = 0.0;

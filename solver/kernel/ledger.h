@@ -163,6 +163,7 @@ static void accept_island(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
+    /* What loose half steps leave is no round-off, and is put back. */
     const int handed = c->loose == 0.0 && momentum_norm2(c) <= HANDED_ON * HANDED_ON * s->head[S_ENERGY_REFERENCE];
     book_step(c);
     EACH_COORDINATE(c, k) {
@@ -198,6 +199,7 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
+    /* Parts of compositions lose digits of rows from one to the next; what covers lose is put back. */
     c->rows_known = c->conserving && (c->halves == 2 || c->loose > 0.0) && !is_unilateral(c->m);
     use_unknowns(c, 0);
     if (is_telling(c)) remember_length(c);

@@ -99,7 +99,7 @@ static int rows_are_firm(const context *c)
 static void choose_lambda(const context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
-    const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= may_leave(r);
+    const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= fmax(NEWTON_MARGIN * r->target, r->loose);
     c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && !is_unilateral(c->m) && (is_short || is_enough);
 }
 

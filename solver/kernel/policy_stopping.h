@@ -84,7 +84,9 @@ static inline double may_leave(const newton_record *r)
 static inline double allowed_defect(const context *c, const newton_record *r)
 {
     const double exact = r->increments > 1 ? fmax(CONSTRAINT_MARGIN * newton_tolerance(c->s.head), QUARTER_ULP) : ROWS_AFTER_ONE;
-    return fmax(exact, c->loose);
+    /* Multipliers are rows over h^2; by the size of the half step they err no more than accelerations, which are increments over
+       h^2. */
+    return fmax(exact, c->loose * fmin(1.0, r->size / c->number[c->m->extent_at + 1]));
 }
 
 /* Energy that what is left may add. */

@@ -91,7 +91,9 @@ static int32_t internal_step(context *c, double h)
         return status;
     }
     c->covered = 0;
-    if (takes_covers(c, h)) {
+    c->left = 0.0;
+    const int covers = is_extrapolating(c), held = covers && swings_up(c, h);
+    if (covers && !held) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         status = extrapolated_step(c, h);
         if (status || c->covered) return status;
@@ -99,6 +101,7 @@ static int32_t internal_step(context *c, double h)
     }
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
+    if (held) count_held(c);
     int stages = 1;
     stage(order, 0, &stages);
     begin_halves(c, 2 * stages);
