@@ -119,8 +119,8 @@ _TABLE = (
     Option("absolute_tolerance", 0.0, "allowed absolute error, added to the relative one",
            low=0.0, high=1e6, unit="m"),
     Option("energy", "exact",
-           "compositions are solved to newton_tolerance (exact), or to a tenth of the tolerance and "
-           "at most 1e-7 (tolerance)",
+           "compositions are solved to newton_tolerance (exact), or to a tenth of the tolerance "
+           "and at most 1e-7 (tolerance)",
            words=("exact", "tolerance"), place="loose_energy"),
     Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s"),
     Option("assemble", False,

@@ -179,8 +179,9 @@ def test_an_error_far_from_the_mean_over_mechanisms_is_learned_from_steps_of_hal
 @pytest.mark.parametrize(("order", "step"), [(4, 0.1), (6, 0.3), (8, 0.5)])
 def test_measuring_the_error_of_a_step_leaves_the_motion_as_it_is(order, step):
     # Nothing but the choice of steps may follow from it: one step is too few to be measured, and
-    # the second is measured, but as long as both have their greatest length they are the same. Shorter steps of the higher
-    # orders show no more than their half steps may leave, and are not measured.
+    # the second is measured, but as long as both have their greatest length they are the same.
+    # Shorter steps of the higher orders show no more than their half steps may leave, and are not
+    # measured.
     ends = []
     for judged in (0.0, 10.0):
         run = swinging(1e-1, order=order, step_size=step)
