@@ -434,13 +434,13 @@ gravity = [0, 0, -9.81]
 position = [0.5, 0, 0]
 mass = 1.0
 inertia = [5e-5, 0.0834, 0.0834]
-points = { arm = [0.0, 0.005, 0.0] }
+points = { arm = [0.0, 0.0, 0.1] }
 [joints]
 pivot = { type = "spherical", bodies = ["ground", "rod"], position = [0, 0, 0] }
 [points]
-above = { position = [0.5, 0.005, 0.5], fixed = true }
+above = { position = [0.5, 0, 0.6], fixed = true }
 [forces]
-spring = { type = "spring", points = ["above", "rod.arm"], stiffness = 400.0, free_length = 0.5 }
+spring = { type = "spring", points = ["above", "rod.arm"], stiffness = 10.0, free_length = 0.5 }
 [solver]
 tolerance = 1e-3
 order = 6
@@ -448,15 +448,14 @@ order = 6
 
 
 def test_a_spring_that_spins_a_thin_rod_counts_by_the_small_inertia_that_it_turns():
-    """400 N/m at 5 mm turn 5e-5 kgm2 at 14 rad/s, and the rod's end at 35 rad/s."""
+    """10 N/m at 0.1 m swing 5e-5 kgm2 at 45 rad/s, which steps for 4 rad/s do not resolve."""
     run = Integrator(solver.assemble(solver.loads(THIN)))
     run["solver.longest_step"] = 1e6
-    covered = set()
     for _ in range(20):
         run.advance(run.time, 0.5)
-        covered.add(run.state.head["halves"])
         assert run["energy.error"] < 1e-13
-    assert covered <= {12.0, 18.0}
+    assert run.state.head["held"] == 3.0
+    assert run.state.head["halves"] == HALVES[6][1]
 
 
 def solved_with(name, energy):
