@@ -152,7 +152,8 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM], vu[DIM], vw[DIM];
-    for (int32_t i = 0; i < m->n_form_rows; i++) {
+    if (is_reduced(c)) memset(rate, 0, sizeof(double) * (size_t)m->n_rows); /* bodies turn as wholes */
+    EACH_FORM_ROW(c, i) {
         link_at(c, m->row_form[i], x, x_low, u, w);
         link_of(c, m->row_form[i], v, vu, vw);
         rate[i] = dot(u, vw) + dot(w, vu);

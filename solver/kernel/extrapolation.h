@@ -16,26 +16,23 @@
 #include "ledger.h"
 #include "norms.h"
 #include "predict.h"
+#include "put_back.h"
 #include "rigid.h"
 #include "start.h"
 #include "tangent.h"
 
-enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_CHANGE 1e-2      /* by the weights, relative to size and speed: beyond, errors have no powers yet */
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LOOSE 1e-2               /* part of a step's allowed error that each of its half steps may leave */
 #define UNSEEN 1e-4              /* part of the mass from which on points count as much lighter than the mechanism */
-#define LARGEST_SCALING 0.1      /* part by which velocities are changed for the energy */
-#define LEAST_FREE 1e-8          /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
 enum { N_WEIGHTED = 3 };
 static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTION};
 
 typedef struct extrapolation {
     double booked[N_WEIGHTED];              /* weighted changes in the ledger                             */
-    double before[RIGID], scale[RIGID];     /* momenta at the start, and sums of their terms' sizes       */
     double may_differ;                      /* relative change of a momentum that is kept                 */
-    int kept[RIGID];                        /* whether every cover keeps them                             */
+    kept_momenta momenta;                   /* those that every cover keeps                               */
     int damped;                             /* whether something takes energy out                         */
 } extrapolation;
 
@@ -125,130 +122,6 @@ static double weight_of(int pairs, int first, int last)
     return weight;
 }
 
-/* Velocities w that make up for the rates g in `phi` by the smallest change, added to x. */
-static void add_correction(context *c, double *x)
-{
-    const holonom_model *m = c->m;
-    memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    gather_momentum(c);
-    for (int32_t i = 0; i < m->n_rows; i++) c->k.rhs[m->full.row_position[i]] = -c->k.phi[i];
-    solve_factors(c);
-    add_solution(c, x);
-}
-
-/* Puts coordinates back onto the rows, by displacements as small as can be; rows and factors at hand are those of the state. A
-   correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
-static int32_t close_rows(context *c)
-{
-    const size_t rows = sizeof(double) * (size_t)c->m->n_rows;
-    double last = INFINITY;
-    for (int i = 0; i < MAX_CORRECTIONS; i++) {
-        if (i) stand_still(c);
-        memcpy(c->k.phi, c->k.phi0, rows);
-        const double defect = largest_row(c, c->k.phi);
-        if (defect < 1e-17 || (defect <= c->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
-        add_correction(c, c->k.w);
-        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.q + k, c->s.q_low + k, c->k.w[k]);
-        if (i && defect <= c->s.head[S_NEWTON_TOLERANCE] && defect / last * defect < 1e-17) return HOLONOM_OK;
-        last = defect;
-    }
-    return last <= c->s.head[S_NEWTON_TOLERANCE] ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
-}
-
-/* Lets velocities follow rows and signals, by the smallest change; it ends likewise. */
-static void follow_rows(context *c)
-{
-    const double round_off = 1e-17 * speed_scale(c) / c->number[c->m->extent_at + 1];
-    double last = INFINITY, size = INFINITY;
-    signal_rates_at(c, c->t, c->k.signal_rate);
-    for (int i = 0; i < MAX_CORRECTIONS && (i < 2 || !(size / last * size < round_off)); i++) {
-        last = size;
-        row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-        size = largest_row(c, c->k.phi);
-        if (!(size < 0.5 * last)) return;
-        memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-        add_correction(c, c->k.w);
-        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
-    }
-}
-
-/* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
-static void free_velocities(context *c, const int *kept, double L[RIGID][RIGID])
-{
-    const holonom_model *m = c->m;
-    const size_t n = sizeof(double) * (size_t)(DIM * c->n_moving);
-    double momentum[RIGID], unused[RIGID], *u = c->k.free, *asked = c->k.row_rate;
-    int asks = 0; /* whether rows ask for rates of what stands still; else velocities on the rows are free */
-    memset(u, 0, n);
-    if (m->n_velocity_rows) {
-        row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, asked);
-        asks = largest_row(c, asked) > 0.0;
-    }
-    for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = c->s.v[k] + c->s.v_low[k];
-    for (int repeat = 0; repeat < 3 && asks; repeat++) { /* what the regularised factors leave is corrected again */
-        row_rates(c, c->s.q, c->s.q_low, u, c->s.signal, c->k.signal_rate, c->k.phi);
-        for (int32_t i = 0; i < m->n_rows; i++) c->k.phi[i] -= asked[i];
-        add_correction(c, u);
-    }
-    inertia(c, 2.0, u, c->k.momentum);
-    rigid_momenta(c, kept, c->k.momentum, momentum, unused);
-    for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
-    add_rigid(c, L, momentum, u);
-}
-
-/* Energy that the ledger does not know of. */
-static double unbalanced(const context *c)
-{
-    return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
-}
-
-/* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
-   u'Mu s^2/2 + v'Mu s + excess = 0. A body that flies has none but those of its momenta, and a spherical pendulum none for a
-   moment; without dampers the step is a composition then.                                                        */
-static int32_t balance_energy(context *c, int damped)
-{
-    const double *u = c->k.free, square = mass_product(c, u, u);
-    const int held = !damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v));
-    c->k.pair_backup[S_HELD] += held; /* which undo_step returns to */
-    if (held) return HOLONOM_NOT_FINITE;
-    c->s.head[S_HELD] = 0.0;
-    for (int i = 0; i < 3; i++) {
-        const double excess = unbalanced(c); /* leaves M v in momentum */
-        double along = 0.0;
-        for (int32_t a = 0; a < c->n_moving; a++) along += dot(u + DIM * a, c->k.momentum + DIM * a);
-        if (excess == 0.0) return HOLONOM_OK;
-        const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
-        if (!(fabs(part) <= LARGEST_SCALING)) return HOLONOM_NOT_FINITE;
-        c->balanced = fmax(c->balanced, fabs(part) * sqrt(square) / speed_scale(c));
-        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
-    }
-    return HOLONOM_OK;
-}
-
-/* Puts the weighted ends back onto rows, kept momenta and ledger. */
-static int32_t put_back(context *c, const extrapolation *x)
-{
-    double L[RIGID][RIGID] = {{0.0}}, lacking[RIGID], size[RIGID];
-    stand_still(c);
-    int32_t status = factorise_at_state(c, NULL);
-    if (!status) status = close_rows(c);
-    if (status) return status;
-    follow_rows(c);
-    factor_rigid(c, x->kept, L);
-    momenta(c, c->k.momentum);
-    rigid_momenta(c, x->kept, c->k.momentum, lacking, size);
-    for (int i = 0; i < RIGID; i++) lacking[i] = x->before[i] - lacking[i];
-    memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    add_rigid(c, L, lacking, c->k.w);
-    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
-    if (c->m->n_signals) { /* drivers leave little or nothing free; their work is known to the order, as the motion is */
-        book(c, S_WORK, unbalanced(c));
-        return HOLONOM_OK;
-    }
-    free_velocities(c, x->kept, L);
-    return balance_energy(c, x->damped);
-}
-
 /* Goes back to the start of the step, from which its next cover begins; what predicts half steps stays. */
 static void go_back(context *c, double t, double law_time)
 {
@@ -276,9 +149,10 @@ static void weigh(context *c, double weight, double less, extrapolation *x)
         x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
     }
     momenta(c, c->k.momentum);
-    rigid_momenta(c, x->kept, c->k.momentum, total, size);
+    rigid_momenta(c, x->momenta.kept, c->k.momentum, total, size);
     for (int i = 0; i < RIGID; i++)
-        if (!(fabs(total[i] - x->before[i]) <= x->may_differ * fmax(size[i], x->scale[i])) || c->m->n_driven) x->kept[i] = 0;
+        if (!(fabs(total[i] - x->momenta.before[i]) <= x->may_differ * fmax(size[i], x->momenta.scale[i])) || c->m->n_driven)
+            x->momenta.kept[i] = 0;
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
@@ -303,7 +177,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     }
     for (int i = S_DEFECT; i <= S_RESIDUAL_LOW; i++) head[i] = start[i]; /* what half steps leave is put back, too */
     suspend_sliding(c, 1); /* no friction answers the corrections */
-    const int32_t status = put_back(c, x);
+    const int32_t status = put_back(c, &x->momenta, x->damped);
     suspend_sliding(c, 0);
     follow_angles(c, NULL);
     for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
@@ -349,12 +223,9 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
 {
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    extrapolation x = {.damped = is_dissipative(c)};
+    extrapolation x = {.momenta = momenta_at_start(c), .damped = is_dissipative(c)};
     memcpy(c->k.pair_backup, c->s.head, bytes);
     memset(c->k.estimate, 0, sizeof(double) * (size_t)(4 * DIM * c->n_moving));
-    momenta(c, c->k.momentum);
-    for (int i = 0; i < RIGID; i++) x.kept[i] = 1;
-    rigid_momenta(c, x.kept, c->k.momentum, x.before, x.scale);
     c->balanced = 0.0;
     c->left = c->loose = x.damped ? 0.0 : loose_by(c, h);
     x.may_differ = fmax(MOMENTUM_ROUND_OFF, 2 * covers * c->loose);

@@ -392,6 +392,14 @@ static int has_small_pivot(const context *c)
    leave .17 of its multipliers: its rows are independent, and a larger penalty serves them.                       */
 #define LEFT_OF_DEPENDENT_ROWS 0.5
 
+/* Lets these equations have turns of bodies for unknowns; directors are those of the state. A context has pointers to its own
+   parts: it is not to be returned from here on. */
+static void take_turns(context *rows, int turns)
+{
+    use_unknowns(rows, turns);
+    stand_still_as_bodies(rows);
+}
+
 /* Marks islands whose rows depend on each other, by factors at the state, and chooses the penalties of the others. With
    coordinates of directors as unknowns, rows of joints that one director alone carries would look dependent: where there are
    bodies, their turns are the unknowns.                                                                          */
@@ -399,10 +407,7 @@ static void judge_rows(const context *c)
 {
     const holonom_model *m = c->m;
     context rows = rows_at_state(c, 0.0);
-    if (m->n_reduced_values) {
-        use_unknowns(&rows, 1);
-        stand_still_as_bodies(&rows);
-    }
+    take_turns(&rows, m->n_reduced_values > 0);
     const int fails = assemble_tangent(&rows) || factorise_matrix(&rows);
     for (int32_t island = 0; island < m->n_islands; island++) {
         look_at(&rows, island, island + 1);

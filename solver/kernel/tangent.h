@@ -357,11 +357,15 @@ static void gather_rhs(const context *c)
     EACH_ROW(c, i) c->k.rhs[c->lu->row_position[i]] = -row_residual(c, i);
 }
 
-/* Adds what was solved for, one vector a free node, to x (DIM n_free, modified). */
+/* Adds what was solved for, one vector a free node, to x (DIM n_free, modified); directors at the end turn with their body. */
 static void add_solution(const context *c, double *x)
 {
-    for IN_ISLAND(c, a, ISLAND_FREE)
-        EACH(k) x[DIM * a + k] += c->k.rhs[c->lu->node_position[a] + k];
+    for IN_ISLAND(c, a, ISLAND_FREE) {
+        const double *own = c->k.rhs + c->lu->node_position[first_of_unknown(c, a)];
+        double turned[DIM];
+        if (is_director(c, a)) turned_by(own, c->k.turned + DIM * a, turned);
+        EACH(k) x[DIM * a + k] += is_director(c, a) ? turned[k] : own[k];
+    }
 }
 
 /* Many contacts, of which few are closed at a time, leave most of the pattern empty. */

@@ -1,0 +1,198 @@
+/* Puts a state that is right up to the order of its step back onto rows, rates of rows, momenta that are kept, and the energy
+   that the ledger asks for. */
+#ifndef HOLONOM_PUT_BACK_H
+#define HOLONOM_PUT_BACK_H
+
+#include "body_turns.h"
+#include "context.h"
+#include "energy.h"
+#include "inputs_signals.h"
+#include "ledger.h"
+#include "norms.h"
+#include "rigid.h"
+#include "start.h"
+#include "tangent.h"
+
+enum { MAX_CORRECTIONS = 8 };
+#define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */
+#define LEAST_FREE 1e-8     /* part of the kinetic energy that velocities must have which momenta and rows leave free */
+
+typedef struct kept_momenta {
+    int kept[RIGID];
+    double before[RIGID], scale[RIGID]; /* at the start of the step, and sums of their terms' sizes */
+} kept_momenta;
+
+/* Momenta at the state, of which all may be kept. */
+static kept_momenta momenta_at_start(const context *c)
+{
+    kept_momenta x;
+    momenta(c, c->k.momentum);
+    for (int i = 0; i < RIGID; i++) x.kept[i] = 1;
+    rigid_momenta(c, x.kept, c->k.momentum, x.before, x.scale);
+    return x;
+}
+
+/* Changes of velocities that make up for the rates g in `phi`, as small as can be, or of coordinates for rows; added to x. */
+static void add_correction(const context *at, double *x)
+{
+    memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
+    gather_momentum(at);
+    EACH_ROW(at, i) at->k.rhs[at->lu->row_position[i]] = -at->k.phi[i];
+    solve_factors(at);
+    add_solution(at, x);
+}
+
+/* Lets equations at the state have turns of bodies for unknowns, and factors without stiffness where there are any. */
+static void take_unknowns(context *at)
+{
+    take_turns(at, may_reduce(at));
+    at->rows_known = 0;
+    if (at->m->n_lean_values && is_reduced(at) == (n_bodies(at->m) > 0)) at->lu = lean_factors(at);
+}
+
+/* Rows at the state, and bodies that turn as wholes. */
+static void look_at_rows(context *at)
+{
+    memset(at->k.phi0, 0, sizeof(double) * (size_t)at->m->n_rows);
+    EACH_TURN(at, b) straighten(at, at->m->body_node[b]);
+    stand_still(at);
+    stand_still_as_bodies(at);
+}
+
+/* Puts coordinates back onto the rows, by displacements as small as can be; rows and factors at hand are those of the state. A
+   correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
+static int32_t close_rows(context *at)
+{
+    const size_t rows = sizeof(double) * (size_t)at->m->n_rows, n = sizeof(double) * (size_t)(DIM * at->n_moving);
+    double last = INFINITY;
+    for (int i = 0; i < MAX_CORRECTIONS; i++) {
+        if (i) look_at_rows(at);
+        memcpy(at->k.phi, at->k.phi0, rows);
+        const double defect = largest_row(at, at->k.phi);
+        if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
+        memset(at->k.w, 0, n);
+        add_correction(at, at->k.w);
+        for (int32_t k = 0; k < DIM * at->m->n_free; k++) hm_add(at->s.q + k, at->s.q_low + k, at->k.w[k]);
+        if (i && defect <= at->s.head[S_NEWTON_TOLERANCE] && defect / last * defect < 1e-17) return HOLONOM_OK;
+        last = defect;
+    }
+    return last <= at->s.head[S_NEWTON_TOLERANCE] ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+}
+
+/* Takes from the velocities of directors what is not a turn of their body. */
+static void turn_as_bodies(const context *at)
+{
+    EACH_TURN(at, b) {
+        const int32_t first = DIM * at->m->body_node[b];
+        double omega[TURNING], rest[TURNING], left[DIM * TURNING], turned[DIM];
+        common_turn(at, at->m->body_node[b], at->s.v + first, omega);
+        for (int k = 0; k < TURNING; k++) omega[k] = (double)(float)omega[k];
+        for (int i = 0; i < DIM * TURNING; i += DIM)
+            internal_velocity(at->s.v + first + i, at->s.v_low + first + i, omega, at->s.q + first + i, at->s.q_low + first + i, left + i);
+        common_turn(at, at->m->body_node[b], left, rest);
+        for (int i = 0; i < DIM * TURNING; i += DIM) {
+            turned_by(rest, at->s.q + first + i, turned);
+            EACH(k) hm_add(at->s.v + first + i + k, at->s.v_low + first + i + k, turned[k] - left[i + k]);
+        }
+    }
+}
+
+/* Lets velocities follow rows and signals, by the smallest change; it ends likewise. */
+static void follow_rows(context *at)
+{
+    const double round_off = 1e-17 * speed_scale(at) / at->number[at->m->extent_at + 1];
+    double last = INFINITY, size = INFINITY;
+    turn_as_bodies(at);
+    signal_rates_at(at, at->t, at->k.signal_rate);
+    for (int i = 0; i < MAX_CORRECTIONS && (i < 2 || !(size / last * size < round_off)); i++) {
+        last = size;
+        row_rates(at, at->s.q, at->s.q_low, at->s.v, at->s.signal, at->k.signal_rate, at->k.phi);
+        size = largest_row(at, at->k.phi);
+        if (!(size < 0.5 * last)) return;
+        memset(at->k.w, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
+        add_correction(at, at->k.w);
+        for (int32_t k = 0; k < DIM * at->m->n_free; k++) hm_add(at->s.v + k, at->s.v_low + k, at->k.w[k]);
+    }
+}
+
+/* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
+static void free_velocities(context *at, const int *kept, double L[RIGID][RIGID])
+{
+    const holonom_model *m = at->m;
+    const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving);
+    double momentum[RIGID], unused[RIGID], *u = at->k.free, *asked = at->k.row_rate;
+    int asks = 0; /* whether rows ask for rates of what stands still; else velocities on the rows are free */
+    memset(u, 0, n);
+    if (m->n_velocity_rows) {
+        row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, asked);
+        asks = largest_row(at, asked) > 0.0;
+    }
+    for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = at->s.v[k] + at->s.v_low[k];
+    for (int repeat = 0; repeat < 3 && asks; repeat++) { /* what the regularised factors leave is corrected again */
+        row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, at->k.phi);
+        for (int32_t i = 0; i < m->n_rows; i++) at->k.phi[i] -= asked[i];
+        add_correction(at, u);
+    }
+    inertia(at, 2.0, u, at->k.momentum);
+    rigid_momenta(at, kept, at->k.momentum, momentum, unused);
+    for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];
+    add_rigid(at, L, momentum, u);
+}
+
+/* Energy that the ledger does not know of. */
+static double unbalanced(const context *c)
+{
+    return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
+}
+
+/* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
+   u'Mu s^2/2 + v'Mu s + excess = 0. A body that flies has none but those of its momenta, and a spherical pendulum none for a
+   moment; without dampers the step is a composition then.                                                        */
+static int32_t balance_energy(context *c, int damped)
+{
+    const double *u = c->k.free, square = mass_product(c, u, u);
+    const int held = !damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v));
+    c->k.pair_backup[S_HELD] += held; /* which undo_step returns to */
+    if (held) return HOLONOM_NOT_FINITE;
+    c->s.head[S_HELD] = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double excess = unbalanced(c); /* leaves M v in momentum */
+        double along = 0.0;
+        for (int32_t a = 0; a < c->n_moving; a++) along += dot(u + DIM * a, c->k.momentum + DIM * a);
+        if (excess == 0.0) return HOLONOM_OK;
+        const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
+        if (!(fabs(part) <= LARGEST_SCALING)) return HOLONOM_NOT_FINITE;
+        c->balanced = fmax(c->balanced, fabs(part) * sqrt(square) / speed_scale(c));
+        for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
+    }
+    return HOLONOM_OK;
+}
+
+/* Puts the state back. */
+static int32_t put_back(context *c, const kept_momenta *x, int damped)
+{
+    double L[RIGID][RIGID] = {{0.0}}, lacking[RIGID], size[RIGID];
+    context at = rows_at_state(c, 0.0);
+    take_unknowns(&at);
+    for (int i = 0; i < 2; i++) EACH_TURN(&at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
+    look_at_rows(&at);
+    int32_t status = factorise(&at);
+    if (!status) status = close_rows(&at);
+    if (status) return status;
+    follow_rows(&at);
+    factor_rigid(c, x->kept, L);
+    momenta(c, c->k.momentum);
+    rigid_momenta(c, x->kept, c->k.momentum, lacking, size);
+    for (int i = 0; i < RIGID; i++) lacking[i] = x->before[i] - lacking[i];
+    memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    add_rigid(c, L, lacking, c->k.w);
+    for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
+    if (c->m->n_signals) { /* drivers leave little or nothing free; their work is known to the order, as the motion is */
+        book(c, S_WORK, unbalanced(c));
+        return HOLONOM_OK;
+    }
+    free_velocities(&at, x->kept, L);
+    return balance_energy(c, damped);
+}
+
+#endif
