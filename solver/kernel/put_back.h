@@ -45,7 +45,7 @@ static void add_correction(const context *at, double *x)
 /* Lets equations at the state have turns of bodies for unknowns, and factors without stiffness where there are any. */
 static void take_unknowns(context *at)
 {
-    take_turns(at, may_reduce(at));
+    take_turns(at, at->m->n_reduced_values > 0);
     at->rows_known = 0;
     if (at->m->n_lean_values && is_reduced(at) == (n_bodies(at->m) > 0)) at->lu = lean_factors(at);
 }
