@@ -12,7 +12,7 @@ TINY = 2.2250738585072014e-308
 """Least normal number, for what must be greater than zero."""
 
 ORDERS = (2.0, 4.0, 6.0, 8.0)
-"""Orders of accuracy: a pair of half steps, and compositions or weighted covers of pairs."""
+"""Orders of accuracy: a pair of half steps, compositions or weighted covers, or explicit steps."""
 
 FORMULATIONS = (
     "conserving-al",  # eq 15 with beta = 1/2 (exact for quadratic rows), eq 26

@@ -10,6 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Compositions of pairs, weighted covers by pairs (extrapolation.h), explicit steps (runge_kutta.h), or none of them. */
+enum way { COMPOSED, COVERED, EXPLICIT, UNTAKEN };
+
 typedef struct span {
     int32_t begin, end;
 } span;
@@ -35,7 +38,7 @@ typedef struct context {
     int constraints_only;      /* 1: only the rows act                                                               */
     int careful;               /* 1: smooth frictions have steeper slopes in the tangent: a step has failed           */
     int at_state;              /* 1: there is no step, and slips are those of the velocities                         */
-    int covered;        /* whether the last internal step was one of weighted covers                               */
+    enum way way;       /* how the last internal step was taken                                                    */
     int unweighted;     /* whether a step with dampers was left of order 2, see extrapolation.h            */
     int sliding;        /* whether a friction slides, so that multipliers follow cones                         */
     int stepping;       /* whether contacts change at the ends of half steps, see stepped.h                   */
@@ -44,8 +47,9 @@ typedef struct context {
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
-    double loose;       /* relative error allowed in each half step of undamped covers, which are put back; 0 elsewhere */
-    double left;        /* that of the last internal step                                                         */
+    int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
+    double longest;     /* explicit step that resolves springs and dampers, under a tolerance                      */
+    double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
@@ -178,8 +182,9 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
-    c->constraints_only = c->careful = c->at_state = c->covered = c->unweighted = c->damped = 0;
-    c->balanced = c->loose = c->left = 0.0;
+    c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
+    c->balanced = c->difference = c->longest = 0.0;
+    c->way = COMPOSED;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;
     for (int32_t f = 0; f < n_frictions(m); f++) c->sliding |= c->s.frictions[F_SIZE * f + F_MODE] == FRICTION_SLIDES;

@@ -10,12 +10,15 @@
 #include "estimate.h"
 #include "event.h"
 #include "extrapolation.h"
+#include "force_rates.h"
 #include "norms.h"
 #include "predict.h"
 #include "step_halving.h"
 #include "stepped.h"
 
 enum { MAX_REPEATS = 40 };
+#define NEAR_SINGULAR 0.3 /* times what was tried: explicit steps that must be as short meet accelerations that rows leave undetermined */
+#define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy of an explicit step back, over the speed */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
 #define MOST_AIMED 1.5 /* likewise, aimed at where steps before have added less */
@@ -35,20 +38,33 @@ static double steps_over(const context *c, double time, double longest)
 static double longest_next(const context *c, double time)
 {
     const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
-    return fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
+    const double h = fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
+    return way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT ? fmin(h, longest_of(c, (int)head[S_ORDER_IN_USE])) : h;
 }
 
-/* Length of a step of an order that adds what it may where the motion changes at a rate. */
-static double length_for(const context *c, int p, double rate)
+/* Length of a step of an order that adds what it may where the motion changes at a rate, taken one way. */
+static double length_for(const context *c, enum way way, int p, double rate)
 {
-    const method *x = method_of(c, p);
-    const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, p) * rate * c->s.head[S_HORIZON]);
-    return fmin(hm_pow(may, 1.0 / ORDERS[p]), x->fastest) / rate;
+    const method *x = &METHODS[way][p];
+    const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, way, p) * rate * c->s.head[S_HORIZON]);
+    return fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
+}
+
+/* How steps of the p-th order are taken where the motion changes at a rate. */
+static enum way way_at(const context *c, int p, double rate)
+{
+    const int order = METHODS[EXPLICIT][p].order;
+    if (order && way_of(c, c->damped, order, length_for(c, EXPLICIT, p, rate)) == EXPLICIT) return EXPLICIT;
+    return way_of(c, c->damped, METHODS[COMPOSED][p].order, INFINITY);
 }
 
 /* Increments that a half step is expected to cost where the motion turns by so much in a step: those that it takes, and one more
-   for its beginning and end. Dampers settle within long steps, where high orders promise more than they keep. */
-static double cost_of_half_step(const context *c, double turned) { return c->damped ? 2.0 + 4.0 * turned : 3.0 + 1.5 * turned; }
+   for its beginning and end. Dampers settle within long steps, where high orders promise more than they keep. Explicit steps
+   have one solution in its place. */
+static double cost_of_half_step(enum way way, double turned)
+{
+    return way == EXPLICIT ? 1.0 : way == COVERED ? 2.0 + 4.0 * turned : 3.0 + 1.5 * turned;
+}
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
 static void choose_order(context *c, double rate, double step)
@@ -56,17 +72,22 @@ static void choose_order(context *c, double rate, double step)
     double *head = c->s.head, least = INFINITY;
     const int present = index_of((int)head[S_ORDER_IN_USE]);
     const double bonus = c->damped ? 0.8 : 0.9;
+    const int is_explicit = way_at(c, N_ORDERS - 1, rate) == EXPLICIT;
     int best = present;
     for (int p = 0; p < N_ORDERS; p++) {
-        const double n = steps_over(c, step, STRETCHED * length_for(c, p, rate));
-        const double cost = method_of(c, p)->pairs * n * cost_of_half_step(c, rate * step / n) * (p == present ? bonus : 1.0);
+        const enum way way = way_at(c, p, rate);
+        const double longest = way == EXPLICIT ? longest_of(c, METHODS[way][p].order) : INFINITY;
+        if (way != EXPLICIT && is_explicit) continue; /* a body that spins steadily, which is exact there, tells no rate of pairs */
+        const double n = steps_over(c, step, fmin(STRETCHED * length_for(c, way, p, rate), longest));
+        const double cost = METHODS[way][p].pairs * n * cost_of_half_step(way, rate * step / n) * (p == present ? bonus : 1.0);
         if (!(cost < least)) continue;
         least = cost;
         best = p;
     }
-    if (best == present) return;
-    head[S_ORDER_IN_USE] = ORDERS[best];
-    head[S_WANTED] = length_for(c, best, rate);
+    const enum way chosen = way_at(c, best, rate);
+    if (METHODS[chosen][best].order == (int)head[S_ORDER_IN_USE]) return;
+    head[S_ORDER_IN_USE] = METHODS[chosen][best].order;
+    head[S_WANTED] = length_for(c, chosen, best, rate);
 }
 
 /* Whether steps with dampers are of order 2: weighted covers need a method that conserves, and what differences tell is
@@ -91,22 +112,24 @@ static void begin_control(context *c)
     double *head = c->s.head;
     const double asked = head[S_ORDER], rate = rate_at_start(c);
     c->damped = is_dissipative(c);
+    c->longest = longest_explicit(c);
+    const double part = (c->damped ? 0.25 : 0.5), eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
     if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
+    else if (head[S_ORDER_IN_USE] == 0.0 && way_of(c, c->damped, 8, eighth) == EXPLICIT) head[S_ORDER_IN_USE] = 8.0;
     else if (head[S_ORDER_IN_USE] == 0.0) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     if (head[S_WANTED] > 0.0) return;
-    const double part = (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0));
-    head[S_WANTED] = rate > 0.0 ? part / rate : INFINITY;
+    head[S_WANTED] = rate > 0.0 ? part * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) / rate : INFINITY;
 }
 
 /* Error of a pair that no pair before it can judge, since an event lies between, from two pairs of half its length. */
 HM_SELDOM static int judge_first_pair(context *c, double t, double h, double law_time, step_error *e)
 {
     const double difference = difference_from_halves(c, t, h, law_time);
-    const method *pair = method_of(c, 0);
+    const method *pair = &METHODS[COMPOSED][0];
     e->mean = 4.0 / 3.0 * difference; /* of order 2: halves leave a quarter of it */
     e->rate = hm_pow(e->mean / pair->mean, 1.0 / 3.0) / h;
-    e->is_noise = is_noise(c, pair, difference, h);
+    e->is_noise = is_noise(c, pair->round_off, difference, h);
     return 1;
 }
 
@@ -115,11 +138,11 @@ HM_SELDOM static int judge_first_pair(context *c, double t, double h, double law
 #define GROWTH 1.2
 #define FIRST_FEW 3.0
 
-static double longest_after(const context *c, double wanted)
+static int has_found_length(const context *c)
 {
     double judged = 0.0;
     for (int p = 0; p < N_COMPOSED; p++) judged += c->s.head[S_JUDGED_4 + p];
-    return judged > FIRST_FEW ? GROWTH * wanted : INFINITY;
+    return judged > FIRST_FEW;
 }
 
 /* Takes from the last step, of length h from t, length and order of the next ones; 1 if it is to be repeated with
@@ -130,19 +153,19 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     step_error e = {0};
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
     const int judged = estimate_error(c, order, h, &e) || (is_unilateral(c->m) && judge_first_pair(c, t, h, law_time, &e));
-    const double defect = velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
+    const double defect = c->way == EXPLICIT ? 0.0 : velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
     head[S_ACROSS] = defect;
     double share = 0.0;
     if (!judged && across <= REJECTED) return 0;
     if (judged && found > 2) learn(c, order, t, h, law_time, &e);
-    if (judged) share = e.mean * times_mean(c, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
+    if (judged) share = e.mean * times_mean(c, c->way, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(share, across);
     /* Where a mechanism almost stands, little energy is much velocity. */
-    if (!c->damped && c->covered && !is_noise(c, method_of(c, index_of(order)), c->balanced, h))
+    if (c->way == EXPLICIT && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
-    const double longest = fmax(h, longest_after(c, head[S_WANTED]));
+    const double longest = fmax(h, has_found_length(c) ? GROWTH * head[S_WANTED] : INFINITY);
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, 0.2), 2.0));
     if (share > REJECTED) return 1;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
@@ -157,10 +180,13 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
 {
     double *head = c->s.head, done = 0.0, half_steps = 0.0;
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
+    double tried = 0.0; /* length of the explicit step first tried */
     int repeats = 0;
     begin_control(c);
     while (done < step) {
         const double rest = step - done;
+        c->longest = longest_explicit(c);
+        const int is_explicit = way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !is_unilateral(c->m) ? 2.0 : 1.0;
         const double n = fmax(least, steps_over(c, rest, longest_next(c, rest)));
@@ -189,6 +215,11 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             if (++repeats > MAX_REPEATS) return status;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
+            if (repeats == 1) tried = h;
+            if (is_explicit && !c->passing && has_found_length(c) && wanted < NEAR_SINGULAR * tried) {
+                head[S_WANTED] = 0.5 * tried;
+                c->passing = 1;
+            }
             if (status) lower_penalties(c);
             if (status && known_misses(c)) { /* Newton's iteration may only have begun too far away */
                 forget_halves(c);
@@ -196,7 +227,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             }
             continue;
         }
-        repeats = 0;
+        repeats = c->passing = 0;
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
         if (is_unilateral(c->m) && (status = end_piece(c, start + done, law_time, h, &covered))) {
@@ -255,7 +286,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
     int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
-    if (is_dissipative(c) && !is_extrapolating(c)) head[S_ORDER_IN_USE] = 2.0;
+    if (is_dissipative(c) && !may_extrapolate(c)) head[S_ORDER_IN_USE] = 2.0;
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;

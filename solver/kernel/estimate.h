@@ -26,35 +26,30 @@
 #define PASSING 5.0
 
 enum { N_ORDERS = 1 + N_COMPOSED };
-static const int ORDERS[N_ORDERS] = {2, 4, 6, 8};
 
-/* A step of order p. */
+/* A step of order p, if there is one. */
 typedef struct method {
-    int pairs;         /* of half steps in it                                                                 */
+    int order, pairs;  /* p, and pairs of half steps in it, or what costs as much                              */
     double lower;      /* r                                                                                   */
     double rate, mean; /* omega h over e^(1/(r+1)), and error over (omega h)^(p+1): means over mechanisms      */
     double round_off;  /* of the difference: the norm of the weights times that of a solved step              */
     double fastest;    /* largest omega h at which Newton's iteration still converges well                    */
 } method;
 
-#define PAIR {1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0}
+#define PAIR {2, 1, 2.0, 1.0, 1.1e-2, 1e-13, 1.0}
 
-/* Compositions, weighted covers, and those with dampers. Covers of order 4 without dampers have the numbers of a spring that
-   swings, from which twelve scenes differ by 0.7 in the mean. */
-enum { COMPOSED, COVERED, COVERED_DAMPED };
-static const method METHODS[3][N_ORDERS] = {
-    {PAIR,
-     {5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
-     {9, 4.0, 2.9, 5.2e-6, 1e-13, 2.0},
-     {15, 6.0, 2.64, 3.1e-7, 1e-12, 2.5}},
-    {PAIR,
-     {3, 2.0, 5.8, 1.9e-4, 1e-13, 1.5},
-     {6, 4.0, 7.9, 1e-6, 1e-13, 2.0},
-     {10, 6.0, 8.1, 2.4e-8, 1e-12, 2.5}},
-    {PAIR,
-     {3, 2.0, 4.9, 1.2e-3, 1e-13, 1.0},
-     {6, 4.0, 5.9, 3e-5, 1e-13, 1.5},
-     {10, 6.0, 6.2, 7e-7, 1e-12, 2.0}}};
+/* By the ways of steps. Those of explicit ones are of a spring that swings, but for the error of order 8, which is 2.5 times as
+   large: tops err more. */
+static const method METHODS[][N_ORDERS] = {
+    [COMPOSED] = {PAIR,
+                  {4, 5, 3.0, 2.7, 6e-5, 1e-13, 1.5},
+                  {6, 9, 4.0, 2.9, 5.2e-6, 1e-13, 2.0},
+                  {8, 15, 6.0, 2.64, 3.1e-7, 1e-12, 2.5}},
+    [COVERED] = {PAIR,
+                 {4, 3, 2.0, 4.9, 1.2e-3, 1e-13, 1.0},
+                 {6, 6, 4.0, 5.9, 3e-5, 1e-13, 1.5},
+                 {8, 10, 6.0, 6.2, 7e-7, 1e-12, 2.0}},
+    [EXPLICIT] = {{0}, {5, 4, 4.0, 5.3, 1.5e-4, 1e-14, 2.0}, {0}, {8, 7, 7.0, 6.2, 1.6e-7, 1e-14, 4.0}}};
 
 typedef struct step_error {
     double rate;  /* omega [1/s]                                                            */
@@ -63,15 +58,6 @@ typedef struct step_error {
 } step_error;
 
 static inline int index_of(int order) { return order / 2 - 1; }
-
-/* A step of an order that was, or is to be, one of covers or a composition. */
-static inline const method *method_by(const context *c, int covers, int p)
-{
-    return &METHODS[c->damped ? COVERED_DAMPED : covers ? COVERED : COMPOSED][p];
-}
-
-/* How steps of an order are taken from here on. */
-static const method *method_of(const context *c, int p) { return method_by(c, is_covering(c, c->damped, ORDERS[p]), p); }
 
 /* The difference for a pair, which has no stages: from the rate of change of the mean acceleration of pairs; 0 where
    nothing tells it yet.                                                                                         */
@@ -90,30 +76,27 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     return 1;
 }
 
-/* Noise of a difference, over what the half steps of covers may leave. */
-#define LEFT_SHOWS 1.0
-
-/* Whether round-off, or what half steps were allowed to leave, explains a difference between steps of length h. Velocities are only
-   known to round-off of places over h: shorter steps would show more of it, not less error.                      */
-static int is_noise(const context *c, const method *used, double difference, double h)
+/* Whether round-off explains a difference between steps of length h. Velocities are only known to round-off of places over
+   h: shorter steps would show more of it, not less error.                                                        */
+static int is_noise(const context *c, double round_off, double difference, double h)
 {
-    const double round_off = used->round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
-    return difference <= fmax(round_off, LEFT_SHOWS * c->left);
+    return difference <= round_off * (1.0 + c->number[c->m->extent_at + 1] / (h * fmax(speed_scale(c), 1e-300)));
 }
 
 /* Error of the last step, of length h; 0 where nothing tells it yet. */
 static int estimate_error(const context *c, int order, double h, step_error *e)
 {
-    const method *used = method_by(c, c->covered, index_of(order));
+    const method *used = &METHODS[c->way][index_of(order)];
     const int64_t n = DIM * c->n_moving;
-    const double *x = c->k.estimate + (c->covered && !c->unweighted ? 2 * n : 0);
-    double difference;
-    if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    const double *x = c->k.estimate + (c->way == COVERED && !c->unweighted ? 2 * n : 0);
+    double difference = c->difference;
+    if (c->way == EXPLICIT) {
+    } else if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     const double turned = used->rate * hm_pow(difference, 1.0 / (used->lower + 1.0));
     e->rate = c->unweighted ? 0.0 : turned / h; /* the end that was not taken tells the error of the one that was */
     e->mean = c->unweighted ? difference : used->mean * hm_pow(turned, order + 1);
-    e->is_noise = is_noise(c, used, difference, h);
+    e->is_noise = is_noise(c, used->round_off, difference, h);
     return 1;
 }
 
@@ -153,8 +136,11 @@ HM_SELDOM static double velocity_defect(context *c, double h)
     return fmax(0.0, largest_row(c, c->k.row_rate) / fastest - rounding);
 }
 
-/* How many times larger than in the mean the mechanism's errors are at an order. */
-static double times_mean(const context *c, int p) { return p > 0 ? hm_exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0; }
+/* How many times larger than in the mean the mechanism's errors are at an order; explicit steps learn none. */
+static double times_mean(const context *c, enum way way, int p)
+{
+    return p > 0 && way != EXPLICIT ? hm_exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0;
+}
 
 /* Number of checks before that of the n-th step of an order, which is the 2nd, 8th, 24th and every 64th; -1 for any other. */
 static int checks_before(double n)
@@ -198,7 +184,7 @@ static double difference_from_halves(context *c, double t, double h, double law_
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
     const double law_time_after = c->number[c->m->time_at], balanced = c->balanced;
     const int64_t n = DIM * c->n_moving;
-    const int covered = c->covered;
+    const enum way way = c->way;
     memcpy(whole, head, bytes);
     memcpy(before, c->k.pair_backup, bytes);
     memcpy(head, before, bytes);
@@ -215,7 +201,7 @@ static double difference_from_halves(context *c, double t, double h, double law_
         found += PASSING * h / head[S_HORIZON] * relative_size(c, 0.0, mass_norm(c, x + 2 * n));
     }
     c->unweighted = 0;
-    c->covered = covered;
+    c->way = way;
     c->balanced = balanced;
     whole[S_NEWTON_ITERATIONS] += head[S_NEWTON_ITERATIONS] - before[S_NEWTON_ITERATIONS];
     whole[S_UZAWA_ITERATIONS] += head[S_UZAWA_ITERATIONS] - before[S_UZAWA_ITERATIONS];
@@ -228,13 +214,13 @@ static double difference_from_halves(context *c, double t, double h, double law_
 /* Counts a step of length h from t that has been judged, and learns from some of them how far errors are from the mean. */
 static void learn(context *c, int order, double t, double h, double law_time, const step_error *e)
 {
-    if (c->covered != is_covering(c, c->damped, order)) return; /* taken otherwise than those to come */
+    if (c->way != way_of(c, c->damped, order, h)) return; /* taken otherwise than those to come */
     const int p = index_of(order), checks = checks_before(c->s.head[S_JUDGED_4 + p - 1] += 1.0);
-    if (checks < 0 || e->is_noise || c->m->sensing) return;
+    if (checks < 0 || e->is_noise || c->m->sensing || c->way == EXPLICIT) return; /* whose errors are near the mean */
     const double error = difference_from_halves(c, t, h, law_time);
     if (!(error > 0.0)) return;
     const double largest = c->damped ? LARGEST_MULTIPLE * LARGEST_MULTIPLE : LARGEST_MULTIPLE;
-    const double found = fmin(fmax(error / e->mean, LEAST_MULTIPLE), largest), mean = times_mean(c, p);
+    const double found = fmin(fmax(error / e->mean, LEAST_MULTIPLE), largest), mean = times_mean(c, c->way, p);
     c->s.head[S_LEARNED_4 + p - 1] = hm_log(mean + (found - mean) / (checks + 1.25));
 }
 

@@ -509,7 +509,7 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
             return "has a number that is not finite; save it again";
     }
     const double parity = block[S_PARITY], order = block[S_ORDER_IN_USE];
-    if ((parity != 0.0 && parity != 1.0) || !(order >= 0.0 && order <= 8.0 && order == 2.0 * floor(0.5 * order)))
+    if ((parity != 0.0 && parity != 1.0) || !(order >= 0.0 && order <= 8.0 && (order == 5.0 || order == 2.0 * floor(0.5 * order))))
         return "has a number that no run comes to; save it again";
     const double *island = block + (i->s.islands - i->s.head);
     for (int32_t k = 0; k < f->model.n_islands; k++) {

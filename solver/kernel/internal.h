@@ -36,6 +36,8 @@
 /* Nor may it copy and move code for a gain that a step does not show: a twentieth of a library, and no instruction more. */
 #pragma GCC optimize("align-functions=1", "align-loops=1", "no-tree-pre", "no-gcse", "no-tree-vrp", "no-tree-dominator-opts")
 #pragma GCC optimize("no-tree-tail-merge", "no-optimize-strlen", "no-inline-functions", "ira-region=one")
+/* Nor may it put neighbours into vectors where the caller of the compiler does not forbid it: sums would round otherwise. */
+#pragma GCC optimize("no-tree-vectorize", "no-tree-slp-vectorize")
 #endif
 
 /* A library serves models of points and bars (0), with rigid bodies (1), with contacts and frictions as well (2), and has nothing

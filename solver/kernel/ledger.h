@@ -163,8 +163,7 @@ static void accept_island(context *c, int parity)
 {
     const holonom_model *m = c->m;
     const hm_state *s = &c->s;
-    /* What loose half steps leave is no round-off, and is put back. */
-    const int handed = c->loose == 0.0 && momentum_norm2(c) <= HANDED_ON * HANDED_ON * s->head[S_ENERGY_REFERENCE];
+    const int handed = momentum_norm2(c) <= HANDED_ON * HANDED_ON * s->head[S_ENERGY_REFERENCE];
     book_step(c);
     EACH_COORDINATE(c, k) {
         hm_add(s->q + k, s->q_low + k, c->k.d[k]);
@@ -199,8 +198,7 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    /* Parts of compositions lose digits of rows from one to the next; what covers lose is put back. */
-    c->rows_known = c->conserving && (c->halves == 2 || c->loose > 0.0) && !is_unilateral(c->m);
+    c->rows_known = c->conserving && c->halves == 2 && !is_unilateral(c->m);
     use_unknowns(c, 0);
     if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);

@@ -99,7 +99,7 @@ static int rows_are_firm(const context *c)
 static void choose_lambda(const context *c, const newton_record *r)
 {
     const int is_short = r->begun < NEARLY_THERE * r->size;
-    const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= fmax(NEWTON_MARGIN * r->target, r->loose);
+    const int is_enough = known_contraction(c, r->begun, r->size) * r->begun <= NEWTON_MARGIN * r->target;
     c->island[I_PREDICTS_LAMBDA] = r->increments > 0 && c->firm && !is_unilateral(c->m) && (is_short || is_enough);
 }
 
@@ -129,9 +129,7 @@ static int32_t newton_update(context *c, newton_record *r)
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
     r->size = sqrt(size2);
-    const double size = sqrt(size2 + 2.0 * h2 * reference);
-    r->target = newton_tolerance(c->s.head) * size;
-    r->loose = c->loose * size;
+    r->target = newton_tolerance(c->s.head) * sqrt(size2 + 2.0 * h2 * reference);
     r->energy = 0.5 * size2 / h2 + reference;
     r->noise = 0.5 * r->floor * r->floor / h2;
     r->increments++;

@@ -13,7 +13,6 @@ typedef struct newton_record {
     double begun;            /* the first one of the step                                                      */
     double size;             /* of d, likewise                                                                 */
     double target, floor;    /* tolerance and round-off of increments                                          */
-    double loose;            /* what they may leave in covers, else 0                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
     double defect;           /* of the rows, where each iteration updates the multipliers                       */
     int iteration;           /* number of the increment since the multipliers were held, from 0                */

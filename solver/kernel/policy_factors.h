@@ -26,7 +26,7 @@ static double price_of_factors(const context *c)
    in place of 5e-15).                                                                                           */
 static int would_pay(const context *c, const newton_record *r)
 {
-    const double goal = may_leave(r), next = r->theta * r->eta, fresh = r->theta * next / r->first;
+    const double goal = NEWTON_MARGIN * r->target, next = r->theta * r->eta, fresh = r->theta * next / r->first;
     double saved = 0.0, with_kept = next, with_fresh = next;
     if (r->taken_over || is_lean(c) || c->island[I_DEPENDENT] != 0.0 || r->iteration < 2 || next <= goal) return 0;
     for (; r->theta * with_kept > goal && saved < 10.0; with_kept *= r->theta) saved += 1.0;

@@ -71,28 +71,19 @@ static inline double increments_left(const context *c, const newton_record *r)
     return (told && r->eta > ROUND_OFF_SHOWS(c) * r->size ? shown : fmin(shown, r->known)) * r->eta;
 }
 
-/* What increments may leave. */
-static inline double may_leave(const newton_record *r)
-{
-    return fmax((r->taken_over ? OLD_MARGIN : NEWTON_MARGIN) * r->target, r->loose);
-}
-
 /* What rows may be off by after one increment, of l^2: they were not updated, and a half step that leaves 4e-17 just before a
    singular configuration, where multipliers are 2000 times as large, costs 2e-13 of the energy (four-bar). */
 #define ROWS_AFTER_ONE 4e-18
 
 static inline double allowed_defect(const context *c, const newton_record *r)
 {
-    const double exact = r->increments > 1 ? fmax(CONSTRAINT_MARGIN * newton_tolerance(c->s.head), QUARTER_ULP) : ROWS_AFTER_ONE;
-    /* Multipliers are rows over h^2; by the size of the half step they err no more than accelerations, which are increments over
-       h^2. */
-    return fmax(exact, c->loose * fmin(1.0, r->size / c->number[c->m->extent_at + 1]));
+    return r->increments > 1 ? fmax(CONSTRAINT_MARGIN * newton_tolerance(c->s.head), QUARTER_ULP) : ROWS_AFTER_ONE;
 }
 
 /* Energy that what is left may add. */
 static inline double allowed_energy(const context *c, const newton_record *r)
 {
-    return fmax(ENERGY_MARGIN * newton_tolerance(c->s.head), c->loose) * r->energy + ENERGY_MARGIN * r->noise;
+    return ENERGY_MARGIN * (newton_tolerance(c->s.head) * r->energy + r->noise);
 }
 
 /* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
@@ -103,7 +94,8 @@ static int has_converged(const context *c, const newton_record *r)
     const double tolerance = newton_tolerance(c->s.head), added = residual_energy(c);
     const int stalled = r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
     const int follows = c->s.head[S_SIMULTANEOUS] != 0.0 && !is_penalty(c);
-    if (increments_left(c, r) <= may_leave(r) && !is_misled(r) && added <= allowed_energy(c, r) &&
+    const double margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
+    if (increments_left(c, r) <= margin * r->target && !is_misled(r) && added <= allowed_energy(c, r) &&
         (!follows || (r->defect <= allowed_defect(c, r) && constraint_energy(c) <= allowed_energy(c, r))))
         return 1;
     return stalled && r->defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;

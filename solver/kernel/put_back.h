@@ -15,6 +15,7 @@
 
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */
+#define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LEAST_FREE 1e-8     /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
 typedef struct kept_momenta {
@@ -23,7 +24,7 @@ typedef struct kept_momenta {
 } kept_momenta;
 
 /* Momenta at the state, of which all may be kept. */
-static kept_momenta momenta_at_start(const context *c)
+HM_SELDOM static kept_momenta momenta_at_start(const context *c)
 {
     kept_momenta x;
     momenta(c, c->k.momentum);
@@ -50,6 +51,27 @@ static void take_unknowns(context *at)
     if (at->m->n_lean_values && is_reduced(at) == (n_bodies(at->m) > 0)) at->lu = lean_factors(at);
 }
 
+/* Links at the state, and no increments. */
+static void rest_here(context *at)
+{
+    const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving);
+    links_at_start(at);
+    memset(at->k.hv, 0, n);
+    memset(at->k.d, 0, n);
+    stand_still_as_bodies(at);
+}
+
+/* Factors at the state. */
+static int32_t factorise_here(context *at)
+{
+    rest_here(at);
+    memset(at->k.mu, 0, sizeof(double) * (size_t)at->m->n_rows);
+    at->constraints_only = 1;
+    const int32_t status = factorise(at);
+    at->constraints_only = 0;
+    return status;
+}
+
 /* Rows at the state, and bodies that turn as wholes. */
 static void look_at_rows(context *at)
 {
@@ -59,14 +81,14 @@ static void look_at_rows(context *at)
     stand_still_as_bodies(at);
 }
 
-/* Puts coordinates back onto the rows, by displacements as small as can be; rows and factors at hand are those of the state. A
+/* Puts coordinates back onto the rows, by displacements as small as can be. A
    correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
-static int32_t close_rows(context *at)
+HM_SELDOM static int32_t close_rows(context *at)
 {
     const size_t rows = sizeof(double) * (size_t)at->m->n_rows, n = sizeof(double) * (size_t)(DIM * at->n_moving);
     double last = INFINITY;
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
-        if (i) look_at_rows(at);
+        look_at_rows(at);
         memcpy(at->k.phi, at->k.phi0, rows);
         const double defect = largest_row(at, at->k.phi);
         if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
@@ -80,7 +102,7 @@ static int32_t close_rows(context *at)
 }
 
 /* Takes from the velocities of directors what is not a turn of their body. */
-static void turn_as_bodies(const context *at)
+HM_SELDOM static void turn_as_bodies(const context *at)
 {
     EACH_TURN(at, b) {
         const int32_t first = DIM * at->m->body_node[b];
@@ -98,7 +120,7 @@ static void turn_as_bodies(const context *at)
 }
 
 /* Lets velocities follow rows and signals, by the smallest change; it ends likewise. */
-static void follow_rows(context *at)
+HM_SELDOM static void follow_rows(context *at)
 {
     const double round_off = 1e-17 * speed_scale(at) / at->number[at->m->extent_at + 1];
     double last = INFINITY, size = INFINITY;
@@ -116,7 +138,7 @@ static void follow_rows(context *at)
 }
 
 /* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
-static void free_velocities(context *at, const int *kept, double L[RIGID][RIGID])
+HM_SELDOM static void free_velocities(context *at, const int *kept, double L[RIGID][RIGID])
 {
     const holonom_model *m = at->m;
     const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving);
@@ -146,20 +168,16 @@ static double unbalanced(const context *c)
 }
 
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
-   u'Mu s^2/2 + v'Mu s + excess = 0. A body that flies has none but those of its momenta, and a spherical pendulum none for a
-   moment; without dampers the step is a composition then.                                                        */
-static int32_t balance_energy(context *c, int damped)
+   u'Mu s^2/2 + v'Mu s + excess = 0.                                                                              */
+HM_SELDOM static int32_t balance_energy(context *c)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
-    const int held = !damped && !(square >= LEAST_FREE * mass_product(c, c->s.v, c->s.v));
-    c->k.pair_backup[S_HELD] += held; /* which undo_step returns to */
-    if (held) return HOLONOM_NOT_FINITE;
-    c->s.head[S_HELD] = 0.0;
     for (int i = 0; i < 3; i++) {
         const double excess = unbalanced(c); /* leaves M v in momentum */
         double along = 0.0;
         for (int32_t a = 0; a < c->n_moving; a++) along += dot(u + DIM * a, c->k.momentum + DIM * a);
-        if (excess == 0.0) return HOLONOM_OK;
+        const int rests = square == 0.0 && fabs(excess) <= 1e-15 * c->s.head[S_ENERGY_REFERENCE];
+        if (excess == 0.0 || rests) return HOLONOM_OK;
         const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
         if (!(fabs(part) <= LARGEST_SCALING)) return HOLONOM_NOT_FINITE;
         c->balanced = fmax(c->balanced, fabs(part) * sqrt(square) / speed_scale(c));
@@ -168,18 +186,13 @@ static int32_t balance_energy(context *c, int damped)
     return HOLONOM_OK;
 }
 
-/* Puts the state back. */
-static int32_t put_back(context *c, const kept_momenta *x, int damped)
+/* Puts velocities back: onto the rows' rates, momenta that are kept, and the energy. `held` says whether they cannot be, as none is
+   free to bring the energy back: a body that flies has none but those of its momenta, and a spherical pendulum none for a moment.
+   Factors at hand are those of equations at the state, or at one as near. */
+HM_SELDOM static int32_t put_velocities_back(context *c, context *at, const kept_momenta *x, int *held)
 {
     double L[RIGID][RIGID] = {{0.0}}, lacking[RIGID], size[RIGID];
-    context at = rows_at_state(c, 0.0);
-    take_unknowns(&at);
-    for (int i = 0; i < 2; i++) EACH_TURN(&at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
-    look_at_rows(&at);
-    int32_t status = factorise(&at);
-    if (!status) status = close_rows(&at);
-    if (status) return status;
-    follow_rows(&at);
+    follow_rows(at);
     factor_rigid(c, x->kept, L);
     momenta(c, c->k.momentum);
     rigid_momenta(c, x->kept, c->k.momentum, lacking, size);
@@ -187,12 +200,23 @@ static int32_t put_back(context *c, const kept_momenta *x, int damped)
     memset(c->k.w, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     add_rigid(c, L, lacking, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
+    *held = 0;
     if (c->m->n_signals) { /* drivers leave little or nothing free; their work is known to the order, as the motion is */
         book(c, S_WORK, unbalanced(c));
         return HOLONOM_OK;
     }
-    free_velocities(&at, x->kept, L);
-    return balance_energy(c, damped);
+    free_velocities(at, x->kept, L);
+    *held = !(mass_product(c, c->k.free, c->k.free) >= LEAST_FREE * mass_product(c, c->s.v, c->s.v));
+    return *held ? HOLONOM_NOT_FINITE : balance_energy(c);
+}
+
+/* Puts the state back, coordinates first; `held` also says where rows are too weak for it. */
+HM_SELDOM static int32_t put_back(context *c, context *at, const kept_momenta *x, int *held)
+{
+    for (int i = 0; i < 2; i++) EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
+    const int32_t status = close_rows(at);
+    *held = status != HOLONOM_OK;
+    return status ? status : put_velocities_back(c, at, x, held);
 }
 
 #endif

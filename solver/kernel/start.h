@@ -182,42 +182,50 @@ static int32_t solve_at_state(const context *c, const double *weight)
     return status;
 }
 
-/* momentum = -sqrt 2 Q (and M a of driven nodes, in w) at the state, with the dampers' forces from the velocities. */
-HM_SELDOM static int32_t forces_at_state(const context *c)
+/* Residual at the state, sqrt 2 (M w + G' mu - Q), with the dampers' forces from the velocities. There is no step: its length is
+   AT_STATE. */
+static int32_t residual_at_state(const context *at)
 {
-    const holonom_model *m = c->m;
-    context still = *c;
-    still.h = AT_STATE;
-    still.at_state = 1;
-    int32_t status = evaluate_residual(&still);
+    const holonom_model *m = at->m;
+    int32_t status = nodal_residual(at);
     for (int32_t j = 0; j < m->n_elements && !status; j++) {
-        const double damping = c->number[m->damping_at + j];
+        const double damping = at->number[m->damping_at + j];
         const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
         leaf_state leaf;
         double rate;
         if (damping == 0.0) continue;
-        set_local_forms(c, j, 0.5);
-        if ((status = set_leaf(&still, entry, 0, &leaf))) break;
-        quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, &rate);
+        set_local_forms(at, j, 0.5);
+        if ((status = set_leaf(at, entry, 0, &leaf))) break;
+        quantity_at(at, entry[1], at->s.q, at->s.q_low, at->s.v, &rate);
         for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
-            const local_form *local = (const local_form *)c->k.local + entry[2 + i];
-            add_gradient(c, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]],
-                         AT_STATE * damping * rate * leaf.p[i], local->um, local->wm, c->k.momentum);
+            const local_form *local = (const local_form *)at->k.local + entry[2 + i];
+            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]],
+                         AT_STATE * damping * rate * leaf.p[i], local->um, local->wm, at->k.momentum);
         }
     }
-    for (int32_t j = first_potential(c); j < n_composites(c) && !status; j++) {
+    for (int32_t j = first_potential(at); j < n_composites(at) && !status; j++) {
         composite_result unused;
         double power;
-        if (!is_damped(c, j)) continue;
-        if ((status = composite_slopes(&still, j, 0, &unused))) break;
-        const double share = damping_at_state(c, j, &power);
+        if (!is_damped(at, j)) continue;
+        if ((status = composite_slopes(at, j, 0, &unused))) break;
+        const double share = damping_at_state(at, j, &power);
         for (int32_t f = 0; f < m->composite_form_ptr[j + 1] - m->composite_form_ptr[j]; f++) {
-            const local_form *local = (const local_form *)c->k.local + f;
-            add_gradient(c, m->composite_form[m->composite_form_ptr[j] + f], AT_STATE * share * c->k.slope[f],
-                         local->um, local->wm, c->k.momentum);
+            const local_form *local = (const local_form *)at->k.local + f;
+            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + f], AT_STATE * share * at->k.slope[f],
+                         local->um, local->wm, at->k.momentum);
         }
     }
+    if (is_reduced(at)) reduce_momentum(at);
     return status;
+}
+
+/* momentum = -sqrt 2 Q (and M a of driven nodes, in w) at the state. */
+HM_SELDOM static int32_t forces_at_state(const context *c)
+{
+    context at = *c;
+    at.h = AT_STATE;
+    at.at_state = 1;
+    return residual_at_state(&at);
 }
 
 /* Second derivative of quantity j at constant velocities. */

@@ -1,4 +1,4 @@
-/* Internal steps of order 2, 4, 6 and 8: compositions of pairs of half steps, halving on failure. */
+/* Internal steps of order 2, 4, 6 and 8: compositions of pairs of half steps, weighted covers, or explicit; halving on failure. */
 #ifndef HOLONOM_STEP_HALVING_H
 #define HOLONOM_STEP_HALVING_H
 
@@ -7,6 +7,7 @@
 #include "half_step.h"
 #include "inputs_signals.h"
 #include "predict.h"
+#include "runge_kutta.h"
 
 enum { N_COMPOSED = 3 }; /* orders 4, 6 and 8 */
 
@@ -57,6 +58,19 @@ static void gather_estimate(context *c, int order, int i, int stages)
     add_change(c, c->k.pair_backup, embedded(order, i, stages), c->k.estimate);
 }
 
+/* Where springs are too fast for the steps wanted, explicit ones may be shorter by this; where dampers are, they are covers. */
+#define SHORTER 5.0
+
+/* Longest explicit step of an order. */
+static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->longest; }
+
+/* How steps of an order and length are taken, with dampers or without; explicit ones are shortened to the longest. */
+static enum way way_of(const context *c, int damped, int order, double h)
+{
+    if (is_explicit_order(order) && h <= (damped ? 1.0 : SHORTER) * longest_of(c, order) && may_step_explicitly(c)) return EXPLICIT;
+    return order > 2 && damped && may_extrapolate(c) ? COVERED : COMPOSED;
+}
+
 /* Whether steps come one by one, not in pairs. */
 HM_OFTEN int is_unpaired(const context *c)
 {
@@ -82,7 +96,7 @@ static void undo_step(context *c, double t, double law_time)
 /* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
 static int32_t internal_step(context *c, double h)
 {
-    const int order = (int)c->s.head[S_ORDER_IN_USE];
+    int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
     if (is_unpaired(c)) {
         begin_halves(c, 2);
@@ -90,18 +104,18 @@ static int32_t internal_step(context *c, double h)
         if (!status) average_multipliers(c, c->t - h);
         return status;
     }
-    c->covered = 0;
-    c->left = 0.0;
-    const int covers = is_extrapolating(c), held = covers && swings_up(c, h);
-    if (covers && !held) {
+    c->way = UNTAKEN;
+    if (is_explicit_order(order) && !c->passing && h <= longest_of(c, order) * (1.0 + 1e-9) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
-        status = extrapolated_step(c, h);
-        if (status || c->covered) return status;
+        status = runge_kutta_step(c, h);
+        if (status || c->way == EXPLICIT) return status;
         undo_step(c, t, law_time);
     }
+    if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 4;
+    if (order > 2 && is_dissipative(c) && may_extrapolate(c)) return extrapolated_step(c, h);
+    c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
-    if (held) count_held(c);
     int stages = 1;
     stage(order, 0, &stages);
     begin_halves(c, 2 * stages);

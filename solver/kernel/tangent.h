@@ -301,8 +301,8 @@ static int32_t add_composites(const context *c)
     return HOLONOM_OK;
 }
 
-/* Evaluates both residuals at the present (w, d, mu): momentum, and phi = C(d) of that of the rows. */
-static int32_t evaluate_residual(const context *c)
+/* Both residuals at the present (w, d, mu), of directors as points: momentum, and phi = C(d) of that of the rows. */
+static int32_t nodal_residual(const context *c)
 {
     const holonom_model *m = c->m;
     inertia(c, c->h, c->k.w, c->k.momentum);
@@ -329,9 +329,15 @@ static int32_t evaluate_residual(const context *c)
     }
     const int32_t status = c->composites ? add_composites(c) : HOLONOM_OK;
     if (status) return status;
-    const int32_t failed = c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
+    return c->constraints_only ? HOLONOM_OK : subtract_forces(c, c->k.momentum);
+}
+
+/* Likewise over the unknowns. */
+static int32_t evaluate_residual(const context *c)
+{
+    const int32_t status = nodal_residual(c);
     if (is_reduced(c)) reduce_momentum(c);
-    return failed;
+    return status;
 }
 
 /* ------------------------------------------------------------------ right-hand side, factors, solution */

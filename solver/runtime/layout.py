@@ -280,7 +280,7 @@ HEAD = (
     "wanted",  # length that a tolerance asks for
     "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
     "across", "order_in_use",
-    "held",  # steps in a row that were to be covers and could not, see extrapolation.h
+    "held",  # steps in a row that were to be explicit and could not, see runge_kutta.h
     "unspent",  # of what steps so far might add to the error of the run, over the tolerance
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "ledger_error",

@@ -110,9 +110,10 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
         ),
     ),
     "solver": _results("1", {
-        "newton_iterations": "Newton iterations of the last communication step",
+        "newton_iterations": "Newton iterations, and accelerations of explicit steps, of the last "
+        "communication step",
         "uzawa_iterations": "Uzawa updates of the last communication step",
-        "substeps": "implicit steps solved in the last communication step",
+        "substeps": "half steps, and stages of explicit steps, of the last communication step",
         "order_in_use": "order of the last internal step, 0 before it",
         "sampling": "for forces that read the motion: part of their work that they missed, as they "
         "are evaluated once in a half step; above 1 the step is too long",
