@@ -39,7 +39,8 @@ static double longest_next(const context *c, double time)
 {
     const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
     const double h = fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
-    return way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT ? fmin(h, longest_of(c, (int)head[S_ORDER_IN_USE])) : h;
+    const int order = (int)head[S_ORDER_IN_USE];
+    return way_of(c, c->damped, order, head[S_WANTED]) == EXPLICIT ? fmin(h, longest_of(c, order)) : h;
 }
 
 /* Length of a step of an order that adds what it may where the motion changes at a rate, taken one way. */
@@ -94,7 +95,7 @@ static void choose_order(context *c, double rate, double step)
    lost on loads that read the mechanism, whose order is less.                                                   */
 static int is_limited(const context *c)
 {
-    return c->damped && (!may_extrapolate(c) || (c->m->sensing && c->s.head[S_ORDER] == 0.0));
+    return c->damped && (!may_put_back(c) || (c->m->sensing && c->s.head[S_ORDER] == 0.0));
 }
 
 /* How fast velocities change [1/s]; 0: at rest, and for ever. */
@@ -153,7 +154,8 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     step_error e = {0};
     const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
     const int judged = estimate_error(c, order, h, &e) || (is_unilateral(c->m) && judge_first_pair(c, t, h, law_time, &e));
-    const double defect = c->way == EXPLICIT ? 0.0 : velocity_defect(c, h), across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
+    const double defect = c->way == EXPLICIT ? 0.0 : velocity_defect(c, h);
+    const double across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
     head[S_ACROSS] = defect;
     double share = 0.0;
     if (!judged && across <= REJECTED) return 0;
@@ -286,7 +288,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
     int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
-    if (is_dissipative(c) && !may_extrapolate(c)) head[S_ORDER_IN_USE] = 2.0;
+    if (is_dissipative(c) && !may_put_back(c)) head[S_ORDER_IN_USE] = 2.0;
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;

@@ -89,9 +89,9 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     const method *used = &METHODS[c->way][index_of(order)];
     const int64_t n = DIM * c->n_moving;
     const double *x = c->k.estimate + (c->way == COVERED && !c->unweighted ? 2 * n : 0);
-    double difference = c->difference;
-    if (c->way == EXPLICIT) {
-    } else if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
+    double difference;
+    if (c->way == EXPLICIT) difference = c->difference;
+    else if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
     const double turned = used->rate * hm_pow(difference, 1.0 / (used->lower + 1.0));
     e->rate = c->unweighted ? 0.0 : turned / h; /* the end that was not taken tells the error of the one that was */

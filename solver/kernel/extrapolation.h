@@ -30,12 +30,6 @@ typedef struct extrapolation {
     kept_momenta momenta;      /* those that every cover keeps   */
 } extrapolation;
 
-/* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
-static int may_extrapolate(const context *c)
-{
-    return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
-}
-
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
 static double weight_of(int pairs, int first, int last)
 {

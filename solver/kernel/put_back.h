@@ -23,6 +23,12 @@ typedef struct kept_momenta {
     double before[RIGID], scale[RIGID]; /* at the start of the step, and sums of their terms' sizes */
 } kept_momenta;
 
+/* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
+static int may_put_back(const context *c)
+{
+    return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
+}
+
 /* Momenta at the state, of which all may be kept. */
 HM_SELDOM static kept_momenta momenta_at_start(const context *c)
 {

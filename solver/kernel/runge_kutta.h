@@ -77,8 +77,8 @@ static const runge_kutta *method_of_order(int order) { return order == 5 ? &FIFT
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
-    if (!(c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD) || m->n_islands > 1 || !hm_conserves_all(c->formulation)) return 0;
-    return !m->sensing && !m->n_signals && !is_unilateral(m) && !(m->variable_potential && m->time_dependent);
+    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !m->sensing && !m->n_signals &&
+           !is_unilateral(m) && !(m->variable_potential && m->time_dependent);
 }
 
 /* Whether the state is the end of an explicit step, with its accelerations. */
