@@ -227,6 +227,19 @@ static void common_turn(const context *c, int32_t a, const double *x, double *tu
     }
 }
 
+/* Largest angular velocity of a body [rad/s]. */
+HM_SELDOM static double fastest_turn(const context *c)
+{
+    double fastest = 0.0, omega[TURNING];
+    for (int32_t b = 0; b < n_bodies(c->m); b++) {
+        double square = 0.0;
+        common_turn(c, c->m->body_node[b], c->s.v + DIM * c->m->body_node[b], omega);
+        for (int k = 0; k < TURNING; k++) square += hm_square(omega[k]);
+        fastest = fmax(fastest, square);
+    }
+    return sqrt(fastest);
+}
+
 /* Angular acceleration of a step that is solved, 2 (theta - h omega)/h^2. */
 static inline double turning_of_step(const context *c, int32_t a, int k)
 {

@@ -50,6 +50,8 @@ typedef struct context {
     int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
     double longest;     /* explicit step that resolves springs and dampers, under a tolerance                      */
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
+    double most_turned; /* by a body in an explicit step [rad]                                                      */
+    double shorter;     /* times the length of a step that failed, of the next try                                 */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */

@@ -40,7 +40,7 @@ static double longest_next(const context *c, double time)
     const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
     const double h = fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
     const int order = (int)head[S_ORDER_IN_USE];
-    return way_of(c, c->damped, order, head[S_WANTED]) == EXPLICIT ? fmin(h, longest_of(c, order)) : h;
+    return way_of(c, c->damped, order, head[S_WANTED]) == EXPLICIT ? fmin(h, longest_now(c, order)) : h;
 }
 
 /* Length of a step of an order that adds what it may where the motion changes at a rate, taken one way. */
@@ -77,7 +77,7 @@ static void choose_order(context *c, double rate, double step)
     int best = present;
     for (int p = 0; p < N_ORDERS; p++) {
         const enum way way = way_at(c, p, rate);
-        const double longest = way == EXPLICIT ? longest_of(c, METHODS[way][p].order) : INFINITY;
+        const double longest = way == EXPLICIT ? longest_now(c, METHODS[way][p].order) : INFINITY;
         if (way != EXPLICIT && is_explicit) continue; /* a body that spins steadily, which is exact there, tells no rate of pairs */
         const double n = steps_over(c, step, fmin(STRETCHED * length_for(c, way, p, rate), longest));
         const double cost = METHODS[way][p].pairs * n * cost_of_half_step(way, rate * step / n) * (p == present ? bonus : 1.0);
@@ -114,6 +114,7 @@ static void begin_control(context *c)
     const double asked = head[S_ORDER], rate = rate_at_start(c);
     c->damped = is_dissipative(c);
     c->longest = longest_explicit(c);
+    c->most_turned = most_turned(c);
     const double part = (c->damped ? 0.25 : 0.5), eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
     if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
@@ -168,7 +169,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     const double longest = fmax(h, has_found_length(c) ? GROWTH * head[S_WANTED] : INFINITY);
-    head[S_WANTED] = fmin(longest, h * fmin(fmax(change, 0.2), 2.0));
+    head[S_WANTED] = fmin(longest, h * fmin(fmax(change, SHORTEST), 2.0));
     if (share > REJECTED) return 1;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
@@ -213,7 +214,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         half_steps += c->halves;
         failed = status;
         if (status || (rejected && repeats < MAX_REPEATS)) {
-            const double wanted = status ? 0.5 * h : head[S_WANTED];
+            const double wanted = status ? c->shorter * h : head[S_WANTED];
             if (++repeats > MAX_REPEATS) return status;
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;

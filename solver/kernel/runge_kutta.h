@@ -15,22 +15,25 @@
 #include "start.h"
 
 enum { MOST_STAGES = 12, MOST_PASSES = 8 };
+#define SOFTER 1024.0           /* compliance of dependent rows: off the rows, as stages are, they would hold what they leave free */
+#define SHORTEST 0.2            /* times the length of a step that failed, of the next try */
 #define LEFT_OF_ROWS 1e-11      /* of their second derivatives, by Uzawa updates */
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
-#define LARGEST_DIFFERENCE 1e-3 /* of a step from one of lower order: beyond, it is too long to be put back */
+#define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
+#define AIMED_DIFFERENCE 1e-3   /* by the next try */
 #define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
 
 /* Methods: parts of the stages before in each stage, its time, weights of the end and of its differences from one or two ends of
    lower order. Order 5 of Cash and Karp 1990; order 8 of Dormand and Prince 1981, with the differences of Hairer, Norsett and
    Wanner 1993, II.10. */
 typedef struct runge_kutta {
-    int stages, differences;
+    int order, stages, differences;
     double resolved; /* turn of a spring that a step resolves, over that of order 8 */
     double part[MOST_STAGES][MOST_STAGES - 1], node[MOST_STAGES], weight[MOST_STAGES], difference[2][MOST_STAGES];
 } runge_kutta;
 
 static const runge_kutta FIFTH_ORDER = {
-    6, 1, 0.3,
+    5, 6, 1, 0.23,
     {{0},
      {1.0 / 5},
      {3.0 / 40, 9.0 / 40},
@@ -42,7 +45,7 @@ static const runge_kutta FIFTH_ORDER = {
     {{-277.0 / 64512, 0, 6925.0 / 370944, -6925.0 / 202752, -277.0 / 14336, 277.0 / 7084}}};
 
 static const runge_kutta EIGHTH_ORDER = {
-    12, 2, 1.0,
+    8, 12, 2, 1.0,
     {{0},
      {0.05260015195876773},
      {0.0197250569845379, 0.0591751709536137},
@@ -71,6 +74,24 @@ static const runge_kutta EIGHTH_ORDER = {
 static inline int is_explicit_order(int order) { return order == 5 || order == 8; }
 
 static const runge_kutta *method_of_order(int order) { return order == 5 ? &FIFTH_ORDER : &EIGHTH_ORDER; }
+
+/* How far a body may turn in a step [rad]: angles are followed where they change by less than pi, and one between two bodies by
+   what both turn. */
+HM_SELDOM static double most_turned(const context *c)
+{
+    const holonom_model *m = c->m;
+    for (int32_t j = 0; j < m->n_quantities; j++) {
+        const int32_t f = m->quantity_form[2 * j];
+        int first = 0, second = 0;
+        if (m->quantity_kind[j] != QUANTITY_ANGLE) continue;
+        for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++) {
+            first |= c->number[m->alpha_at + e] != 0.0;
+            second |= c->number[m->beta_at + e] != 0.0;
+        }
+        if (first && second) return 1.5;
+    }
+    return 2.9;
+}
 
 /* Whether steps may be explicit: put_back brings rows and energy back, and laws tell their powers at any moment. What drivers ask for
    has no second derivatives that are exact enough. */
@@ -115,8 +136,14 @@ static void second_rates(const context *at)
     }
 }
 
-/* Accelerations a (n) and multipliers (n_rows; near ones on entry) at the state; factors stay at hand. */
-static int32_t accelerate(context *at, double *a, double *multipliers)
+/* Multiplies the compliance of rows that depend on each other. */
+static void soften(const context *at, double times)
+{
+    if (at->island[I_DEPENDENT] == ROWS_ARE_INDEPENDENT) return;
+    EACH_ROW(at, i) at->k.epsilon[i] *= times;
+}
+
+static int32_t solve_accelerations(context *at, double *a, double *multipliers)
 {
     const holonom_model *m = at->m;
     const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving), rows = sizeof(double) * (size_t)m->n_rows;
@@ -155,6 +182,15 @@ static int32_t accelerate(context *at, double *a, double *multipliers)
     }
     at->s.head[S_NEWTON_ITERATIONS] += 1.0;
     return all_finite(a, DIM * m->n_free) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
+}
+
+/* Accelerations a (n) and multipliers (n_rows; near ones on entry) at the state. */
+static int32_t accelerate(context *at, double *a, double *multipliers)
+{
+    soften(at, SOFTER);
+    const int32_t status = solve_accelerations(at, a, multipliers);
+    soften(at, 1.0 / SOFTER);
+    return status;
 }
 
 /* Adds `time` times the powers at the state, of loads, moments and drives to the first of two works, of dampers to the other. */
@@ -255,7 +291,6 @@ static void turn_by(const context *at, int32_t a, const double *psi, const doubl
     }
 }
 
-#define LARGEST_TURN 1.5 /* of a body in a step [rad]: angles between two are followed where they turn by less than pi */
 
 /* The state at h times the weighted sum from the start of the step. */
 static int32_t move_from_start(context *at, double h, const double *weight, int stages)
@@ -282,7 +317,7 @@ static int32_t move_from_start(context *at, double h, const double *weight, int 
             omega[k] += h * v[k];
             square += turn[k] * turn[k];
         }
-        if (!(square <= LARGEST_TURN * LARGEST_TURN)) return HOLONOM_TURN_TOO_LARGE;
+        if (!(square <= hm_square(at->most_turned))) return HOLONOM_TURN_TOO_LARGE;
         turn_by(at, a, turn, omega);
     }
     for (int64_t k = 0; k < n; k++) at->k.d[k] = s->q[k] - start[s->q - s->head + k];
@@ -391,7 +426,10 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     if (!status) status = take_stages(at, x, h, &kept, work);
     if (status) return status;
     c->difference = difference_of_stages(at, x, h);
-    if (!(c->difference <= LARGEST_DIFFERENCE)) return HOLONOM_NOT_FINITE;
+    if (!(c->difference <= LARGEST_DIFFERENCE)) {
+        c->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / c->difference, 1.0 / x->order));
+        return HOLONOM_NOT_FINITE;
+    }
     status = move_from_start(at, h, x->weight, x->stages);
     laws_within(at, c->t, h, 1.0);
     c->t = at->t = c->t + h;

@@ -64,6 +64,12 @@ static void gather_estimate(context *c, int order, int i, int stages)
 /* Longest explicit step of an order. */
 static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->longest; }
 
+/* Likewise at the present angular velocities, which may grow in it. */
+static double longest_now(const context *c, int order)
+{
+    return fmin(longest_of(c, order), 0.9 * c->most_turned / fastest_turn(c));
+}
+
 /* How steps of an order and length are taken, with dampers or without; explicit ones are shortened to the longest. */
 static enum way way_of(const context *c, int damped, int order, double h)
 {
@@ -105,6 +111,7 @@ static int32_t internal_step(context *c, double h)
         return status;
     }
     c->way = UNTAKEN;
+    c->shorter = 0.5;
     if (is_explicit_order(order) && !c->passing && h <= longest_of(c, order) * (1.0 + 1e-9) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         status = runge_kutta_step(c, h);
