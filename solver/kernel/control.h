@@ -21,6 +21,7 @@ enum { MAX_REPEATS = 40 };
 #define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy of an explicit step back, over the speed */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define REJECTED 2.0  /* times what a step may add */
+#define REJECTED_EXPLICIT 4.0 /* likewise of an explicit one, which costs more to repeat */
 #define MOST_AIMED 1.5 /* likewise, aimed at where steps before have added less */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
@@ -170,7 +171,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     const double longest = fmax(h, has_found_length(c) ? GROWTH * head[S_WANTED] : INFINITY);
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, SHORTEST), 2.0));
-    if (share > REJECTED) return 1;
+    if (share > (c->way == EXPLICIT ? REJECTED_EXPLICIT : REJECTED)) return 1;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
     head[S_UNSPENT] = fmin(SAFETY, head[S_UNSPENT] + left);
