@@ -49,7 +49,9 @@ typedef struct context {
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
     double longest;     /* explicit step that resolves springs and dampers, under a tolerance                      */
+    double within;      /* length of an explicit step that can surely be put back, by the last one                */
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
+    double free_part;   /* of it, that rows leave free                                                            */
     double most_turned; /* by a body in an explicit step [rad]                                                      */
     double shorter;     /* times the length of a step that failed, of the next try                                 */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */

@@ -45,18 +45,20 @@ static double longest_next(const context *c, double time)
 }
 
 /* Length of a step of an order that adds what it may where the motion changes at a rate, taken one way. */
-static double length_for(const context *c, enum way way, int p, double rate)
+static double length_for(const context *c, enum way way, int p, const step_error *e)
 {
     const method *x = &METHODS[way][p];
+    const double rate = way == EXPLICIT ? e->free : e->rate;
     const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, way, p) * rate * c->s.head[S_HORIZON]);
-    return fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
+    const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
+    return way == EXPLICIT ? fmin(h, c->within) : h;
 }
 
 /* How steps of the p-th order are taken where the motion changes at a rate. */
-static enum way way_at(const context *c, int p, double rate)
+static enum way way_at(const context *c, int p, const step_error *e)
 {
     const int order = METHODS[EXPLICIT][p].order;
-    if (order && way_of(c, c->damped, order, length_for(c, EXPLICIT, p, rate)) == EXPLICIT) return EXPLICIT;
+    if (order && way_of(c, c->damped, order, length_for(c, EXPLICIT, p, e)) == EXPLICIT) return EXPLICIT;
     return way_of(c, c->damped, METHODS[COMPOSED][p].order, INFINITY);
 }
 
@@ -69,27 +71,27 @@ static double cost_of_half_step(enum way way, double turned)
 }
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
-static void choose_order(context *c, double rate, double step)
+static void choose_order(context *c, const step_error *e, double step)
 {
     double *head = c->s.head, least = INFINITY;
     const int present = index_of((int)head[S_ORDER_IN_USE]);
     const double bonus = c->damped ? 0.8 : 0.9;
-    const int is_explicit = way_at(c, N_ORDERS - 1, rate) == EXPLICIT;
+    const int is_explicit = way_at(c, N_ORDERS - 1, e) == EXPLICIT;
     int best = present;
     for (int p = 0; p < N_ORDERS; p++) {
-        const enum way way = way_at(c, p, rate);
+        const enum way way = way_at(c, p, e);
         const double longest = way == EXPLICIT ? longest_now(c, METHODS[way][p].order) : INFINITY;
         if (way != EXPLICIT && is_explicit) continue; /* a body that spins steadily, which is exact there, tells no rate of pairs */
-        const double n = steps_over(c, step, fmin(STRETCHED * length_for(c, way, p, rate), longest));
-        const double cost = METHODS[way][p].pairs * n * cost_of_half_step(way, rate * step / n) * (p == present ? bonus : 1.0);
+        const double n = steps_over(c, step, fmin(STRETCHED * length_for(c, way, p, e), longest));
+        const double cost = METHODS[way][p].pairs * n * cost_of_half_step(way, e->rate * step / n) * (p == present ? bonus : 1.0);
         if (!(cost < least)) continue;
         least = cost;
         best = p;
     }
-    const enum way chosen = way_at(c, best, rate);
+    const enum way chosen = way_at(c, best, e);
     if (METHODS[chosen][best].order == (int)head[S_ORDER_IN_USE]) return;
     head[S_ORDER_IN_USE] = METHODS[chosen][best].order;
-    head[S_WANTED] = length_for(c, chosen, best, rate);
+    head[S_WANTED] = length_for(c, chosen, best, e);
 }
 
 /* Whether steps with dampers are of order 2: weighted covers need a method that conserves, and what differences tell is
@@ -116,6 +118,7 @@ static void begin_control(context *c)
     c->damped = is_dissipative(c);
     c->longest = longest_explicit(c);
     c->most_turned = most_turned(c);
+    c->within = INFINITY;
     const double part = (c->damped ? 0.25 : 0.5), eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
     if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
@@ -171,11 +174,12 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     const double longest = fmax(h, has_found_length(c) ? GROWTH * head[S_WANTED] : INFINITY);
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, SHORTEST), 2.0));
+    if (c->way == EXPLICIT) head[S_WANTED] = fmin(head[S_WANTED], c->within);
     if (share > (c->way == EXPLICIT ? REJECTED_EXPLICIT : REJECTED)) return 1;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
     head[S_UNSPENT] = fmin(SAFETY, head[S_UNSPENT] + left);
-    if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, e.rate, step);
+    if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, &e, step);
     return 0;
 }
 
@@ -204,6 +208,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             return failed ? failed : HOLONOM_STEP_COLLAPSED;
         }
         c->unweighted = 0;
+        c->shorter = 0.5;
         c->damped = is_dissipative(c);
         int32_t status = is_unilateral(c->m) ? stop_before(c, &h) : HOLONOM_OK;
         if (status) return status;

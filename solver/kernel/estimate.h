@@ -55,6 +55,7 @@ static const method METHODS[][N_ORDERS] = {
 
 typedef struct step_error {
     double rate;  /* omega [1/s]                                                            */
+    double free;  /* likewise of what rows leave free                                       */
     double mean;  /* error in the mean over mechanisms, relative to size and speed          */
     int is_noise; /* whether round-off of velocities is all that the difference shows       */
 } step_error;
@@ -95,10 +96,12 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
     if (c->way == EXPLICIT) difference = c->difference;
     else if (order > 2) difference = relative_size(c, mass_norm(c, x), mass_norm(c, x + n));
     else if (!difference_of_pairs(c, h, &difference)) return 0;
-    const double turned = used->rate * hm_pow(difference, 1.0 / (used->lower + 1.0));
+    const double part = c->way == EXPLICIT ? c->free_part : 1.0, root = 1.0 / (used->lower + 1.0);
+    const double turned = used->rate * hm_pow(difference, root), freed = used->rate * hm_pow(part * difference, root);
+    e->free = c->unweighted ? 0.0 : freed / h;
     e->rate = c->unweighted ? 0.0 : turned / h; /* the end that was not taken tells the error of the one that was */
-    e->mean = c->unweighted ? difference : used->mean * hm_pow(turned, order + 1);
-    if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / turned);
+    e->mean = c->unweighted ? difference : used->mean * hm_pow(freed, order + 1);
+    if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     e->is_noise = is_noise(c, used->round_off, difference, h);
     return 1;
 }

@@ -143,24 +143,32 @@ HM_SELDOM static void follow_rows(context *at)
     }
 }
 
+/* Rates that rows ask of what stands still, in row_rate; whether they ask any. */
+HM_SELDOM static int asks_for_rates(context *at)
+{
+    double *rest = at->k.w;
+    memset(rest, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
+    row_rates(at, at->s.q, at->s.q_low, rest, at->s.signal, at->k.signal_rate, at->k.row_rate);
+    return largest_row(at, at->k.row_rate) > 0.0;
+}
+
+/* Takes from u (n) what rows do not allow, beyond the rates that they ask of what stands still, in row_rate. */
+HM_SELDOM static void leave_free(context *at, double *u)
+{
+    row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, at->k.phi);
+    for (int32_t i = 0; i < at->m->n_rows; i++) at->k.phi[i] -= at->k.row_rate[i];
+    add_correction(at, u);
+}
+
 /* The velocities' part u (n) that rows leave free and that has none of the kept momenta; there are no signals. */
 HM_SELDOM static void free_velocities(context *at, const int *kept, double L[RIGID][RIGID])
 {
     const holonom_model *m = at->m;
-    const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving);
-    double momentum[RIGID], unused[RIGID], *u = at->k.free, *asked = at->k.row_rate;
-    int asks = 0; /* whether rows ask for rates of what stands still; else velocities on the rows are free */
-    memset(u, 0, n);
-    if (m->n_velocity_rows) {
-        row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, asked);
-        asks = largest_row(at, asked) > 0.0;
-    }
+    double momentum[RIGID], unused[RIGID], *u = at->k.free;
+    const int asks = m->n_velocity_rows && asks_for_rates(at); /* else velocities on the rows are free */
+    memset(u, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
     for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = at->s.v[k] + at->s.v_low[k];
-    for (int repeat = 0; repeat < 3 && asks; repeat++) { /* what the regularised factors leave is corrected again */
-        row_rates(at, at->s.q, at->s.q_low, u, at->s.signal, at->k.signal_rate, at->k.phi);
-        for (int32_t i = 0; i < m->n_rows; i++) at->k.phi[i] -= asked[i];
-        add_correction(at, u);
-    }
+    for (int repeat = 0; repeat < 3 && asks; repeat++) leave_free(at, u); /* what regularised factors leave is corrected again */
     inertia(at, 2.0, u, at->k.momentum);
     rigid_momenta(at, kept, at->k.momentum, momentum, unused);
     for (int i = 0; i < RIGID; i++) momentum[i] = -momentum[i];

@@ -12,6 +12,7 @@
 #include "ledger.h"
 #include "norms.h"
 #include "put_back.h"
+#include "signal_course.h"
 #include "start.h"
 
 enum { MOST_STAGES = 12, MOST_PASSES = 8 };
@@ -93,17 +94,15 @@ HM_SELDOM static double most_turned(const context *c)
     return 2.9;
 }
 
-/* Whether steps may be explicit: put_back brings rows and energy back, and laws tell their powers at any moment. What drivers ask for
-   has no second derivatives that are exact enough. */
+/* Whether steps may be explicit: put_back brings rows and energy back, and laws tell their powers at any moment. */
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
-    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !m->sensing && !m->n_signals &&
-           !is_unilateral(m) && !(m->variable_potential && m->time_dependent);
+    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !m->sensing && !is_unilateral(m) && !(m->variable_potential && m->time_dependent);
 }
 
-/* Whether the state is the end of an explicit step, with its accelerations. */
-static int knows_first(const context *c) { return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
+/* Whether the state is the end of an explicit step. */
+static int ends_explicitly(const context *c) { return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
 
 /* Second derivative of a row that holds directions a and b, which may be one of the ground, in form f. */
 static double second_rate_of_axes(const context *at, int32_t f)
@@ -116,8 +115,9 @@ static double second_rate_of_axes(const context *at, int32_t f)
 static void second_rates(const context *at)
 {
     const holonom_model *m = at->m;
-    const double *rest = at->k.d;
+    const double *rest = at->k.d, *steady = at->k.signal_sample; /* what signals do is in the biases */
     double vu[DIM], vw[DIM], au[DIM], aw[DIM];
+    memset(at->k.signal_sample, 0, sizeof(double) * (size_t)m->n_signals);
     EACH_FORM_ROW(at, i) {
         const int32_t f = m->row_form[i];
         if (is_axes_row(at, i)) {
@@ -131,8 +131,8 @@ static void second_rates(const context *at)
     for IN_ISLAND(at, j, ISLAND_COINCIDENCE) link_of(at, m->coincidence_form[j], at->k.w, at->k.phi + m->n_form_rows + DIM * j, aw);
     for (int32_t j = first_function(at); j < first_potential(at); j++) {
         double *rate = at->k.phi + row_of(at, j);
-        *rate = bias_of(at, j) + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, at->k.signal_rate);
-        if (is_velocity_row(at, j)) *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, at->k.signal_rate);
+        *rate = bias_of(at, j) + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, steady);
+        if (is_velocity_row(at, j)) *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, steady);
     }
 }
 
@@ -151,6 +151,7 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
     int32_t status = factorise_here(at);
     if (status) return status;
     memset(at->k.w, 0, n);
+    memcpy(at->k.w + DIM * m->n_free, at->k.signal_before, sizeof(double) * (size_t)(DIM * m->n_driven));
     EACH_TURN(at, b) { /* what directors have where their bodies do not turn faster */
         const int32_t first = DIM * m->body_node[b];
         double omega[TURNING];
@@ -292,7 +293,7 @@ static void turn_by(const context *at, int32_t a, const double *psi, const doubl
 }
 
 
-/* The state at h times the weighted sum from the start of the step. */
+/* The state at h times the weighted sum from the start of the step, with the signals at hand. */
 static int32_t move_from_start(context *at, double h, const double *weight, int stages)
 {
     const int64_t n = DIM * at->n_moving;
@@ -320,6 +321,7 @@ static int32_t move_from_start(context *at, double h, const double *weight, int 
         if (!(square <= hm_square(at->most_turned))) return HOLONOM_TURN_TOO_LARGE;
         turn_by(at, a, turn, omega);
     }
+    place_driven(at);
     for (int64_t k = 0; k < n; k++) at->k.d[k] = s->q[k] - start[s->q - s->head + k];
     follow_angles(at, at->k.d);
     return HOLONOM_OK;
@@ -340,8 +342,9 @@ static void take_stage(const context *at, double h, const double *sum, const dou
     for (int32_t a = 0, next; a < at->n_moving; a = next, stage += components, rate += components, sum += components) {
         next = behind(at, a, &components);
         if (!is_director(at, a)) {
-            EACH(k) stage[k] = at->s.v[DIM * a + k];
-            EACH(k) rate[k] = acceleration[DIM * a + k];
+            const double own = a < at->m->n_free; /* signals move the others */
+            EACH(k) stage[k] = own * at->s.v[DIM * a + k];
+            EACH(k) rate[k] = own * acceleration[DIM * a + k];
             continue;
         }
         for (int k = 0; k < TURNING; k++) psi[k] = h * sum[k];
@@ -365,10 +368,12 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
 {
     const int64_t n = 2 * stage_size(at);
     const double t = at->t;
-    const int known = knows_first(at) && !at->m->time_dependent;
+    const int known = ends_explicitly(at) && !at->m->time_dependent && !at->m->n_signals;
     double *sum = at->k.estimate, *a = at->s.a[0];
     memset(sum, 0, sizeof(double) * (size_t)n);
+    find_courses(at, t, h);
     for (int i = 0; i < x->stages; i++) {
+        follow_courses(at, x->node[i], h);
         int32_t status = i ? move_from_start(at, h, x->part[i], i) : HOLONOM_OK;
         laws_within(at, t, h, x->node[i]);
         if (!status && (i || !known)) status = accelerate(at, a, at->s.mu[0]);
@@ -389,6 +394,31 @@ HM_SELDOM static double difference_of_stages(const context *at, const runge_kutt
     return first * first / hm_hypot(first, 0.1 * h * size_of_sum(at, x->difference[1], x->stages));
 }
 
+/* Part of the difference from the first step of lower order that rows leave free. Factors are those of the end. */
+HM_SELDOM static double free_part(context *at, const runge_kutta *x)
+{
+    double *sum = at->k.estimate, *u = at->k.free, square[2] = {0.0, 0.0};
+    const double size = at->number[at->m->extent_at + 1], speed = speed_scale(at);
+    int components;
+    if (!at->m->n_rows) return 1.0;
+    weigh_stages(at, x->difference[0], x->stages, sum);
+    asks_for_rates(at);
+    for (int i = 0; i < 2; i++) {
+        const double scale = i ? speed : size;
+        for (int32_t a = 0, next; a < at->n_moving; a = next, sum += components) {
+            next = behind(at, a, &components);
+            for (int32_t k = DIM * a; k < DIM * next; k += DIM) {
+                if (is_director(at, k / DIM)) turned_by(sum, at->s.q + k, u + k);
+                else EACH(l) u[k + l] = sum[l];
+            }
+        }
+        square[0] += hm_square(mass_norm(at, u) / scale);
+        leave_free(at, u);
+        square[1] += hm_square(mass_norm(at, u) / scale);
+    }
+    return square[0] > 0.0 ? fmin(1.0, sqrt(square[1] / square[0])) : 1.0;
+}
+
 /* Keeps the start of a step, of which velocities that other steps have left off the rows are put back first, if they can be. */
 HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
 {
@@ -396,7 +426,7 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     const kept_momenta none = {{0}, {0.0}, {0.0}};
     int unused;
     memcpy(c->k.pair_backup, c->s.head, bytes);
-    if (knows_first(c)) return HOLONOM_OK;
+    if (ends_explicitly(c)) return HOLONOM_OK;
     const int32_t status = factorise_here(at);
     if (status) return status;
     put_velocities_back(c, at, &none, &unused);
@@ -404,12 +434,25 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     return HOLONOM_OK;
 }
 
+/* Forces on driven nodes at the state, with its accelerations and multipliers. */
+HM_SELDOM static int32_t hold_driven(const context *at)
+{
+    const int32_t first = DIM * at->m->n_free;
+    memcpy(at->k.w, at->s.a[0], sizeof(double) * (size_t)(DIM * at->n_moving));
+    memcpy(at->k.mu, at->s.mu[0], sizeof(double) * (size_t)at->m->n_rows);
+    const int32_t status = residual_at_state(at);
+    for (int32_t k = first; k < DIM * at->n_moving; k++) at->s.driven[0][k - first] = at->s.driven[1][k - first] = at->k.momentum[k] / AT_STATE;
+    return status;
+}
+
 /* Accelerations and multipliers of the end of a step, for outputs and for the first stage of the next one. */
 HM_SELDOM static int32_t remember_end(context *c, context *at)
 {
-    const int32_t status = accelerate(at, c->s.a[0], c->s.mu[0]);
+    follow_courses(c, 1.0, c->h);
+    int32_t status = accelerate(at, c->s.a[0], c->s.mu[0]);
     memcpy(c->s.a[1], c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.mu[1], c->s.mu[0], sizeof(double) * (size_t)c->m->n_rows);
+    if (c->m->n_driven && !status) status = hold_driven(at);
     average_multipliers(c, c->t);
     c->s.head[S_HALVES] = 0.0;
     c->s.head[S_KNOWN] = 1.0;
@@ -430,6 +473,8 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
         c->shorter = fmax(SHORTEST, hm_pow(AIMED_DIFFERENCE / c->difference, 1.0 / x->order));
         return HOLONOM_NOT_FINITE;
     }
+    signals_at(c, c->t + h, c->k.signal1);
+    signal_rates_at(c, c->t + h, c->k.signal_rate);
     status = move_from_start(at, h, x->weight, x->stages);
     laws_within(at, c->t, h, 1.0);
     c->t = at->t = c->t + h;
@@ -437,6 +482,8 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     book(c, S_WORK, work[0]);
     book(c, S_DISSIPATED, fmax(work[1], 0.0));
     if (!status) status = factorise_here(at);
+    c->within = h * hm_pow(AIMED_DIFFERENCE / fmax(c->difference, 1e-30), 1.0 / x->order);
+    if (!status) c->free_part = free_part(at, x);
     return status ? status : put_back(c, at, &kept, held);
 }
 

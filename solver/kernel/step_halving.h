@@ -111,7 +111,6 @@ static int32_t internal_step(context *c, double h)
         return status;
     }
     c->way = UNTAKEN;
-    c->shorter = 0.5;
     if (is_explicit_order(order) && !c->passing && h <= longest_of(c, order) * (1.0 + 1e-9) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         status = runge_kutta_step(c, h);

@@ -189,6 +189,36 @@ motor = { type = "position", point = "P", value = ["0.3 + 0.2*t**2", "0.8*sin(2*
     assert found["motor.power"] == pytest.approx(power, abs=20 * h**2)
 
 
+def follow(name: str, tolerance: float, h: float, outputs: list[str]) -> dict[str, Array]:
+    """Outputs at every communication step of explicit steps over a second."""
+    integrator = solver.Integrator(solver.assemble(solver.loads(SCENES[name])))
+    integrator["solver.tolerance"] = tolerance
+    integrator.initialise()
+    found = [[float(integrator[output]) for output in outputs]]
+    for _ in range(round(1.0 / h)):
+        integrator.advance(integrator.time, h)
+        assert integrator.state.head["halves"] == 0.0
+        found.append([float(integrator[output]) for output in outputs])
+    return dict(zip(outputs, np.transpose(found), strict=True))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_explicit_steps_know_a_drivers_work_and_its_power_to_the_tolerance(name):
+    h = 0.01  # Simpson's rule is right to 2e-6 J
+    found = follow(name, 1e-9, h, ["energy.work", "energy.total", "motor.power"])
+    power, work = found["motor.power"], found["energy.work"]
+    assert found["energy.total"] - found["energy.total"][0] == pytest.approx(work, abs=ROUND_OFF)
+    simpson = h / 3.0 * (power[:-2:2] + 4.0 * power[1::2] + power[2::2])
+    assert np.cumsum(simpson) == pytest.approx(work[2::2], abs=1e-5)
+
+
+@pytest.mark.parametrize("name", KNOWN)
+def test_a_driver_of_explicit_steps_feels_what_the_equations_of_motion_ask_of_it(name):
+    output, law = KNOWN[name]
+    found = follow(name, 1e-9, 0.1, [output])[output]
+    assert found == pytest.approx(law(0.1 * np.arange(len(found))), abs=1e-7)
+
+
 LEVER = """
 name = "lever"
 dimension = 2
