@@ -3,8 +3,9 @@
 #define HOLONOM_FORCE_RATES_H
 
 #include "context.h"
+#include "composite.h"
 #include "forms.h"
-#include "vectors.h"
+#include "start.h"
 
 /* Products of inertia, squared over both moments, up to which the diagonal of M tells M^-1: bars have 1/4. */
 #define DIAGONAL_ENOUGH 0.3
@@ -31,21 +32,28 @@ static int mass_diagonal(const context *c, double *diagonal)
     return 1;
 }
 
-/* y (n, overwritten) = K x, of the elements' coefficients, of which the length of a link has a force along it. */
-static void along_links(const context *c, int64_t coefficient_at, const double *x, double *y)
+/* y (n, overwritten) = K x of elements with these coefficients, along the gradients of what they measure. */
+static int32_t along_elements(const context *at, int64_t coefficient_at, const double *x, double *y)
 {
-    const holonom_model *m = c->m;
-    double u[DIM], du[DIM], unused[DIM];
-    memset(y, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
+    const holonom_model *m = at->m;
+    memset(y, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
     for (int32_t j = 0; j < m->n_elements; j++) {
-        const double coefficient = c->number[coefficient_at + j];
-        const int32_t f = m->quantity_form[2 * m->leaf[4 * m->leaf_ptr[j] + 1]];
+        const double coefficient = at->number[coefficient_at + j];
+        const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+        leaf_state leaf;
+        double rate;
         if (coefficient == 0.0) continue;
-        link_at_state(c, f, u, unused);
-        link_of(c, f, x, du, unused);
-        const double square = dot(u, u);
-        if (square > 0.0) add_link_force(c, f, coefficient * dot(u, du) / square, u, y);
+        set_local_forms(at, j, 0.5);
+        const int32_t status = set_leaf(at, entry, 0, &leaf);
+        if (status) return status;
+        quantity_at(at, entry[1], at->s.q, at->s.q_low, x, &rate);
+        for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
+            const local_form *local = (const local_form *)at->k.local + entry[2 + i];
+            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], coefficient * rate * leaf.p[i], local->um,
+                         local->wm, y);
+        }
     }
+    return HOLONOM_OK;
 }
 
 /* Largest eigenvalue of M^-1 K of these coefficients, by powers of it; constraints only lower it. */
@@ -64,7 +72,7 @@ static double largest_rate(const context *c, int64_t coefficient_at, const doubl
         const double size = square;
         last = rate;
         square = 0.0;
-        along_links(c, coefficient_at, x, y);
+        if (along_elements(c, coefficient_at, x, y)) return INFINITY;
         for (int32_t k = 0; k < n; k++) {
             x[k] = diagonal[k / DIM] > 0.0 ? y[k] / diagonal[k / DIM] : 0.0;
             square += x[k] * y[k];
@@ -75,14 +83,13 @@ static double largest_rate(const context *c, int64_t coefficient_at, const doubl
     return rate;
 }
 
-/* Whether springs and dampers are all along links of points that have mass: others do not tell how fast they are. */
+/* Whether all that springs and dampers pull at has mass: else they do not tell how fast they are. */
 static int has_rates(const context *c, const double *diagonal)
 {
     const holonom_model *m = c->m;
     for (int32_t j = 0; j < m->n_elements; j++) {
         const int32_t q = m->leaf[4 * m->leaf_ptr[j] + 1], f = m->quantity_form[2 * q];
         if (c->number[m->stiffness_at + j] == 0.0 && c->number[m->damping_at + j] == 0.0) continue;
-        if (m->quantity_kind[q] != QUANTITY_LENGTH) return 0;
         for (int32_t e = m->form_ptr[f]; e < m->form_ptr[f] + m->form_free[f]; e++)
             if (c->number[m->alpha_at + e] != 0.0 && !(diagonal[m->form_node[e]] > 0.0)) return 0;
     }
@@ -90,13 +97,14 @@ static int has_rates(const context *c, const double *diagonal)
 }
 
 /* Longest explicit step [s], by the fastest of springs and of dampers with the diagonal of M; 0 where these do not tell: with large
-   products of inertia, potentials, or springs and dampers of other quantities than lengths. */
-HM_SELDOM static double longest_explicit(const context *c)
+   products of inertia, and with potentials. */
+HM_SELDOM static double longest_explicit(context *c)
 {
     const holonom_model *m = c->m;
     double *diagonal = c->k.ahead;
     if (m->n_potentials) return 0.0;
     if (!m->n_elements) return INFINITY;
+    stand_still(c);
     if (!mass_diagonal(c, diagonal) || !has_rates(c, diagonal)) return 0.0;
     const double springs = largest_rate(c, m->stiffness_at, diagonal), dampers = largest_rate(c, m->damping_at, diagonal);
     return 1.0 / hm_hypot(sqrt(springs) / MOST_TURNED, dampers / MOST_SETTLED);

@@ -186,6 +186,30 @@ def test_a_load_that_jumps_where_a_step_ends_costs_no_accuracy_and_no_steps():
         assert run["energy.work"] == pytest.approx(min(end, 1.0) ** 2 / 2.0, rel=1e-12)
 
 
+@pytest.mark.parametrize("axis", ["", ", axis = [0, 0.6, 0.8]"])
+def test_a_torsion_spring_that_steps_resolve_swings_a_wheel_with_the_root_of_its_stiffness(axis):
+    """J phi'' + k phi = 0 in explicit steps, in the plane and in space."""
+    zero, inertia = ("[0, 0, 0]", "[0.2, 0.2, 0.2]") if axis else ("[0, 0]", "0.2")
+    turn = "[0, 1.2, 1.6]" if axis else "2.0"
+    text = f"""
+        name = "balance"
+        dimension = {3 if axis else 2}
+        [bodies]
+        wheel = {{ position = {zero}, mass = 1.0, inertia = {inertia}, angular_velocity = {turn} }}
+        [joints]
+        axle = {{ type = "revolute", bodies = ["ground", "wheel"], position = {zero}{axis} }}
+        [forces]
+        hair = {{ type = "torsion_spring", joint = "axle", stiffness = 5.0 }}
+        [solver]
+        tolerance = 1e-8
+    """
+    run = Integrator(solver.assemble(solver.loads(text)))
+    for _ in range(10):
+        run.advance(run.time, 0.3)
+        assert run.state.head["halves"] == 0.0
+        assert run["axle.angle"] == pytest.approx(0.4 * math.sin(5.0 * run.time), abs=3e-8)
+
+
 TURNING = """
 name = "turning"
 dimension = 2

@@ -234,10 +234,14 @@ motor = {{ type = "angle", joint = "j", value = "{value}" }}
 """
 
 
+@pytest.mark.parametrize("tolerance", [0.0, 1e-4, 1e-8])
 @pytest.mark.parametrize(("interpolation", "value"), [("ramp", "u"), ("hold", "u*t")])
-def test_a_driver_from_an_input_is_where_the_input_says_and_books_its_work(interpolation, value):
+def test_a_driver_from_an_input_is_where_the_input_says_and_books_its_work(
+    interpolation, value, tolerance
+):
     text = LEVER.format(interpolation=interpolation, value=value)
     integrator = solver.Integrator(solver.assemble(solver.loads(text)))
+    integrator["solver.tolerance"] = tolerance
     integrator.initialise()
     start = float(integrator["energy.total"])
     before = 0.0
