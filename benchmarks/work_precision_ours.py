@@ -196,7 +196,7 @@ def _of_order(order: int) -> Curve:
 _BY_TOLERANCE = Curve(
     name="holonom by tolerance",
     label="tolerance {:.0e}",
-    values=lambda _: [10.0**-k for k in range(2, 12)],
+    values=lambda _: [10.0**-k for k in range(1, 12)],
     settings=lambda problem, tolerance: {
         "tolerance": tolerance,
         "order": 0,

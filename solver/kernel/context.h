@@ -48,7 +48,6 @@ typedef struct context {
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
-    double longest;     /* explicit step that resolves springs and dampers, under a tolerance                      */
     double within;      /* length of an explicit step that can surely be put back, by the last one                */
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double free_part;   /* of it, that rows leave free                                                            */
@@ -187,7 +186,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->theta = 0.5;
     c->half = 0, c->halves = 2;
     c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
-    c->balanced = c->difference = c->longest = 0.0;
+    c->balanced = c->difference = 0.0;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;

@@ -10,7 +10,6 @@
 #include "estimate.h"
 #include "event.h"
 #include "extrapolation.h"
-#include "force_rates.h"
 #include "norms.h"
 #include "predict.h"
 #include "step_halving.h"
@@ -89,7 +88,7 @@ static void choose_order(context *c, const step_error *e, double step)
         best = p;
     }
     const enum way chosen = way_at(c, best, e);
-    if (METHODS[chosen][best].order == (int)head[S_ORDER_IN_USE]) return;
+    if (METHODS[chosen][best].order == (int)head[S_ORDER_IN_USE] && chosen == c->way) return;
     head[S_ORDER_IN_USE] = METHODS[chosen][best].order;
     head[S_WANTED] = length_for(c, chosen, best, e);
 }
@@ -101,22 +100,15 @@ static int is_limited(const context *c)
     return c->damped && (!may_put_back(c) || (c->m->sensing && c->s.head[S_ORDER] == 0.0));
 }
 
-/* How fast velocities change [1/s]; 0: at rest, and for ever. */
-static double rate_at_start(const context *c)
-{
-    const double size = c->number[c->m->extent_at + 1], speed = mass_norm(c, c->s.v) / size;
-    return sqrt(mass_norm(c, c->s.a[0]) / size + speed * speed);
-}
-
 /* Order to begin with, and a length that is safe: a part of the time in which the motion changes. With dampers order 2 is
    the one for wide tolerances and strong dampers; its first pairs, which nothing judges yet, are shorter. From rest the
    motion tells no length, and order 4 judges itself.                                                            */
 static void begin_control(context *c)
 {
     double *head = c->s.head;
-    const double asked = head[S_ORDER], rate = rate_at_start(c);
+    const double asked = head[S_ORDER], rate = rate_of_motion(c);
     c->damped = is_dissipative(c);
-    c->longest = longest_explicit(c);
+    if (may_step_explicitly(c) && !ends_explicitly(c)) find_longest(c);
     c->most_turned = most_turned(c);
     c->within = INFINITY;
     const double part = (c->damped ? 0.25 : 0.5), eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
@@ -193,7 +185,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     begin_control(c);
     while (done < step) {
         const double rest = step - done;
-        c->longest = longest_explicit(c);
         const int is_explicit = way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
         const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !is_unilateral(c->m) ? 2.0 : 1.0;

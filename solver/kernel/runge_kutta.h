@@ -7,6 +7,7 @@
 #define HOLONOM_RUNGE_KUTTA_H
 
 #include "context.h"
+#include "force_rates.h"
 #include "half_step.h"
 #include "lanes.h"
 #include "ledger.h"
@@ -103,6 +104,14 @@ HM_SELDOM static int may_step_explicitly(const context *c)
 
 /* Whether the state is the end of an explicit step. */
 static int ends_explicitly(const context *c) { return c->s.head[S_HALVES] == 0.0 && c->s.head[S_KNOWN] > 0.0; }
+
+/* Longest explicit step, where the last one was none. */
+HM_SELDOM static void find_longest(const context *c)
+{
+    context at = rows_at_state(c, 0.0);
+    take_unknowns(&at);
+    c->s.head[S_LONGEST_EXPLICIT] = factorise_here(&at) ? 0.0 : longest_explicit(&at);
+}
 
 /* Second derivative of a row that holds directions a and b, which may be one of the ground, in form f. */
 static double second_rate_of_axes(const context *at, int32_t f)
@@ -449,6 +458,7 @@ HM_SELDOM static int32_t hold_driven(const context *at)
 HM_SELDOM static int32_t remember_end(context *c, context *at)
 {
     follow_courses(c, 1.0, c->h);
+    if (c->s.head[S_LONGEST_EXPLICIT] < 3.0 * c->h) c->s.head[S_LONGEST_EXPLICIT] = longest_explicit(at); /* it changes slowly */
     int32_t status = accelerate(at, c->s.a[0], c->s.mu[0]);
     memcpy(c->s.a[1], c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.mu[1], c->s.mu[0], sizeof(double) * (size_t)c->m->n_rows);

@@ -62,7 +62,7 @@ static void gather_estimate(context *c, int order, int i, int stages)
 #define SHORTER 5.0
 
 /* Longest explicit step of an order. */
-static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->longest; }
+static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->s.head[S_LONGEST_EXPLICIT]; }
 
 /* Likewise at the present angular velocities, which may grow in it. */
 static double longest_now(const context *c, int order)

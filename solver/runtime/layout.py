@@ -281,6 +281,7 @@ HEAD = (
     "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
     "across", "order_in_use",
     "held",  # steps in a row that were to be explicit and could not, see runge_kutta.h
+    "longest_explicit",  # step that resolves springs and dampers, see force_rates.h
     "unspent",  # of what steps so far might add to the error of the run, over the tolerance
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
     "ledger_error",
