@@ -48,11 +48,10 @@ typedef struct context {
     int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
-    double within;      /* length of an explicit step that can surely be put back, by the last one                */
+    double longest_put_back; /* explicit step, by the difference of the last one [s]                               */
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double free_part;   /* of it, that rows leave free                                                            */
-    double most_turned; /* by a body in an explicit step [rad]                                                      */
-    double shorter;     /* times the length of a step that failed, of the next try                                 */
+    double shorter;     /* length of the next try over that of the step that failed                                */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
@@ -187,6 +186,9 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->half = 0, c->halves = 2;
     c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
     c->balanced = c->difference = 0.0;
+    c->free_part = 1.0;
+    c->shorter = 0.5;
+    c->longest_put_back = INFINITY;
     c->way = COMPOSED;
     c->cone_mu = c->k.mu;
     c->at_fault = c->divided = c->sliding = c->stepping = c->lagged = 0;

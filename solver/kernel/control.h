@@ -16,12 +16,12 @@
 #include "stepped.h"
 
 enum { MAX_REPEATS = 40 };
-#define NEAR_SINGULAR 0.3 /* times what was tried: explicit steps that must be as short meet accelerations that rows leave undetermined */
+#define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
 #define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy of an explicit step back, over the speed */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
-#define REJECTED 2.0  /* times what a step may add */
+#define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
+#define REJECTED 2.0  /* times what a step may add, at which it is repeated */
 #define REJECTED_EXPLICIT 4.0 /* likewise of an explicit one, which costs more to repeat */
-#define MOST_AIMED 1.5 /* likewise, aimed at where steps before have added less */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
@@ -50,7 +50,7 @@ static double length_for(const context *c, enum way way, int p, const step_error
     const double rate = way == EXPLICIT ? e->free : e->rate;
     const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, way, p) * rate * c->s.head[S_HORIZON]);
     const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
-    return way == EXPLICIT ? fmin(h, c->within) : h;
+    return way == EXPLICIT ? fmin(h, c->longest_put_back) : h;
 }
 
 /* How steps of the p-th order are taken where the motion changes at a rate. */
@@ -109,8 +109,7 @@ static void begin_control(context *c)
     const double asked = head[S_ORDER], rate = rate_of_motion(c);
     c->damped = is_dissipative(c);
     if (may_step_explicitly(c) && !ends_explicitly(c)) find_longest(c);
-    c->most_turned = most_turned(c);
-    c->within = INFINITY;
+    c->longest_put_back = INFINITY;
     const double part = (c->damped ? 0.25 : 0.5), eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
     if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
@@ -166,7 +165,7 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     const double longest = fmax(h, has_found_length(c) ? GROWTH * head[S_WANTED] : INFINITY);
     head[S_WANTED] = fmin(longest, h * fmin(fmax(change, SHORTEST), 2.0));
-    if (c->way == EXPLICIT) head[S_WANTED] = fmin(head[S_WANTED], c->within);
+    if (c->way == EXPLICIT) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
     if (share > (c->way == EXPLICIT ? REJECTED_EXPLICIT : REJECTED)) return 1;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;

@@ -8,10 +8,11 @@
 #include "put_back.h"
 #include "tangent.h"
 
-/* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step. The method is stable to 5.8 and 6.4
-   (Hairer, Norsett and Wanner 1993, II.10); springs that move so far err more than a step may, and shorten it. */
-#define MOST_TURNED 5.5
-#define MOST_SETTLED 4.0
+/* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step. The method is stable to 5.8
+   and 6.4 (Hairer, Norsett and Wanner 1993, II.10); springs that move so far shorten steps by their errors first.
+   Powers come near the largest eigenvalue from below. */
+#define SPRING_TURN 5.0
+#define DAMPER_WAY 4.0
 
 #define STIFF 100.0 /* rate of a damper over that of the motion: beyond, covers let it settle within a step */
 
@@ -62,7 +63,8 @@ static double largest_rate(const context *at, int64_t coefficient_at)
     int32_t j = 0;
     while (j < at->m->n_elements && at->number[coefficient_at + j] == 0.0) j++;
     if (j == at->m->n_elements) return 0.0;
-    for (int32_t k = 0; k < DIM * at->n_moving; k++) at->k.momentum[k] = (double)(random = 1664525u * random + 1013904223u) - 2147483648.0;
+    for (int32_t k = 0; k < DIM * at->n_moving; k++)
+        at->k.momentum[k] = (double)(random = 1664525u * random + 1013904223u) - 2147483648.0;
     respond(at, x);
     size = mass_norm(at, x);
     for (int i = 0; i < MOST_POWERS && size > 0.0 && !(fabs(rate - last) <= CLOSE * rate); i++) {
@@ -83,14 +85,15 @@ static double rate_of_motion(const context *c)
     return sqrt(mass_norm(c, c->s.a[0]) / size + speed * speed);
 }
 
-/* Longest step [s] that resolves springs and dampers at the state, by its factors; 0 with stiff dampers, and with potentials, which
+/* Longest step [s] that resolves springs and dampers at the state, but for what their tension does, by its factors; 0 with stiff dampers, and with potentials, which
    do not tell how fast they are. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
     if (at->m->n_potentials) return 0.0;
     const double springs = largest_rate(at, at->m->stiffness_at), dampers = largest_rate(at, at->m->damping_at);
     if (dampers > STIFF * rate_of_motion(at)) return 0.0;
-    return 1.0 / fmax(1e-300, hm_hypot(sqrt(springs) / MOST_TURNED, dampers / MOST_SETTLED)); /* finite: a state keeps it */
+    const double rate = hm_hypot(sqrt(springs) / SPRING_TURN, dampers / DAMPER_WAY);
+    return rate < INFINITY ? 1.0 / fmax(1e-300, rate) : 0.0; /* finite: a state keeps it */
 }
 
 #endif

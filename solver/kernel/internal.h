@@ -168,6 +168,10 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
     return reads_grid(code) ? hm_grid(code - T_GRID, x, first, last) : hm_spline(code - T_SPLINE, *x, first, last);
 }
 
+/* Coefficients of a signal's course in a step, see signal_course.h: second derivatives of a wave that turns by 1 rad in it err by
+   7e-12 of them. */
+#define COURSE_POINTS 12
+
 /* Scratch of an impact with so many rows, see impact_map. */
 #define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))
 

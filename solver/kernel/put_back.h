@@ -62,6 +62,7 @@ static void rest_here(context *at)
 {
     const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving);
     links_at_start(at);
+    memcpy(at->k.signal1, at->s.signal, sizeof(double) * (size_t)at->m->n_signals);
     memset(at->k.hv, 0, n);
     memset(at->k.d, 0, n);
     stand_still_as_bodies(at);
@@ -144,7 +145,7 @@ HM_SELDOM static void follow_rows(context *at)
 }
 
 /* Rates that rows ask of what stands still, in row_rate; whether they ask any. */
-HM_SELDOM static int asks_for_rates(context *at)
+HM_SELDOM static int find_asked_rates(context *at)
 {
     double *rest = at->k.w;
     memset(rest, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
@@ -165,7 +166,7 @@ HM_SELDOM static void free_velocities(context *at, const int *kept, double L[RIG
 {
     const holonom_model *m = at->m;
     double momentum[RIGID], unused[RIGID], *u = at->k.free;
-    const int asks = m->n_velocity_rows && asks_for_rates(at); /* else velocities on the rows are free */
+    const int asks = m->n_velocity_rows && find_asked_rates(at); /* else velocities on the rows are free */
     memset(u, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
     for (int32_t k = 0; k < DIM * m->n_free; k++) u[k] = at->s.v[k] + at->s.v_low[k];
     for (int repeat = 0; repeat < 3 && asks; repeat++) leave_free(at, u); /* what regularised factors leave is corrected again */

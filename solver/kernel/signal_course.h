@@ -7,8 +7,6 @@
 #include "elementary.h"
 #include "inputs_signals.h"
 
-enum { COURSE_POINTS = 12 }; /* a course of a wave that turns by 1 rad in a step is then exact to round-off */
-
 /* Courses of the signals in a step of length h from t: of each the coefficients of Chebyshev's polynomials. */
 HM_SELDOM static void find_courses(const context *c, double t, double h)
 {
@@ -25,7 +23,12 @@ HM_SELDOM static void find_courses(const context *c, double t, double h)
                 course[COURSE_POINTS * b + k] += k ? term * T : 0.5 * term;
         }
     }
-    for (int32_t b = 0; b < n; b++) course[COURSE_POINTS * b] += first[b];
+    for (int32_t b = 0; b < n; b++, course += COURSE_POINTS) {
+        course[0] += first[b];
+        /* What is round-off of values and of the time has second derivatives all the same. */
+        const double noise = 4e-16 * (fabs(course[0]) + 2.0 * fabs(t / h * course[1]));
+        for (int k = COURSE_POINTS - 1; k > 0 && fabs(course[k]) <= noise; k--) course[k] = 0.0;
+    }
 }
 
 /* Values, rates and second derivatives of the signals at part `part` of the step. */
@@ -50,7 +53,7 @@ HM_SELDOM static void follow_courses(const context *c, double part, double h)
     }
 }
 
-/* Signals, and driven nodes, are where the signals say that are at hand. */
+/* Sets the state's signals, and driven nodes, to signal1 and signal_rate. */
 HM_SELDOM static void place_driven(const context *c)
 {
     const int32_t first = DIM * c->m->n_free;

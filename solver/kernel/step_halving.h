@@ -64,10 +64,10 @@ static void gather_estimate(context *c, int order, int i, int stages)
 /* Longest explicit step of an order. */
 static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->s.head[S_LONGEST_EXPLICIT]; }
 
-/* Likewise at the present angular velocities, which may grow in it. */
+/* Likewise at the present angular velocities, which may grow in the step. */
 static double longest_now(const context *c, int order)
 {
-    return fmin(longest_of(c, order), 0.9 * c->most_turned / fastest_turn(c));
+    return fmin(longest_of(c, order), 0.9 * LARGEST_TURN / fmax(fastest_turn(c), fastest_angle(c)));
 }
 
 /* How steps of an order and length are taken, with dampers or without; explicit ones are shortened to the longest. */

@@ -312,7 +312,7 @@ def test_errors_lie_below_four_times_the_request_and_follow_it(name):
     errors = [course.error(exact) for course in courses]
     for tolerance, error in zip(asked, errors, strict=True):
         # Steps of order 8 are few, and equal parts of a communication step: often short. Bodies
-        # turn by 1.5 rad at most, which tops do in far less time than their errors take.
+        # turn by 2.9 rad at most, which tops do in less time than their errors take.
         assert error < 4.0 * tolerance
     assert errors[-1] > 1e-3 * asked[-1]
     assert all(after < 2.0 * before for before, after in pairwise(errors))
