@@ -93,11 +93,12 @@ static void choose_order(context *c, const step_error *e, double step)
     head[S_WANTED] = length_for(c, chosen, best, e);
 }
 
-/* Whether steps with dampers are of order 2: weighted covers need a method that conserves, and what differences tell is
-   lost on loads that read the mechanism, whose order is less.                                                   */
+/* Whether half steps are of order 2: weighted covers need a method that conserves, and loads that read the mechanism at a predicted
+   middle are of that order.                                                                                     */
 static int is_limited(const context *c)
 {
-    return c->damped && (!may_put_back(c) || (c->m->sensing && c->s.head[S_ORDER] == 0.0));
+    if (may_step_explicitly(c)) return 0;
+    return (c->damped && !may_put_back(c)) || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
 }
 
 /* Order to begin with, and a length that is safe: a part of the time in which the motion changes. With dampers order 2 is

@@ -216,7 +216,8 @@ HM_SELDOM static int32_t put_velocities_back(context *c, context *at, const kept
     add_rigid(c, L, lacking, c->k.w);
     for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, c->k.w[k]);
     *held = 0;
-    if (c->m->n_signals) { /* drivers leave little or nothing free; their work is known to the order, as the motion is */
+    /* Drivers leave little or nothing free; their work, and that of loads that read the mechanism, is known to the order. */
+    if (c->m->n_signals || c->m->sensing) {
         book(c, S_WORK, unbalanced(c));
         return HOLONOM_OK;
     }

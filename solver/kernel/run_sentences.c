@@ -97,7 +97,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
     char room[256];
     hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
-    if (!chosen && !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
+    if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
         if (head[S_ORDER] <= 2.0) return 0;
         hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);

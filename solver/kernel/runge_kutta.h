@@ -18,7 +18,7 @@
 #include "start.h"
 
 enum { MOST_PASSES = 8 };
-#define SOFTER 1024.0           /* compliance of dependent rows in stages, times the usual: off the rows they would stop the motion */
+#define SOFTER 1024.0           /* compliance of dependent rows in stages, over the usual: off the rows they would stop motion */
 #define SHORTEST 0.2            /* times the length of the last step, of the next one */
 #define LEFT_OF_ROWS 1e-11      /* of their second derivatives, by Uzawa updates */
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
@@ -30,8 +30,8 @@ enum { MOST_PASSES = 8 };
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
-    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !m->sensing && !is_unilateral(m) &&
-           !(m->variable_potential && m->time_dependent);
+    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
+           !(m->variable_potential && (m->time_dependent || m->sensing));
 }
 
 /* Whether the state is the end of an explicit step. */
@@ -158,11 +158,12 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, double *work
     return status;
 }
 
-/* Laws at part c of a step of length h from t, of its inside: they may jump where it begins or ends. */
+/* Laws at part c of a step of length h from t, of its inside: they may jump at its ends. What they read is the state. */
 HM_SELDOM static void laws_within(context *at, double t, double h, double c)
 {
     const double margin = fmax(1e-12 * h, 4.5e-16 * fabs(t));
-    if (at->m->time_dependent) set_laws(at, fmin(fmax(t + c * h, t + margin), t + h - margin), 0);
+    if (at->m->sensing) sense(at, 0.0, 0);
+    if (at->m->time_dependent || at->m->sensing) set_laws(at, fmin(fmax(t + c * h, t + margin), t + h - margin), 0);
 }
 
 /* Forgets those momenta that the accelerations a change in a time h. */
@@ -179,7 +180,7 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
 {
     const int64_t n = 2 * stage_size(at);
     const double t = at->t;
-    const int known = ends_explicitly(at) && !at->m->time_dependent && !at->m->n_signals;
+    const int changes = at->m->time_dependent || at->m->sensing || at->m->n_signals, known = ends_explicitly(at) && !changes;
     double *sum = at->k.estimate, *a = at->s.a[0];
     memset(sum, 0, sizeof(double) * (size_t)n);
     find_courses(at, t, h);
@@ -192,8 +193,8 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
         if (!status && x->weight[i] != 0.0) status = add_powers(at, h * x->weight[i], work);
         if (status) return status;
         take_stage(at, h, sum, a, at->k.stages + n * i);
-        /* Only laws of the time, and drivers, pause at both ends and not in between. */
-        if (i == 0 || i == x->stages - 1 || at->m->time_dependent || at->m->n_signals) look_for_forces(at, h, a, kept);
+        /* Only laws, and drivers, pause at both ends and not in between. */
+        if (i == 0 || i == x->stages - 1 || changes) look_for_forces(at, h, a, kept);
     }
     return HOLONOM_OK;
 }
@@ -265,6 +266,7 @@ HM_SELDOM static int32_t hold_driven(const context *at)
 HM_SELDOM static int32_t remember_end(context *c, context *at)
 {
     follow_courses(c, 1.0, c->h);
+    laws_within(at, c->t - c->h, c->h, 1.0);
     c->s.head[S_LONGEST_EXPLICIT] = longest_explicit(at);
     int32_t status = accelerate(at, c->s.a[0], c->s.mu[0]);
     memcpy(c->s.a[1], c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));

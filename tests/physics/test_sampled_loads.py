@@ -138,7 +138,9 @@ def test_the_log_and_the_page_of_an_fmu_say_it(chattering, tmp_path):
 
 
 def test_with_a_tolerance_the_remedy_is_a_shorter_longest_step():
-    text = PIN.format(J=1.0, h=0.01, law="-300*pin.angular_velocity") + "tolerance = 1e-6\n"
+    text = (
+        PIN.format(J=1.0, h=0.01, law="-300*pin.angular_velocity") + "tolerance = 1e-3\norder = 2\n"
+    )
     (sentence,), _ = said_of(text)
     assert sentence.endswith("take a smaller solver.longest_step")
 

@@ -576,9 +576,29 @@ def test_steps_do_not_shrink_where_dampers_bring_a_mechanism_to_rest(order):
     assert abs(float(run["energy.balance"])) < 1e-13
 
 
-def test_loads_that_read_a_damped_mechanism_leave_the_choice_at_order_two():
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-7, 1e-10])
+def test_a_damper_written_as_a_load_moves_as_a_damper_does(tolerance):
+    """Explicit steps read the mechanism at every stage, and not half a step ahead."""
+
+    def moved(text: str, tolerance: float) -> tuple[float, float]:
+        run = Integrator(solver.assemble(solver.loads(text)))
+        run["solver.tolerance"], run["push"] = tolerance, 1.0
+        run.initialise()
+        run.state.head["horizon"] = 5.0
+        for _ in range(10):
+            run.advance(run.time, 0.5)
+            assert run.state.head["halves"] == EXPLICIT
+        return float(run["A.x"]), float(run["A.vx"])
+
+    exact = moved(PUSHED.replace("damping = 0.5", "damping = 0.8"), 1e-12)
+    found = moved(PUSHED.replace('["push", 0]', '["push - 0.3*A.vx", 0]'), tolerance)
+    assert found == pytest.approx(exact, abs=tolerance)  # of a swing of 0.05 m and 0.3 m/s
+
+
+def test_loads_that_read_a_mechanism_with_contacts_leave_the_choice_at_order_two():
     follows = PUSHED.replace('["push", 0]', '["push - 0.3*A.vx", 0]')
-    run = Integrator(solver.assemble(solver.loads(follows)))
+    wall = '{ type = "plane", point = "A", axis = [1, 0], position = [-5, 0] }'
+    run = Integrator(solver.assemble(solver.loads(f"{follows}[contacts]\nwall = {wall}\n")))
     run["solver.tolerance"], run["solver.order"], run["push"] = 1e-4, 0.0, 1.0
     with pytest.warns(RuntimeWarning, match="a load reads the mechanism"):
         run.advance(0.0, 0.5)
