@@ -18,6 +18,11 @@ def scene(name: str) -> Path:
     return SCENES / f"{name}.toml"
 
 
+def steps_explicitly(integrator: solver.Integrator) -> bool:
+    """Whether the last internal step was explicit: such a step leaves no half steps."""
+    return integrator.state.head["halves"] == 0.0
+
+
 def run(
     mechanism: str | solver.Scene | Path,
     names: Sequence[str],

@@ -7,6 +7,7 @@
 #ifndef HOLONOM_ESTIMATE_H
 #define HOLONOM_ESTIMATE_H
 
+#include "body_turns.h"
 #include "composite.h"
 #include "context.h"
 #include "energy.h"

@@ -99,8 +99,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     int unused;
     if (!status) status = put_back(c, &at, &x->momenta, &unused);
     suspend_sliding(c, 0);
-    follow_angles(c, NULL);
-    for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
+    follow_turns(c);
     return status;
 }
 

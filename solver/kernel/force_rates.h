@@ -2,10 +2,9 @@
 #ifndef HOLONOM_FORCE_RATES_H
 #define HOLONOM_FORCE_RATES_H
 
-#include "composite.h"
 #include "context.h"
 #include "norms.h"
-#include "put_back.h"
+#include "start.h"
 #include "tangent.h"
 
 /* Turn of a spring's motion, and way of a damper's, over its time constant, in an explicit step. The method is stable to 5.8
@@ -18,30 +17,6 @@
 
 enum { MOST_POWERS = 10 };
 #define CLOSE 0.02 /* change of a rate by a power, of it, after which no more are taken */
-
-/* Forces K x of elements with these coefficients, along the gradients of what they measure, in momentum. */
-static int32_t forces_of_elements(const context *at, int64_t coefficient_at, const double *x)
-{
-    const holonom_model *m = at->m;
-    memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
-    for (int32_t j = 0; j < m->n_elements; j++) {
-        const double coefficient = at->number[coefficient_at + j];
-        const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
-        leaf_state leaf;
-        double rate;
-        if (coefficient == 0.0) continue;
-        set_local_forms(at, j, 0.5);
-        const int32_t status = set_leaf(at, entry, 0, &leaf);
-        if (status) return status;
-        quantity_at(at, entry[1], at->s.q, at->s.q_low, x, &rate);
-        for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
-            const local_form *local = (const local_form *)at->k.local + entry[2 + i];
-            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], AT_STATE * coefficient * rate * leaf.p[i],
-                         local->um, local->wm, at->k.momentum);
-        }
-    }
-    return HOLONOM_OK;
-}
 
 /* x (n, overwritten) = -M^-1 of the forces in momentum, along the rows. */
 static void respond(const context *at, double *x)
@@ -69,7 +44,8 @@ static double largest_rate(const context *at, int64_t coefficient_at)
     size = mass_norm(at, x);
     for (int i = 0; i < MOST_POWERS && size > 0.0 && !(fabs(rate - last) <= CLOSE * rate); i++) {
         const double before = size;
-        if (forces_of_elements(at, coefficient_at, x)) return INFINITY;
+        memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
+        if (add_forces_of_elements(at, coefficient_at, x)) return INFINITY;
         respond(at, x);
         size = mass_norm(at, x);
         last = rate;
@@ -78,15 +54,8 @@ static double largest_rate(const context *at, int64_t coefficient_at)
     return rate;
 }
 
-/* How fast velocities change [1/s]; 0: at rest, and for ever. */
-static double rate_of_motion(const context *c)
-{
-    const double size = c->number[c->m->extent_at + 1], speed = mass_norm(c, c->s.v) / size;
-    return sqrt(mass_norm(c, c->s.a[0]) / size + speed * speed);
-}
-
-/* Longest step [s] that resolves springs and dampers at the state, but for what their tension does, by its factors; 0 with stiff dampers, and with potentials, which
-   do not tell how fast they are. */
+/* Longest step [s] that resolves springs and dampers at the state, but for what their tension does, by its factors; 0 with stiff
+   dampers, and with potentials, which do not tell how fast they are. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
     if (at->m->n_potentials) return 0.0;

@@ -131,6 +131,13 @@ static void follow_orientation(context *c, int32_t j)
 #endif
 }
 
+/* Angles and orientations that are measured follow a state that has changed by less than pi. */
+static void follow_turns(context *c)
+{
+    follow_angles(c, NULL);
+    for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
+}
+
 /* x (2 n) += weight times what the state has changed by since `before`, in coordinates and in velocities. */
 static void add_change(const context *c, const double *before, double weight, double *x)
 {

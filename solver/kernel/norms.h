@@ -35,6 +35,13 @@ static double relative_size(const context *c, double of_q, double of_v)
     return hm_hypot(of_q / c->number[c->m->extent_at + 1], speed > 0.0 ? of_v / speed : 0.0);
 }
 
+/* How fast velocities change [1/s]; 0: at rest, and for ever. */
+static double rate_of_motion(const context *c)
+{
+    const double size = c->number[c->m->extent_at + 1], speed = mass_norm(c, c->s.v) / size;
+    return sqrt(mass_norm(c, c->s.a[0]) / size + speed * speed);
+}
+
 /* Error of a run that is asked for, relative to size and speed. */
 static inline double tolerated(const context *c)
 {

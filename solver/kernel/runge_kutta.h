@@ -296,7 +296,6 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     signals_at(c, c->t + h, c->k.signal1);
     signal_rates_at(c, c->t + h, c->k.signal_rate);
     status = move_from_start(at, h, x->weight, x->stages);
-    laws_within(at, c->t, h, 1.0);
     c->t = at->t = c->t + h;
     if (!status && h * fastest_angle(c) > LARGEST_TURN) status = HOLONOM_TURN_TOO_LARGE;
     if (!(work[1] >= -1e-15 * c->s.head[S_ENERGY_REFERENCE])) return HOLONOM_DAMPING_REVERSED;
@@ -330,8 +329,7 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     c->s.head[S_HELD] = 0.0;
     c->s.head[S_SUBSTEPS] += x->stages;
     c->way = EXPLICIT;
-    follow_angles(c, NULL);
-    for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
+    follow_turns(c);
     return HOLONOM_OK;
 }
 

@@ -52,8 +52,8 @@ static const runge_kutta EIGHTH_ORDER = {
      {-0.18980075407240762, 0, 0, 0, 0, 4.450312892752409, 1.8915178993145003, -5.801203960010585, -0.4226823213237919,
       -0.1521609496625161, 0.20136540080403034, 0.02265179219836082}}};
 
-static inline int is_explicit_order(int order) { return order == 5 || order == 8; }
+static const runge_kutta *method_of_order(int order) { return order == FIFTH_ORDER.order ? &FIFTH_ORDER : &EIGHTH_ORDER; }
 
-static const runge_kutta *method_of_order(int order) { return order == 5 ? &FIFTH_ORDER : &EIGHTH_ORDER; }
+static inline int is_explicit_order(int order) { return order == method_of_order(order)->order; }
 
 #endif

@@ -55,7 +55,7 @@ WORK = {
     "r.adjoint": "n_registers", "r.slope": "3 * n_registers",
     "estimate": "4 * n",  # in q and v, difference from lower order; of weighted covers: change
     # from the finest one, and behind it that difference
-    "stages": "24 * n",  # velocities and accelerations of twelve, see runge_kutta.h
+    "stages": "24 * n",  # velocities and accelerations of twelve, see stages.h
     "step_backup": "n_state", "pair_backup": "n_state", "finest": "n_state",
     "event_mu": "n_rows * unilateral",  # multipliers where contacts are looked at
     "event": "6 * (n_contacts + n_frictions)",  # functions of contacts and their rates, see event.h

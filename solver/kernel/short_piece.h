@@ -59,8 +59,7 @@ HM_SELDOM static void move_by_series(context *c, double h)
         c->s.q_low[DIM * n_free + k] = 0.0;
     }
     c->t += h;
-    follow_angles(c, NULL);
-    for (int32_t j = 0; j < n_bodies(c->m); j++) follow_orientation(c, j);
+    follow_turns(c);
 }
 
 /* A piece of length h, with what dampers and frictions take; the rest of the change of energy is work. */

@@ -182,27 +182,36 @@ static int32_t solve_at_state(const context *c, const double *weight)
     return status;
 }
 
+/* Adds to momentum AT_STATE times the forces of elements with these coefficients at rates of what they measure in the motion x. */
+static int32_t add_forces_of_elements(const context *at, int64_t coefficient_at, const double *x)
+{
+    const holonom_model *m = at->m;
+    for (int32_t j = 0; j < m->n_elements; j++) {
+        const double coefficient = at->number[coefficient_at + j];
+        const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
+        leaf_state leaf;
+        double rate;
+        if (coefficient == 0.0) continue;
+        set_local_forms(at, j, 0.5);
+        const int32_t status = set_leaf(at, entry, 0, &leaf);
+        if (status) return status;
+        quantity_at(at, entry[1], at->s.q, at->s.q_low, x, &rate);
+        for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
+            const local_form *local = (const local_form *)at->k.local + entry[2 + i];
+            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], AT_STATE * coefficient * rate * leaf.p[i],
+                         local->um, local->wm, at->k.momentum);
+        }
+    }
+    return HOLONOM_OK;
+}
+
 /* Residual at the state, sqrt 2 (M w + G' mu - Q), with the dampers' forces from the velocities. There is no step: its length is
    AT_STATE. */
 static int32_t residual_at_state(const context *at)
 {
     const holonom_model *m = at->m;
     int32_t status = nodal_residual(at);
-    for (int32_t j = 0; j < m->n_elements && !status; j++) {
-        const double damping = at->number[m->damping_at + j];
-        const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
-        leaf_state leaf;
-        double rate;
-        if (damping == 0.0) continue;
-        set_local_forms(at, j, 0.5);
-        if ((status = set_leaf(at, entry, 0, &leaf))) break;
-        quantity_at(at, entry[1], at->s.q, at->s.q_low, at->s.v, &rate);
-        for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
-            const local_form *local = (const local_form *)at->k.local + entry[2 + i];
-            add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]],
-                         AT_STATE * damping * rate * leaf.p[i], local->um, local->wm, at->k.momentum);
-        }
-    }
+    if (!status) status = add_forces_of_elements(at, m->damping_at, at->s.v);
     for (int32_t j = first_potential(at); j < n_composites(at) && !status; j++) {
         composite_result unused;
         double power;

@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 import math
 from collections.abc import Iterator
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -20,7 +19,7 @@ import solver
 from solver.runtime import Integrator
 from tests.exact_motions import double_pendulum_motion
 from tests.kernel_calls import kernel_of
-from tests.mechanism_runs import scene
+from tests.mechanism_runs import scene, steps_explicitly
 from tests.physics.test_high_orders import DRIVEN, FLYING, OSCILLATOR, RESTLESS
 from tests.problems import Array, assemble, double_pendulum
 from tests.twins import block, vector
@@ -47,7 +46,7 @@ def test_the_error_of_a_run_follows_the_request_within_a_decade():
     asked = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10]
     errors = [error_at_the_end(swinging(tolerance)) / 2.0 for tolerance in asked]
     for tolerance, error in zip(asked, errors, strict=True):
-        assert 0.003 * tolerance < error < 10.0 * tolerance
+        assert 0.005 * tolerance < error < 10.0 * tolerance
     assert errors == sorted(errors, reverse=True)
 
 
@@ -300,7 +299,7 @@ def course_of(name: str, **settings: Any) -> Course:
 
 
 @pytest.mark.parametrize("name", [*UNDAMPED, *DAMPED])
-def test_errors_lie_below_four_times_the_request_and_follow_it(name):
+def test_errors_lie_below_three_times_the_request_and_follow_it(name):
     # Places and rates in the mass norm over size and speed, at ten points; the order is chosen.
     # Steps of order 8 are exact to 2e-11 in the governor and 1e-13 in the others (half the length).
     sharpest = {"tolerance": 1e-11}
@@ -313,9 +312,9 @@ def test_errors_lie_below_four_times_the_request_and_follow_it(name):
     for tolerance, error in zip(asked, errors, strict=True):
         # Steps of order 8 are few, and equal parts of a communication step: often short. Bodies
         # turn by 2.9 rad at most, which tops do in less time than their errors take.
-        assert error < 4.0 * tolerance
+        assert error < 3.0 * tolerance
     assert errors[-1] > 1e-3 * asked[-1]
-    assert all(after < 2.0 * before for before, after in pairwise(errors))
+    assert errors == sorted(errors, reverse=True)
     assert courses[-1].order > 4.0
 
 
@@ -399,17 +398,13 @@ def test_a_spring_that_steps_do_not_resolve_is_not_swung_up(order):
     assert max(abs(length - 0.6) for length in lengths) < 1e-5
 
 
-EXPLICIT = 0.0
-"""Half steps of an internal step that has none."""
-
-
 @pytest.mark.parametrize("order", [0, 8])
 @pytest.mark.parametrize("name", ["andrews", "triangle", "watt", "rolling_disc", "bifilar"])
 def test_steps_that_resolve_springs_are_explicit_and_keep_the_energy(name, order):
     run = prepared(name, tolerance=1e-5)
     run["solver.order"] = order
     for _ in parts_of(run):
-        assert run.state.head["halves"] == EXPLICIT
+        assert steps_explicitly(run)
         # Each step is put back onto the energy, whose parts have some eps of their size each.
         assert run["energy.error"] < 1e-14 * max(1.0, run.state.head["energy_reference"])
 
@@ -458,7 +453,7 @@ def test_a_spring_that_spins_a_thin_rod_is_followed_in_explicit_steps():
         for _ in range(20):
             run.advance(run.time, 0.5)
             assert run["energy.error"] < 1e-13
-            assert run.state.head["halves"] == EXPLICIT
+            assert steps_explicitly(run)
             found.append(vector(run, "q").copy())
         return found
 
@@ -587,7 +582,7 @@ def test_a_damper_written_as_a_load_moves_as_a_damper_does(tolerance):
         run.state.head["horizon"] = 5.0
         for _ in range(10):
             run.advance(run.time, 0.5)
-            assert run.state.head["halves"] == EXPLICIT
+            assert steps_explicitly(run)
         return float(run["A.x"]), float(run["A.vx"])
 
     exact = moved(PUSHED.replace("damping = 0.5", "damping = 0.8"), 1e-12)
