@@ -163,12 +163,19 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
     if seen.reason:
         yield f"The run ended early: {seen.reason}"
     elif seen.moved and seen.position_error is not None:
-        finer = "tolerance" if model.settings["tolerance"] else "internal step"
+        finer = (
+            "a hundredth of the tolerance"
+            if model.settings["tolerance"]
+            else "half the internal step"
+        )
         turned = seen.rotation_error
         rotation = "" if turned is None else f", and its angles and orientations {turned:.1e} rad"
+        if not seen.position_error and not turned:
+            yield f"A run with {finer} took the same steps, and does not show how exact they are."
+            return
         yield (
             f"In these {seen.duration:g} s its positions were at most {seen.position_error:.1e} m"
-            f"{rotation} off those of a run with half the {finer}."
+            f"{rotation} off those of a run with {finer}."
         )
 
 

@@ -76,7 +76,8 @@ def plot_sweep(arguments: argparse.Namespace, found: Sweep) -> None:
     }
     varied = {name: [row[name] for row in plan.rows] for name in plan.rows[0]}
     title = Path(arguments.target).stem
-    _write(arguments, lambda names: over_values(varied, values, plan.units, names, title))
+    asked = list(plan.outputs) if arguments.output else None
+    _write(arguments, lambda names: over_values(varied, values, plan.units, names or asked, title))
 
 
 def _write(arguments: argparse.Namespace, figure: Callable[[Sequence[str] | None], Figure]) -> None:

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure  # pyright: ignore[reportMissingImports]
     from numpy.typing import NDArray
 
+SHOWN = 4
+"""Variables that a line about a trajectory names."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trajectory(Mapping[str, "NDArray[np.float64]"]):
@@ -123,6 +126,12 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
 
         variables, title = (self.model.variables, self.model.name) if self.model else ((), "")
         return over_time(self.t, self, variables, names, title)
+
+    def __repr__(self) -> str:
+        """Return how long it is and what it has, in a line."""
+        span = f" from {self.t[0]:g} to {self.t[-1]:g} s" if len(self.t) else ""
+        names = ", ".join(self.names[:SHOWN]) + (", ..." if len(self.names) > SHOWN else "")
+        return f"<Trajectory: {len(self.t)} times{span}, {len(self.names)} variables: {names}>"
 
     def _repr_html_(self) -> str:
         """Rows, duration, largest errors and a small curve, for notebooks."""

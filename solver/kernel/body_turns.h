@@ -268,16 +268,6 @@ static void begin_turn(const context *c, int32_t a, const double *acceleration)
     turn_body(c, a);
 }
 
-/* Directors at the state, for a tangent without a step. */
-static void stand_still_as_bodies(const context *c)
-{
-    EACH_TURN(c, b)
-        for (int32_t k = DIM * c->m->body_node[b], end = k + DIM * TURNING; k < end; k++) {
-            c->k.middle[k] = c->k.turned[k] = c->s.q[k];
-            c->k.nodal[k] = 0.0;
-        }
-}
-
 /* Clears so many components with the first director of each body. */
 static inline void clear_bodies(const context *c, double *x, int count)
 {

@@ -134,7 +134,8 @@ static inline void pair_stiffness(const context *c, int32_t f, int32_t p, int32_
     *quarter = alpha[p] * beta_turn[q] - alpha_turn[p] * beta[q] + beta[p] * alpha_turn[q] - beta_turn[p] * alpha[q];
 }
 
-/* A form within a step: links at the beginning, their increments, links where gradients are taken, change of s. */
+/* A form within a step: links at the beginning, their increments, links where gradients are taken, change of s. At a state
+   nothing moves. */
 typedef struct motion {
     const double *u0, *w0;
     double du[DIM], dw[DIM], um[DIM], wm[DIM], ds;
@@ -145,6 +146,11 @@ HM_OFTEN void form_motion(const context *c, int32_t f, motion *g)
     const double theta = c->theta;
     g->u0 = c->k.u0 + DIM * f;
     g->w0 = c->k.w0 + DIM * f;
+    g->ds = 0.0;
+    if (c->at_state) {
+        EACH(k) g->du[k] = g->dw[k] = 0.0, g->um[k] = g->u0[k], g->wm[k] = g->w0[k];
+        return;
+    }
     link_of(c, f, c->k.d, g->du, g->dw);
     EACH(k) g->um[k] = g->u0[k] + theta * g->du[k];
     EACH(k) g->wm[k] = g->w0[k] + theta * g->dw[k];

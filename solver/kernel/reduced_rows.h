@@ -164,24 +164,48 @@ typedef struct axes {
 } axes;
 
 /* Both, from directors in the middle or at the end. */
+HM_OFTEN void turn_axes(const context *c, int32_t f, const double *directors, axes *x)
+{
+    const holonom_model *m = c->m;
+    const int32_t kind = m->form_kind[f], begin = m->form_ptr[f], end = begin + m->form_free[f], swapped = kind & FORM_AXES_OF_W;
+    const int32_t of_u = m->alpha_at, of_w = m->beta_at, turned = DIM == 2 && kind & FORM_TURNED;
+    const int32_t u_turn = turned ? m->alpha_turn_at : -1, w_turn = turned ? m->beta_turn_at : -1;
+    const int32_t middle = x->second < 0 ? end : behind_side(c, f, begin);
+    carried(c, begin, middle, swapped ? of_w : of_u, swapped ? w_turn : u_turn, directors, x->a);
+    if (x->second < 0) EACH(k) x->b[k] = c->k.w0[DIM * f + k];
+    else carried(c, middle, end, swapped ? of_u : of_w, swapped ? u_turn : w_turn, directors, x->b);
+}
+
+/* Likewise; at a state they are at hand, in the place of the row's links. */
 HM_OFTEN axes axes_of(const context *c, int32_t f, const double *directors)
 {
     const holonom_model *m = c->m;
-    const int32_t kind = m->form_kind[f], begin = m->form_ptr[f], end = begin + m->form_free[f], *node = m->form_node;
-    const int32_t of_u = m->alpha_at, of_w = m->beta_at, turned = DIM == 2 && kind & FORM_TURNED;
-    const int32_t u_turn = turned ? m->alpha_turn_at : -1, w_turn = turned ? m->beta_turn_at : -1, swapped = kind & FORM_AXES_OF_W;
+    const int32_t swapped = m->form_kind[f] & FORM_AXES_OF_W, *node = m->form_node + m->form_ptr[f];
+    const double *a = (swapped ? c->k.w0 : c->k.u0) + DIM * f, *b = (swapped ? c->k.u0 : c->k.w0) + DIM * f;
     axes x;
-    x.first = DIM * first_of_unknown(c, node[begin]);
-    const int32_t middle = behind_side(c, f, begin);
-    carried(c, begin, middle, swapped ? of_w : of_u, swapped ? w_turn : u_turn, directors, x.a);
-    if (kind & FORM_LINEAR) {
-        x.second = -1;
-        EACH(k) x.b[k] = c->k.w0[DIM * f + k];
-        return x;
-    }
-    x.second = DIM * first_of_unknown(c, node[middle]);
-    carried(c, middle, end, swapped ? of_u : of_w, swapped ? u_turn : w_turn, directors, x.b);
+    x.first = DIM * first_of_unknown(c, node[0]);
+    x.second = m->form_kind[f] & FORM_LINEAR ? -1 : DIM * first_of_unknown(c, node[m->form_free[f] - 1]);
+    if (!c->at_state || x.second < 0) turn_axes(c, f, directors, &x);
+    else EACH(k) x.a[k] = a[k], x.b[k] = b[k];
     return x;
+}
+
+/* Directors and axes at the state, for equations without a step. */
+static void stand_still_as_bodies(const context *c)
+{
+    EACH_TURN(c, b)
+        for (int32_t k = DIM * c->m->body_node[b], end = k + DIM * TURNING; k < end; k++) {
+            c->k.middle[k] = c->k.turned[k] = c->s.q[k];
+            c->k.nodal[k] = 0.0;
+        }
+    EACH_FORM_ROW(c, i) {
+        const int32_t f = c->m->row_form[i], swapped = c->m->form_kind[f] & FORM_AXES_OF_W;
+        axes x = {0};
+        if (!is_axes_row(c, i) || c->m->form_kind[f] & FORM_LINEAR) continue;
+        turn_axes(c, f, c->s.q, &x);
+        EACH(k) c->k.u0[DIM * f + k] = swapped ? x.b[k] : x.a[k];
+        EACH(k) c->k.w0[DIM * f + k] = swapped ? x.a[k] : x.b[k];
+    }
 }
 
 /* Residual of such a row i, and its torques. */
@@ -202,25 +226,34 @@ static void axes_row_residual(const context *c, int32_t i)
     c->k.phi[i] = c->k.phi0[i] + change;
 }
 
-/* Its tangent. What either body's turn does to its own torque goes to `bend`. */
+/* Its torques by a multiplier, times a factor, to value. */
+HM_OFTEN const int32_t *scatter_torques(double factor, const axes *x, const int32_t *slot, double *value)
+{
+    double across[TURNING];
+    cross_product(x->a, x->b, across);
+    for (int k = 0; k < TURNING; k++) value[*slot++] += factor * across[k];
+    for (int k = 0; k < TURNING && x->second >= 0; k++) value[*slot++] -= factor * across[k];
+    return slot;
+}
+
+/* Its tangent. What either body's turn does to its own torque goes to `bend`; at a state there are no multipliers. */
 static void axes_row_tangent(const context *c, int32_t i, const int32_t *slot, double *value)
 {
     const double factor = c->theta * c->h * c->k.mu[i];
-    const axes x = axes_of(c, c->m->row_form[i], c->k.middle), y = axes_of(c, c->m->row_form[i], c->k.turned);
-    double across[TURNING], own[TURNING * TURNING] = {0.0}, other[TURNING * TURNING] = {0.0};
-    add_turning(factor, x.b, y.a, own);
-    for (int k = 0; k < TURNING * TURNING; k++) c->k.bend[x.first + k] -= own[k];
-    if (x.second >= 0) {
-        add_turning(factor, x.a, y.b, other);
-        for (int k = 0; k < TURNING * TURNING; k++) c->k.bend[x.second + k] -= other[k];
-        if (!is_lean(c)) slot = scatter(TURNING * TURNING, own, scatter(TURNING * TURNING, other, slot, value), value);
-    }
-    cross_product(x.a, x.b, across);
-    for (int k = 0; k < TURNING; k++) value[*slot++] += c->h * across[k];
-    for (int k = 0; k < TURNING && x.second >= 0; k++) value[*slot++] -= c->h * across[k];
-    cross_product(y.a, y.b, across);
-    for (int k = 0; k < TURNING; k++) value[*slot++] += across[k];
-    for (int k = 0; k < TURNING && x.second >= 0; k++) value[*slot++] -= across[k];
+    const axes x = axes_of(c, c->m->row_form[i], c->k.middle);
+    axes y = {x.first, x.second, {0.0}, {0.0}};
+    if (!c->at_state) {
+        double own[TURNING * TURNING] = {0.0}, other[TURNING * TURNING] = {0.0};
+        turn_axes(c, c->m->row_form[i], c->k.turned, &y);
+        add_turning(factor, x.b, y.a, own);
+        for (int k = 0; k < TURNING * TURNING; k++) c->k.bend[x.first + k] -= own[k];
+        if (x.second >= 0) {
+            add_turning(factor, x.a, y.b, other);
+            for (int k = 0; k < TURNING * TURNING; k++) c->k.bend[x.second + k] -= other[k];
+            if (!is_lean(c)) slot = scatter(TURNING * TURNING, own, scatter(TURNING * TURNING, other, slot, value), value);
+        }
+    } else if (x.second >= 0 && !is_lean(c)) slot += 2 * TURNING * TURNING;
+    scatter_torques(1.0, c->at_state ? &x : &y, scatter_torques(c->h, &x, slot, value), value);
 }
 
 /* Tangent of form row i: stiffness, the gradient in the middle, that at the end. */

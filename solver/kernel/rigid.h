@@ -28,14 +28,18 @@ static void rigid_velocity(const context *c, int i, int32_t a, double *xi)
 /* Those momenta of the whole mechanism that are kept, from those of its nodes, and the sums of their terms' sizes. */
 static void rigid_momenta(const context *c, const int *kept, const double *p, double *total, double *size)
 {
-    double xi[DIM];
     for (int i = 0; i < RIGID; i++) {
-        total[i] = size[i] = 0.0;
-        for (int32_t a = 0; a < c->n_moving && kept[i]; a++) {
-            rigid_velocity(c, i, a, xi);
-            total[i] += dot(xi, p + DIM * a);
-            EACH(k) size[i] += fabs(xi[k] * p[DIM * a + k]);
+        const int first = (i + DIM - 2) % DIM, second = (i + DIM - 1) % DIM;
+        double sum = 0.0, sizes = 0.0;
+        for (int32_t k = 0; k < DIM * c->n_moving && kept[i]; k += DIM) {
+            const double *x = c->s.q + k, *own = p + k;
+            if (i < DIM && c->m->node_kind[k / DIM]) continue;
+            const double one = i < DIM ? own[i] : x[first] * own[second], other = i < DIM ? 0.0 : x[second] * own[first];
+            sum += one - other;
+            sizes += fabs(one) + fabs(other);
         }
+        total[i] = sum;
+        size[i] = sizes;
     }
 }
 

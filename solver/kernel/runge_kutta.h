@@ -23,7 +23,7 @@ enum { MOST_PASSES = 8 };
 #define LEFT_OF_ROWS 1e-11      /* of their second derivatives, by Uzawa updates */
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
 #define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
-#define AIMED_DIFFERENCE 1e-3   /* by the next try */
+#define AIMED_DIFFERENCE 5e-4   /* by the next try: what is put back makes long chains swing faster */
 #define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
 
 /* Whether steps may be explicit: put_back brings rows and energy back, and laws tell their powers at any moment. */
@@ -45,14 +45,22 @@ HM_SELDOM static void find_longest(const context *c)
     c->s.head[S_LONGEST_EXPLICIT] = factorise_here(&at) ? 0.0 : longest_explicit(&at);
 }
 
-/* Second derivative of a row that holds directions a and b, which may be one of the ground, in form f. */
+/* Second derivative of a row that holds directions a and b, which may be one of the ground, in form f, at angular velocities
+   (in spun) that do not change. */
 static double second_rate_of_axes(const context *at, int32_t f)
 {
-    const axes x = axes_of(at, f, at->k.middle), v = axes_of(at, f, at->s.v), a = axes_of(at, f, at->k.w);
-    return dot(a.a, x.b) + (x.second < 0 ? 0.0 : 2.0 * dot(v.a, v.b) + dot(x.a, a.b));
+    const axes x = axes_of(at, f, at->k.middle);
+    double a[DIM], b[DIM], bend[DIM];
+    turned_by(at->k.spun + x.first, x.a, a);
+    turned_by(at->k.spun + x.first, a, bend);
+    double rate = dot(bend, x.b);
+    if (x.second < 0) return rate;
+    turned_by(at->k.spun + x.second, x.b, b);
+    turned_by(at->k.spun + x.second, b, bend);
+    return rate + 2.0 * dot(a, b) + dot(x.a, bend);
 }
 
-/* Second derivatives of the rows at the accelerations w (in phi). */
+/* Second derivatives of the rows at the accelerations w, of bodies that do not turn faster (in phi). */
 static void second_rates(const context *at)
 {
     const holonom_model *m = at->m;
@@ -95,12 +103,13 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
     memcpy(at->k.w + DIM * m->n_free, at->k.signal_before, sizeof(double) * (size_t)(DIM * m->n_driven));
     EACH_TURN(at, b) { /* what directors have where their bodies do not turn faster */
         const int32_t first = DIM * m->body_node[b];
-        double omega[TURNING];
+        double *omega = at->k.spun + first;
         common_turn(at, m->body_node[b], at->s.v + first, omega);
         for (int i = first; i < first + DIM * TURNING; i += DIM) turned_by(omega, at->s.v + i, at->k.w + i);
     }
-    /* What dependent rows do not determine would stay and grow. */
-    if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT) memset(multipliers, 0, rows);
+    /* What dependent rows do not determine would stay and grow; those of rows in trees are found at once. */
+    EACH_ROW(at, i)
+        if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT || is_in_tree(at, i)) multipliers[i] = 0.0;
     memcpy(at->k.mu, multipliers, rows);
     memcpy(at->k.lambda, multipliers, rows);
     if ((status = residual_at_state(at))) return status;
@@ -113,11 +122,12 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
         add_solution(at, a);
         memset(at->k.momentum, 0, n);
         EACH_ROW(at, i) {
-            const double change = at->k.rhs[at->lu->row_position[i]], scale = at->number[m->row_scale_at + i];
-            size = fmax(size, fabs(at->k.phi[i]) / scale);
+            const double change = at->k.rhs[at->lu->row_position[i]], before = at->k.phi[i];
             multipliers[i] = at->k.lambda[i] = at->k.mu[i] += change;
-            at->k.phi[i] = inverse_pivot(at, i) == 0.0 ? 0.0 : at->k.epsilon[i] * change; /* rows in trees hold at once */
-            left = fmax(left, fabs(at->k.phi[i]) / scale);
+            at->k.phi[i] = is_in_tree(at, i) ? 0.0 : at->k.epsilon[i] * change;
+            if (is_in_tree(at, i)) continue;
+            size = fmax(size, fabs(before) / at->number[m->row_scale_at + i]);
+            left = fmax(left, fabs(at->k.phi[i]) / at->number[m->row_scale_at + i]);
         }
         if (pass == 0) largest = size;
         if (!(left > LEFT_OF_ROWS * largest && left < SLOW * last)) break;
@@ -181,12 +191,14 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
     const int64_t n = 2 * stage_size(at);
     const double t = at->t;
     const int changes = at->m->time_dependent || at->m->sensing || at->m->n_signals, known = ends_explicitly(at) && !changes;
+    const int reads_angles = n_composites(at) || at->m->sensing; /* which may be of angles */
     double *sum = at->k.estimate, *a = at->s.a[0];
     memset(sum, 0, sizeof(double) * (size_t)n);
     find_courses(at, t, h);
     for (int i = 0; i < x->stages; i++) {
         follow_courses(at, x->node[i], h);
         int32_t status = i ? move_from_start(at, h, x->part[i], i) : HOLONOM_OK;
+        if (i && reads_angles) turn_angles(at);
         laws_within(at, t, h, x->node[i]);
         if (!status && (i || !known)) status = accelerate(at, a, at->s.mu[0]);
         else if (!status) rest_here(at);
@@ -296,6 +308,7 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     signals_at(c, c->t + h, c->k.signal1);
     signal_rates_at(c, c->t + h, c->k.signal_rate);
     status = move_from_start(at, h, x->weight, x->stages);
+    turn_angles(at);
     c->t = at->t = c->t + h;
     if (!status && h * fastest_angle(c) > LARGEST_TURN) status = HOLONOM_TURN_TOO_LARGE;
     if (!(work[1] >= -1e-15 * c->s.head[S_ENERGY_REFERENCE])) return HOLONOM_DAMPING_REVERSED;

@@ -9,6 +9,7 @@
 #include "lanes.h"
 #include "ledger.h"
 #include "norms.h"
+#include "runge_kutta_methods.h"
 #include "signal_course.h"
 
 /* A stage has velocities and accelerations of each point, and those of the rotation vector psi of each body. */
@@ -28,11 +29,15 @@ static inline int32_t behind(const context *at, int32_t a, int *components)
 static void weigh_stages(const context *at, const double *weight, int stages, double *x)
 {
     const int64_t n = 2 * stage_size(at);
-    memset(x, 0, sizeof(double) * (size_t)n);
-    for (int j = 0; j < stages; j++) {
-        const double w = weight[j], *k = at->k.stages + n * j;
-        for (int64_t i = 0; i < n && w != 0.0; i += 2)
-            put_lanes(x + i, lanes_plus(lanes_at(x + i), both_lanes(w), lanes_at(k + i)));
+    const double *k[MOST_STAGES];
+    double w[MOST_STAGES];
+    int count = 0;
+    for (int j = 0; j < stages; j++)
+        if (weight[j] != 0.0) w[count] = weight[j], k[count++] = at->k.stages + n * j;
+    for (int64_t i = 0; i < n; i += 2) {
+        lanes sum = both_lanes(0.0);
+        for (int j = 0; j < count; j++) sum = lanes_plus(sum, both_lanes(w[j]), lanes_at(k[j] + i));
+        put_lanes(x + i, sum);
     }
 }
 
@@ -132,9 +137,15 @@ static int32_t move_from_start(context *at, double h, const double *weight, int 
         turn_by(at, a, turn, omega);
     }
     place_driven(at);
-    for (int64_t k = 0; k < n; k++) at->k.d[k] = s->q[k] - start[s->q - s->head + k];
-    follow_angles(at, at->k.d);
     return HOLONOM_OK;
+}
+
+/* Lets angles follow the state from the start of the step. */
+static void turn_angles(context *at)
+{
+    const double *start = at->k.pair_backup + (at->s.q - at->s.head);
+    for (int64_t k = 0; k < DIM * at->n_moving; k++) at->k.d[k] = at->s.q[k] - start[k];
+    follow_angles(at, at->k.d);
 }
 
 /* A stage from the state, the sum that it was reached by, over h, and the accelerations. */

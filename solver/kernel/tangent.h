@@ -136,11 +136,11 @@ static int32_t composite_tangent(const context *c, double *value)
         const int32_t forms = m->composite_form_ptr[j + 1] - m->composite_form_ptr[j], row = is_row(c, j);
         composite_result result = {0.0, 0.0, 0.0};
         const enum row_state state = state_of_row(c, j);
-        if ((is_lean(c) && !row) || state == ROW_IS_OFF) continue;
+        if (((is_lean(c) || c->constraints_only) && !row) || state == ROW_IS_OFF) continue;
         const int32_t status = composite_slopes(c, j, 1, &result);
         if (status) return status;
         const int32_t size = local_gradients(c, j);
-        const double factor = !row ? c->constraints_only ? 0.0 : c->h : c->h * c->k.mu[row_of(c, j)];
+        const double factor = row ? c->h * c->k.mu[row_of(c, j)] : c->h;
         if (!is_lean(c)) {
             const double *block = c->k.block;
             composite_stiffness(c, j, size);
@@ -310,6 +310,7 @@ static int32_t nodal_residual(const context *c)
     EACH_FORM_ROW(c, i) {
         motion g;
         double u[DIM], w[DIM];
+        if (c->at_state && c->k.mu[i] == 0.0) continue; /* rows of a state are not asked for here */
         if (is_axes_row(c, i)) {
             axes_row_residual(c, i);
             continue;
@@ -324,6 +325,7 @@ static int32_t nodal_residual(const context *c)
     }
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         const int32_t row = m->n_form_rows + DIM * j;
+        if (c->at_state && dot(c->k.mu + row, c->k.mu + row) == 0.0) continue;
         coincidence_function(c, j, c->k.phi0 + row, c->k.phi + row);
         add_link_force(c, m->coincidence_form[j], c->h, c->k.mu + row, c->k.momentum);
     }
@@ -366,11 +368,14 @@ static void gather_rhs(const context *c)
 /* Adds what was solved for, one vector a free node, to x (DIM n_free, modified); directors at the end turn with their body. */
 static void add_solution(const context *c, double *x)
 {
-    for IN_ISLAND(c, a, ISLAND_FREE) {
-        const double *own = c->k.rhs + c->lu->node_position[first_of_unknown(c, a)];
-        double turned[DIM];
-        if (is_director(c, a)) turned_by(own, c->k.turned + DIM * a, turned);
-        EACH(k) x[DIM * a + k] += is_director(c, a) ? turned[k] : own[k];
+    for (int32_t a = c->begin[ISLAND_FREE], next; a < c->end[ISLAND_FREE]; a = next) {
+        const double *own = c->k.rhs + c->lu->node_position[a];
+        next = next_unknown(c, a);
+        for (int32_t k = DIM * a; k < DIM * next; k += DIM) {
+            double turned[DIM];
+            if (is_director(c, a)) turned_by(own, c->k.turned + k, turned);
+            EACH(l) x[k + l] += is_director(c, a) ? turned[l] : own[l];
+        }
     }
 }
 
@@ -403,9 +408,11 @@ static inline int32_t factorise(const context *c)
     return status ? status : factorise_matrix(c);
 }
 
-/* Inverse pivot of row i, of what is left of -G A^-1 G' - epsilon; 0 of a row in a tree (articulated.h), which is independent and
-   well determined. */
+/* Inverse pivot of row i, of what is left of -G A^-1 G' - epsilon; 0 of a row in a tree. */
 static inline double inverse_pivot(const context *c, int32_t i) { return c->k.value[c->lu->lu_ptr[c->lu->row_position[i]]]; }
+
+/* Whether row i is one of a tree (articulated.h), which is independent, well determined, and holds at once. */
+static inline int is_in_tree(const context *c, int32_t i) { return inverse_pivot(c, i) == 0.0; }
 
 /* Replaces the right-hand side by the solution. */
 static inline void solve_factors(const context *c)

@@ -52,6 +52,12 @@ def test_what_is_asked_for_is_collected_in_that_order():
     assert trajectory["A.x"][0] == 0.6
 
 
+def test_a_line_tells_what_a_trajectory_has():
+    trajectory = run(outputs=["A.x", "A.y"], stop_time=0.25)
+    assert repr(trajectory) == "<Trajectory: 26 times from 0 to 0.25 s, 2 variables: A.x, A.y>"
+    assert len(repr(run())) < 120
+
+
 STOP, STEP = "the stop time", "the communication step"
 
 

@@ -188,6 +188,15 @@ def test_a_sweep_is_plotted(capsys, tmp_path):
     assert ElementTree.parse(tmp_path / "a.svg").getroot().tag.endswith("svg")
 
 
+def test_a_sweep_plots_all_outputs_that_were_asked_for(capsys, tmp_path):
+    pytest.importorskip("matplotlib")
+    files = ("-o", tmp_path / "a.csv", "--plot", tmp_path / "a.svg")
+    asked = ("--grid", "mass=1,2", "--output", "A.x,energy.error,constraint.velocity")
+    assert run(capsys, "sweep", PENDULUM, *SHORT, *asked, *files, "--engine", "serial")[0] == 0
+    drawn = (tmp_path / "a.svg").read_text(encoding="utf-8")
+    assert [name in drawn for name in asked[-1].split(",")] == [True] * 3
+
+
 def test_a_sweep_of_three_parameters_is_refused_before_it_runs(capsys, tmp_path):
     pytest.importorskip("matplotlib")
     grids = [x for name in ("mass", "length", "drive") for x in ("--grid", f"{name}=1,2")]
