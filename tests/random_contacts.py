@@ -359,7 +359,9 @@ class RandomContacts:
             self.content["forces"][f"f{k}"] = force
         free = [n for n in everyone if not self.content["points"].get(n, {}).get("fixed")]
         if free and chance.random() < 0.3:
-            self.content["inputs"]["push"] = chance.choice(({}, {"interpolation": "ramp"}))
+            self.content["inputs"]["push"] = chance.choice(
+                ({}, {"interpolation": "ramp"}, {"interpolation": "smooth"})
+            )
             self.content["forces"]["load"] = {
                 "type": "force",
                 "point": chance.choice(free),

@@ -25,7 +25,7 @@ static void start_anew(context *c)
 HM_OFTEN int has_jumped(const context *c, const double *before, const double *inputs)
 {
     for (int32_t i = 0; i < c->m->n_inputs; i++)
-        if (!c->m->input_ramp[i] && before[i] != inputs[i]) return 1;
+        if (c->m->input_course[i] == INPUT_HELD && before[i] != inputs[i]) return 1;
     return 0;
 }
 
@@ -54,23 +54,51 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     return pressed;
 }
 
-/* How fast input i goes to its new value over a communication step; a held one does not. */
-static double ramp_slope(const context *c, int32_t i, double step)
+/* Mean slope of input i in a communication step. */
+static double mean_slope(const context *c, int32_t i, double step) { return (c->s.inputs[i] - c->s.inputs_before[i]) / step; }
+
+/* Slope of a smooth input at the end of a step: that of the parabola through its last three values, or from rest. */
+static double slope_at_end(const context *c, int32_t i, double step)
 {
-    return c->m->input_ramp[i] ? (c->s.inputs[i] - c->s.inputs_before[i]) / step : 0.0;
+    const double mean = mean_slope(c, i, step);
+    return mean + (mean - c->s.inputs_mean[i]) * step / (step + fmax(0.0, c->s.head[S_INPUT_STEP]));
+}
+
+/* Cubic of a smooth input in a step: from its slope at present, and so to the end. */
+static void bend_input(const context *c, int32_t i, double step)
+{
+    const double mean = mean_slope(c, i, step), first = c->s.inputs_slope[i], last = slope_at_end(c, i, step);
+    c->s.inputs_bend[i] = (3.0 * mean - 2.0 * first - last) / step;
+    c->s.inputs_third[i] = (first + last - 2.0 * mean) / (step * step);
+}
+
+/* After a step inputs are where they were to go, and smooth ones go on as fast. */
+static void end_inputs(context *c, double step)
+{
+    for (int32_t i = 0; i < c->m->n_inputs; i++) {
+        if (c->m->input_course[i] == INPUT_SMOOTH) c->s.inputs_slope[i] = slope_at_end(c, i, step);
+        c->s.inputs_mean[i] = mean_slope(c, i, step);
+        c->s.inputs_bend[i] = c->s.inputs_third[i] = 0.0;
+        c->s.inputs_before[i] = c->s.inputs[i];
+    }
+    c->s.head[S_INPUT_STEP] = step;
 }
 
 /* Ramped inputs change their slopes at communication points, and with them the rates of signals jump. Velocities jump
    by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work.                      */
-HM_SELDOM static int32_t start_ramps(context *c, double step)
+HM_SELDOM static int32_t start_inputs(context *c, double step)
 {
     const holonom_model *m = c->m;
     double *slope = c->s.inputs_slope, *before = c->k.signal_before, *jump = c->k.signal_rate;
     int changed = 0;
-    for (int32_t i = 0; i < m->n_inputs; i++) changed |= ramp_slope(c, i, step) != slope[i];
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
+        else if (m->input_course[i] == INPUT_RAMPS) changed |= mean_slope(c, i, step) != slope[i];
+    }
     if (!changed) return HOLONOM_OK;
     signal_rates_at(c, c->t, before);
-    for (int32_t i = 0; i < m->n_inputs; i++) slope[i] = ramp_slope(c, i, step);
+    for (int32_t i = 0; i < m->n_inputs; i++)
+        if (m->input_course[i] == INPUT_RAMPS) slope[i] = mean_slope(c, i, step);
     if (!m->n_signals) return HOLONOM_OK;
     signal_rates_at(c, c->t, jump);
     for (int32_t b = 0; b < m->n_signals; b++) jump[b] -= before[b];
@@ -100,7 +128,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
     if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);
-    int32_t status = start_ramps(&c, step);
+    int32_t status = start_inputs(&c, step);
     set_laws(&c, start, 0);
     head[S_EVENTS] = 0.0;
     head[S_STEPPED] = 0.0;
@@ -122,7 +150,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
         head[S_AT_FAULT] = c.at_fault;
         return status;
     }
-    memcpy(c.s.inputs_before, c.s.inputs, sizeof(double) * (size_t)m->n_inputs);
+    end_inputs(&c, step);
     head[S_TIME] = start + step;
     head[S_STATUS] = HOLONOM_OK;
     head[S_AT_FAULT] = 0.0;

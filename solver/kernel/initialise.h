@@ -148,10 +148,15 @@ static void take_initial(context *c)
 {
     const holonom_model *m = c->m;
     const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving), driven = sizeof(double) * (size_t)(DIM * m->n_driven);
+    const size_t inputs = sizeof(double) * (size_t)m->n_inputs;
     memcpy(c->s.q, c->number + m->initial_position_at, bytes);
     memcpy(c->s.v, c->number + m->initial_velocity_at, bytes);
-    memcpy(c->s.inputs_before, c->s.inputs, sizeof(double) * (size_t)m->n_inputs);
-    memset(c->s.inputs_slope, 0, sizeof(double) * (size_t)m->n_inputs);
+    memcpy(c->s.inputs_before, c->s.inputs, inputs);
+    memset(c->s.inputs_slope, 0, inputs);
+    memset(c->s.inputs_bend, 0, inputs);
+    memset(c->s.inputs_third, 0, inputs);
+    memset(c->s.inputs_mean, 0, inputs);
+    c->s.head[S_INPUT_STEP] = 0.0;
     signals_at(c, c->t, c->s.signal);
     signal_rates_at(c, c->t, c->k.signal_rate);
     memcpy(c->s.q + DIM * m->n_free, c->s.signal, driven);

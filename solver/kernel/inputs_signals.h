@@ -7,13 +7,16 @@
 #include "energy.h"
 #include "ledger.h"
 
-/* Inputs as they are at time t: held, or on their line through the value at the beginning of the communication step. */
+/* Inputs as they are at time t: held, or on their line or cubic from the value at the beginning of the communication step. */
 static void load_inputs(const context *c, double t)
 {
     const holonom_model *m = c->m;
-    for (int32_t i = 0; i < m->n_inputs; i++)
-        c->number[m->input_at + i] = m->input_ramp[i] ? c->s.inputs_before[i] + c->s.inputs_slope[i] * (t - c->start)
-                                                      : c->s.inputs[i];
+    const hm_state *s = &c->s;
+    const double past = t - c->start;
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        const double moved = past * (s->inputs_slope[i] + past * (s->inputs_bend[i] + past * s->inputs_third[i]));
+        c->number[m->input_at + i] = m->input_course[i] == INPUT_HELD ? s->inputs[i] : s->inputs_before[i] + moved;
+    }
     memcpy(c->number + m->parameter_at, c->s.parameters, sizeof(double) * (size_t)m->n_parameters);
 }
 

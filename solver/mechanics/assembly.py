@@ -17,7 +17,7 @@ from solver.mechanics.tape import CODE, Numbers, Segment
 from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
-from solver.runtime.layout import FACTORS, FORM_TURNED, SIZES, TABLES, measured_size
+from solver.runtime.layout import FACTORS, FORM_TURNED, INPUT_COURSES, SIZES, TABLES, measured_size
 from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
@@ -87,7 +87,8 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     tables = structure.tables() | eliminations(structure) | _functions(structure, numbers)
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
-    tables["input_ramp"] = array("i", (x.interpolation == "ramp" for x in scene.inputs.values()))
+    courses = (INPUT_COURSES.index(x.interpolation) for x in scene.inputs.values())
+    tables["input_course"] = array("i", courses)
     variables = tuple(variables_of(scene, table, structure, numbers))
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))
     model = Model(
@@ -207,7 +208,7 @@ def sizes_of(
 ) -> dict[str, int]:
     """Return all sizes of a model."""
     tape = numbers.tape
-    ramped = {name for name, given in scene.inputs.items() if given.interpolation == "ramp"}
+    moving = {name for name, given in scene.inputs.items() if given.interpolation != "hold"}
     stored = [numbers.segment_of[name] for name in ("stiffness", "rest")]
     formulas = structure.composites[len(structure.elements) :]
     operations = [b - a for a, b in pairwise(tables["function_ptr"])]
@@ -218,7 +219,7 @@ def sizes_of(
         "n_parameters": sum(not isinstance(p.value, Expr) for p in scene.parameters.values()),
         "n_inputs": len(scene.inputs),
         "n_numbers": tape.end,
-        "time_dependent": int(bool(tape.used[Segment.LAWS] & {"t", *ramped})),
+        "time_dependent": int(bool(tape.used[Segment.LAWS] & {"t", *moving})),
         "variable_potential": int(Segment.LAWS in stored or numbers.formulas_vary),
         "n_registers": max([1, *registers]),
         "n_lu_values": tables["lu_ptr"][-1],

@@ -208,7 +208,7 @@ TABLES = {
     "place_form": Table("n_places", 0, "n_forms"),  # the link u
     "reaction_entry": Table("4 * n_reaction_entries"),  # reaction, REACTION_.., index, sign
     "mass_node": Table("2 * n_mass", 0, "n_moving"),  # row node, column node
-    "input_ramp": Table("n_inputs", 0, 2),  # 1 if it changes evenly over a communication step
+    "input_course": Table("n_inputs", 0, 3),  # INPUT_.., over a communication step
     "sampled_load": Table("2 * n_sampled"),  # SAMPLED_.. and place among these
     "contact_row": Table("n_contacts", 0),  # composite of the gap
     "contact_friction": Table("n_contacts", -1, "n_frictions"),  # -1: there is none
@@ -233,6 +233,8 @@ FORM_SQUARE, FORM_LINEAR, FORM_TURNED = 1, 2, 4  # w = u; w constant; quarter tu
 FORM_AXES = 8  # u turns with one body; w with another, or is constant
 FORM_AXES_OF_W = 16  # of these: w is that of the body that comes first
 QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
+INPUT_HELD, INPUT_RAMPS, INPUT_SMOOTH = 0, 1, 2
+INPUT_COURSES = "hold", "ramp", "smooth"
 LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
 SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h
 REACTION_COINCIDENCE, REACTION_FORCE, REACTION_TORQUE = 0, 1, 2
@@ -294,6 +296,7 @@ HEAD = (
     "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
     "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
+    "input_step",  # length of the last communication step
     "unsettled",  # whether contacts and frictions are to be looked at before the next step
 )
 """Scalars at the head of a state."""
@@ -376,7 +379,10 @@ STATE = {
     "frictions": f"{len(FRICTION)} * n_frictions",  # `FRICTION` of each
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
     "inputs": "n_inputs",  # last given
-    "inputs_before": "n_inputs", "inputs_slope": "n_inputs",  # of ramps: at present, and how fast
+    "inputs_before": "n_inputs",  # of those that move: at the start of the communication step
+    "inputs_slope": "n_inputs", "inputs_bend": "n_inputs", "inputs_third": "n_inputs",  # from there
+    # on, by powers of the time; after a step how fast they are
+    "inputs_mean": "n_inputs",  # mean slope in the last communication step
     "islands": f"{len(ISLAND)} * n_islands",  # `ISLAND` of each
     "parameters": "n_parameters",
 }

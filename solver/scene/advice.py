@@ -55,12 +55,13 @@ def _held(numbers: NumberChecks, inputs: dict[str, Input]) -> None:
         moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
         if moved and given.interpolation == "hold":
             message = f"is held in each communication step, so that {location_of(moved[0])} jumps"
-            numbers.draft.warn(("inputs", name), message, 'write interpolation = "ramp"')
+            help = 'write interpolation = "smooth", or "ramp" for a signal that goes in steps'
+            numbers.draft.warn(("inputs", name), message, help)
     for name, origin in numbers.known.tunable.items():
         moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
         if moved:
             message = f"may change during a run, and {location_of(moved[0])} would jump then"
-            help = f"make '{origin}' a fixed parameter, or an input with interpolation = \"ramp\""
+            help = f"make '{origin}' a fixed parameter, or an input with interpolation = \"smooth\""
             numbers.draft.warn(("parameters", name), message, help)
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from solver.runtime.layout import INPUT_COURSES
 from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
@@ -94,9 +95,11 @@ class Input(Part):
     description: Annotated[str, TEXT] = ""
     min: Annotated[float | None, _LEAST] = None
     max: Annotated[float | None, _LARGEST] = None
-    interpolation: Annotated[Literal["hold", "ramp"], kind.Choice(words=("hold", "ramp"))] = "hold"
-    """How drivers and forces see it within a communication step: constant, or a straight line from
-    the value before to the new one."""
+    interpolation: Annotated[
+        Literal["hold", "ramp", "smooth"], kind.Choice(words=INPUT_COURSES)
+    ] = "hold"
+    """How drivers and forces see it within a communication step: constant, a straight line from
+    the value before to the new one, or a cubic to it whose rate does not jump."""
     limit: Annotated[Literal["refuse", "clip"], kind.Choice(words=("refuse", "clip"))] = "refuse"
     """What happens to a value beyond `min` or `max`: an error, or the limit instead."""
 

@@ -1,0 +1,122 @@
+"""Inputs that go to their new value by a cubic whose rate does not jump, and what drivers feel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.integrate import simpson
+
+import solver
+from solver.runtime import Integrator
+from tests.problems import observed_order
+
+INERTIA, WEIGHT = 0.2 + 2.0 * 0.3**2, 2.0 * 10.0 * 0.3
+"""About the hinge [kg m2], and the moment of the arm's weight in the horizontal [N m]."""
+ARM = """
+name = "arm"
+dimension = 2
+gravity = [0, -10]
+[inputs]
+u = { unit = "rad", interpolation = "smooth" }
+[bodies.A]
+position = [0, 0]
+center_of_mass = [0.3, 0]
+mass = 2.0
+inertia = 0.2
+[joints]
+j = { type = "revolute", bodies = ["ground", "A"], position = [0, 0] }
+[drivers]
+motor = { type = "angle", joint = "j", value = "u" }
+[solver]
+step_size = 0.001
+tolerance = TOLERANCE
+"""
+MODELS = {
+    tolerance: solver.assemble(solver.loads(ARM.replace("TOLERANCE", str(tolerance))))
+    for tolerance in (0.0, 1e-8)
+}
+STEPS = (0.04, 0.02, 0.01)
+READ = ("motor.torque", "A.angular_velocity")
+TOLERANCES = pytest.mark.parametrize("tolerance", MODELS)
+
+
+def driven(
+    integrator: Integrator, angle: Callable[[float], float], steps: Sequence[float]
+) -> np.ndarray:
+    """Time and what is `READ` after communication steps that end where the angle is."""
+    rows = []
+    for step in steps:
+        integrator["u"] = angle(integrator.time + step)
+        integrator.advance(integrator.time, step)
+        rows.append([integrator.time, *(integrator[name] for name in READ)])
+    return np.array(rows)
+
+
+def begun(tolerance: float) -> Integrator:
+    integrator = Integrator(MODELS[tolerance])
+    integrator.initialise()
+    return integrator
+
+
+def torque(t: np.ndarray, angle: np.ndarray, acceleration: np.ndarray) -> np.ndarray:
+    """What holds the arm on a motion [N m]."""
+    return INERTIA * acceleration + WEIGHT * np.cos(angle)
+
+
+@given(
+    acceleration=st.floats(-2.0, 2.0),
+    steps=st.lists(st.floats(0.01, 0.05), min_size=2, max_size=6),
+)
+def test_a_smooth_input_follows_a_constant_acceleration_from_rest(acceleration, steps):
+    """Three values tell a parabola. Signals are known to 1e-16 over the square of a step."""
+    t, felt, rate = driven(begun(1e-8), lambda t: 0.5 * acceleration * t * t, steps).T
+    assert rate == pytest.approx(acceleration * t, abs=1e-7)
+    assert felt == pytest.approx(torque(t, 0.5 * acceleration * t * t, acceleration), abs=1e-5)
+
+
+@TOLERANCES
+def test_smooth_inputs_bring_a_drivers_torque_to_first_order_and_rates_to_second(tolerance):
+    """The motion 0.5 (1 - cos 2t) begins at rest, but not with a constant acceleration."""
+    errors = []
+    for step in STEPS:
+        count = round(1.2 / step)
+        t, felt, rate = driven(begun(tolerance), lambda t: math.sin(t) ** 2, [step] * count).T[
+            :, 3:
+        ]
+        exact = torque(t, np.sin(t) ** 2, 2.0 * np.cos(2.0 * t))
+        errors.append([abs(felt - exact).max(), abs(rate - np.sin(2.0 * t)).max()])
+    of_torque, of_rate = np.array(errors).T
+    assert observed_order(STEPS, of_torque) == pytest.approx(1.0, abs=0.1)
+    assert observed_order(STEPS, of_rate) == pytest.approx(2.0, abs=0.1)
+
+
+@TOLERANCES
+def test_the_integral_of_a_drivers_power_comes_to_its_work_with_shorter_communication_steps(
+    tolerance,
+):
+    """A ramp's lacks the kinetic energy, 0.087 J, at any length."""
+    errors = []
+    for step in STEPS:
+        integrator = begun(tolerance)
+        count = round(1.2 / step)
+        _, felt, rate = driven(integrator, lambda t: math.sin(t) ** 2, [step] * count).T
+        power = np.concatenate([[0.0], felt * rate])
+        errors.append(abs(integrator["energy.work"] - simpson(power, dx=step)))
+    assert observed_order(STEPS, errors) == pytest.approx(1.0, abs=0.15)
+
+
+@TOLERANCES
+def test_a_restored_run_goes_on_with_the_same_cubics(tolerance):
+    integrator = begun(tolerance)
+    driven(integrator, math.sin, [0.02, 0.03])
+    state = integrator.save()
+    first, again = (
+        (integrator.restore(state), driven(integrator, math.sin, [0.01, 0.04, 0.02]))[1]
+        for _ in range(2)
+    )
+    assert np.array_equal(first, again)
