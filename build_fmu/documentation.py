@@ -171,7 +171,7 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
         turned = seen.rotation_error
         rotation = "" if turned is None else f", and its angles and orientations {turned:.1e} rad"
         if not seen.position_error and not turned:
-            yield f"A run with {finer} took the same steps, and does not show how exact they are."
+            yield f"A run with {finer} gave the same, and does not show how exact that is."
             return
         yield (
             f"In these {seen.duration:g} s its positions were at most {seen.position_error:.1e} m"

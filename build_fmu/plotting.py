@@ -66,7 +66,7 @@ def plot_sweep(arguments: argparse.Namespace, found: Sweep) -> None:
     import numpy as np
 
     from build_fmu.study.plan import OF_OUTPUTS
-    from viewer.plots import over_values
+    from viewer.plots import MOST, over_values
 
     plan, table = found.plan, found.results
     clean = np.where(table["finished"], 1.0, np.nan)
@@ -76,7 +76,7 @@ def plot_sweep(arguments: argparse.Namespace, found: Sweep) -> None:
     }
     varied = {name: [row[name] for row in plan.rows] for name in plan.rows[0]}
     title = Path(arguments.target).stem
-    asked = list(plan.outputs) if arguments.output else None
+    asked = list(plan.outputs) if arguments.output and len(plan.outputs) <= MOST else None
     _write(arguments, lambda names: over_values(varied, values, plan.units, names or asked, title))
 
 

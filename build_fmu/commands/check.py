@@ -11,12 +11,6 @@ from build_fmu.motion import RESIDUAL, lag_of_velocities, largest_residual, loss
 from build_fmu.report import print_json, print_table
 from solver.runtime.layout import MOST_SAMPLING
 
-WORK = "energy.work"
-WORK_IS_THE_REST = (
-    f"energy.error cannot show an error of the drivers' work, or of loads that read the mechanism: "
-    f"with a tolerance {WORK} is what the energies ask for; the integral of power is independent"
-)
-
 
 def run(arguments: argparse.Namespace) -> int:
     """Check; exit code 1 if a limit is exceeded or the FMU logs an error, 3 at an early end."""
@@ -65,8 +59,6 @@ def run(arguments: argparse.Namespace) -> int:
     report_end(result)
     if lag:
         sys.stderr.write(f"holonom: {lag}\n")
-    if WORK in outputs and result.largest(WORK) > 0.0 and found["energy.error"][0] == 0.0:
-        sys.stderr.write(f"holonom: {WORK_IS_THE_REST}\n")
     if not result.finished:
         return UNFINISHED
     return 0 if all_hold else CHECK_FAILED

@@ -167,7 +167,7 @@ fmi2_status fmi2GetDirectionalDerivative(fmi2_component c, const fmi2_reference 
 fmi2_status fmi2SetRealInputDerivatives(fmi2_component c, const fmi2_reference index[], size_t count, const int order[], const double value[])
 {
     (void)index, (void)count, (void)order, (void)value;
-    return c ? refuse(c, "this FMU takes no derivatives of inputs; interpolation = \"ramp\" in [inputs] makes them linear") : FMI2_ERROR;
+    return c ? refuse(c, "this FMU takes no derivatives of inputs; interpolation = \"ramp\" or \"smooth\" in [inputs] moves them") : FMI2_ERROR;
 }
 
 fmi2_status fmi2GetRealOutputDerivatives(fmi2_component c, const fmi2_reference index[], size_t count, const int order[], double value[])

@@ -57,14 +57,18 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
 /* Mean slope of input i in a communication step. */
 static double mean_slope(const context *c, int32_t i, double step) { return (c->s.inputs[i] - c->s.inputs_before[i]) / step; }
 
-/* Slope of a smooth input at the end of a step: that of the parabola through its last three values, or from rest. */
+#define FAR_AHEAD 3.0 /* times the step before: a parabola through that one would enlarge what its values lack */
+
+/* Slope of a smooth input at the end of a step: that of the parabola through its last three values, in the first step that from
+   rest. */
 static double slope_at_end(const context *c, int32_t i, double step)
 {
-    const double mean = mean_slope(c, i, step);
-    return mean + (mean - c->s.inputs_mean[i]) * step / (step + fmax(0.0, c->s.head[S_INPUT_STEP]));
+    const double mean = mean_slope(c, i, step), before = c->s.head[S_INPUT_STEP];
+    if (before != 0.0 && !(step <= FAR_AHEAD * before)) return mean;
+    return mean + (mean - c->s.inputs_mean[i]) * step / (step + before);
 }
 
-/* Cubic of a smooth input in a step: from its slope at present, and so to the end. */
+/* Cubic of a smooth input in a step, from its slope at present to that at the end. */
 static void bend_input(const context *c, int32_t i, double step)
 {
     const double mean = mean_slope(c, i, step), first = c->s.inputs_slope[i], last = slope_at_end(c, i, step);
@@ -72,13 +76,16 @@ static void bend_input(const context *c, int32_t i, double step)
     c->s.inputs_third[i] = (first + last - 2.0 * mean) / (step * step);
 }
 
-/* After a step inputs are where they were to go, and smooth ones go on as fast. */
+/* After a step inputs are where they were to go, and smooth ones move on as fast, with the same acceleration. */
 static void end_inputs(context *c, double step)
 {
     for (int32_t i = 0; i < c->m->n_inputs; i++) {
-        if (c->m->input_course[i] == INPUT_SMOOTH) c->s.inputs_slope[i] = slope_at_end(c, i, step);
-        c->s.inputs_mean[i] = mean_slope(c, i, step);
-        c->s.inputs_bend[i] = c->s.inputs_third[i] = 0.0;
+        if (c->m->input_course[i] == INPUT_SMOOTH) {
+            c->s.inputs_slope[i] = slope_at_end(c, i, step);
+            c->s.inputs_mean[i] = mean_slope(c, i, step);
+            c->s.inputs_bend[i] += 3.0 * step * c->s.inputs_third[i];
+            c->s.inputs_third[i] = 0.0;
+        }
         c->s.inputs_before[i] = c->s.inputs[i];
     }
     c->s.head[S_INPUT_STEP] = step;

@@ -25,7 +25,7 @@ typedef struct context {
     int64_t state_size;
     int formulation;
     double h, t;
-    double start;       /* of the communication step, for inputs that ramp                                    */
+    double start;       /* of the communication step, for inputs that move                                    */
     int32_t n_moving;
     /* Where between the two ends gradients are taken: 1/2 in a step; 1 where the initial configuration is sought,
        by a step from rest whose forces and constraints act at its end.                                        */

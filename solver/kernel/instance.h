@@ -33,7 +33,7 @@ const struct hm_variable *holonom_variable_at(const holonom_instance *instance, 
    where an output is asked for. */
 HOLONOM_API int32_t holonom_get(holonom_instance *instance, const int32_t *index, int32_t count, double *value);
 
-/* Rates of outputs by their index, in 1/s, along the motion that follows if inputs are held or go on along their ramps: those of
+/* Rates of outputs by their index, in 1/s, along the motion that follows if inputs are held or move on as they did: those of
    positions, angles and lengths are the measured velocities. Nothing is changed. */
 int32_t holonom_get_rates(holonom_instance *instance, const int32_t *index, int32_t count, double *value);
 

@@ -82,7 +82,10 @@ HM_SELDOM void holonom_move_on(const holonom_model *m, double *number, double *s
     memcpy(c.s.signal, c.k.signal1, sizeof(double) * (size_t)m->n_signals);
     head[S_TIME] = c.t + step;
     set_laws(&c, head[S_TIME], 1);
-    for (int32_t i = 0; i < m->n_inputs; i++) c.s.inputs_before[i] += step * c.s.inputs_slope[i];
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        c.s.inputs_before[i] += step * (c.s.inputs_slope[i] + step * c.s.inputs_bend[i]);
+        c.s.inputs_slope[i] += 2.0 * step * c.s.inputs_bend[i];
+    }
 }
 
 #endif

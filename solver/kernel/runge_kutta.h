@@ -23,14 +23,14 @@ enum { MOST_PASSES = 8 };
 #define LEFT_OF_ROWS 1e-11      /* of their second derivatives, by Uzawa updates */
 #define SLOW 0.5                /* more than so much of what was left before: rows depend on each other */
 #define LARGEST_DIFFERENCE 1e-2 /* of a step from one of lower order: beyond, it is too long to be put back */
-#define AIMED_DIFFERENCE 5e-4   /* by the next try: what is put back makes long chains swing faster */
+#define AIMED_DIFFERENCE 5e-4   /* by the next try; with 1e-3 errors of wide requests set chains swinging, which asked for more steps */
 #define MOST_HELD 3.0           /* steps in a row that could not be put back: then compositions serve for good */
 
 /* Whether steps may be explicit: put_back brings rows and energy back, and laws tell their powers at any moment. */
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
-    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
+    return m->n_free && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
            !(m->variable_potential && (m->time_dependent || m->sensing));
 }
 
@@ -191,7 +191,7 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
     const int64_t n = 2 * stage_size(at);
     const double t = at->t;
     const int changes = at->m->time_dependent || at->m->sensing || at->m->n_signals, known = ends_explicitly(at) && !changes;
-    const int reads_angles = n_composites(at) || at->m->sensing; /* which may be of angles */
+    const int reads_angles = n_composites(at) || at->m->sensing; /* formulas, springs and sensors may read them */
     double *sum = at->k.estimate, *a = at->s.a[0];
     memset(sum, 0, sizeof(double) * (size_t)n);
     find_courses(at, t, h);

@@ -380,9 +380,9 @@ STATE = {
     "derived": "n_derived",  # the sections extent, row_scale, row_sigma of the numbers
     "inputs": "n_inputs",  # last given
     "inputs_before": "n_inputs",  # of those that move: at the start of the communication step
-    "inputs_slope": "n_inputs", "inputs_bend": "n_inputs", "inputs_third": "n_inputs",  # from there
-    # on, by powers of the time; after a step how fast they are
-    "inputs_mean": "n_inputs",  # mean slope in the last communication step
+    "inputs_slope": "n_inputs",  # factors of powers of the time from there, or from the end, on
+    "inputs_bend": "n_inputs", "inputs_third": "n_inputs",  # likewise
+    "inputs_mean": "n_inputs",  # of smooth ones: mean slope in the last communication step
     "islands": f"{len(ISLAND)} * n_islands",  # `ISLAND` of each
     "parameters": "n_parameters",
 }

@@ -452,7 +452,7 @@ USUAL_TEXTS = {
     "type": "which kind of part it is",
     "unit": "of SI; describes the number and converts nothing",
     "variability": "tunable: may change during a run",
-    "interpolation": "between communication points: hold the value, ramp to the next one, or go there smoothly",
+    "interpolation": "between communication points: hold, ramp to the next value, or move smoothly",
     "limit": "beyond min and max: an error, or clip to the limit",
     "x": "first coordinates of the given points, increasing",
     "y": "second coordinates of the given points",

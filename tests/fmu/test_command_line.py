@@ -216,15 +216,6 @@ def test_an_option_that_resembles_none_suggests_none(capsys):
     assert "did you mean" not in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
-    ("scene", "is_blind"), [("slider_crank", True), ("double_pendulum", False)]
-)
-def test_check_says_where_the_energy_error_cannot_show_an_error_of_work(capsys, scene, is_blind):
-    arguments = [str(SCENES / f"{scene}.toml"), "--set", "solver.tolerance=1e-6", "--stop", "0.02"]
-    assert main(["check", *arguments]) == 0
-    assert ("cannot show an error of the drivers' work" in capsys.readouterr().err) == is_blind
-
-
 @pytest.mark.parametrize("command", ["build", "simulate", "check", "info", "validate", "sweep"])
 def test_an_abbreviated_help_shows_the_help(capsys, command):
     with pytest.raises(SystemExit) as end:

@@ -17,6 +17,7 @@ from build_fmu.instance import Log
 from tests.fmu.test_fmu_scenes import ALL_SCENES
 from tests.fmu_instance import Instance, instance, text_fmu
 from tests.native_fmus import native_fmu, native_scene_fmu, slave_of_fmi3
+from tests.physics.test_smooth_inputs import ARM
 from tests.problems import assemble
 from tests.random_mechanisms import driven_systems, free_systems
 
@@ -249,3 +250,17 @@ def test_derivatives_are_the_same_whoever_asks_for_how_many():
             assert derivatives(each, *asked) == [known[name] for name in asked]
             for name in asked:
                 assert derivatives(each, name) == [known[name]]
+
+
+def test_derivatives_know_the_acceleration_of_a_smooth_input():
+    """An arm that u = t^2/2 turns: its velocity grows by 1 rad/s2, and work is all its energy."""
+    model = solver.assemble(solver.loads(ARM.replace("TOLERANCE", "0")))
+    names = "A.angular_velocity", "energy.work", "energy.kinetic", "energy.potential"
+    with instance(native_fmu(model)) as fmu:
+        fmu.initialise()
+        for k in range(5):
+            fmu.set(u=0.5 * ((k + 1) * 0.02) ** 2)
+            assert fmu.step(k * 0.02, 0.02)
+        faster, work, kinetic, potential = derivatives(fmu, *names)
+    assert faster == pytest.approx(1.0, rel=1e-5)
+    assert work == pytest.approx(kinetic + potential, rel=1e-5)

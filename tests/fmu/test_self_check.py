@@ -59,7 +59,7 @@ def test_a_run_with_a_hundredth_of_the_tolerance_shows_the_error_of_the_toleranc
     assert 0.5 * error < seen.position_error < 2.0 * error
     assert "a hundredth of the tolerance" in accuracy(model, seen)
     same = replace(seen, position_error=0.0)
-    assert accuracy(model, same).endswith("the same steps, and does not show how exact they are.")
+    assert accuracy(model, same).endswith("gave the same, and does not show how exact that is.")
 
 
 # ------------------------------------------------------------------------------------- rotations

@@ -324,3 +324,13 @@ def test_a_long_chain_of_springs_is_as_fast_as_its_shortest_wave():
     for i in (1, 3, 51):
         assert float(run[f"P{i}.vx"]) == pytest.approx(wave[i] * math.cos(rate * 10.0), abs=5e-3)
     assert run["solver.substeps"] <= 12 * 9
+
+
+def test_what_drivers_move_alone_runs_under_a_tolerance():
+    """Nothing is free, and there is no mass that errors could be measured by."""
+    spring = Path(__file__).resolve().parents[2] / "examples" / "coupling_spring.toml"
+    scene = solver.load(spring, {"solver.tolerance": 1e-6})
+    moved = solver.simulate(scene, stop_time=0.1, inputs={"ax": lambda t: 0.6 + t})
+    length = math.hypot(2.0 - moved["a.x"][-1], -1.2 + 1.8)
+    assert moved["a.x"][-1] == pytest.approx(0.69, abs=1e-12)  # a ramp is a step behind
+    assert moved["spring.force"][-1] == pytest.approx(40.0 * (length - 1.0), rel=1e-12)
