@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from graphlib import CycleError, TopologicalSorter
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from solver.runtime.layout import INPUT_COURSES
 from solver.scene import fields as kind
 from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
@@ -96,7 +95,7 @@ class Input(Part):
     min: Annotated[float | None, _LEAST] = None
     max: Annotated[float | None, _LARGEST] = None
     interpolation: Annotated[
-        Literal["hold", "ramp", "smooth"], kind.Choice(words=INPUT_COURSES)
+        Literal["hold", "ramp", "smooth"], kind.Choice(words=("hold", "ramp", "smooth"))
     ] = "hold"
     """How drivers and forces see it within a communication step: constant, a straight line from
     the value before to the new one, or a cubic to it whose rate does not jump."""
