@@ -57,15 +57,27 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
 /* Mean slope of input i in a communication step. */
 static double mean_slope(const context *c, int32_t i, double step) { return (c->s.inputs[i] - c->s.inputs_before[i]) / step; }
 
-#define FAR_AHEAD 3.0 /* times the step before: a parabola through that one would enlarge what its values lack */
+#define FAR_AHEAD 3.0 /* times the step before: a polynomial through that one would enlarge what its values lack */
 
-/* Slope of a smooth input at the end of a step: that of the parabola through its last three values, in the first step that from
-   rest. */
+static int is_far_ahead(double step, double before) { return before != 0.0 && !(step <= FAR_AHEAD * before); }
+
+static int stands(const context *c, int32_t i) { return c->s.inputs_slope[i] == 0.0 && c->s.inputs_mean[i] == 0.0; }
+
+/* Change of the mean slope of a smooth input from the last step, over the time between: half its acceleration. One that stands
+   begins from rest. */
+static double curve_of_input(const context *c, int32_t i, double step)
+{
+    return (mean_slope(c, i, step) - c->s.inputs_mean[i]) / (stands(c, i) ? step : step + c->s.head[S_INPUT_STEP]);
+}
+
+/* Slope of a smooth input at the end of a step: that of the cubic through its last four values, as far as there are so many. */
 static double slope_at_end(const context *c, int32_t i, double step)
 {
-    const double mean = mean_slope(c, i, step), before = c->s.head[S_INPUT_STEP];
-    if (before != 0.0 && !(step <= FAR_AHEAD * before)) return mean;
-    return mean + (mean - c->s.inputs_mean[i]) * step / (step + before);
+    const double before = c->s.head[S_INPUT_STEP], earlier = c->s.head[S_INPUT_STEP_BEFORE];
+    const double curve = curve_of_input(c, i, step), slope = mean_slope(c, i, step) + step * curve;
+    if (is_far_ahead(step, before)) return mean_slope(c, i, step);
+    if (c->s.inputs_curve[i] == 0.0 || is_far_ahead(before, earlier)) return slope;
+    return slope + step * (step + before) * (curve - c->s.inputs_curve[i]) / (step + before + earlier);
 }
 
 /* Cubic of a smooth input in a step, from its slope at present to that at the end. */
@@ -81,13 +93,16 @@ static void end_inputs(context *c, double step)
 {
     for (int32_t i = 0; i < c->m->n_inputs; i++) {
         if (c->m->input_course[i] == INPUT_SMOOTH) {
-            c->s.inputs_slope[i] = slope_at_end(c, i, step);
+            const double slope = slope_at_end(c, i, step);
+            c->s.inputs_curve[i] = curve_of_input(c, i, step);
+            c->s.inputs_slope[i] = slope;
             c->s.inputs_mean[i] = mean_slope(c, i, step);
             c->s.inputs_bend[i] += 3.0 * step * c->s.inputs_third[i];
             c->s.inputs_third[i] = 0.0;
         }
         c->s.inputs_before[i] = c->s.inputs[i];
     }
+    c->s.head[S_INPUT_STEP_BEFORE] = c->s.head[S_INPUT_STEP];
     c->s.head[S_INPUT_STEP] = step;
 }
 
@@ -99,7 +114,10 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
     double *slope = c->s.inputs_slope, *before = c->k.signal_before, *jump = c->k.signal_rate;
     int changed = 0;
     for (int32_t i = 0; i < m->n_inputs; i++) {
-        if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
+        if (m->input_course[i] == INPUT_SMOOTH) {
+            if (stands(c, i) && c->s.inputs[i] != c->s.inputs_before[i]) c->s.head[S_MEAN_TIME] = INFINITY; /* no line to before */
+            bend_input(c, i, step);
+        }
         else if (m->input_course[i] == INPUT_RAMPS) changed |= mean_slope(c, i, step) != slope[i];
     }
     if (!changed) return HOLONOM_OK;

@@ -18,7 +18,14 @@ from solver.mechanics.variables import Symbols, variables_of
 from solver.options import OPTIONS
 from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionError
 from solver.runtime.layout import (
-    FACTORS, FORM_TURNED, INPUT_HELD, INPUT_RAMPS, INPUT_SMOOTH, SIZES, TABLES, measured_size,
+    FACTORS,
+    FORM_TURNED,
+    INPUT_HELD,
+    INPUT_RAMPS,
+    INPUT_SMOOTH,
+    SIZES,
+    TABLES,
+    measured_size,
 )  # fmt: skip
 from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene

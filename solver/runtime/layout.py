@@ -295,7 +295,7 @@ HEAD = (
     "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
     "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
-    "input_step",  # length of the last communication step
+    "input_step", "input_step_before",  # lengths of the last two communication steps
     "unsettled",  # whether contacts and frictions are to be looked at before the next step
 )
 """Scalars at the head of a state."""
@@ -382,6 +382,7 @@ STATE = {
     "inputs_slope": "n_inputs",  # factors of powers of the time from there, or from the end, on
     "inputs_bend": "n_inputs", "inputs_third": "n_inputs",  # likewise
     "inputs_mean": "n_inputs",  # of smooth ones: mean slope in the last communication step
+    "inputs_curve": "n_inputs",  # likewise: its change from the step before, over the time between
     "islands": f"{len(ISLAND)} * n_islands",  # `ISLAND` of each
     "parameters": "n_parameters",
 }

@@ -80,7 +80,7 @@ def test_a_smooth_input_follows_a_constant_acceleration_from_rest(acceleration, 
 
 
 @TOLERANCES
-def test_smooth_inputs_bring_a_drivers_torque_to_first_order_and_rates_to_second(tolerance):
+def test_smooth_inputs_bring_a_drivers_torque_to_second_order_and_rates_to_third(tolerance):
     """The motion 0.5 (1 - cos 2t) begins at rest, but not with a constant acceleration."""
     errors = []
     for step in STEPS:
@@ -91,8 +91,8 @@ def test_smooth_inputs_bring_a_drivers_torque_to_first_order_and_rates_to_second
         exact = torque(np.sin(t) ** 2, 2.0 * np.cos(2.0 * t))
         errors.append([abs(felt - exact).max(), abs(rate - np.sin(2.0 * t)).max()])
     of_torque, of_rate = np.array(errors).T
-    assert observed_order(STEPS, of_torque) == pytest.approx(1.0, abs=0.1)
-    assert observed_order(STEPS, of_rate) == pytest.approx(2.0, abs=0.1)
+    assert observed_order(STEPS, of_torque) == pytest.approx(2.0, abs=0.1)
+    assert observed_order(STEPS, of_rate) == pytest.approx(3.0, abs=0.1)
 
 
 @TOLERANCES
@@ -107,7 +107,7 @@ def test_the_integral_of_a_drivers_power_comes_to_its_work_with_shorter_communic
         _, felt, rate = driven(integrator, lambda t: math.sin(t) ** 2, [step] * count).T
         power = np.concatenate([[0.0], felt * rate])
         errors.append(abs(integrator["energy.work"] - simpson(power, dx=step)))
-    assert observed_order(STEPS, errors) == pytest.approx(1.0, abs=0.15)
+    assert observed_order(STEPS, errors) > 1.8
 
 
 @TOLERANCES
