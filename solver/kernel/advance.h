@@ -65,13 +65,13 @@ static int stands(const context *c, int32_t i) { return c->s.inputs_slope[i] == 
 
 /* Change of the mean slope of a smooth input from the last step, over the time between: half its acceleration. One that stands
    begins from rest. */
-static double curve_of_input(const context *c, int32_t i, double step)
+HM_SELDOM static double curve_of_input(const context *c, int32_t i, double step)
 {
     return (mean_slope(c, i, step) - c->s.inputs_mean[i]) / (stands(c, i) ? step : step + c->s.head[S_INPUT_STEP]);
 }
 
 /* Slope of a smooth input at the end of a step: that of the cubic through its last four values, as far as there are so many. */
-static double slope_at_end(const context *c, int32_t i, double step)
+HM_SELDOM static double slope_at_end(const context *c, int32_t i, double step)
 {
     const double before = c->s.head[S_INPUT_STEP], earlier = c->s.head[S_INPUT_STEP_BEFORE];
     const double curve = curve_of_input(c, i, step), slope = mean_slope(c, i, step) + step * curve;
@@ -81,7 +81,7 @@ static double slope_at_end(const context *c, int32_t i, double step)
 }
 
 /* Cubic of a smooth input in a step, from its slope at present to that at the end. */
-static void bend_input(const context *c, int32_t i, double step)
+HM_SELDOM static void bend_input(const context *c, int32_t i, double step)
 {
     const double mean = mean_slope(c, i, step), first = c->s.inputs_slope[i], last = slope_at_end(c, i, step);
     c->s.inputs_bend[i] = (3.0 * mean - 2.0 * first - last) / step;
@@ -89,7 +89,7 @@ static void bend_input(const context *c, int32_t i, double step)
 }
 
 /* After a step inputs are where they were to go, and smooth ones move on as fast, with the same acceleration. */
-static void end_inputs(context *c, double step)
+HM_SELDOM static void end_inputs(context *c, double step)
 {
     for (int32_t i = 0; i < c->m->n_inputs; i++) {
         if (c->m->input_course[i] == INPUT_SMOOTH) {

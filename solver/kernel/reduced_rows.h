@@ -164,7 +164,7 @@ typedef struct axes {
 } axes;
 
 /* Both, from directors in the middle or at the end. */
-HM_OFTEN void turn_axes(const context *c, int32_t f, const double *directors, axes *x)
+static void turn_axes(const context *c, int32_t f, const double *directors, axes *x)
 {
     const holonom_model *m = c->m;
     const int32_t kind = m->form_kind[f], begin = m->form_ptr[f], end = begin + m->form_free[f], swapped = kind & FORM_AXES_OF_W;
