@@ -163,11 +163,8 @@ def _seen(model: Model, seen: SelfCheck) -> Iterator[str]:
     if seen.reason:
         yield f"The run ended early: {seen.reason}"
     elif seen.moved and seen.position_error is not None:
-        finer = (
-            "a hundredth of the tolerance"
-            if model.settings["tolerance"]
-            else "half the internal step"
-        )
+        is_chosen = bool(model.settings["tolerance"])
+        finer = "a hundredth of the tolerance" if is_chosen else "half the internal step"
         turned = seen.rotation_error
         rotation = "" if turned is None else f", and its angles and orientations {turned:.1e} rad"
         if not seen.position_error and not turned:

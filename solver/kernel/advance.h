@@ -117,8 +117,7 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
         if (m->input_course[i] == INPUT_SMOOTH) {
             if (stands(c, i) && c->s.inputs[i] != c->s.inputs_before[i]) c->s.head[S_MEAN_TIME] = INFINITY; /* no line to before */
             bend_input(c, i, step);
-        }
-        else if (m->input_course[i] == INPUT_RAMPS) changed |= mean_slope(c, i, step) != slope[i];
+        } else if (m->input_course[i] == INPUT_RAMPS) changed |= mean_slope(c, i, step) != slope[i];
     }
     if (!changed) return HOLONOM_OK;
     signal_rates_at(c, c->t, before);

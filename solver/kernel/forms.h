@@ -146,8 +146,8 @@ HM_OFTEN void form_motion(const context *c, int32_t f, motion *g)
     const double theta = c->theta;
     g->u0 = c->k.u0 + DIM * f;
     g->w0 = c->k.w0 + DIM * f;
-    g->ds = 0.0;
     if (c->at_state) {
+        g->ds = 0.0;
         EACH(k) g->du[k] = g->dw[k] = 0.0, g->um[k] = g->u0[k], g->wm[k] = g->w0[k];
         return;
     }

@@ -26,7 +26,7 @@ from solver.runtime.layout import (
     SIZES,
     TABLES,
     measured_size,
-)  # fmt: skip
+)
 from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
