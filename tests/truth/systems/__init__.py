@@ -1,0 +1,8 @@
+"""The corpus: one file for each kind of motion, each with a tuple SYSTEMS."""
+
+from __future__ import annotations
+
+from tests.truth.system import System
+from tests.truth.systems import pendulums, rotors
+
+SYSTEMS: tuple[System, ...] = (*rotors.SYSTEMS, *pendulums.SYSTEMS)
