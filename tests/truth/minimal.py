@@ -81,9 +81,10 @@ class Number:
     def __pow__(self, power: float) -> Number:
         """Return a power with a plain exponent."""
         x = self.value
-        slope = power * x ** (power - 1) if power else 0.0
-        curvature = power * (power - 1) * x ** (power - 2) if power not in (0, 1) else 0.0
-        return self.of(x**power, slope, curvature)
+        # math.pow raises where a loop cannot be closed; ** gives a complex number.
+        slope = power * math.pow(x, power - 1)
+        curvature = power * (power - 1) * (math.pow(x, power - 2) if power != 1 else 0.0)
+        return self.of(math.pow(x, power), slope, curvature)
 
 
 Value = Number | float

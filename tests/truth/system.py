@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -55,8 +56,8 @@ class System:
     """Of motion: what the page lists it under."""
     origin: str
     """Where the right values come from: closed form, DOP853 in which coordinates, published."""
-    scene: str
-    """TOML, without a table [solver] that chooses steps."""
+    scene: str | Mapping[str, object]
+    """TOML or tables, without settings that choose steps."""
     stop: float
     """End of the run [s]."""
     right: Callable[[Array], Values]
@@ -82,11 +83,17 @@ class System:
         """Communication points of the run [s]."""
         return np.linspace(0.0, self.stop, self.points + 1)
 
+    def read(self) -> solver.Scene:
+        """Scene as read."""
+        if isinstance(self.scene, str):
+            return solver.loads(self.scene)
+        return solver.loads(json.dumps(self.scene), format="json")
+
     def error(self, right: Values, **settings: float | str | bool) -> float:
         """Largest error of a run at its communication points, over the scale of its kind."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", solver.SceneWarning)
-            scene = solver.loads(self.scene)
+            scene = self.read()
         found = solver.simulate(
             scene, stop_time=self.stop, step_size=self.stop / self.points, outputs=list(right),
             inputs=self.inputs, **{**self.settings, **settings},

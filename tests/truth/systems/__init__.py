@@ -3,6 +3,13 @@
 from __future__ import annotations
 
 from tests.truth.system import System
-from tests.truth.systems import pendulums, rotors
+from tests.truth.systems import gears, loops, pendulums, rotors, springs, tops
 
-SYSTEMS: tuple[System, ...] = (*rotors.SYSTEMS, *pendulums.SYSTEMS)
+SYSTEMS: tuple[System, ...] = (
+    *rotors.SYSTEMS,
+    *gears.SYSTEMS,
+    *tops.SYSTEMS,
+    *pendulums.SYSTEMS,
+    *loops.SYSTEMS,
+    *springs.SYSTEMS,
+)
