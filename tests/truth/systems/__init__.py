@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from tests.truth.system import System
-from tests.truth.systems import pendulums, rotors
+from tests.truth.systems import drivers, equilibria, jumps, pendulums, rolling, rotors
 
-SYSTEMS: tuple[System, ...] = (*rotors.SYSTEMS, *pendulums.SYSTEMS)
+SYSTEMS: tuple[System, ...] = (*rotors.SYSTEMS, *pendulums.SYSTEMS, *drivers.SYSTEMS, *rolling.SYSTEMS, *jumps.SYSTEMS, *equilibria.SYSTEMS)
