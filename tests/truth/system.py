@@ -113,9 +113,7 @@ class System:
         return {**largest, "angle": 1.0, "count": 1.0, **self.scale}
 
 
-def marked(
-    systems: Sequence[System], fails: Mapping[str, Mapping[str, int]]
-) -> tuple[System, ...]:
+def marked(systems: Sequence[System], fails: Mapping[str, Mapping[str, int]]) -> tuple[System, ...]:
     """Systems with the checks that each fails today, by name, and the issues that mend them."""
     assert fails.keys() <= {system.name for system in systems}
     return tuple(replace(system, fails=fails.get(system.name, {})) for system in systems)

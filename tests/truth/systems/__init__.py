@@ -3,6 +3,26 @@
 from __future__ import annotations
 
 from tests.truth.system import System
-from tests.truth.systems import drivers, equilibria, jumps, pendulums, rolling, rotors
+from tests.truth.systems import (
+    drivers,
+    equilibria,
+    friction,
+    impacts,
+    jumps,
+    pendulums,
+    reactions,
+    rolling,
+    rotors,
+)
 
-SYSTEMS: tuple[System, ...] = (*rotors.SYSTEMS, *pendulums.SYSTEMS, *drivers.SYSTEMS, *rolling.SYSTEMS, *jumps.SYSTEMS, *equilibria.SYSTEMS)
+SYSTEMS: tuple[System, ...] = (
+    *rotors.SYSTEMS,
+    *pendulums.SYSTEMS,
+    *drivers.SYSTEMS,
+    *rolling.SYSTEMS,
+    *jumps.SYSTEMS,
+    *equilibria.SYSTEMS,
+    *reactions.SYSTEMS,
+    *friction.SYSTEMS,
+    *impacts.SYSTEMS,
+)

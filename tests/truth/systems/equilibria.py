@@ -59,7 +59,7 @@ def _pulled_chain() -> System:
     lengths, masses, F = (0.5, 0.3, 0.4), (2.0, 0.7, 1.1), 6.0
     below = [masses[i] / 2 + sum(masses[i + 1 :]) for i in range(3)]
     angles = [math.atan2(F, w * G) for w in below]
-    text = ["name = \"pulled\"\ndimension = 2", f"gravity = [0, {-G}]", "[bodies]"]
+    text = ['name = "pulled"\ndimension = 2', f"gravity = [0, {-G}]", "[bodies]"]
     top = 0.0
     for i, (c, m) in enumerate(zip(lengths, masses, strict=True)):
         text.append(
@@ -105,16 +105,23 @@ def _hung_chain() -> System:
         px, py = span * (i + 1) / 5, -drop * (i + 1) / 5 - 0.5 * math.sin(math.pi * (i + 1) / 5)
         text.append(f"p{i} = {{ position = [{px!r}, {py!r}], mass = {m} }}")
     ends = [f'"p{i}"' for i in range(4)]
-    text += ["[joints]", f'r0 = {{ type = "distance", points = ["ground", {ends[0]}], at = [0, 0], length = {link} }}']
+    text += [
+        "[joints]",
+        f'r0 = {{ type = "distance", points = ["ground", {ends[0]}], at = [0, 0], length = {link} }}',
+    ]
     text += [
         f'r{i} = {{ type = "distance", points = [{ends[i - 1]}, {ends[i]}], length = {link} }}'
         for i in (1, 2, 3)
     ]
-    text += [f'r4 = {{ type = "distance", points = ["ground", {ends[3]}], at = [{span}, {-drop}], length = {link} }}']
+    text += [
+        f'r4 = {{ type = "distance", points = ["ground", {ends[3]}], at = [{span}, {-drop}], length = {link} }}'
+    ]
     text += ["[solver]", "assemble = true"]
     values = {f"p{i}.x": float(x[i]) for i in range(4)} | {f"p{i}.y": float(y[i]) for i in range(4)}
     values |= {f"r{i}.force": H * math.hypot(1, tangents[i]) for i in range(5)}
-    return _system("loads_on_a_hung_chain", "force polygon, two roots by brentq", "\n".join(text), values)
+    return _system(
+        "loads_on_a_hung_chain", "force polygon, two roots by brentq", "\n".join(text), values
+    )
 
 
 def _on_springs() -> System:

@@ -213,7 +213,10 @@ def _free_angle() -> System:
 
     def right(t: Array) -> Values:
         w, u = math.sqrt(k / J), np.maximum(t - at, 0.0)
-        return {"j.angle": jump * (1 - np.cos(w * u)), "j.angular_velocity": jump * w * np.sin(w * u)}
+        return {
+            "j.angle": jump * (1 - np.cos(w * u)),
+            "j.angular_velocity": jump * w * np.sin(w * u),
+        }
 
     return System(
         name="free_angle_that_jumps", kind="jumps", origin=ORIGIN, scene=text, stop=1.0, right=right,
