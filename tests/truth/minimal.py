@@ -282,3 +282,29 @@ def values(
              for s in zip(q, v, strict=True)]  # fmt: skip
     table = np.array(found)
     return table[:, :, 0], table[:, :, 1]
+
+
+def in_time(formula: Callable[[Number], Sequence[Value]], t: Array) -> tuple[Array, Array, Array]:
+    """Values, rates and second rates (len(t), m) of formulas of the time."""
+    one = np.ones(1)
+    found = [[(_plain(x), getattr(x, "rate", 0.0), getattr(x, "bias", 0.0))
+              for x in formula(Number(float(s), one, 1.0, 0.0))] for s in t]  # fmt: skip
+    table = np.array(found)
+    return table[:, :, 0], table[:, :, 1], table[:, :, 2]
+
+
+def torque(mechanism: Mechanism, t: Array, q: Array, v: Array, a: Array) -> Array:
+    """Generalized force (len(t),) that moves a mechanism of one coordinate with q, q' and q''."""
+    found = []
+    for time, *state, acceleration in zip(t, q, v, a, strict=True):
+        place, rate = (np.array([x]) for x in state)
+        free = accelerations(mechanism, time, place, rate)[0]
+
+        def with_one(time: float, q: Sequence[Number]) -> Parts:
+            parts = mechanism(time, q)
+            before = np.asarray(parts.torques) if len(parts.torques) else np.zeros(1)
+            return Parts(parts.bodies, parts.energy, parts.loads, before + 1.0)
+
+        each = accelerations(with_one, time, place, rate)[0] - free
+        found.append((acceleration - free) / each)
+    return np.array(found)

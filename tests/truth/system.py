@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,17 +29,24 @@ LENGTHS = ("x", "y", "z", "displacement", "length", "gap")
 ANGLES = ("angle", "qw", "qx", "qy", "qz")
 SPEEDS = ("vx", "vy", "vz", "velocity", "slip")
 TURNS = ("angular_velocity", "wx", "wy", "wz")
+COUNTS = ("impacts", "mode", "friction_mode")
 
 
 def kind_of(name: str) -> str:
     """Kind of a variable: what its errors are measured by."""
     last = name.split(".")[-1]
+    if ".force" in name or name.startswith("momentum"):
+        return "force" if ".force" in name else "momentum"
+    if ".torque" in name or "angular_momentum" in name:
+        return "torque"
+    if last in COUNTS:
+        return "count"
+    if last in ("power", "impulse", "multiplier"):
+        return last
     kinds = {"length": LENGTHS, "angle": ANGLES, "speed": SPEEDS, "turn": TURNS}
     for kind, endings in kinds.items():
         if last in endings:
             return kind
-    if ".torque" in name or "angular_momentum" in name:
-        return "torque"
     return "energy" if name.startswith("energy.") else name if "." not in name else "force"
 
 
@@ -48,7 +55,7 @@ class System:
     """A mechanism, its run and its right values.
 
     Errors are over the largest right value of their kind in the run: lengths, speeds, turns,
-    forces, torques. Errors of angles are in rad.
+    forces, torques. Errors of angles are in rad, those of modes and impacts in numbers.
     """
 
     name: str
@@ -110,4 +117,10 @@ class System:
         for name, values in right.items():
             kind = kind_of(name)
             largest[kind] = max(largest.get(kind, 0.0), float(np.abs(values).max()))
-        return {**largest, "angle": 1.0, **self.scale}
+        return {**largest, "angle": 1.0, "count": 1.0, **self.scale}
+
+
+def marked(systems: Sequence[System], fails: Mapping[str, Mapping[str, int]]) -> tuple[System, ...]:
+    """Systems with the checks that each fails today, by name, and the issues that mend them."""
+    assert fails.keys() <= {system.name for system in systems}
+    return tuple(replace(system, fails=fails.get(system.name, {})) for system in systems)

@@ -3,7 +3,21 @@
 from __future__ import annotations
 
 from tests.truth.system import System
-from tests.truth.systems import gears, loops, pendulums, rotors, springs, tops
+from tests.truth.systems import (
+    drivers,
+    equilibria,
+    friction,
+    gears,
+    impacts,
+    jumps,
+    loops,
+    pendulums,
+    reactions,
+    rolling,
+    rotors,
+    springs,
+    tops,
+)
 
 SYSTEMS: tuple[System, ...] = (
     *rotors.SYSTEMS,
@@ -12,4 +26,11 @@ SYSTEMS: tuple[System, ...] = (
     *pendulums.SYSTEMS,
     *loops.SYSTEMS,
     *springs.SYSTEMS,
+    *drivers.SYSTEMS,
+    *rolling.SYSTEMS,
+    *jumps.SYSTEMS,
+    *equilibria.SYSTEMS,
+    *reactions.SYSTEMS,
+    *friction.SYSTEMS,
+    *impacts.SYSTEMS,
 )
