@@ -445,8 +445,12 @@ WORDS = {
 """What a record of a variable has numbers for."""
 
 FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "even": 32}
-RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least", "drawn": "is_drawn"}
-"""Of a number and its bound; `drawn` is >= of the mechanism as drawn, whatever it does later."""
+RELATIONS = {
+    "finite": "is_finite", ">": "is_above", ">=": "is_at_least", "drawn": "is_drawn",
+    "noted": "is_noted",
+}  # fmt: skip
+"""Of a number and its bound; `drawn` is >= of the mechanism as drawn, whatever it does later;
+`noted` is >=, of which a run tells and goes on."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
 MOST_SAMPLING = 1.0
