@@ -114,9 +114,7 @@ def add_rigid(rows: Rows, body: Rigid, size2: Number, *, held: bool) -> RigidFra
     return frame
 
 
-def _add_inertia(
-    rows: Rows, frame: RigidFrame, body: Rigid, size2: Number, *, held: bool
-) -> None:
+def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, size2: Number, *, held: bool) -> None:
     """Give the directors their masses."""
     mechanism = rows.mechanism
     if not isinstance(body.inertia, tuple):

@@ -326,6 +326,9 @@ FRICTION = (
 DRAWN_INTO = 1e-8
 """Penetration of contacts that rounding explains, of a drawing and of closing it; relative to the
 size of the mechanism."""
+ONE_PLACE = 1e-12
+"""Distance of places that the round-off of a drawing explains, relative to their coordinates, or in
+m if these are small: a coordinate may be the difference of larger numbers."""
 EARLY_UPDATE_PENALTY = 1e6
 """From this one on an Uzawa update contracts far better than a Newton iteration: multipliers of a
 nested iteration need not wait for its end (inexact Uzawa), and bodies turn as wholes."""

@@ -305,9 +305,7 @@ def _of_a_body(
     return mended[0], mended[1], mended[2]
 
 
-def _half_units(
-    reader: "Reader", path: Path, given: Sequence[Sequence[Any]]
-) -> list[list[float]]:
+def _half_units(reader: "Reader", path: Path, given: Sequence[Sequence[Any]]) -> list[list[float]]:
     """Half a unit of the last digit of each entry of an inertia, of a formula 0."""
 
     def text(place: Path, parsed: Any) -> str:
@@ -327,9 +325,7 @@ def _broken(moments: Sequence[float], names: Sequence[str]) -> str:
     small, middle, large = moments
     if small < 0.0:
         return f"{names[0]} = {small:.12g} < 0 kg.m2"
-    return (
-        f"{names[2]} = {large:.12g} > {names[0]} + {names[1]} = {small + middle:.12g} kg.m2"
-    )
+    return f"{names[2]} = {large:.12g} > {names[0]} + {names[1]} = {small + middle:.12g} kg.m2"
 
 
 def _listed(numbers: Any) -> str:

@@ -12,7 +12,7 @@ moments goes a third of the way, or, where one would be negative, the body becom
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from decimal import Decimal, InvalidOperation
 
 Matrix = Sequence[Sequence[float]]

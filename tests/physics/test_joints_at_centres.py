@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import solver
-from tests.newton_euler import GROUND, Meet, Mechanism, Perpendicular
+from tests.newton_euler import GROUND, Mechanism, Meet, Perpendicular
 from tests.problems import Content
 from tests.work_sums import vector
 
@@ -98,10 +98,12 @@ def test_a_hinge_at_a_centre_moves_as_one_elsewhere_on_its_axis(extra, at):
 
 def test_a_rotor_hinged_at_its_centre_keeps_its_speed_and_its_carrier_too():
     # No torque about the axis acts on either of them, and their centre of mass rests.
-    body = {"mass": 1, "inertia": [1, 2, 2]}
     bodies = {
-        "A": body | {"position": [0, 0, 0], "velocity": [0, -0.5, 0], "angular_velocity": [0, 0, 2]},
-        "B": body | {"position": [0.5, 0, 0], "velocity": [0, 0.5, 0], "angular_velocity": [0, 0, -5]},
+        name: {
+            "position": [x, 0, 0], "velocity": [0, v, 0], "angular_velocity": [0, 0, spin],
+            "mass": 1, "inertia": [1, 2, 2],
+        }
+        for name, x, v, spin in (("A", 0, -0.5, 2), ("B", 0.5, 0.5, -5))
     }  # fmt: skip
     joint = {"type": "revolute", "bodies": ["A", "B"], "position": [0.5, 0, 0], "axis": [0, 0, 1]}
     moved = run({"bodies": bodies, "joints": {"j": joint}}, 2.0, tolerance=1e-8)
