@@ -10,6 +10,9 @@
 const char *hm_about_step(int32_t status);
 const char *hm_about_start(int32_t status, int seeks_equilibrium);
 
+/* Says the part that a step or the start fails at, or near which a step is not solved, and a colon; nothing if none is known. */
+void hm_say_fault(hm_text *text, const hm_model_file *file, const double *numbers, const double *head, int32_t status);
+
 /* Says which rule a value breaks, "name: rule, got value", and returns 1; 0 if it keeps all. `shown`: the value as it was given,
    or NULL. */
 int hm_objects(hm_text *text, const hm_model_file *file, const hm_variable *variable, double value, const char *shown, int moving);

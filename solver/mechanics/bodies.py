@@ -153,14 +153,13 @@ def _enough(rows: Rows, body: Rigid, E: Matrix, moment: Number, size2: Number) -
         )
         rows.rule(moment, ">", text)
         return E
-    least = body.mass * size2
-    if not isinstance(moment, Expr):
-        least, is_tiny = FLOOR * least, float(moment < TINY * default(least))
-    else:
-        share = moment / least
-        text = "inertia is {value:.6g} times mass times size squared; below 1e-12 it counts as 0"
-        rows.rule(select(operate("eq", moment, 0.0), 1.0, share), "noted", text, TINY)
-        least, is_tiny = FLOOR * least, operate("lt", share, TINY)
+    most = TINY * (body.mass * size2)
+    least = FLOOR * body.mass * size2
+    is_tiny: Number = float(default(moment) < default(most))
+    if isinstance(moment, Expr):
+        is_tiny = operate("lt", moment, most)
+        text = "inertia of {value:.6g} kg.m2 counts as 0, below 1e-12 of mass times size squared"
+        rows.rule(is_tiny * moment, "noted", text)
     return tuple(
         tuple(
             select(is_tiny, least if i == k else 0.0, x) if i == k or x != 0.0 else x

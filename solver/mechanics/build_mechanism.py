@@ -73,14 +73,18 @@ def _add_points_and_bodies(parts: Parts) -> None:
     for name, body in scene.bodies.items():
         rows = Rows(parts, "bodies", name)
         rows.demand(body)
-        if isinstance(body, Bar):
-            frame = add_bar(rows, body)
-            first, second = frame.ends
-            parts.links[name] = node(second) - node(first)
-            if scene.dimension == 2:
-                parts.frames[name] = frame
-        else:
-            parts.frames[name] = add_rigid(rows, body, sizes2[name], held=name in places)
+        try:
+            if isinstance(body, Bar):
+                frame = add_bar(rows, body)
+                first, second = frame.ends
+                parts.links[name] = node(second) - node(first)
+                if scene.dimension == 2:
+                    parts.frames[name] = frame
+            else:
+                parts.frames[name] = add_rigid(rows, body, sizes2[name], held=name in places)
+        except ExpressionError as error:
+            text = f"a number of it has no finite value: {error.message}"
+            scene.fail([scene.error(rows.location, f"{text}; look for a very large or small one")])
     for name, index in parts.points.items():
         if mechanism.nodes[index].motion == FREE:
             text = "mass must be > 0 kg, with the bars that end at it"

@@ -220,10 +220,8 @@ class Graph:
 
         A joint at the centre of mass of a body does not couple the turn of this one to its place.
         """
-        own = {body.blocks[0]: body.blocks[:2] for body in self.trees}
-        whole = (
-            (*body.blocks, *own.get(body.parent, ())) for body in self.trees if len(body.blocks) > 2
-        )
+        own = {None: ()} | {body.blocks[0]: body.blocks[:2] for body in self.trees}
+        whole = ((*x.blocks, *own[x.parent]) for x in self.trees if len(x.blocks) > 2)
         pairs = chain.from_iterable(combinations_with_replacement(sorted(x), 2) for x in whole)
         return dict.fromkeys(pairs, True)
 

@@ -288,7 +288,7 @@ HEAD = (
     "ledger_error",
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
-    "at_fault",  # multiplier of the contact that the last step failed at, and 1; else 0
+    "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
@@ -453,7 +453,7 @@ RELATIONS = {
     "noted": "is_noted",
 }  # fmt: skip
 """Of a number and its bound; `drawn` is >= of the mechanism as drawn, whatever it does later;
-`noted` is >=, of which a run tells and goes on."""
+`noted` is = 0, and a run that breaks it tells so and goes on."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
 MOST_SAMPLING = 1.0

@@ -16,11 +16,10 @@ from solver.scene.bodies import Rigid
 from solver.scene.expression import Number, Vector
 from solver.scene.joints import BodyJoint
 from solver.scene.numbers import dot, times
+from solver.scene.places import SAME
 
 TINY = 1e-12
 """Of mass times size squared."""
-ROUND_OFF = 1e-12
-"""Of coordinates: nearer places are one."""
 
 PLACED = ("bodies", "joints", "contacts", "forces", "drivers")
 """Tables whose parts have places."""
@@ -100,7 +99,7 @@ def _arms(
     for place in places:
         arm = _difference(place, centre)
         size = max(abs(default(x)) for x in (*place, *centre))
-        if any(abs(default(x)) > ROUND_OFF * size for x in arm):
+        if any(abs(default(x)) > SAME * size for x in arm):
             found.append(arm)
     return found
 

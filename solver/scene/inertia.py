@@ -273,8 +273,9 @@ def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
 
 
 def _of_a_body(
-    reader: "Reader", path: Path, inertia: tuple[Vector, ...], given: Sequence[Sequence[Any]]
-) -> Inertia:
+    reader: "Reader", path: Path, inertia: tuple[Vector, Vector, Vector],
+    given: Sequence[Sequence[Any]],
+) -> Inertia:  # fmt: skip
     """Return an inertia that a body can have; report one that none has by more than its digits.
 
     `given` are the rows of the file, or the three principal moments, one a row.
@@ -302,7 +303,7 @@ def _of_a_body(
     reader.draft.warn(path, message, "give it with more digits, or give a shape")
     if any(not isinstance(x, float) for row in inertia for x in row):
         return inertia  # of parameters, the mechanism gives a flat body what it lacks
-    return mended[0], mended[1], mended[2]
+    return tuple(mended[0]), tuple(mended[1]), tuple(mended[2])
 
 
 def _half_units(reader: "Reader", path: Path, given: Sequence[Sequence[Any]]) -> list[list[float]]:
