@@ -188,6 +188,7 @@ def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iter
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)
     yield f"#define HOLONOM_DRAWN_INTO {values['DRAWN_INTO']!r}\n"
+    yield f"#define HOLONOM_ONE_PLACE {values['ONE_PLACE']!r}\n"
     yield f"#define EARLY_UPDATE_PENALTY {values['EARLY_UPDATE_PENALTY']!r}\n"
     for field, words in values["WORDS"].items():
         yield _enumeration(layout, "WORDS", f"{field.upper()}_", words, "END")

@@ -5,7 +5,9 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
@@ -26,7 +28,19 @@ def run(arguments: argparse.Namespace) -> int:
         text = "--csv - and --json both want stdout; name a file for one of them"
         raise UsageError(text)
     check_plot(arguments)
-    result = simulate(arguments)
+    result = simulate(arguments, keep=partial(_write_table, arguments))
+    if arguments.json:
+        print_json(summary(result) | {"warnings": arguments.warnings})
+    elif not arguments.csv and begun(result):
+        _print_end(arguments.target, result)
+    code = report_end(result)
+    if arguments.plot and begun(result):
+        plot_run(arguments, result)
+    return code
+
+
+def _write_table(arguments: argparse.Namespace, result: Run) -> None:
+    """Write what `--csv` asks for."""
     if arguments.csv == "-":
         write_csv(result.values, sys.stdout)
     elif arguments.csv:
@@ -38,14 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
         # One document on stdout is what --json promises.
         stream = sys.stderr if arguments.json else sys.stdout
         stream.write(f"{arguments.csv}: {rows} row{'s' * (rows != 1)}, {columns} columns\n")
-    if arguments.json:
-        print_json(summary(result) | {"warnings": arguments.warnings})
-    elif not arguments.csv and begun(result):
-        _print_end(arguments.target, result)
-    code = report_end(result)
-    if arguments.plot and begun(result):
-        plot_run(arguments, result)
-    return code
 
 
 def begun(result: Run) -> bool:
@@ -63,8 +69,14 @@ def report_end(result: Run) -> int:
     return UNFINISHED if result.reason else 0
 
 
-def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
-    """Run what the arguments say, with a progress bar on a terminal."""
+def simulate(
+    arguments: argparse.Namespace, *, with_local: bool = False,
+    keep: Callable[[Run], None] = lambda _: None,
+) -> Run:  # fmt: skip
+    """Run what the arguments say, with a progress bar on a terminal.
+
+    `keep` gets the run before its page is written: a page that fails loses nothing.
+    """
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     with (
         runnable(arguments.target, entries) as (path, left),
@@ -80,14 +92,17 @@ def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
             with_local=with_local or bool(arguments.report),
         )
         if not arguments.report:
+            keep(result)
             return result
         from build_fmu.reporting import Carried, plain_values
 
         carried = Carried(path, arguments.target)
+        shown = result if with_local else replace(result, values=result.values[carried.ports])
+        keep(shown)
         said = [*arguments.warnings, *result.messages]
         carried.write(arguments.report, [carried.of_run(result, plain_values(left))], said)
         sys.stderr.write(f"{arguments.report}: a page of this run, for any browser\n")
-        return result if with_local else replace(result, values=result.values[carried.ports])
+        return shown
 
 
 def write_csv(values: ndarray, file: TextIO) -> None:

@@ -7,6 +7,7 @@
 #include "control.h"
 #include "energy.h"
 #include "event.h"
+#include "fault.h"
 #include "inputs_signals.h"
 #include "ledger.h"
 #include "predict.h"
@@ -169,6 +170,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status) {
         if (!c.at_fault) blame_hardest(&c);
+        if (!c.at_fault) blame_worst(&c, status);
         memcpy(head, c.k.step_backup, sizeof(double) * (size_t)c.state_size);
         head[S_STATUS] = status;
         head[S_AT_FAULT] = c.at_fault;

@@ -9,7 +9,8 @@ static const double DRAWN = 1e-9;      /* largest residual of a drawn mechanism 
                                           a larger one into a jolt */
 static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
                                           differences, which leaves of a signal at rest what rounding makes, less than DRAWN in a second */
-static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion */
+static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion,
+                                                 or in a second: what moves so little has no speed */
 
 #define ASSEMBLE ", or set [solver] assemble = true"
 
@@ -46,6 +47,7 @@ static int holds(const hm_rule *rule, double value)
 {
     const int relation = rule->relation & ~OF_A_LAW;
     if (relation == IS_FINITE) return fabs(value) < INFINITY;
+    if (relation == IS_NOTED) return value == 0.0;
     return relation == IS_ABOVE ? value > rule->bound : value >= rule->bound;
 }
 
@@ -69,7 +71,7 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
     int broken = 0;
     for (uint32_t k = 0; k < f->header->n_rules; k++) {
         const hm_rule *rule = f->rule + k;
-        if ((only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
+        if (rule->relation == IS_NOTED || (only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
         const int others = rule->relation == IS_DRAWN ? others_drawn(f, numbers, k) : 0;
         if (others < 0) continue;
         hm_say(text, "%s%s: ", broken++ ? "\n" : "", f->text + rule->name);
@@ -77,6 +79,16 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
         if (others) hm_say(text, " (also at %d more of its places)", others);
     }
     return broken;
+}
+
+void hm_noted_rules(hm_text *text, const hm_model_file *f, const double *numbers)
+{
+    for (uint32_t k = 0; k < f->header->n_rules; k++) {
+        const hm_rule *rule = f->rule + k;
+        if (rule->relation != IS_NOTED || holds(rule, numbers[rule->number])) continue;
+        hm_say(text, "%s%s: ", text->used ? "\n" : "", f->text + rule->name);
+        say_filled(text, f->text + rule->message, numbers[rule->number]);
+    }
 }
 
 void hm_say_pressed(hm_text *text, const hm_model_file *f, int32_t row, double gap, int others)
@@ -189,7 +201,7 @@ static double speed_of(const drawing *d, int32_t row)
     const holonom_model *m = d->m;
     const double scale = d->numbers[m->row_scale_at + row], rate = fabs(d->rate[row]);
     const int32_t coincidence = row - m->n_form_rows;
-    double size = REST_OF_SOLVING * scale * d->fastest; /* of velocities that were made consistent */
+    double size = REST_OF_SOLVING * scale * (d->fastest + 1.0); /* of velocities that were made consistent */
     if (rate <= size) return 0.0; /* then its bound, which takes long, need not be known */
     if (coincidence < 0) size += DRAWN * bound_of_rate(d, m->row_form[row]);
     else if (coincidence < DIM * m->n_coincidences) size += DRAWN * bound_of_rate(d, m->coincidence_form[coincidence / DIM]);

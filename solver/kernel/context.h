@@ -45,7 +45,7 @@ typedef struct context {
     int lagged;         /* whether cones take the normal forces `lag`                                        */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
-    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
+    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
     double longest_put_back; /* explicit step, by the difference of the last one [s]                               */

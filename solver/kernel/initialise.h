@@ -197,8 +197,9 @@ static int allows_settings(const context *c)
 
 static int32_t refuse_penetration(context *c)
 {
+    const double most = HOLONOM_DRAWN_INTO * c->number[c->m->extent_at] + round_off_of_drawing(c);
     for (int32_t i = 0; i < n_contacts(c->m); i++)
-        if (!(gap_of(c, i) >= -HOLONOM_DRAWN_INTO * c->number[c->m->extent_at])) {
+        if (!(gap_of(c, i) >= -most)) {
             blame(c, c->m->contact_row[i]);
             return HOLONOM_PENETRATION;
         }

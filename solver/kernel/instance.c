@@ -12,7 +12,7 @@ struct holonom_instance {
     double *before;              /* state and numbers, while a change of inputs is tried                  */
     double *inputs, *parameters; /* those to come                                                         */
     double *phi, *rate;          /* n_rows each                                                           */
-    char at_fault[128];
+    char at_fault[256];
     char *clipped;               /* of each variable: whether it was said that it is clipped               */
     hm_text message, remarks;
     int64_t state_size;
@@ -365,15 +365,12 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
-/* The contact that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
+/* The part that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
 static const char *name_at_fault(holonom_instance *i, int32_t status)
 {
-    const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
-    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED;
-    const int32_t row = is_sure || is_unsolved ? (int32_t)i->s.head[S_AT_FAULT] - 1 : -1;
     hm_text text = {i->at_fault, sizeof i->at_fault, 0};
     hm_clear(&text);
-    if (row >= 0 && row < (int32_t)i->file.header->n_rows) hm_say(&text, "%s%s: ", is_sure ? "" : "near ", text_of(i, i->file.row[row].name));
+    hm_say_fault(&text, &i->file, i->numbers, i->s.head, status);
     return i->at_fault;
 }
 
@@ -393,7 +390,8 @@ int32_t holonom_assemble(holonom_instance *i)
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
     if (status) {
-        const char *at_fault = status < HOLONOM_CONTACT_UNDECIDED ? "" : name_at_fault(i, status);
+        const int is_known = status >= HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NOT_FINITE;
+        const char *at_fault = is_known ? name_at_fault(i, status) : "";
         hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
@@ -416,8 +414,14 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
     head[S_STATUS] = status;
     i->measured = 0;
+    if (status != HOLONOM_BAD_STEP) { /* a law that breaks on the way mostly stays broken */
+        i->numbers[i->file.model.time_at] = t + step;
+        holonom_evaluate(&i->file.model, i->numbers, 1);
+    }
+    const char *fault = name_at_fault(i, status);
+    evaluate(i);
     return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
-                  name_at_fault(i, status), hm_about_step(status));
+                  fault, hm_about_step(status));
 }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)

@@ -34,6 +34,24 @@ static void stand_still(context *c)
     rows_at_start(c, 1);
 }
 
+/* A point: place of node a [m]; NULL of a direction. */
+static const double *place_of_point(const context *c, int32_t a)
+{
+    if (c->m->node_kind[a]) return NULL;
+    return a < c->n_moving ? c->s.q + DIM * a : c->number + c->m->support_at + DIM * (a - c->n_moving);
+}
+
+/* Distance of points that round-off of their coordinates, or of the numbers that these are drawn from, explains [m]. */
+static double round_off_of_drawing(const context *c)
+{
+    double farthest = 0.0;
+    for (int32_t a = 0; a < c->n_moving + c->m->n_support; a++) {
+        const double *x = place_of_point(c, a);
+        if (x) EACH(k) farthest = fmax(farthest, fabs(x[k]));
+    }
+    return HOLONOM_ONE_PLACE * (1.0 + farthest);
+}
+
 /* Size of the mechanism, from its points and the radii of gyration of its bodies. */
 static void derive_extent(context *c)
 {
@@ -42,14 +60,14 @@ static void derive_extent(context *c)
     EACH(k) low[k] = INFINITY;
     EACH(k) high[k] = -INFINITY;
     for (int32_t a = 0; a < c->n_moving + m->n_support; a++) {
-        const int moving = a < c->n_moving;
-        const double *x = moving ? c->s.q + DIM * a : c->number + m->support_at + DIM * (a - c->n_moving);
-        if (moving) *(m->node_kind[a] ? &gyration : &mass) += c->number[m->node_mass_at + a];
-        if (m->node_kind[a]) continue;
+        const double *x = place_of_point(c, a);
+        if (a < c->n_moving) *(x ? &mass : &gyration) += c->number[m->node_mass_at + a];
+        if (!x) continue;
         EACH(k) low[k] = fmin(low[k], x[k]);
         EACH(k) high[k] = fmax(high[k], x[k]);
     }
     EACH(k) extent2 += high[k] > low[k] ? hm_square(high[k] - low[k]) : 0.0;
+    if (!(extent2 > hm_square(round_off_of_drawing(c)))) extent2 = 0.0;
     if (mass > 0.0) extent2 += gyration / mass;
     else if (gyration > 0.0) mass = gyration; /* pivoted bodies alone: their inertia, with unit arms */
     if (!(extent2 > 0.0)) extent2 = 1.0; /* all in one place: nothing tells a size */

@@ -1,4 +1,4 @@
-"""Lines of a scene file: where each key and each array element stands.
+"""Lines of a scene file: where each key and each array element stands, and numbers as written.
 
 TOML and JSON readers hand out values without their places. This scanner walks a text that the
 reader has already accepted and notes a line for every path, so it need not judge the syntax.
@@ -38,6 +38,18 @@ def lines_of(text: str, notation: str) -> Mapping[Path, int]:
     return lines_of_toml(text) if notation == "toml" else {}
 
 
+@lru_cache(maxsize=4)
+def written(text: str, notation: str) -> Mapping[Path, str]:
+    """Text of each number of a text, with all its digits; nothing where the notation is unknown."""
+    scanner = _Scanner(text)
+    if notation == "toml":
+        scanner.document()
+    elif notation == "json":
+        scanner.skip(_BLANK)
+        scanner.value(())
+    return scanner.scalars
+
+
 def lines_of_toml(text: str) -> Mapping[Path, int]:
     """Line of each path of a TOML text that a reader has accepted."""
     return _Scanner(text).document()
@@ -66,6 +78,7 @@ class _Scanner:
         self.counted = 0
         """Characters whose line breaks `line` has counted."""
         self.lines: dict[Path, int] = {}
+        self.scalars: dict[Path, str] = {}
         self.repeated: list[tuple[Path, int]] = []
         """Keys given twice in one bracket, and the line of the second."""
         self.counts: dict[Path, int] = {}
@@ -154,8 +167,10 @@ class _Scanner:
             while self.skip(_COMMENT_LINES) is not None and not self.peek("}"):
                 self.entry(path)
             self.at += 1
+        elif self.text[self.at] in "\"'":
+            self.skip(_STRING)
         else:
-            self.skip(_STRING if self.text[self.at] in "\"'" else _SCALAR)
+            self.scalars[path] = self.skip(_SCALAR).strip()
 
 
 def _unquoted(key: str) -> str:

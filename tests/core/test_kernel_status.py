@@ -267,7 +267,7 @@ def test_a_failure_late_in_a_communication_step_leaves_no_trace():
         failed.advance(failed.time, 0.08)
     assert failed.status is Status.NOT_FINITE
     changed = np.flatnonzero(block(failed) != before)
-    assert changed.tolist() == [PLACE["status"]]
+    assert changed.tolist() == [PLACE["at_fault"], PLACE["status"]]  # which the sentence names
     for run in (failed, never):
         run["push"] = 0.0
         advance(run, 3)
