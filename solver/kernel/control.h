@@ -17,7 +17,6 @@
 
 enum { MAX_REPEATS = 40 };
 #define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
-#define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy of an explicit step back, over the speed */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
