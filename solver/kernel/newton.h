@@ -39,31 +39,34 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
 /* What two powers of P leave of multipliers differs by no more than so much of them where none of their rows are weakly
    determined. */
 #define WEAK 1e-4
-#define MOST_REPEATED 9 /* of P: of rows that an update leaves a tenth of, 1e-9 is taken for undetermined */
+#define MOST_REPEATED 12 /* powers of P */
 
 /* Leaves of multipliers x (modified) what their rows do not determine, by powers of P: of what is determined it leaves some 1e-8, its
    square nothing. Of what is weakly determined, as next to a dead centre, higher powers leave less; 0 if they still leave much, but
-   not the same. */
-HM_SELDOM static int keep_undetermined(const context *c, double *x)
+   not the same. With `all` of it taken out, powers differ by no less than the ones before. */
+HM_SELDOM static int keep_undetermined(const context *c, double *x, int all)
 {
-    double size2 = 0.0, change2 = INFINITY, *last = c->k.row_rate;
+    double size2 = 0.0, change2 = INFINITY, before2, *last = c->k.row_rate;
+    int is_told = 0;
     EACH_ROW(c, i) size2 += c->k.epsilon[i] * x[i] * x[i];
     contract_multipliers(c, x);
-    for (int power = 2; power <= MOST_REPEATED && !(change2 <= WEAK * WEAK * size2); power++) {
+    for (int power = 2; power <= MOST_REPEATED && !is_told; power++) {
+        before2 = change2;
         change2 = 0.0;
         EACH_ROW(c, i) last[i] = x[i];
         contract_multipliers(c, x);
         EACH_ROW(c, i) change2 += c->k.epsilon[i] * hm_square(x[i] - last[i]);
+        is_told = change2 <= WEAK * WEAK * size2 && (!all || change2 >= 0.25 * before2);
     }
-    return change2 <= WEAK * WEAK * size2;
+    return is_told;
 }
 
 /* Takes from multipliers x (modified) the part of dependent rows that is not determined; 0 if that cannot be told. */
-HM_SELDOM static int leave_undetermined(const context *c, double *x)
+HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
 {
     double *left = c->k.row_bias;
     EACH_ROW(c, i) left[i] = state_of_multiplier(c, i) == ROW_IS_ON ? x[i] : 0.0;
-    if (!keep_undetermined(c, left)) return 0;
+    if (!keep_undetermined(c, left, all)) return 0;
     EACH_ROW(c, i) x[i] -= left[i];
     return 1;
 }
@@ -72,14 +75,14 @@ HM_SELDOM static int leave_undetermined(const context *c, double *x)
 static void clean_multipliers(const context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
-    if (!leave_undetermined(c, c->k.lambda)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
+    if (!leave_undetermined(c, c->k.lambda, 0)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
 }
 
 /* Takes from rows phi (modified) what dependent ones cannot meet together, whatever moves; row_bias has it. 0 if that cannot be told. */
 HM_SELDOM static int leave_contradiction(const context *c, double *phi)
 {
     EACH_ROW(c, i) phi[i] /= c->k.epsilon[i];
-    const int is_told = leave_undetermined(c, phi);
+    const int is_told = leave_undetermined(c, phi, 1);
     EACH_ROW(c, i) phi[i] *= c->k.epsilon[i];
     EACH_ROW(c, i) c->k.row_bias[i] *= c->k.epsilon[i];
     return is_told;
@@ -104,7 +107,7 @@ HM_SELDOM static int accept_contradiction(const context *c)
     for (int pass = 0; pass < 2; pass++) {
         if (!leave_contradiction(c, c->k.phi) || !is_small_contradiction(c)) return pass;
         EACH_ROW(c, i) c->k.phi0[i] -= c->k.row_bias[i];
-        leave_undetermined(c, c->k.lambda);
+        leave_undetermined(c, c->k.lambda, 1);
     }
     return 1;
 }
