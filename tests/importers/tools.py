@@ -102,7 +102,7 @@ TOOLS = (
         "",
         "`fmi4ctest` of every scene: 20 steps, outputs of FMI 3 beside fmpy's",
         "it writes no outputs of FMI 2; in FMI 3 it always gives 10 s as the stop time, "
-        "and later steps are discarded",
+        "and later steps are errors",
         ALL_KINDS,
         program="FMI4C",
         revision="cab0bb1",
