@@ -58,7 +58,8 @@ TOOLS = (
         "libcosimpy",
         "libcosimpy",
         "coupled, fixed step",
-        "the parallel scheme; it rounds t to nanoseconds",
+        "the parallel scheme; it rounds t to nanoseconds; knows no FMI 3.0 and ends Python at one, "
+        "see below",
     ),
     Tool(
         "ecospy",
