@@ -1,4 +1,4 @@
-"""What FMUs with Python need on Linux, as README and archive say it: what their library asks for."""
+"""What FMUs with Python need on Linux: README and archive name what their library asks for."""
 
 from __future__ import annotations
 
