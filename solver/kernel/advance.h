@@ -9,6 +9,7 @@
 #include "event.h"
 #include "inputs_signals.h"
 #include "ledger.h"
+#include "measure.h"
 #include "predict.h"
 #include "start.h"
 #include "tangent.h"
@@ -19,6 +20,15 @@ static void start_anew(context *c)
     c->s.head[S_MEAN_TIME] = INFINITY;
     c->s.head[S_HELD] = 0.0;
     forget_halves(c);
+}
+
+/* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
+   there, and stay where its line ends.                                                                          */
+HM_SELDOM static void end_line(const context *c)
+{
+    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
+    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
+    c->s.head[S_MEAN_TIME] = INFINITY;
 }
 
 /* Whether an input that is held over a communication step differs. */
@@ -42,6 +52,7 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) before[i] = gap_of(&c, i);
     const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
     if (has_new_parameters) start_anew(&c);
+    if (has_jumped(&c, c.s.inputs, inputs)) end_line(&c);
     if (has_new_parameters || has_new_inputs) c.s.head[S_UNSETTLED] = 1.0;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
@@ -150,10 +161,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = 0.0;
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
-    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) {
-        head[S_MEAN_TIME] = INFINITY; /* only now: outputs at the communication point belong to the step that led there */
-        forget_halves(&c);
-    }
+    if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);
     int32_t status = start_inputs(&c, step);
     set_laws(&c, start, 0);
     head[S_EVENTS] = 0.0;
