@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.archive import write_archive
-from build_fmu.documentation import documentation
+from build_fmu.documentation import PICTURES, documentation
 from build_fmu.errors import UsageError, writing
 from build_fmu.model_description import DRAWING, model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
@@ -130,7 +130,7 @@ def archive_entries(
     entries = package.entries(name, model.sizes)
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
     entries |= documentation(model, seen, package)
-    entries |= drawn(parts.scene)
+    entries |= drawn(parts.scene, PICTURES[package.fmi])
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
     of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
@@ -145,14 +145,14 @@ def archive_entries(
     return entries
 
 
-def drawn(scene: Scene) -> dict[str, bytes]:
+def drawn(scene: Scene, picture_path: str) -> dict[str, bytes]:
     """Drawing of a scene and its picture, by path in the archive."""
     from viewer.drawing import drawing
     from viewer.picture import picture
 
     found = drawing(scene)
     text = json.dumps(found, separators=(",", ":"))
-    return {DRAWING: text.encode(), "model.png": picture(found)}
+    return {DRAWING: text.encode(), picture_path: picture(found)}
 
 
 def identifier(name: str) -> str:

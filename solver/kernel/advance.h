@@ -10,6 +10,7 @@
 #include "fault.h"
 #include "inputs_signals.h"
 #include "ledger.h"
+#include "measure.h"
 #include "predict.h"
 #include "start.h"
 #include "tangent.h"
@@ -20,6 +21,15 @@ static void start_anew(context *c)
     c->s.head[S_MEAN_TIME] = INFINITY;
     c->s.head[S_HELD] = 0.0;
     forget_halves(c);
+}
+
+/* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
+   there, and stay where its line ends.                                                                          */
+HM_SELDOM static void end_line(const context *c)
+{
+    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
+    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
+    c->s.head[S_MEAN_TIME] = INFINITY;
 }
 
 /* Whether an input that is held over a communication step differs. */
@@ -43,7 +53,7 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) before[i] = gap_of(&c, i);
     const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
     if (has_new_parameters) start_anew(&c);
-    if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
+    if (has_jumped(&c, c.s.inputs, inputs)) end_line(&c);
     if (has_new_parameters || has_new_inputs) c.s.head[S_UNSETTLED] = 1.0;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
