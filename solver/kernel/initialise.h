@@ -5,6 +5,7 @@
 #ifndef HOLONOM_INITIALISE_H
 #define HOLONOM_INITIALISE_H
 
+#include "close.h"
 #include "context.h"
 #include "energy.h"
 #include "event.h"
@@ -108,14 +109,24 @@ HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
     return HOLONOM_OK;
 }
 
-/* Closes the mechanism. Where that fails the rows say so: the caller looks at their residuals. */
-static int32_t close_mechanism(context *c)
+/* Closes the mechanism, by the smallest displacement if that leads to a pose near the drawing. */
+static int32_t close_places(context *c)
 {
     double size;
+    follow_angles(c, NULL);
+    memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
+    keep_pose(c, c->k.step_backup);
     const int32_t status = seek_step(c, 1.0, 1, &size);
-    if (status == HOLONOM_NEWTON_DIVERGED || !status) take_over(c);
-    else return status;
-    return make_velocities_consistent(c, 1);
+    if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW) return status;
+    if (!status) take_over(c), follow_angles(c, NULL);
+    const double way = status ? INFINITY : distance_from(c, c->k.step_backup);
+    return way <= FAR ? HOLONOM_OK : find_pose(c, way <= FARTHEST_STAGE);
+}
+
+static int32_t close_mechanism(context *c)
+{
+    const int32_t status = close_places(c);
+    return status ? status : make_velocities_consistent(c, 1);
 }
 
 static int32_t seek_equilibrium(context *c)
@@ -228,7 +239,8 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status) status = first_multipliers(&c);
     if (status) return status;
     follow_angles(&c, NULL);
-    memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities); /* the first sines have crossed nothing */
+    if (head[S_ASSEMBLE] == 0.0 || head[S_EQUILIBRIUM] != 0.0) /* the first sines have crossed nothing */
+        memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities);
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
     if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;

@@ -392,15 +392,16 @@ int32_t holonom_assemble(holonom_instance *i)
         return HOLONOM_UNASSEMBLED;
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
-    if (status) {
+    i->measured = 0;
+    holonom_rows(i, i->phi, i->rate);
+    if (!status || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
+        problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
+    if (status && !problems) {
         const char *at_fault = status < HOLONOM_CONTACT_UNDECIDED ? "" : name_at_fault(i, status);
         hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
     }
-    i->measured = 0;
-    holonom_rows(i, i->phi, i->rate);
-    problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
     return problems ? HOLONOM_UNASSEMBLED : HOLONOM_DONE;
 }

@@ -290,6 +290,7 @@ HEAD = (
     "stepped",  # whether a part of it was, see stepped.h
     "at_fault",  # multiplier of the contact that the last step failed at, and 1; else 0
     "status",  # of the last step
+    "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
     "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
