@@ -17,8 +17,6 @@
 #include "start.h"
 #include "tangent.h"
 
-enum { CLOSED_AT_ONCE, CLOSED_ON_PATH, CLOSED_BEHIND_PATH, CLOSED_SHAKEN }; /* S_CLOSING */
-
 enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES_FOR_OTHERS = 6 };
 
 #define CLOSED 1e-10          /* gap over its scale that counts as none */
@@ -287,11 +285,11 @@ HM_SELDOM static int32_t find_pose(context *c, int is_closed)
     take_pose(c, drawn);
     begin_closing(c, &x);
     if (!(x.sum < INFINITY)) return HOLONOM_NOT_FINITE;
-    int how = CLOSED_AT_ONCE;
+    int how = CLOSING_AT_ONCE;
     if (!is_closed) {
-        how = CLOSED_ON_PATH;
+        how = CLOSING_ON_PATH;
         if (!follow_gaps(&x)) {
-            how = CLOSED_BEHIND_PATH;
+            how = CLOSING_BEHIND_PATH;
             const int32_t status = approach(&x, ROUNDS_OF_TRY);
             if (status) return status;
         }
@@ -300,7 +298,7 @@ HM_SELDOM static int32_t find_pose(context *c, int is_closed)
     } else take_pose(c, taken);
     x.aimed = 0.0;
     const int found = try_shaken(&x, is_closed);
-    head[S_CLOSING] = is_closed ? how : CLOSED_SHAKEN;
+    head[S_CLOSING] = is_closed ? how : CLOSING_SHAKEN;
     return found ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }
 

@@ -84,29 +84,68 @@ static void take_over(context *c)
 
 enum { ROUNDS = 8 };
 
-/* Velocities next to those given, in the mass metric, that the rows allow. The first three rounds keep given velocities
-   by large weights, each beginning with them again; the others, without weights, let the rows hold to round-off.   */
-HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
+/* Velocities next to those given, in the mass metric times node weights, that the rows allow. The first three rounds keep given
+   velocities by large weights, each beginning with them again; the others, with weights `rest` or none, let the rows hold to
+   round-off. What rows still ask for, over their scales, becomes `defect`. */
+HM_SELDOM static int32_t project_initial_velocities(context *c, const double *weight, const double *rest, double *defect)
 {
     const holonom_model *m = c->m;
-    const double *weight = keep_given ? c->number + m->velocity_weight_at : NULL;
-    const double *given = c->number + m->initial_velocity_at;
+    const double *is_given = c->number + m->velocity_weight_at, *given = c->number + m->initial_velocity_at;
     double last = INFINITY;
-    for (int round = keep_given ? 0 : 3; round < ROUNDS; round++) {
+    for (int round = weight ? 0 : 3; round <= ROUNDS; round++) {
         for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
-            if (weight[k / DIM] > 1.0) c->s.v[k] = given[k];
+            if (is_given[k / DIM] > 1.0) c->s.v[k] = given[k];
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-        const double defect = largest_row(c, c->k.phi);
-        if (round > 3 && !(defect < 0.5 * last)) break; /* light parts cost digits: again, as long as it helps */
-        last = round < 3 ? INFINITY : defect;
-        const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
+        *defect = largest_row(c, c->k.phi);
+        if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last))) break; /* light parts cost digits: again, as long as it helps */
+        last = round < 3 ? INFINITY : *defect;
+        const int32_t status = solve_at_state(c, round < 3 ? weight : rest);
         if (status) return status;
         add_solution(c, c->s.v);
     }
     return HOLONOM_OK;
+}
+
+/* Largest angular velocity, and speed over the size of the mechanism [1/s]. */
+static double fastest_rate(const context *c)
+{
+    double fastest = 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double speed = sqrt(dot(c->s.v + DIM * a, c->s.v + DIM * a));
+        fastest = fmax(fastest, c->m->node_kind[a] ? speed : speed / c->number[c->m->extent_at]);
+    }
+    return fastest;
+}
+
+#define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
+#define GIVEN_HEAVIER 1e4 /* weight of given velocities where all parts weigh the same */
+
+/* Velocities that the rows allow. Where light parts cost all digits, once more in a metric in which all points, and all directors,
+   weigh the same: rows have compliances by their largest term, which hides those between heavy parts. */
+HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
+{
+    const holonom_model *m = c->m;
+    double *mass = c->number + m->node_mass_at, *sigma = c->number + m->row_sigma_at, *weight = c->k.estimate, *rest = weight + m->n_free;
+    double *sigma_before = c->k.row_bias, *mass_before = rest + m->n_free, defect;
+    int32_t status = project_initial_velocities(c, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
+    if (status || defect <= RATES_HOLD * fastest_rate(c)) return status;
+    memcpy(sigma_before, sigma, sizeof(double) * (size_t)m->n_rows);
+    memcpy(mass_before, mass, sizeof(double) * (size_t)c->n_moving);
+    for (int32_t a = 0; a < m->n_free; a++) {
+        const double usual = m->node_kind[a] ? hm_square(c->number[m->extent_at]) : 1.0;
+        rest[a] = usual / mass[a];
+        weight[a] = rest[a] * (c->number[m->velocity_weight_at + a] > 1.0 ? GIVEN_HEAVIER : 1.0);
+        mass[a] = usual;
+    }
+    status = derive_scales(c);
+    memcpy(c->s.v, c->number + m->initial_velocity_at, sizeof(double) * (size_t)(DIM * m->n_free));
+    if (!status) status = project_initial_velocities(c, keep_given ? weight : NULL, rest, &defect);
+    memcpy(sigma, sigma_before, sizeof(double) * (size_t)m->n_rows);
+    memcpy(mass, mass_before, sizeof(double) * (size_t)c->n_moving);
+    return status;
 }
 
 /* Closes the mechanism, by the smallest displacement if that leads to a pose near the drawing. */

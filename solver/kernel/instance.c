@@ -173,7 +173,7 @@ static int32_t measure(holonom_instance *i, int32_t groups)
     if (!(groups & ~i->measured)) return HOLONOM_DONE;
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
-        if (result) return result;
+        if (result & ~HOLONOM_REMARKED) return result;
     }
     holonom_measure(&i->file.model, i->numbers, i->state, i->work, groups);
     i->measured |= groups;
@@ -377,6 +377,16 @@ static const char *name_at_fault(holonom_instance *i, int32_t status)
     return i->at_fault;
 }
 
+/* Remarks on what moved far, as a line of its own. */
+static void remark_on_closing(holonom_instance *i)
+{
+    hm_text said = i->remarks; /* behind those not yet fetched */
+    if (!i->has_remarks) hm_clear(&said);
+    else hm_say(&said, "\n");
+    if (hm_say_closing(&said, &i->file, i->numbers, &i->s)) i->remarks = said, i->has_remarks = 1;
+    else hm_take_back(&said, i->has_remarks ? i->remarks.used : 0);
+}
+
 int32_t holonom_assemble(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
@@ -403,7 +413,9 @@ int32_t holonom_assemble(holonom_instance *i)
         return HOLONOM_UNASSEMBLED;
     }
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
-    return problems ? HOLONOM_UNASSEMBLED : HOLONOM_DONE;
+    if (problems) return HOLONOM_UNASSEMBLED;
+    if (i->s.head[S_ASSEMBLE] != 0.0) remark_on_closing(i);
+    return done(i);
 }
 
 void holonom_begin(holonom_instance *i)
@@ -431,7 +443,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
-        if (result) return result;
+        if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
     const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step);
