@@ -353,4 +353,54 @@ int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *nu
     return problems;
 }
 
+/* ---------------------------------------------------------------------------------------------------- dead centre */
+
+static const double SHARE = 1e-3; /* of the largest lack, from which on a row is told */
+
+/* Names of parts, or of bodies, each once, that `counts` finds in a row. */
+typedef int (*row_test)(const drawing *d, int32_t row);
+
+static int is_of_body(const drawing *d, int32_t row) { return d->f->row[row].kind == ROW_AXES; }
+
+static double lack(const drawing *d, int32_t row)
+{
+    return fabs(d->phi[row]) / d->numbers[d->m->row_scale_at + row];
+}
+
+static int lacks(const drawing *d, int32_t row)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < d->m->n_rows; i++) largest = fmax(largest, lack(d, i));
+    return !is_of_body(d, row) && lack(d, row) > SHARE * largest;
+}
+
+/* Whether a row is of a body whose angular velocity is not given. */
+static int is_of_free_body(const drawing *d, int32_t row)
+{
+    return is_of_body(d, row) && row < d->m->n_form_rows &&
+           d->numbers[d->m->velocity_weight_at + d->m->form_node[d->m->form_ptr[d->m->row_form[row]]]] <= 1.0;
+}
+
+static int say_names(hm_text *text, const drawing *d, row_test counts, const char *before)
+{
+    int said = 0;
+    for (int32_t row = 0; row < d->m->n_rows; row++) {
+        int is_told = !counts(d, row);
+        for (int32_t i = 0; i < row && !is_told; i++) is_told = d->f->row[i].name == d->f->row[row].name && counts(d, i);
+        if (!is_told) hm_say(text, "%s%s", said++ ? ", " : before, d->f->text + d->f->row[row].name);
+    }
+    return said;
+}
+
+void hm_say_dead_centre(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, const double *lacking)
+{
+    const drawing d = {f, &f->model, numbers, lacking, lacking, s, 0.0};
+    hm_say(text, "the mechanism is drawn in a singular place, a dead centre, where branches of its motion meet: ");
+    say_names(text, &d, lacks, "");
+    hm_say(text, " leave more velocities free there than beside it (holonom info: mobility by rank and by counting), and those at the "
+                 "start belong to no branch; give a velocity that chooses one");
+    say_names(text, &d, is_of_free_body, ", such as that of ");
+    hm_say(text, ", or draw the mechanism beside this place");
+}
+
 #include "small.h"

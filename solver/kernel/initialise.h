@@ -7,7 +7,9 @@
 
 #include "close.h"
 #include "context.h"
+#include "dead_centre.h"
 #include "energy.h"
+#include "even_metric.h"
 #include "event.h"
 #include "extrapolation.h"
 #include "inputs_signals.h"
@@ -123,28 +125,20 @@ static double fastest_rate(const context *c)
 #define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
 #define GIVEN_HEAVIER 1e4 /* weight of given velocities where all parts weigh the same */
 
-/* Velocities that the rows allow. Where light parts cost all digits, once more in a metric in which all points, and all directors,
-   weigh the same: rows have compliances by their largest term, which hides those between heavy parts. */
+/* Velocities that the rows allow. Where light parts cost all digits, once more in an even metric. */
 HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const holonom_model *m = c->m;
-    double *mass = c->number + m->node_mass_at, *sigma = c->number + m->row_sigma_at, *weight = c->k.estimate, *rest = weight + m->n_free;
-    double *sigma_before = c->k.row_bias, *mass_before = rest + m->n_free, defect;
+    double *weight = c->k.free, defect;
+    even_metric metric;
     int32_t status = project_initial_velocities(c, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
     if (status || defect <= RATES_HOLD * fastest_rate(c)) return status;
-    memcpy(sigma_before, sigma, sizeof(double) * (size_t)m->n_rows);
-    memcpy(mass_before, mass, sizeof(double) * (size_t)c->n_moving);
-    for (int32_t a = 0; a < m->n_free; a++) {
-        const double usual = m->node_kind[a] ? hm_square(c->number[m->extent_at]) : 1.0;
-        rest[a] = usual / mass[a];
-        weight[a] = rest[a] * (c->number[m->velocity_weight_at + a] > 1.0 ? GIVEN_HEAVIER : 1.0);
-        mass[a] = usual;
-    }
-    status = derive_scales(c);
+    status = take_even_metric(c, &metric);
+    for (int32_t a = 0; a < m->n_free; a++)
+        weight[a] = metric.weight[a] * (c->number[m->velocity_weight_at + a] > 1.0 ? GIVEN_HEAVIER : 1.0);
     memcpy(c->s.v, c->number + m->initial_velocity_at, sizeof(double) * (size_t)(DIM * m->n_free));
-    if (!status) status = project_initial_velocities(c, keep_given ? weight : NULL, rest, &defect);
-    memcpy(sigma, sigma_before, sizeof(double) * (size_t)m->n_rows);
-    memcpy(mass, mass_before, sizeof(double) * (size_t)c->n_moving);
+    if (!status) status = project_initial_velocities(c, keep_given ? weight : NULL, metric.weight, &defect);
+    leave_even_metric(c, &metric);
     return status;
 }
 
@@ -276,6 +270,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (!status) status = first_multipliers(&c);
+    if (!status && fastest_rate(&c) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;
     follow_angles(&c, NULL);
     if (head[S_ASSEMBLE] == 0.0 || head[S_EQUILIBRIUM] != 0.0) /* the first sines have crossed nothing */

@@ -391,6 +391,7 @@ int32_t holonom_assemble(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
     hm_text *message = &i->message;
+    hm_work work;
     evaluate(i);
     hm_clear(message);
     int problems = hm_broken_rules(message, &i->file, i->numbers, 0);
@@ -403,9 +404,15 @@ int32_t holonom_assemble(holonom_instance *i)
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
     i->measured = 0;
+    hm_map_work(m, i->work, &work);
+    memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
     holonom_rows(i, i->phi, i->rate);
-    if (!status || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
+    if (!status || status == HOLONOM_AT_DEAD_CENTRE || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
         problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
+    if (status == HOLONOM_AT_DEAD_CENTRE && !problems) {
+        hm_say_dead_centre(message, &i->file, i->numbers, &i->s, i->before);
+        return HOLONOM_UNASSEMBLED;
+    }
     if (status && !problems) {
         const char *at_fault = status < HOLONOM_CONTACT_UNDECIDED ? "" : name_at_fault(i, status);
         hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
