@@ -16,7 +16,7 @@ from solver.runtime.layout import CLOSINGS
 from solver.scene import BodyJoint, Point, PointReference, Rigid, Scene, SceneWarning, load, loads
 from solver.scene.expression import evaluate
 from solver.scene.positions import Path, spans_of
-from solver.scene.rewriting import UnwrittenError, Written, rewritten
+from solver.scene.rewriting import UnwrittenError, Written, less, rewritten
 
 METHODS = {
     "at_once": "by the smallest displacement",
@@ -29,6 +29,8 @@ ROUND_OFF = 1e-12
 """Of the size of the mechanism, or 1 rad: what moved by less stays as it is written."""
 SAME = 1e-9
 """Likewise: by so much the closed pose may move when it is read again."""
+COUNTED = {"drivers": ("value",), "contacts": ("min", "max")}
+"""Fields of parts with a joint whose angle or displacement they count from the drawing."""
 TABLES_WITH_PLACES = ("joints", "forces", "drivers", "contacts")
 
 Turn = tuple[tuple[float, ...], ...]
@@ -249,6 +251,7 @@ class _Edit:
         for table in TABLES_WITH_PLACES:
             for name, part in getattr(self._scene, table).items():
                 self._add_places(table, name, part)
+        self._count_from_the_new_drawing(closed)
         return self._new
 
     def formulas(self) -> list[str]:
@@ -256,8 +259,8 @@ class _Edit:
         text = self._scene.source.text
         return [
             f"{'.'.join(map(str, path))}: numbers replace {text[span.begin : span.end]}"
-            for path in self._new
-            if (span := self._spans.get(path)) and '"' in text[span.begin : span.end]
+            for path, new in self._new.items()
+            if not isinstance(new, str) and (span := self._spans.get(path)) and '"' in text[span.begin : span.end]
         ]
 
     def _add_velocities(self, closed: Mapping[str, float]) -> None:
@@ -280,6 +283,19 @@ class _Edit:
                 if math.dist(found, before) > SAME * max(largest, SAME):
                     plane = field == "angular_velocity" and scene.dimension == 2
                     self._new[table, name, field] = found[0] if plane else found
+
+    def _count_from_the_new_drawing(self, closed: Mapping[str, float]) -> None:
+        """Let drivers and stops of joints, which count from the drawing, mean what they did."""
+        for table, fields in COUNTED.items():
+            for name, part in getattr(self._scene, table).items():
+                joint = getattr(part, "joint", None)
+                for word, size in (("angle", 1.0), ("displacement", self._size)):
+                    moved = closed.get(f"{joint}.{word}", 0.0)
+                    for path in ((table, name, field) for field in fields):
+                        if path in self._spans and abs(moved) > ROUND_OFF * size:
+                            span = self._spans[path]
+                            text = self._scene.source.text[span.begin : span.end]
+                            self._new[path] = less(text, moved)
 
     def _add_places(self, table: str, name: str, part: Any) -> None:
         """Carry places and directions of a part with the bodies that they are fixed to."""
@@ -330,8 +346,8 @@ def _counted_from_the_drawing(
             if abs(value) > SAME * scale:
                 yield (
                     f"joints.{name}: its {word} counts from the new drawing, in which it is "
-                    f"{value:.6g} {unit} more than in the old one; so do what drives, limits or "
-                    "measures it, and springs on it"
+                    f"{value:.6g} {unit} less than from the old one; its drivers and stops were "
+                    "changed alike, but no other formulas and springs that read it"
                 )
     for name, force in scene.forces.items():
         for field in ("free_length", "free_angle"):
@@ -353,6 +369,6 @@ def _check_again(
         if gap > SAME * size:
             message = (
                 f"the closed pose cannot be written: read again, '{name}' moves by {gap:.3g} m, since "
-                "joints count from the drawing; let drivers and stops of joints be 0 as drawn"
+                "a formula counts from the drawing; let what reads joints be 0 as drawn"
             )
             scene.fail([scene.error("", message)])

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from solver.scene.positions import Path, spans_of
 
-Written: TypeAlias = float | Sequence[float] | Mapping[str, Sequence[float]]
-"""A number, a vector, or a table of one vector, such as ``{"quaternion": [1, 0, 0, 0]}``."""
+Written: TypeAlias = float | str | Sequence[float] | Mapping[str, Sequence[float]]
+"""A number, a formula, a vector, or a table of one vector, ``{"quaternion": [1, 0, 0, 0]}``."""
 
 
 class UnwrittenError(Exception):
@@ -51,12 +52,22 @@ def rewritten(text: str, notation: str, values: Mapping[Path, Written]) -> str:
     return text
 
 
+def less(written: str, number: float) -> Written:
+    """Return what stands in a text, a number or a formula, less a number."""
+    if written[:1] not in ("'", '"'):
+        return float(written) - number
+    inner = written[1:-1] if written[0] == "'" else json.loads(written)
+    return f"({inner}) {'+' if number < 0.0 else '-'} {abs(number)!r}"
+
+
 def _shown(value: Written, notation: str) -> str:
     if isinstance(value, Mapping):
         ((name, vector),) = value.items()
         if notation == "json":
             return f'{{ "{name}": {_shown(vector, notation)} }}'
         return f"{{ {name} = {_shown(vector, notation)} }}"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Sequence):
         return f"[{', '.join(_shown(x, notation) for x in value)}]"
     return repr(float(value) + 0.0)  # no negative zero
