@@ -136,6 +136,10 @@ def _parser() -> argparse.ArgumentParser:
     text = "find the static equilibrium next to the drawn configuration, and what holds it there"
     info.add_argument("--equilibrium", action="store_true", help=text)
     _add_settings(info, "replace a parameter or any number of the scene")
+    closing = commands.add_parser("assemble", help="close a mechanism that is drawn inexactly")
+    closing.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
+    text = "file for the scene with the closed places and velocities, comments kept (default: none)"
+    closing.add_argument("-o", "--output", metavar="FILE", help=text)
     init = commands.add_parser("init", help="write a scene to begin with")
     init.add_argument("name", metavar="NAME", help="of the scene and its file, NAME.toml")
     text = "scene of this package that it is like, such as slider_crank (default: %(default)s)"
@@ -149,7 +153,7 @@ def _parser() -> argparse.ArgumentParser:
     schema.add_argument("-o", "--output", metavar="FILE", help="(default: to stdout)")
     validate = commands.add_parser("validate", help="check an FMU against the standard with fmpy")
     validate.add_argument("target", metavar="FMU")
-    for command in (build, simulate, check, info, validate):
+    for command in (build, simulate, check, info, closing, validate):
         command.add_argument("--json", action="store_true", help="print JSON instead of a table")
     return parser
 

@@ -183,7 +183,7 @@ def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iter
     for table, prefix, last in (
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
         ("CONTACT", "C_", "SIZE"), ("FRICTION", "F_", "SIZE"), ("NORMAL_SUMS", "NORMAL_", "SUMS"),
-        ("CONTACT_MODES", "CONTACT_", "MODES"), ("FRICTION_MODES", "FRICTION_", "MODES"),
+        ("CLOSINGS", "CLOSING_", "WAYS"), ("CONTACT_MODES", "CONTACT_", "MODES"), ("FRICTION_MODES", "FRICTION_", "MODES"),
         ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)

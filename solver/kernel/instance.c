@@ -173,7 +173,7 @@ static int32_t measure(holonom_instance *i, int32_t groups)
     if (!(groups & ~i->measured)) return HOLONOM_DONE;
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
-        if (result) return result;
+        if (result & ~HOLONOM_REMARKED) return result;
     }
     holonom_measure(&i->file.model, i->numbers, i->state, i->work, groups);
     i->measured |= groups;
@@ -374,10 +374,21 @@ static const char *name_at_fault(holonom_instance *i, int32_t status)
     return i->at_fault;
 }
 
+/* Remarks on what moved far, as a line of its own. */
+static void remark_on_closing(holonom_instance *i)
+{
+    hm_text said = i->remarks; /* behind those not yet fetched */
+    if (!i->has_remarks) hm_clear(&said);
+    else hm_say(&said, "\n");
+    if (hm_say_closing(&said, &i->file, i->numbers, &i->s)) i->remarks = said, i->has_remarks = 1;
+    else hm_take_back(&said, i->has_remarks ? i->remarks.used : 0);
+}
+
 int32_t holonom_assemble(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
     hm_text *message = &i->message;
+    hm_work work;
     evaluate(i);
     hm_clear(message);
     int problems = hm_broken_rules(message, &i->file, i->numbers, 0);
@@ -389,18 +400,27 @@ int32_t holonom_assemble(holonom_instance *i)
         return HOLONOM_UNASSEMBLED;
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
-    if (status) {
+    i->measured = 0;
+    hm_map_work(m, i->work, &work);
+    memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
+    holonom_rows(i, i->phi, i->rate);
+    if (!status || status == HOLONOM_AT_DEAD_CENTRE || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
+        problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
+    if (status == HOLONOM_AT_DEAD_CENTRE && !problems) {
+        hm_say_dead_centre(message, &i->file, i->numbers, &i->s, i->before);
+        return HOLONOM_UNASSEMBLED;
+    }
+    if (status && !problems) {
         const int is_known = status >= HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NOT_FINITE;
         const char *at_fault = is_known ? name_at_fault(i, status) : "";
         hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
     }
-    i->measured = 0;
-    holonom_rows(i, i->phi, i->rate);
-    problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
-    return problems ? HOLONOM_UNASSEMBLED : HOLONOM_DONE;
+    if (problems) return HOLONOM_UNASSEMBLED;
+    if (i->s.head[S_ASSEMBLE] != 0.0) remark_on_closing(i);
+    return done(i);
 }
 
 void holonom_begin(holonom_instance *i)
@@ -434,7 +454,7 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
-        if (result) return result;
+        if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
     const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step);

@@ -44,6 +44,7 @@ const char *hm_about_step(int32_t status)
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
+    case HOLONOM_AT_DEAD_CENTRE: return "its velocities belong to no motion from this dead centre; give those of a part that choose one";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "

@@ -47,6 +47,12 @@ int hm_unknown_to_method(hm_text *text, const hm_model_file *file, const double 
 int hm_contradicted_rows(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state,
                          const double *phi, const double *rate);
 
+/* Says which parts let the velocities at the start belong to no motion, by what their rows lack (n_rows), and the remedy. */
+void hm_say_dead_centre(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state, const double *lacking);
+
+/* Says what moved far when the mechanism was closed, and whether other poses are as near; whether there is something to say. */
+int hm_say_closing(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state);
+
 /* Remarks on a run that goes on, each once. */
 enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4, REMARK_NUMBERS = 8 };
 

@@ -290,6 +290,7 @@ HEAD = (
     "stepped",  # whether a part of it was, see stepped.h
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
+    "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
     "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
@@ -352,6 +353,10 @@ CONTACT_MODES = ("open", "closed", "slides")
 NORMAL_SUMS = ("continues", "begins", "pushes")
 """How a multiplier enters a normal force: the norm of some begins or continues with it; or it is
 that of a gap, which pushes with the negative multiplier."""
+
+CLOSINGS = ("at_once", "on_path", "behind_path", "shaken")
+"""How a mechanism was closed: by the smallest displacement, on a path from its drawing, from the end
+of that path, or from a drawing that was shaken."""
 
 FRICTION_MODES = ("off", "sticks", "slides")
 
