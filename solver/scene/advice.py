@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
 from solver.options import OPTIONS
 from solver.scene.draft import Draft
+from solver.scene.expression import curves_of
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
 from solver.scene.numbers import NumberChecks
 from solver.scene.parameters import Input
+from solver.scene.profiles import Profile
 from solver.scene.report import Path, location_of
 
 LARGE = 100.0
@@ -20,12 +22,17 @@ SMALL = 5.0
 """Length in mm below which few numbers of a drawing in mm are."""
 
 
-def advise(numbers: NumberChecks, inputs: dict[str, Input], joints: dict[str, Part]) -> None:
-    """Warn of a scene as a whole, in which no mistake was found."""
+def advise(
+    numbers: NumberChecks,
+    profiles: Mapping[str, Profile],
+    parts: Mapping[str, Mapping[str, Any]],
+) -> None:
+    """Warn of a scene as a whole, in which no mistake was found; `parts` are by table and name."""
     _unused(numbers)
     _settings_of_contacts(numbers)
-    _held(numbers, inputs)
-    _welded_twice(numbers.draft, joints)
+    _held(numbers, parts["inputs"])
+    _with_corners(numbers.draft, profiles, parts)
+    _welded_twice(numbers.draft, parts["joints"])
     _millimetres(numbers.draft)
 
 
@@ -49,7 +56,7 @@ def _settings_of_contacts(numbers: NumberChecks) -> None:
             numbers.draft.warn(("solver", name), message, "leave it out, or write [contacts]")
 
 
-def _held(numbers: NumberChecks, inputs: dict[str, Input]) -> None:
+def _held(numbers: NumberChecks, inputs: Mapping[str, Input]) -> None:
     """Warn of inputs and tunable parameters that move something by jumps."""
     for name, given in inputs.items():
         moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
@@ -70,7 +77,23 @@ def _prescribes(path: Path) -> bool:
     return path[0] == "drivers" or (path[0] == "constraints" and path[2] == "value")
 
 
-def _welded_twice(draft: Draft, joints: dict[str, Part]) -> None:
+def _with_corners(
+    draft: Draft, profiles: Mapping[str, Profile], parts: Mapping[str, Mapping[str, Any]]
+) -> None:
+    """Warn of motions along straight lines, whose rate jumps where these meet."""
+    for table in ("drivers", "constraints"):
+        for name, part in parts[table].items():
+            value = getattr(part, "value", None)
+            terms = value if isinstance(value, tuple) else (value,)
+            for curve in sorted({curve for term in terms for curve in curves_of(term)}):
+                if curve in profiles and profiles[curve].has_corners:
+                    message = f"moves along the straight lines of '{curve}', whose rate jumps "
+                    message += "where they meet; velocities do not follow a jump"
+                    help = f'write interpolation = "monotone" in profiles.{curve}'
+                    draft.warn((table, name, "value"), message, help)
+
+
+def _welded_twice(draft: Draft, joints: Mapping[str, Part]) -> None:
     """Warn of joints between bodies that fixed joints hold together already."""
     welded_to: dict[str | None, str | None] = {}
 
