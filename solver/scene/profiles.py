@@ -229,14 +229,18 @@ def table_of(
     y: Sequence[float],
     *,
     interpolation: str = "cubic",
+    slopes: Sequence[float] = (),
     periodic: bool = False,
     integrate: bool = False,
 ) -> tuple[float, ...]:
-    """Return the table of the curve through points, in the form of ``solver/kernel/spline.c``."""
+    """Return the table of the curve through points, in the form of ``solver/kernel/spline.c``.
+
+    Where `slopes` at the points are given, they make the curve.
+    """
     h = [right - left for left, right in pairwise(x)]
     table, area = [x[-1] - x[0] if periodic else 0.0], 0.0
     places, values = (x[0], *x), (y[0], *y)
-    pieces = _pieces(x, y, interpolation, periodic=periodic)
+    pieces = _between(h, y, slopes) if slopes else _pieces(x, y, interpolation, periodic=periodic)
     for at, value, piece, step in zip(places, values, pieces, (0.0, *h, 0.0), strict=True):
         c = [value, *piece]
         if integrate:
@@ -255,13 +259,7 @@ def _pieces(
     if interpolation == "linear":
         return [(slope, 0.0, 0.0) for slope in (d[0], *d, d[-1])]
     if interpolation == "monotone":
-        slopes = _slopes(h, d, periodic=periodic)
-        pieces = [(slopes[0], 0.0, 0.0)]
-        for (m, n), step, mean in zip(pairwise(slopes), h, d, strict=True):
-            pieces.append(
-                (m, (3.0 * mean - 2.0 * m - n) / step, (m + n - 2.0 * mean) / step / step)
-            )
-        return [*pieces, (slopes[-1], 0.0, 0.0)]
+        return _between(h, y, _slopes(h, d, periodic=periodic))
     before = -(-_FORGOTTEN // len(h)) if periodic else 0  # periods, after which it repeats
     bends = _curvatures(h * (2 * before + 1), d * (2 * before + 1))
     bends = bends[before * len(h) : (before + 1) * len(h) + 1]
@@ -271,6 +269,15 @@ def _pieces(
     for mean, step, (m, n) in zip(d, h, pairwise(bends), strict=True):
         pieces.append((mean - step * (2.0 * m + n) / 6.0, 0.5 * m, (n - m) / 6.0 / step))
     return [*pieces, (d[-1] + h[-1] * (bends[-2] + 2.0 * bends[-1]) / 6.0, 0.5 * bends[-1], 0.0)]
+
+
+def _between(h: Sequence[float], y: Sequence[float], slopes: Sequence[float]) -> list[Piece]:
+    """Cubics with these values and slopes at their ends; as `_pieces`."""
+    pieces = [(slopes[0], 0.0, 0.0)]
+    for (left, right), (m, n), step in zip(pairwise(y), pairwise(slopes), h, strict=True):
+        d = (right - left) / step
+        pieces.append((m, (3.0 * d - 2.0 * m - n) / step, (m + n - 2.0 * d) / step / step))
+    return [*pieces, (slopes[-1], 0.0, 0.0)]
 
 
 def _slopes(h: Sequence[float], d: Sequence[float], *, periodic: bool) -> list[float]:
