@@ -25,7 +25,7 @@ from build_fmu.study.values import (
 )
 from build_fmu.version import VERSION
 from solver.options import OPTIONS
-from solver.scene.units import base_unit
+from solver.scene.units import base_unit, offset_of
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -167,6 +167,8 @@ def converted(entry: Entry, name: str, unit: str) -> object:
         unknown = f"{entry.unit!r} is not known, and the file does not define it"
         reason = f"{entry.unit!r} measures something else" if given else unknown
         help = f"{reason}; give the value in {unit}" if unit else "leave the unit out"
+        if not given and (offset := offset_of(entry.unit)):
+            help = "; ".join(offset)
         raise WrongValueError(name, f"given in {entry.unit!r}, but has {words}", help)
     if same and math.isclose(given.factor / wanted.factor, 1.0):
         return value  # 0.0174533 and all digits of it are one degree

@@ -26,7 +26,7 @@ from solver.scene.quantities import Level, Offer, quantities
 from solver.scene.report import Path
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
 from solver.scene.units import in_si
-from solver.scene.words import a, did_you_mean
+from solver.scene.words import a, did_you_mean, nearest
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
@@ -240,7 +240,8 @@ class NumberChecks:
             words += ["t", *self.known.of("input")]
         if name.count("."):
             words += sorted(possible)
-        unit = in_si(f"1 {name}") if len(name) > 1 else None
+        is_near = nearest(name, words) is not None
+        unit = in_si(f"1 {name}") if len(name) > 1 and not is_near else None
         return f"unknown symbol '{name}'", unit or did_you_mean(name, words)
 
     def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:

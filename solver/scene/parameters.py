@@ -10,7 +10,7 @@ from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
 from solver.scene.report import Path
 from solver.scene.rules import PARAMETER
-from solver.scene.units import not_of_si
+from solver.scene.units import not_of_si, spelled
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 
 def _unit(reader: "Reader", path: Path, unit: Any, _: Any) -> Any:
-    """Report a unit that is not of SI: nothing would convert the number."""
+    """Report a unit that is not of SI, as nothing would convert the number; write it as FMI."""
     message, help = not_of_si(unit) if isinstance(unit, str) else ("", "")
     if message:
         reader.draft.error(path, message, help)
-    return unit
+    return spelled(unit) if isinstance(unit, str) and not message else unit
 
 
 def _limit(reader: "Reader", path: Path, value: Any, _: Any) -> float | None:

@@ -272,6 +272,41 @@ def test_other_spellings_of_units(unit, meant):
     assert helps == ([f"did you mean '{meant}'?"] if meant else [])
 
 
+@pytest.mark.parametrize(
+    ("unit", "help"),
+    [
+        ("mN", "give the value in N: 1 mN is 0.001 N"),
+        ("mNm", "give the value in N.m: 1 mN.m is 0.001 N.m"),
+        ("mN*m", "give the value in N.m: 1 mN.m is 0.001 N.m"),
+        ("kN/m", "give the value in N/m: 1 kN/m is 1000 N/m"),
+        ("mrad", "give the value in rad: 1 mrad is 0.001 rad"),
+        ("hPa", "give the value in Pa: 1 hPa is 100 Pa"),
+        ("um", "give the value in m: 1 um is 1e-06 m"),
+        ("degC", "give a temperature in K, value + 273.15; a difference of 1 degC is 1 K"),
+        ("deg C", "give a temperature in K, value + 273.15; a difference of 1 degC is 1 K"),
+        ("J/°C", "give a temperature in K, value + 273.15; a difference of 1 °C is 1 K"),
+        ("degF", "give a temperature in K, (value + 459.67)*5/9; a difference of 1 degF is 5/9 K"),
+    ],
+)
+def test_a_unit_with_a_prefix_or_an_offset_is_refused_with_the_value_in_si(unit, help):
+    (found,) = problems(SCENE | {"parameters": {"p": {"value": 1.0, "unit": unit}}})
+    assert found.help == help
+    counts = "counts from another zero than SI, so that no factor converts it"
+    assert (counts in found.message) == ("K" in help)
+
+
+def test_a_name_of_the_scene_is_nearer_than_a_unit():
+    """A pm is a picometre."""
+    point = SCENE["points"]["A"] | {"mass": "pm"}
+    helps = [
+        found.help
+        for parameters in ({"pms": 1.0}, {"k": 1.0})
+        for found in problems(SCENE | {"points": {"A": point}, "parameters": parameters})
+    ]
+    assert helps[0] == "did you mean 'pms'?"
+    assert helps[1].endswith("here m: write 1e-12")
+
+
 @given(
     value=st.floats(-1e6, 1e6),
     unit=st.sampled_from(["deg", "mm", "kN", "rpm", "m", "rad", "N/mm", "degrees", "°"]),
