@@ -16,7 +16,6 @@ from build_fmu.study.values import (
     WrongValueError,
     is_finite,
     is_number,
-    listed,
     nearest,
     plain,
     refuse,
@@ -26,6 +25,7 @@ from build_fmu.study.values import (
 from build_fmu.version import VERSION
 from solver.options import OPTIONS
 from solver.scene.units import base_unit, offset_of
+from solver.scene.words import listed
 
 if TYPE_CHECKING:
     from argparse import Namespace

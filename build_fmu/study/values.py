@@ -8,18 +8,18 @@ import math
 import re
 import reprlib
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeGuard
 
 from build_fmu.errors import UsageError
+from solver.scene.words import listed
 
 if TYPE_CHECKING:
     from solver.scene.units import BaseUnit
 
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
-MOST_NAMES = 20
 _LONG_NAMES = ("parameters.{}", "inputs.{}", "parameters.{}.value", "inputs.{}.start")
 """How a parameter or input may be named besides its name."""
 _LONG_NAME = re.compile("|".join(x.replace(".", r"\.").format(r"(\w+)") for x in _LONG_NAMES))
@@ -176,8 +176,3 @@ def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> 
 def counted(count: int, word: str) -> str:
     """Number of things in words: 1 run, 2 runs."""
     return f"{count} {word}" if count == 1 else f"{count} {word}s"
-
-
-def listed(names: Sequence[str]) -> str:
-    """Names in one line, the first of them where there are many."""
-    return ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")

@@ -8,11 +8,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver import SceneError, loads
+from solver.options import OPTIONS
 from solver.scene import JointFriction
 from solver.scene.fields import fields_of
 from solver.scene.scene import NOUNS, TYPES, Scene
 from solver.scene.units import base_unit
-from solver.scene.words import NAMES
+from solver.scene.words import NAMES, listed
 
 TABLES = [*NOUNS]
 PARTS = [(table, word) for table, types in TYPES.items() for word in types]
@@ -242,6 +243,36 @@ def test_nothing_is_named_where_there_is_nothing():
     scene["forces"] = {"drive": {"type": "torque", "value": [1, 0, 0]}}
     (found,) = problems(scene)
     assert found.help == 'write body = "..."'
+
+
+# ------------------------------------------------------------------------------ what is known
+
+
+def test_what_is_possible_is_listed_whole():
+    """Fields of a table with many, points with the ground, and symbols with the mechanism's own."""
+    rod = {"type": "distance", "points": ["A", "qqq"]}
+    output = {"value": "qqq"}
+    scene = SCENE | {"solver": {"qqq": 1}, "joints": {"rod": rod}, "outputs": {"o": output}}
+    helps = {found.location: found.help for found in problems(scene)}
+    assert helps["solver.qqq"] == f"known fields: {', '.join(OPTIONS)}"
+    assert helps["joints.rod.points[1]"].endswith(", ground")
+    of_output = helps["outputs.o.value"].removeprefix("known: ").split(", ")
+    assert {"t", "A.x", "crank.qw", "energy.error"} <= {*of_output}
+
+
+def test_an_unknown_override_lists_all_that_can_be_replaced():
+    with pytest.raises(SceneError) as caught:
+        loads(json.dumps(SCENE), format="json", overrides={"qqq": 1})
+    names = caught.value.problems[0].help.removeprefix("known: ").split(", ")
+    assert {"gravity", "solver.tolerance", "experiment.stop_time", "points.A.velocity"} <= {*names}
+    for name in ("gravity", "solver.tolerance", "points.A.mass"):
+        value = [0, 0, -1] if name == "gravity" else 0.01
+        loads(json.dumps(SCENE), format="json", overrides={name: value})
+
+
+def test_of_very_many_names_the_number_of_the_rest_is_told():
+    assert listed([f"n{i}" for i in range(300)]).endswith(", n298, n299")
+    assert listed([f"n{i}" for i in range(1234)]).endswith(", n298, n299 and 934 more")
 
 
 # --------------------------------------------------------------------------------------- units
