@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import re
 import warnings
+import zipfile
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 import pytest
+from fmpy import read_model_description
 
 import solver
 from build_fmu.errors import UsageError
@@ -102,9 +104,7 @@ def test_the_command_follows_the_file_of_a_course_without_a_lag(capsys, tmp_path
 
 @pytest.mark.parametrize("word", ["hold", "ramp", "smooth"])
 def test_the_description_of_an_input_says_what_to_set_before_a_step(word):
-    """In every kind of FMU, where an importer shows it, and behind what the scene says of it."""
-    from fmpy import read_model_description
-
+    """In every kind of FMU, where importers show it, and on its page."""
     text = SMOOTH.replace('"smooth"', f'"{word}", description = "of the arm"')
     told = {
         "hold": "of the arm",
@@ -117,6 +117,8 @@ def test_the_description_of_an_input_says_what_to_set_before_a_step(word):
     for path in paths:
         (variable,) = [v for v in read_model_description(str(path)).modelVariables if v.name == "u"]
         assert variable.description == told[word]
+    with zipfile.ZipFile(paths[0]) as archive:
+        assert f">{told[word]}<" in archive.read("documentation/index.html").decode()
 
 
 # ------------------------------------------------------------------------------------------ jumps
