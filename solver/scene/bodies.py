@@ -150,7 +150,7 @@ class Rigid(Part):
             vectors=kind.ListOf(item=kind.COMPONENTS),
         ),
     ]  # fmt: skip
-    """A number in 2-D, in 3-D the tensor in body axes, 3 x 3: Jxy is -1 times the integral of x y."""
+    """A number in 2-D; in 3-D the tensor in body axes, 3 x 3, with Jxy = -integral of x*y dm."""
     center_of_mass: Annotated[
         Vector, kind.Components("m", "in body axes, from the origin", required=False)
     ]  # fmt: skip

@@ -63,7 +63,16 @@ def test_a_profile_is_the_natural_or_periodic_spline_through_its_points(content)
             )
 
 
-@given(tables(("plain", "periodic"), WORDS))
+@given(tables(("plain", "periodic"), ("monotone", "linear")))
+def test_a_monotone_or_linear_profile_goes_through_its_points(content):
+    """Up to the rounding of x, of which a period is taken off, times the slope."""
+    x, y, _, table = content
+    near = 1e-14 * size_of(table, 0) + 4e-16 * max(map(abs, x)) * size_of(table, 1)
+    for at, value in zip(x, y, strict=True):
+        assert apply("spline", at, table) == pytest.approx(value, abs=near)
+
+
+@given(tables(("plain", "periodic")))
 def test_a_profile_goes_through_its_points(content):
     x, y, _, table = content
     for at, value in zip(x, y, strict=True):
