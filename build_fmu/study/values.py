@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeGuard
 
 from build_fmu.errors import UsageError
-from solver.scene.words import listed
 
 if TYPE_CHECKING:
     from solver.scene.units import BaseUnit
@@ -170,6 +169,8 @@ def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> 
     near = [x for each in (names, others) for x in difflib.get_close_matches(str(wrong), each, 1)]
     if near:
         return f"did you mean {near[0]!r}?"
+    from solver.scene.words import listed  # --help needs nothing of the solver
+
     return f"known: {listed(names)}" if names else ""
 
 
