@@ -90,21 +90,22 @@ def read_profiles(draft: "Draft") -> dict[str, Profile]:
         if name in FUNCTIONS:  # floor, which other parts may be called
             draft.error(path, f"the name '{name}' is reserved for the function")
         points = list(_points(draft, path, given))
-        switches = {word: getattr(given, word) is True for word in ("periodic", "integrate")}
+        periodic, integrate = given.periodic is True, given.integrate is True
         if whole and len(draft.problems) == before:
-            _check(draft, path, points, **switches)
+            _check(draft, path, points, periodic=periodic, integrate=integrate)
         if whole and len(draft.problems) == before:
             x, y, *_ = zip(*points, strict=True)
             word = given.interpolation or "cubic"
-            numbers = table_of(x, y, interpolation=word, **switches)
+            numbers = table_of(x, y, interpolation=word, periodic=periodic, integrate=integrate)
             curve = draft.curves[name] = Curve(name, numbers)
             if not all(map(math.isfinite, numbers)):
                 draft.error(path, "no spline has these points: their numbers differ too much")
             elif word == "cubic":
-                _advise(draft, path, x, y, periodic=switches["periodic"])
+                _advise(draft, path, x, y, periodic=periodic)
             found[name] = Profile(
-                file=given.file or "", x=x, y=y, interpolation=word, curve=curve, **switches
-            )
+                file=given.file or "", x=x, y=y, interpolation=word, curve=curve,
+                periodic=periodic, integrate=integrate,
+            )  # fmt: skip
     return found
 
 
