@@ -10,11 +10,12 @@ from typing import Any
 from solver.options import OPTIONS
 from solver.scene.body_sizes import TINY, places_of_bodies, squared_sizes
 from solver.scene.draft import Draft
-from solver.scene.expression import Number, evaluate
+from solver.scene.expression import Number, curves_of, evaluate
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
 from solver.scene.numbers import NumberChecks
 from solver.scene.parameters import Input
+from solver.scene.profiles import Profile
 from solver.scene.report import Path, location_of
 
 LARGE = 100.0
@@ -23,11 +24,16 @@ SMALL = 5.0
 """Length in mm below which few numbers of a drawing in mm are."""
 
 
-def advise(numbers: NumberChecks, parts: Mapping[str, Mapping[str, Any]]) -> None:
-    """Warn of a scene as a whole, in which no mistake was found."""
+def advise(
+    numbers: NumberChecks,
+    profiles: Mapping[str, Profile],
+    parts: Mapping[str, Mapping[str, Any]],
+) -> None:
+    """Warn of a scene as a whole, in which no mistake was found; `parts` are by table and name."""
     _unused(numbers)
     _settings_of_contacts(numbers)
     _held(numbers, parts["inputs"])
+    _with_corners(numbers.draft, profiles, parts)
     _welded_twice(numbers.draft, parts["joints"])
     _millimetres(numbers.draft)
     _tiny_inertias(numbers, parts)
@@ -72,6 +78,22 @@ def _held(numbers: NumberChecks, inputs: Mapping[str, Input]) -> None:
 def _prescribes(path: Path) -> bool:
     """Whether the expression at a place says where something is."""
     return path[0] == "drivers" or (path[0] == "constraints" and path[2] == "value")
+
+
+def _with_corners(
+    draft: Draft, profiles: Mapping[str, Profile], parts: Mapping[str, Mapping[str, Any]]
+) -> None:
+    """Warn of motions along straight lines, whose rate jumps where these meet."""
+    for table in ("drivers", "constraints"):
+        for name, part in parts[table].items():
+            value = getattr(part, "value", None)
+            terms = value if isinstance(value, tuple) else (value,)
+            for curve in sorted({curve for term in terms for curve in curves_of(term)}):
+                if curve in profiles and profiles[curve].has_corners:
+                    message = f"moves along the straight lines of '{curve}', whose rate jumps "
+                    message += "where they meet; velocities do not follow a jump"
+                    help = f'write interpolation = "monotone" in profiles.{curve}'
+                    draft.warn((table, name, "value"), message, help)
 
 
 def _welded_twice(draft: Draft, joints: Mapping[str, Part]) -> None:

@@ -152,7 +152,7 @@ def _build(draft: Draft) -> Scene:
     solver, experiment = read_settings(reader)
     check_settings(reader, solver)
     if not draft.problems:
-        advise(reader, reader.parts)
+        advise(reader, profiles, reader.parts)
     return Scene(
         name=heading.name,
         description=heading.description or "",
