@@ -19,8 +19,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.archive_check import require_whole
-from build_fmu.errors import EnvironmentLackError, UsageError, writing
+from build_fmu.errors import EnvironmentLackError, UsageError
 from fmu_src.status import DISCARD, ERROR, LOGGER, WARNING
+from solver.files import writing
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription

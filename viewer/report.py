@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from solver.files import write_whole
 from viewer.packing import BUDGET, channels, packed, text_of
 
 if TYPE_CHECKING:
@@ -107,8 +108,7 @@ def write_report(
     """
     target = Path(path)
     page = page_text(runs, name, description, [*variables], outputs, [*warnings], compare=compare)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(page, encoding="utf-8")
+    write_whole(target, page)
     return target
 
 

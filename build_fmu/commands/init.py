@@ -8,7 +8,8 @@ import sys
 from pathlib import Path
 
 from build_fmu.commands.schema import write_schema
-from build_fmu.errors import UsageError, writing
+from build_fmu.errors import UsageError
+from solver.files import write_whole
 from solver.scene.names import NAME
 from solver.scene.words import nearest
 
@@ -25,12 +26,10 @@ def run(arguments: argparse.Namespace) -> int:
         raise UsageError(text + "of which the first is a letter")
     text = text_like(arguments.like, path.stem)
     schema = path.with_name(SCHEMA)
-    try:
-        with writing(path), path.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
+    if path.exists():
         text = f"{path}: there is such a file already; choose another name or remove it"
-        raise UsageError(text) from None
+        raise UsageError(text)
+    write_whole(path, text)
     sys.stdout.write(f"{path}: a scene like {arguments.like}; try: holonom check {path}\n")
     if not schema.exists():
         write_schema(schema)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
 
-from build_fmu.errors import UnfinishedError, writing
+from build_fmu.errors import UnfinishedError
 from build_fmu.package import Package, chosen_package
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
@@ -19,6 +19,7 @@ from build_fmu.study.output_folder import require_room, take_over
 from build_fmu.study.processes import Task
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.values import Mistake, in_one_text, refuse
+from solver.files import write_whole
 from solver.scene import Given, SceneError, SceneWarning
 
 
@@ -123,8 +124,7 @@ def variants(
         made = in_one_form(sorted(made, key=lambda variant: variant.number))
         if made:  # an interrupted study says what it has written
             take_over(scratch, target.parent, stem, {variant.fmu for variant in made})
-            with writing(target):
-                target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
+            write_whole(target, manifest_text(made, target.suffix, shared.scene))
         shutil.rmtree(scratch, ignore_errors=True)
     refuse(mistake for variant in made if not variant.lost for mistake in variant.mistakes)
     if lost := [mistake for variant in made for mistake in variant.mistakes]:
