@@ -27,7 +27,7 @@ from build_fmu.study.output_folder import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
 from build_fmu.version import VERSION
-from solver.files import write_whole
+from solver.files import is_reserved, write_whole
 
 if TYPE_CHECKING:
     from solver.mechanics.parts import Parts
@@ -96,8 +96,10 @@ def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
         it is that of a device.
     """
     target = Path(path or ".")
-    if target.is_dir():
-        return target / f"{name}.fmu"
+    target = target / f"{name}.fmu" if target.is_dir() else target
+    if is_reserved(target.name):
+        text = f"{target}: Windows reserves this name of a file; name another"
+        raise UsageError(text)
     if target.exists() and not target.is_file():
         text = f"{target}: an FMU is a file; name one, or a folder for it"
         raise UsageError(text)

@@ -9,9 +9,10 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
 import secrets
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from os import PathLike, fspath
 from pathlib import Path
 from typing import IO, Any
@@ -26,6 +27,23 @@ _KINDS = {
 }
 _HANDED_OVER = ("/dev/stdin", "/dev/fd/", "/proc/self/fd/")
 """Beginnings of names of what this program was started with, such as `<(command)` of a shell."""
+
+
+_DEVICES = re.compile(r"(con|prn|aux|nul|(com|lpt)[1-9\u00b9\u00b2\u00b3]) *(\..*)?", re.IGNORECASE)
+
+
+def is_reserved(name: str) -> bool:
+    """Whether Windows takes the name of a file for a device, or drops the end of it."""
+    return _DEVICES.fullmatch(name) is not None or name != name.rstrip(" .")
+
+
+def wrong_ending(path: str | PathLike[str], endings: Sequence[str]) -> str:
+    """Say what the name of a file to write must end in; empty if it does, or names a device."""
+    target = Path(path)
+    if target.suffix.lower() in endings or (target.exists() and not target.is_file()):
+        return ""
+    one = "one of " if len(endings) > 1 else ""
+    return f"{fspath(path)}: the name must end in {one}{', '.join(endings)}"
 
 
 def why_unreadable(path: str | PathLike[str]) -> str:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from build_fmu.commands.schema import write_schema
 from build_fmu.errors import UsageError
-from solver.files import write_whole
-from solver.scene.names import NAME
+from solver.files import is_reserved, write_whole
+from solver.scene.scene import LONGEST, NAME
 from solver.scene.words import nearest
 
 SCHEMA = "scene.schema.json"
@@ -20,10 +20,12 @@ HOMES = [Path(__file__).parents[1] / "scenes", Path(__file__).parents[2] / "scen
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the scene, and beside it the schema unless one is there; exit code 0."""
-    path = Path(arguments.name).with_suffix(".toml")
-    if not NAME.fullmatch(path.stem):
+    path = Path(arguments.name)
+    path = path if path.suffix == ".toml" else path.with_name(f"{path.name}.toml")
+    if not NAME.fullmatch(path.stem) or is_reserved(path.stem) or len(path.stem) > LONGEST:
         text = f"{path.stem!r} cannot be the name of a scene; write letters, digits and _, "
-        raise UsageError(text + "of which the first is a letter")
+        text += f"of which the first is a letter, at most {LONGEST}; Windows reserves some names"
+        raise UsageError(text)
     text = text_like(arguments.like, path.stem)
     schema = path.with_name(SCHEMA)
     if path.exists():

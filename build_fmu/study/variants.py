@@ -11,6 +11,7 @@ from os import PathLike, fspath
 from pathlib import Path
 
 from build_fmu.errors import UnfinishedError
+from build_fmu.export import fmu_path
 from build_fmu.package import Package, chosen_package
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
@@ -109,7 +110,7 @@ def variants(
     overrides = scene_overrides(scene, entries)
     shared = _Shared(fspath(scene), overrides, fspath(scratch), len(rows), package)
     jobs = list(enumerate(rows, start=1))
-    names = {shared.name(number) for number, _ in jobs}
+    names = {fmu_path(target.parent / shared.name(number), "").name for number, _ in jobs}
     require_room(target.parent, stem, names, fresh)
     shutil.rmtree(scratch, ignore_errors=True)  # of a study that was killed
     scratch.mkdir(parents=True)

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 import holonom
-from solver.files import read_whole, written_whole
+from solver.files import is_reserved, read_whole, written_whole
 from tests.commands import run
 from tests.fmu_instance import SCENES, scene_fmu
 
@@ -179,3 +179,76 @@ def test_a_device_is_written_into_and_not_replaced():
     with written_whole("/dev/null") as file:
         file.write(b"gone")
     assert stat.S_ISCHR(Path("/dev/null").stat().st_mode)
+
+
+# -------------------------------------------------------------------------------------------- names
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("simulate", PENDULUM, "--csv", "r.mat"), "--csv r.mat: the name must end in .csv; "),
+        (("simulate", PENDULUM, "--csv", "r"), "--csv r: the name must end in .csv; "),
+        (
+            ("simulate", PENDULUM, "--report", "r.pdf"),
+            "--report r.pdf: the name must end in one of",
+        ),
+        (("check", PENDULUM, "--report", "r.csv"), "--report r.csv: the name must end in one of"),
+        (("sweep", PENDULUM, "--grid", "mass=1", "-o", "r.mat"), "-o r.mat: the name must end in"),
+        (("report", PENDULUM, "--results", "x.csv", "-o", "r.png"), "-o r.png: the name must end"),
+        (("schema", "-o", "s.toml"), "-o s.toml: the name must end in .json"),
+        (("simulate", PENDULUM, "--plot", "r.mat"), "--plot r.mat: the name must end in one of"),
+        (("build", PENDULUM, "-o", "r.mat"), "r.mat: the name of an FMU ends in .fmu"),
+    ],
+)
+def test_a_file_that_cannot_be_written_is_refused_before_the_run(
+    tmp_path, monkeypatch, capsys, words, said
+):
+    monkeypatch.chdir(tmp_path)
+    code, out, err = run(capsys, *words)
+    assert (code, out) == (2, "")
+    assert said in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_device_may_have_any_name(capsys):
+    assert run(capsys, "simulate", PENDULUM, *STOP, "--csv", "/dev/null")[0] == 0
+
+
+RESERVED = ["con", "PRN", "Aux.fmu", "nul.a.fmu", "COM1.fmu", "lpt9 .fmu", "a.fmu.", "a.fmu "]
+
+
+@pytest.mark.parametrize("name", RESERVED)
+def test_no_fmu_has_a_name_that_windows_reserves(tmp_path, capsys, name):
+    assert is_reserved(name)
+    code, _, err = run(capsys, "build", PENDULUM, "-o", tmp_path / name)
+    assert code == 2
+    assert "Windows reserves this name" in err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["con_1", "com10", "com0", "lpt", "auxiliary.fmu", "a.con", ".nul"]
+)
+def test_other_names_are_free(name):
+    assert not is_reserved(name)
+
+
+@pytest.mark.parametrize("name", ["nul", "Com9", "a" * 201])
+def test_no_scene_begins_with_such_a_name(tmp_path, capsys, name):
+    assert run(capsys, "init", tmp_path / name)[0] == 2
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_variants_have_no_such_names(tmp_path, capsys):
+    (tmp_path / "con.a.toml").write_text(Path(PENDULUM).read_text())
+    words = ("variants", tmp_path / "con.a.toml", "-o", tmp_path / "v", "--grid", "mass=1,2")
+    code, _, err = run(capsys, *words)
+    assert code == 2
+    assert "Windows reserves this name" in err
+
+
+def test_a_scene_of_the_longest_name_is_built(tmp_path):
+    text = Path(PENDULUM).read_text().replace("double_pendulum", "a" * 200)
+    made = holonom.build(holonom.loads(text), tmp_path)
+    assert made.name == "a" * 200 + ".fmu"
