@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from build_fmu.errors import UnfinishedError
 from build_fmu.export import fmu_path
@@ -22,6 +23,9 @@ from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.values import Mistake, in_one_text, refuse
 from solver.files import write_whole
 from solver.scene import Given, SceneError, SceneWarning
+
+if TYPE_CHECKING:
+    from distributed import Client  # pyright: ignore[reportMissingImports]
 
 
 @dataclass(frozen=True)
@@ -47,7 +51,7 @@ def variants(
     parameters: Source | None = None,
     manifest: str = "manifest.csv",
     fresh: bool = False,
-    engine: str = "auto",
+    engine: str | Client = "auto",
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
     native: bool = False,
@@ -75,7 +79,8 @@ def variants(
     fresh
         Remove the FMUs of an earlier study that are in the folder.
     engine, workers
-        "auto", "serial", "processes" or "dask://host:port", and the number of processes.
+        "auto", "serial", "processes", "dask://host:port" or a `dask.distributed.Client`, and the
+        number of processes.
     progress
         Called with the number of variants that are done, and of all.
     native, fmi, platforms, sources
