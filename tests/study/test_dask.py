@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import multiprocessing
 import tempfile
-import time
 import warnings
 from types import SimpleNamespace
 
@@ -15,7 +14,7 @@ from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study import dask_workers
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import DIED, Task
-from tests.ending_jobs import FATAL, lost, square
+from tests.ending_jobs import FATAL, lost, slow, square
 from tests.fmu_instance import pendulum
 
 with warnings.catch_warnings():
@@ -76,11 +75,6 @@ def test_jobs_come_back_as_they_end(engine, monkeypatch):
         found = dict(engine_of(client)(Task(slow, [1], lost), range(40)))
     assert found == {i: i for i in range(40)}
     assert sizes == [1] * 41  # with what all share
-
-
-def slow(_shared, job):
-    time.sleep(0.02)
-    return job, job
 
 
 def test_short_jobs_go_together_and_long_ones_alone():
