@@ -94,9 +94,11 @@ def packed(
         if stride > 1:
             text = f"shows every {stride}th of {len(times)} rows; they are left out of its CSV"
             run.notes.insert(0, text)
-        if sum(map(len, run.blocks)) <= budget or len(rows) <= FEWEST_ROWS:
+        over = sum(map(len, run.blocks)) / max(budget, 1)
+        if over <= 1.0 or len(rows) <= FEWEST_ROWS:
             return run
-        stride *= 2
+        fewest = max((len(times) - 1) // (FEWEST_ROWS - 1), 1)
+        stride = max(min(stride * max(2, round(over)), fewest), stride + 1)
 
 
 def _of_rows(
