@@ -18,12 +18,24 @@ from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
+from solver.files import wrong_ending
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
     **dict.fromkeys(("--dt", "--interval"), "--step"),
 }
 """Options that other programs have, and what they are called here."""
+PAGE = (".html", ".htm")
+ENDINGS = {
+    "csv": (".csv",),
+    "report": PAGE,
+    "report output": PAGE,
+    "schema output": (".json",),
+    "sweep results": (".csv", ".h5", ".hdf5"),
+}
+"""Of the names of files that options of all commands, or of one, write."""
+OPTIONS = {"csv": "--csv", "report": "--report"}
+"""Others are -o."""
 MANY: dict[str, Any] = {"action": "append", "default": []}
 """Of an option that may be given several times."""
 
@@ -50,6 +62,8 @@ class _Parser(argparse.ArgumentParser):
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; the exit code."""
     chosen = _parser().parse_args(arguments)
+    if wrong := _wrong_output(chosen):
+        return _say(wrong, USAGE)
     try:
         with scene_warnings() as chosen.warnings:
             code = importlib.import_module(f"build_fmu.commands.{chosen.command}").run(chosen)
@@ -69,6 +83,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _say(f"{name}: {error.strerror or error}", USAGE)
     except KeyboardInterrupt as stop:  # perhaps with what is to be known after it
         return _say("; ".join(["interrupted", *map(str, stop.args)]), INTERRUPTED)
+
+
+def _wrong_output(chosen: argparse.Namespace) -> str:
+    """Say which file cannot be written under its name, before anything is computed for it."""
+    for key, endings in ENDINGS.items():
+        command, _, name = key.rpartition(" ")
+        file = getattr(chosen, name, None)
+        if not file or file == "-" or command not in ("", chosen.command):
+            continue
+        if wrong := wrong_ending(file, endings):
+            others = "; for other forms, Python has trajectory.to_pandas() and .to_xarray()"
+            return f"{OPTIONS.get(name, '-o')} {wrong}{others if name == 'csv' else ''}"
+    return ""
 
 
 def _say(text: str, code: int) -> int:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
-from build_fmu.errors import UsageError, writing
+from build_fmu.errors import UsageError
 from build_fmu.instance import description_of
 from build_fmu.report import as_text
 from build_fmu.run import RECORDED, run_fmu
@@ -152,12 +152,11 @@ class Carried:
         """Write the page of runs of this FMU."""
         from viewer.report import write_report
 
-        with writing(path):
-            return write_report(
-                path, runs, name=self.model.name, description=self.model.description,
-                variables=self.model.variables, outputs=self.scene_outputs, warnings=sentences,
-                compare=compare,
-            )  # fmt: skip
+        return write_report(
+            path, runs, name=self.model.name, description=self.model.description,
+            variables=self.model.variables, outputs=self.scene_outputs, warnings=sentences,
+            compare=compare,
+        )  # fmt: skip
 
 
 def report_rows(

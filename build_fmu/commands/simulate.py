@@ -11,12 +11,13 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from build_fmu.errors import UNFINISHED, UsageError, writing
+from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_run
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import runnable
+from solver.files import written_whole
 
 if TYPE_CHECKING:
     from numpy import ndarray
@@ -44,9 +45,7 @@ def _write_table(arguments: argparse.Namespace, result: Run) -> None:
     if arguments.csv == "-":
         write_csv(result.values, sys.stdout)
     elif arguments.csv:
-        path = Path(arguments.csv)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with writing(path), path.open("w", newline="", encoding="utf-8") as file:
+        with written_whole(arguments.csv, "w") as file:
             write_csv(result.values, file)
         rows, columns = len(result.values), len(result.values.dtype.names or ())
         # One document on stdout is what --json promises.

@@ -151,10 +151,12 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
     return HOLONOM_OK;
 }
 
-int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step)
+int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step,
+                        holonom_watch *watch)
 {
     context c;
     open_context(&c, m, number, state, work);
+    c.watch = watch;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 0.0 && step < 1e300)) return HOLONOM_BAD_STEP;
@@ -178,6 +180,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     else if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
+    if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
     if (status) {
         if (!c.at_fault) blame_hardest(&c);
         if (!c.at_fault) blame_worst(&c, status);

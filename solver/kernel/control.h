@@ -183,6 +183,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     int repeats = 0;
     begin_control(c);
     while (done < step) {
+        if (is_stopped(c)) return HOLONOM_STOPPED;
         const double rest = step - done;
         const int is_explicit = way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */

@@ -19,6 +19,7 @@ struct holonom_instance {
     int32_t phase, measured, heard, has_rules_of_laws, said, has_remarks;
     int32_t first;               /* number of the first variable                                           */
     int32_t group_end[HOLONOM_GROUPS];
+    holonom_watch watch;
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -444,6 +445,8 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
                   fault, hm_about_step(status));
 }
 
+void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
+
 int32_t holonom_move(holonom_instance *i, double t, double step)
 {
     double *head = i->s.head;
@@ -457,7 +460,10 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
         if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
-    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step);
+    i->watch.left = HOLONOM_WORK_BETWEEN_LOOKS;
+    i->watch.is_stopped = 0;
+    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step,
+                                           i->watch.look ? &i->watch : NULL);
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;

@@ -40,6 +40,7 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_DAMPING_REVERSED:
         return "dampers fed energy, " HALVED_SO_OFTEN ": steps of an order above 2 also go back, too far for such "
                "strong dampers; use solver.order = 2 or a smaller step_size";
+    case HOLONOM_STOPPED: return "it was interrupted; all is as before it";
     case HOLONOM_STEP_COLLAPSED:
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "

@@ -18,6 +18,7 @@ from itertools import pairwise
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 
+from solver.files import read_whole
 from solver.scene import fields as kind
 from solver.scene.expression import FUNCTIONS, Curve
 from solver.scene.fields import BROKEN, Part, shown
@@ -145,7 +146,7 @@ def _points_of_file(draft: "Draft", path: Path, file: str) -> Iterator[_Point]:
     """Yield the points of a CSV file: two numbers a row; a heading may stand above them."""
     where = FilePath(draft.source.name).parent / file
     try:
-        rows = rows_of_table(where.read_bytes().decode("utf-8-sig"))
+        rows = rows_of_table(read_whole(where).decode("utf-8-sig"))
     except (OSError, ValueError) as error:  # no such file, or none of text
         message = f"file '{where.as_posix()}' cannot be read: "
         message += (getattr(error, "strerror", None) or str(error)).lower()
