@@ -11,7 +11,7 @@ typedef struct even_metric {
 } even_metric;
 
 /* Gives nodes even masses, of norms alone: solve_at_state takes `weight`. */
-HM_SELDOM static int32_t take_even_metric(const context *c, even_metric *x)
+HM_SELDOM static int32_t take_even_metric(context *c, even_metric *x)
 {
     const holonom_model *m = c->m;
     double *mass = c->number + m->node_mass_at;
