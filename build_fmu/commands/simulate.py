@@ -7,7 +7,7 @@ import csv
 import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import IO, TYPE_CHECKING
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_run
@@ -89,7 +89,7 @@ def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
         return result if with_local else replace(result, values=result.values[carried.ports])
 
 
-def write_csv(values: ndarray, file: TextIO) -> None:
+def write_csv(values: ndarray, file: IO[str]) -> None:
     """Trajectory in fmpy's layout, with digits that read back as the same numbers."""
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(values.dtype.names or ())
