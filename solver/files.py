@@ -40,6 +40,8 @@ def is_reserved(name: str) -> bool:
 def wrong_ending(path: str | PathLike[str], endings: Sequence[str]) -> str:
     """Say what the name of a file to write must end in; empty if it does, or names a device."""
     target = Path(path)
+    if is_reserved(target.name):
+        return f"{fspath(path)}: Windows reserves this name of a file; name another"
     if target.suffix.lower() in endings or (target.exists() and not target.is_file()):
         return ""
     one = "one of " if len(endings) > 1 else ""

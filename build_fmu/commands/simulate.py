@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import IO, TYPE_CHECKING
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_run
@@ -104,7 +104,7 @@ def simulate(
         return shown
 
 
-def write_csv(values: ndarray, file: TextIO) -> None:
+def write_csv(values: ndarray, file: IO[str]) -> None:
     """Trajectory in fmpy's layout, with digits that read back as the same numbers."""
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(values.dtype.names or ())

@@ -24,7 +24,7 @@ import numpy as np
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.csv_file import cell
 from build_fmu.study.plan import OWN_COLUMNS, Plan, Result
-from solver.files import read_whole, why_unreadable, writing, written_whole
+from solver.files import is_reserved, read_whole, why_unreadable, writing, written_whole
 
 try:
     import fcntl
@@ -38,6 +38,9 @@ REMEDY = "name another file, or begin anew with --fresh"
 
 def require_kind(path: Path | None) -> None:
     """Refuse a file that cannot hold results, before anything is done to it."""
+    if path is not None and is_reserved(path.name):
+        text = f"{path}: Windows reserves this name of a file; name another"
+        raise UsageError(text)
     if path is not None and path.suffix not in (".csv", ".h5", ".hdf5"):
         text = f"{path}: results go to a .csv, .h5 or .hdf5 file"
         raise UsageError(text)

@@ -198,6 +198,8 @@ def test_a_device_is_written_into_and_not_replaced():
         (("report", PENDULUM, "--results", "x.csv", "-o", "r.png"), "-o r.png: the name must end"),
         (("schema", "-o", "s.toml"), "-o s.toml: the name must end in .json"),
         (("simulate", PENDULUM, "--plot", "r.mat"), "--plot r.mat: the name must end in one of"),
+        (("simulate", PENDULUM, "--csv", "nul.csv"), "--csv nul.csv: Windows reserves this name"),
+        (("sweep", PENDULUM, "--grid", "mass=1", "-o", "com1.h5"), "com1.h5: Windows reserves"),
         (("build", PENDULUM, "-o", "r.mat"), "r.mat: the name of an FMU ends in .fmu"),
     ],
 )
