@@ -183,8 +183,8 @@ def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iter
     for table, prefix, last in (
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
         ("CONTACT", "C_", "SIZE"), ("FRICTION", "F_", "SIZE"), ("NORMAL_SUMS", "NORMAL_", "SUMS"),
-        ("CLOSINGS", "CLOSING_", "WAYS"), ("CONTACT_MODES", "CONTACT_", "MODES"), ("FRICTION_MODES", "FRICTION_", "MODES"),
-        ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
+        ("CONTACT_MODES", "CONTACT_", "MODES"), ("FRICTION_MODES", "FRICTION_", "MODES"),
+        ("CLOSINGS", "CLOSING_", "WAYS"), ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)
     yield f"#define HOLONOM_DRAWN_INTO {values['DRAWN_INTO']!r}\n"

@@ -25,7 +25,13 @@ __all__ = ["AssemblyError", "Integrator", "Model", "OptionError", "StepError"]
 __all__ += ["Closing", "Scene", "SceneError", "SceneWarning", "Trajectory"]
 __all__ += ["assemble", "close", "load", "loads", "simulate"]
 
-_HOMES = ("solver.runtime", "solver.scene", "solver.mechanics", "solver.trajectory", "solver.closing")
+_HOMES = (
+    "solver.runtime",
+    "solver.scene",
+    "solver.mechanics",
+    "solver.trajectory",
+    "solver.closing",
+)
 """Modules that have these names, those that take longest to import last."""
 
 

@@ -115,7 +115,8 @@ def close(
 
 def _closed(scene: Scene) -> tuple[dict[str, float], Survey, Integrator]:
     """Values of all outputs in the closed pose."""
-    scene = replace(scene, solver=replace(scene.solver, assemble=True))
+    settings: Any = scene.solver  # a dataclass, as all parts of a scene
+    scene = replace(scene, solver=replace(settings, assemble=True))
     model = assemble_parts(scene)[1]
     integrator = Integrator(model, log=lambda _: None)  # what moved is in the result
     integrator.initialise()
@@ -260,11 +261,13 @@ class _Edit:
         return [
             f"{'.'.join(map(str, path))}: numbers replace {text[span.begin : span.end]}"
             for path, new in self._new.items()
-            if not isinstance(new, str) and (span := self._spans.get(path)) and '"' in text[span.begin : span.end]
+            if not isinstance(new, str)
+            and (span := self._spans.get(path))
+            and '"' in text[span.begin : span.end]
         ]
 
     def _add_velocities(self, closed: Mapping[str, float]) -> None:
-        """Write velocities that are not those of the file, where the mechanism moves at the start."""
+        """Write velocities at the start that are not those of the file."""
         scene, spins = self._scene, (["angular_velocity"] if self._scene.dimension == 2 else None)
         for name in _moving(scene):
             part: Any = (scene.points | scene.bodies)[name]
@@ -305,19 +308,17 @@ class _Edit:
         bodies = getattr(part, "bodies", None) or (getattr(part, "body", None),)
         for field in ("position", "axis", "normal"):
             value = getattr(part, field, None)
-            if value is not None and isinstance(part, BodyJoint) or len(bodies) == 1:
+            if isinstance(part, BodyJoint) or len(bodies) == 1:
                 self._carry((table, name, field), bodies[0], value, place=field == "position")
             elif value is not None and (table, name, field) in self._spans:
                 self._refuse((table, name, field), bodies)
         axes = getattr(part, "axes", None)
         if isinstance(axes, tuple) and len(axes) == len(bodies) == 2:
             path = table, name, "axes"
-            turned = [
-                self._poses[body].turned([_number(x, self._values) for x in axis])
-                if body in self._poses
-                else [_number(x, self._values) for x in axis]
-                for body, axis in zip(bodies, axes, strict=True)
-            ]
+            turned = []
+            for body, axis in zip(bodies, axes, strict=True):
+                numbers = [_number(x, self._values) for x in axis]
+                turned.append(self._poses[body].turned(numbers) if body in self._poses else numbers)
             if path in self._spans and not self._poses.keys().isdisjoint(bodies):
                 self._new[path] = turned
 
@@ -362,13 +363,15 @@ def _check_again(
     source = scene.source
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SceneWarning)  # the scene has them, too
-        written = loads(text, name=source.name, format="json" if source.notation == "json" else "toml")
+        written = loads(
+            text, name=source.name, format="json" if source.notation == "json" else "toml"
+        )
     again = _closed(written)[0]
     for name in _moving(scene):
         gap = math.dist(*([x[f"{name}.{axis}"] for axis in _axes(scene)] for x in (closed, again)))
         if gap > SAME * size:
             message = (
-                f"the closed pose cannot be written: read again, '{name}' moves by {gap:.3g} m, since "
-                "a formula counts from the drawing; let what reads joints be 0 as drawn"
+                f"the closed pose cannot be written: read again, '{name}' moves by {gap:.3g} m, "
+                "since a formula counts from the drawing; let what reads joints be 0 as drawn"
             )
             scene.fail([scene.error("", message)])

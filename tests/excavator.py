@@ -77,7 +77,7 @@ assemble = true
 [experiment]
 stop_time = 6
 step_size = 0.02
-"""
+"""  # noqa: E501
 """The bucket link is drawn 0.96 m off its pins."""
 BODIES = ("boom", "stick", "rocker", "link", "bucket")
 STROKES = [(0.2 * boom, 0.2 * stick, 0.5) for boom, stick in itertools.product(range(7), range(8))]
@@ -98,7 +98,7 @@ def _between(a: float, b: float, opposite: float) -> float:
 
 
 def branches(boom_stroke: float, stick_stroke: float, bucket_stroke: float) -> dict[Branch, list]:
-    """Angles of all bodies [rad] in each branch: signs of three triangles and of a pair of links."""
+    """Angles of all bodies [rad], by the signs of three triangles and of a pair of links."""
     found = {}
     for s1, s2, s3, s4 in itertools.product((1, -1), repeat=4):
         at = _between(math.hypot(0.4, 0.5), math.hypot(2.3, 0.5), 1.75 + boom_stroke)
@@ -120,4 +120,6 @@ def branches(boom_stroke: float, stick_stroke: float, bucket_stroke: float) -> d
 
 def farthest(angles: list[float], others: list[float]) -> float:
     """Largest difference of two lists of angles [rad], without whole turns."""
-    return max(abs(math.remainder(a - b, 2.0 * math.pi)) for a, b in zip(angles, others, strict=True))
+    return max(
+        abs(math.remainder(a - b, 2.0 * math.pi)) for a, b in zip(angles, others, strict=True)
+    )

@@ -1,4 +1,4 @@
-"""`holonom assemble SCENE -o FILE`: close a mechanism that is drawn inexactly, and write its pose."""
+"""`holonom assemble SCENE -o FILE`: close a mechanism drawn inexactly, and write its pose."""
 
 from __future__ import annotations
 
@@ -52,6 +52,12 @@ def _rows(closing: Closing) -> list[tuple[str, str]]:
     return [
         ("closed", ", ".join(filter(None, [closing.method, tries]))),
         ("another pose as near", near if closing.others else searched),
-        ("degrees of freedom", "not counted" if closing.freedoms is None else str(closing.freedoms)),
-        ("redundant rows", f"among those of {', '.join(closing.redundant)}" if closing.redundant else "0"),
+        (
+            "degrees of freedom",
+            "not counted" if closing.freedoms is None else str(closing.freedoms),
+        ),
+        (
+            "redundant rows",
+            f"among those of {', '.join(closing.redundant)}" if closing.redundant else "0",
+        ),
     ]

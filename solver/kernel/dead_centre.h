@@ -7,7 +7,8 @@
 #include "norms.h"
 #include "start.h"
 
-#define LACKING 1e-6 /* part of the second derivatives of rows that no accelerations make up for */
+#define LACKING 1e-6    /* part of the second derivatives of rows that no accelerations make up for */
+#define ROUNDED 1e-10  /* of the accelerations: what rounding leaves of these derivatives */
 
 /* Second derivatives of rows (phi), over their scales, with accelerations x, of what always holds. */
 static double rows_bend(const context *c, const double *bias, double *x)
@@ -25,8 +26,8 @@ HM_SELDOM static int32_t refuse_dead_centre(context *c)
     even_metric metric;
     stand_still(c);
     row_biases(c);
-    const double allowed = LACKING * largest_row(c, bias);
     memcpy(x, c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));
+    const double allowed = LACKING * largest_row(c, bias) + ROUNDED * fastest_rate(c, x);
     double lacking = rows_bend(c, bias, x);
     if (!(lacking > allowed)) return HOLONOM_OK;
     int32_t status = take_even_metric(c, &metric);

@@ -6,6 +6,17 @@
 #include "context.h"
 #include "start.h"
 
+/* Largest angular velocity among those of the nodes, and speed over the size of the mechanism [1/s]; likewise of accelerations. */
+static double fastest_rate(const context *c, const double *v)
+{
+    double fastest = 0.0;
+    for (int32_t a = 0; a < c->n_moving; a++) {
+        const double speed = sqrt(dot(v + DIM * a, v + DIM * a));
+        fastest = fmax(fastest, c->m->node_kind[a] ? speed : speed / c->number[c->m->extent_at]);
+    }
+    return fastest;
+}
+
 typedef struct even_metric {
     double *weight, *mass, *sigma; /* of free nodes, over their masses; masses and row_sigma as they were */
 } even_metric;

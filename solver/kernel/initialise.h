@@ -111,17 +111,6 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *we
     return HOLONOM_OK;
 }
 
-/* Largest angular velocity, and speed over the size of the mechanism [1/s]. */
-static double fastest_rate(const context *c)
-{
-    double fastest = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++) {
-        const double speed = sqrt(dot(c->s.v + DIM * a, c->s.v + DIM * a));
-        fastest = fmax(fastest, c->m->node_kind[a] ? speed : speed / c->number[c->m->extent_at]);
-    }
-    return fastest;
-}
-
 #define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
 #define GIVEN_HEAVIER 1e4 /* weight of given velocities where all parts weigh the same */
 
@@ -132,7 +121,7 @@ HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
     double *weight = c->k.free, defect;
     even_metric metric;
     int32_t status = project_initial_velocities(c, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
-    if (status || defect <= RATES_HOLD * fastest_rate(c)) return status;
+    if (status || defect <= RATES_HOLD * fastest_rate(c, c->s.v)) return status;
     status = take_even_metric(c, &metric);
     for (int32_t a = 0; a < m->n_free; a++)
         weight[a] = metric.weight[a] * (c->number[m->velocity_weight_at + a] > 1.0 ? GIVEN_HEAVIER : 1.0);
@@ -271,7 +260,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (!status) status = first_multipliers(&c);
-    if (!status && fastest_rate(&c) > 0.0) status = refuse_dead_centre(&c);
+    if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;
     follow_angles(&c, NULL);
     if (head[S_ASSEMBLE] == 0.0 || head[S_EQUILIBRIUM] != 0.0) /* the first sines have crossed nothing */

@@ -355,8 +355,8 @@ NORMAL_SUMS = ("continues", "begins", "pushes")
 that of a gap, which pushes with the negative multiplier."""
 
 CLOSINGS = ("at_once", "on_path", "behind_path", "shaken")
-"""How a mechanism was closed: by the smallest displacement, on a path from its drawing, from the end
-of that path, or from a drawing that was shaken."""
+"""How a mechanism was closed: by the smallest displacement, on a path from its drawing, from the
+end of that path, or from a drawing that was shaken."""
 
 FRICTION_MODES = ("off", "sticks", "slides")
 

@@ -1,4 +1,4 @@
-"""Puts numbers into the text of a scene, in place: comments, order and all else stay as they are."""
+"""Puts numbers into the text of a scene, in place: comments, order and all else stay."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import TypeAlias
 
 from solver.scene.positions import Path, spans_of
 
-Written: TypeAlias = float | str | Sequence[float] | Mapping[str, Sequence[float]]
-"""A number, a formula, a vector, or a table of one vector, ``{"quaternion": [1, 0, 0, 0]}``."""
+Written: TypeAlias = (
+    float | str | Sequence[float] | Sequence[list[float]] | Mapping[str, Sequence[float]]
+)
+"""A number, a formula, a vector, some of them, or a table, ``{"quaternion": [1, 0, 0, 0]}``."""
 
 
 class UnwrittenError(Exception):

@@ -27,7 +27,7 @@ def start(text: str, **overrides) -> tuple[solver.Integrator, list[str]]:
 def reaches(kind: str, target: list[float]) -> bool:
     integrator, _ = start(arm(kind, target))
     hand = [float(integrator[f"{HANDS[kind]}.{axis}"]) for axis in "xyz"[: len(target)]]
-    return math.dist(hand, target) < ROUND_OFF and integrator["constraint.position"] < 1e-10
+    return math.dist(hand, target) < ROUND_OFF and float(integrator["constraint.position"]) < 1e-10
 
 
 @pytest.mark.parametrize("far", [0.1, 0.3, 0.6, 1.0])
@@ -52,7 +52,7 @@ def test_an_arm_bends_where_nothing_tells_it_which_way(reach):
 
 
 def test_what_is_out_of_reach_is_told_with_the_gaps_of_the_best_pose():
-    """0.5 m are missing: shared alike by three points, since the sum of squares is smallest then."""
+    """0.5 m are missing, shared alike by three points: then the sum of squares is smallest."""
     with pytest.raises(SceneError) as caught:
         start(arm("plane", [2.5, 0.0]))
     text = str(caught.value)
@@ -125,7 +125,7 @@ def fmu_poses(strokes: list) -> list[float]:
         for boom, stick, bucket in strokes:
             fmu.fmu.reset()
             fmu.initialise(boom_stroke=boom, stick_stroke=stick, bucket_stroke=bucket)
-            angles = [fmu.get(f"{body}.angle") for body in BODIES]
+            angles = [float(fmu.get(f"{body}.angle")) for body in BODIES]
             errors.append(farthest(angles, branches(boom, stick, bucket)[DRAWN]))
     return errors
 

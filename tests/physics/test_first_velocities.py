@@ -21,7 +21,7 @@ D0 = {{ type = "angle", joint = "J0", value = "0*t" }}
 [solver]
 assemble = true
 {settings}
-"""
+"""  # noqa: E501
 
 
 def start(text: str) -> solver.Integrator:
@@ -35,7 +35,7 @@ def start(text: str) -> solver.Integrator:
 def test_velocities_lie_on_the_rows_at_any_ratio_of_masses(mass, settings):
     """B0 is held: w = (0, wy, wz) of B1 keeps the distance, d . (w x r) = 0.42 wy - 0.35 wz = 0."""
     run = start(LIGHT.format(m=mass, J=0.2 * mass, settings=settings))
-    assert run["constraint.velocity"] < 1e-14
+    assert float(run["constraint.velocity"]) < 1e-14
     assert float(run["B1.wx"]) == pytest.approx(0.0, abs=1e-14)
     assert float(run["B1.wz"]) == pytest.approx(1.2 * float(run["B1.wy"]), rel=1e-12)
     assert float(run["B1.wz"]) < -0.9  # it moves as the given velocity does
@@ -92,8 +92,10 @@ def test_velocities_of_no_branch_are_refused_at_a_dead_centre():
     ids=["of the coupler", "of the crank", "of the other branch"],
 )  # fmt: skip
 def test_a_velocity_chooses_the_branch(given, ratio):
-    """With a = 3 rad/s the distance of the pins is kept for c = 3 or c = -9:
-    4 = (2 - (c^2 - 9) t^2/2)^2 + (c - 3)^2 t^2."""
+    """With a = 3 rad/s two velocities of c keep the distance of the pins, 3 and -9 rad/s.
+
+    4 = (2 - (c^2 - 9) t^2/2)^2 + (c - 3)^2 t^2.
+    """
     head = given.partition("\n")[0]
     run = start(PARALLEL.replace(head, given))
     assert float(run["c.angular_velocity"]) == pytest.approx(3.0 * ratio, rel=1e-9)
@@ -121,6 +123,6 @@ elbow = { type = "revolute", points = ["upper.tip", "lower.root"] }
 hand = { type = "position", point = "lower.tip", value = ["2 - t", 0] }
 [solver]
 assemble = true
-"""
+"""  # noqa: E501
     with pytest.raises(SceneError, match="no velocities at this place that its joints and drivers"):
         start(text)
