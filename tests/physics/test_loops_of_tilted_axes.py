@@ -92,8 +92,8 @@ def reference(speed: float) -> list[Array]:
             force += MASS[k] * way @ (pull - bias) - INERTIA[k] * r[k] * bends[k]
         return [y[1], force / mass]
 
-    tight = {"rtol": 1e-12, "atol": 1e-14}
-    run = solve_ivp(rate, (0, TIMES[-1]), [DRAWN[0], speed], "DOP853", t_eval=TIMES, **tight)
+    begin, span = [DRAWN[0], speed], (0, TIMES[-1])
+    run = solve_ivp(rate, span, begin, "DOP853", t_eval=TIMES, rtol=1e-12, atol=1e-14)
     found, x = [], DRAWN[1:]
     for crank in run.y[0]:
         x = closed(crank, x)
