@@ -39,6 +39,9 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
 /* What two powers of P leave of multipliers differs by no more than so much of them where none of their rows are weakly
    determined. */
 #define WEAK 1e-4
+/* Likewise of what no row determines at all. A body 5e6 m long on a guide, whose rows determine it, needs less than 1e-5; axes that
+   are tilted by 7e-8 rad against each other need more than 5e-7. */
+#define UNDETERMINED 2e-6
 #define MOST_REPEATED 12 /* powers of P */
 
 /* Leaves of multipliers x (modified) what their rows do not determine, by powers of P: of what is determined it leaves some 1e-8, its
@@ -46,17 +49,18 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
    not the same. With `all` of it taken out, powers differ by no less than the ones before. */
 HM_SELDOM static int keep_undetermined(const context *c, double *x, int all)
 {
+    const double most2 = hm_square(all ? UNDETERMINED : WEAK);
     double size2 = 0.0, change2 = INFINITY, before2, *last = c->k.row_rate;
     int is_told = 0;
     EACH_ROW(c, i) size2 += c->k.epsilon[i] * x[i] * x[i];
     contract_multipliers(c, x);
-    for (int power = 2; power <= MOST_REPEATED && !is_told; power++) {
+    for (int power = 2; power <= (all ? MOST_REPEATED : 2) && !is_told; power++) {
         before2 = change2;
         change2 = 0.0;
         EACH_ROW(c, i) last[i] = x[i];
         contract_multipliers(c, x);
         EACH_ROW(c, i) change2 += c->k.epsilon[i] * hm_square(x[i] - last[i]);
-        is_told = change2 <= WEAK * WEAK * size2 && (!all || change2 >= 0.25 * before2);
+        is_told = change2 <= most2 * size2 && (!all || change2 >= 0.25 * before2);
     }
     return is_told;
 }

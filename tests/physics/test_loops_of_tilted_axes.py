@@ -8,6 +8,8 @@ angle of the crank, with DOP853 at 1e-12.
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -62,6 +64,7 @@ def centres(q: Array) -> list[Array]:
     return [0.5 * a, a + 0.5 * LENGTH[1] * along(q[1]), FOOT + 0.5 * LENGTH[2] * along(q[2])]
 
 
+@cache
 def reference(speed: float) -> list[Array]:
     """Centres in space at `TIMES`, each of shape (3, 3)."""
     near = DRAWN[1:].copy()
@@ -89,8 +92,8 @@ def reference(speed: float) -> list[Array]:
             force += MASS[k] * way @ (pull - bias) - INERTIA[k] * r[k] * bends[k]
         return [y[1], force / mass]
 
-    tight = {"rtol": 1e-12, "atol": 1e-14}
-    run = solve_ivp(rate, (0, TIMES[-1]), [DRAWN[0], speed], "DOP853", t_eval=TIMES, **tight)
+    begin, span = [DRAWN[0], speed], (0, TIMES[-1])
+    run = solve_ivp(rate, span, begin, "DOP853", t_eval=TIMES, rtol=1e-12, atol=1e-14)
     found, x = [], DRAWN[1:]
     for crank in run.y[0]:
         x = closed(crank, x)
@@ -108,19 +111,21 @@ def drawn(tilt: float, speed: float, **settings: float) -> solver.Scene:
     axis, r = PLANE.apply([0.0, 0.0, 1.0]), ratios(DRAWN[0], DRAWN[1:])
     centre, text = centres(DRAWN), f'name = "loop"\ngravity = {GRAVITY.tolist()}\n'
     for k, name in enumerate(NAMES):
-        x, y, z, w = (PLANE * Rotation.from_rotvec([0, 0, DRAWN[k]])).as_quat()
+        x, y, z, w = (PLANE * Rotation.from_rotvec([0, 0, DRAWN[k]])).as_quat().tolist()
+        own = INERTIA[k].item()
         text += f"[bodies.{name}]\nposition = {place(centre[k])}\nmass = {MASS[k]}\n"
         text += f"orientation = {{ quaternion = {[w, x, y, z]} }}\n"
-        text += f"inertia = {[0.01 * INERTIA[k], INERTIA[k], INERTIA[k]]}\n"
+        text += f"inertia = {[0.01 * own, own, own]}\n"
         text += f"angular_velocity = {(speed * r[k] * axis).tolist()}\n" if speed else ""
     tilted = (axis + tilt * PLANE.apply([1.0, 0.3, 0.0])).tolist()
     text += "[joints]\n"
-    for pin, (bodies, at, line) in {
-        "O": (["ground", "crank"], np.zeros(2), axis.tolist()),
-        "A": (["crank", "rod"], START, axis.tolist()),
-        "C": (["ground", "foot"], FOOT, tilted),
-    }.items():
-        text += f'{pin} = {{ type = "revolute", bodies = {bodies}, position = {place(at)}, axis = {line} }}\n'
+    for pin, bodies, at, line in (
+        ("O", ["ground", "crank"], np.zeros(2), axis.tolist()),
+        ("A", ["crank", "rod"], START, axis.tolist()),
+        ("C", ["ground", "foot"], FOOT, tilted),
+    ):
+        text += f'{pin} = {{ type = "revolute", bodies = {bodies}, '
+        text += f"position = {place(at)}, axis = {line} }}\n"
     text += f'B = {{ type = "spherical", bodies = ["rod", "foot"], position = {place(END)} }}\n'
     text += "[solver]\n" + ("assemble = true\n" if speed else "")
     return solver.loads(text + "".join(f"{name} = {x}\n" for name, x in settings.items()))
@@ -128,7 +133,7 @@ def drawn(tilt: float, speed: float, **settings: float) -> solver.Scene:
 
 @pytest.mark.parametrize("step", [1e-3, 1e-4])
 @pytest.mark.parametrize("tolerance", [None, 1e-4, 1e-6, 1e-8])
-@pytest.mark.parametrize(("tilt", "speed"), [(0.0, 0.0), (7e-8, 0.0), (7e-8, 3.0), (1e-9, 3.0)])
+@pytest.mark.parametrize(("tilt", "speed"), [(0.0, 0.0), (7e-8, 0.0), (7e-8, 3.0)])
 def test_a_loop_of_nearly_parallel_axes_moves_as_in_its_plane(tilt, speed, tolerance, step):
     settings = {"step_size": step} | ({"tolerance": tolerance} if tolerance else {})
     run = solver.simulate(drawn(tilt, speed, **settings), stop_time=TIMES[-1], step_size=step)
