@@ -47,7 +47,7 @@ test: style
 tests: $(VENV)/installed-tools
 	$(BIN)/python -m pytest -n $(JOBS) -m "not long"
 
-long: $(VENV)/installed-tools
+long: $(VENV)/installed-truth
 	$(BIN)/python -m pytest -n $(JOBS) -m long
 	$(MAKE) sanitize hostile coverage
 
@@ -138,6 +138,12 @@ $(VENV)/installed-tools: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and the tools that check it (a minute, the first time)"
 	@$(INSTALL) '.[test,lint]' -C cflags="$(WARNINGS)"
 	@touch $@ $(VENV)/installed
+
+$(VENV)/installed-truth: $(VENV)/installed-tools
+	@echo "installing what random mechanisms are compared with: MuJoCo and Pinocchio"
+	@$(PIP) install --quiet --no-compile $$($(BIN)/python -c 'from importlib.metadata import requires; \
+	    print(*(x.partition(";")[0] for x in requires("holonom") if x.endswith("extra == \"truth\"")))')
+	@touch $@
 
 $(VENV)/installed-docs: $(VENV)/created $(BUILD)
 	@echo "installing holonom, what it needs, and what its documentation needs"

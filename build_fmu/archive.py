@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import functools
 import io
-import os
-import tempfile
 import zipfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from build_fmu.errors import writing
+from solver.files import write_whole
 
 SHARED = ("binaries/", "documentation/licenses/", "resources/holonom_")
 """Beginnings of the names of entries that the FMUs of many mechanisms share."""
@@ -24,23 +22,7 @@ _UNIX, _REGULAR_FILE, _EXECUTABLE_FILE = 3, 0o100644, 0o100755
 
 def write_archive(path: Path, entries: Mapping[str, bytes]) -> None:
     """Write the archive; a file that is there is replaced in one step, or left as it was."""
-    content = archive(entries)  # first: a process that is ended meanwhile leaves no file
-    with writing(path):
-        _replace(path, content)
-
-
-def _replace(path: Path, content: bytes) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}-")
-    temporary = Path(name)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        temporary.chmod(0o644)
-        temporary.replace(path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+    write_whole(path, archive(entries))
 
 
 def archive(entries: Mapping[str, bytes]) -> bytes:

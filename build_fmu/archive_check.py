@@ -18,6 +18,7 @@ from xml.etree import ElementTree
 
 from build_fmu.errors import UsageError
 from build_fmu.payload import SLAVE_NAME, package_name
+from solver.files import read_whole, why_unreadable
 
 MOST_BYTES = 2**30
 """Of all files of an FMU, unpacked; large ones of other tools have some hundred million."""
@@ -42,14 +43,14 @@ def require_whole(path: str | PathLike[str]) -> None:
     """
     file = Path(path)
     problem = ""
-    if not file.is_file():
-        problem = "no such file"
+    if reason := why_unreadable(file):
+        problem = reason
     elif file.stat().st_size > MOST_BYTES:
         problem = f"larger than {MOST_BYTES} bytes, the most of an FMU"
     elif not zipfile.is_zipfile(file):
         problem = f"not an FMU (a zip file with {_DESCRIPTION})"
     else:
-        data = file.read_bytes()
+        data = read_whole(file)
         try:
             with zipfile.ZipFile(io.BytesIO(data)) as archive:
                 problem = _size_problem(archive) or _name_problem(archive) or _file_problem(archive)

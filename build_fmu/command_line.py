@@ -18,12 +18,24 @@ from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
+from solver.files import wrong_ending
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
     **dict.fromkeys(("--dt", "--interval"), "--step"),
 }
 """Options that other programs have, and what they are called here."""
+PAGE = (".html", ".htm")
+ENDINGS = {
+    "csv": (".csv",),
+    "report": PAGE,
+    "report output": PAGE,
+    "schema output": (".json",),
+    "sweep results": (".csv", ".h5", ".hdf5"),
+}
+"""Of the names of files that options of all commands, or of one, write."""
+OPTIONS = {"csv": "--csv", "report": "--report"}
+"""Others are -o."""
 MANY: dict[str, Any] = {"action": "append", "default": []}
 """Of an option that may be given several times."""
 
@@ -50,6 +62,8 @@ class _Parser(argparse.ArgumentParser):
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; the exit code."""
     chosen = _parser().parse_args(arguments)
+    if wrong := _wrong_output(chosen):
+        return _say(wrong, USAGE)
     try:
         with scene_warnings() as chosen.warnings:
             code = importlib.import_module(f"build_fmu.commands.{chosen.command}").run(chosen)
@@ -69,6 +83,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _say(f"{name}: {error.strerror or error}", USAGE)
     except KeyboardInterrupt as stop:  # perhaps with what is to be known after it
         return _say("; ".join(["interrupted", *map(str, stop.args)]), INTERRUPTED)
+
+
+def _wrong_output(chosen: argparse.Namespace) -> str:
+    """Say which file cannot be written under its name, before anything is computed for it."""
+    for key, endings in ENDINGS.items():
+        command, _, name = key.rpartition(" ")
+        file = getattr(chosen, name, None)
+        if not file or file == "-" or command not in ("", chosen.command):
+            continue
+        if wrong := wrong_ending(file, endings):
+            others = "; for other forms, Python has trajectory.to_pandas() and .to_xarray()"
+            return f"{OPTIONS.get(name, '-o')} {wrong}{others if name == 'csv' else ''}"
+    return ""
 
 
 def _say(text: str, code: int) -> int:
@@ -136,6 +163,10 @@ def _parser() -> argparse.ArgumentParser:
     text = "find the static equilibrium next to the drawn configuration, and what holds it there"
     info.add_argument("--equilibrium", action="store_true", help=text)
     _add_settings(info, "replace a parameter or any number of the scene")
+    closing = commands.add_parser("assemble", help="close a mechanism that is drawn inexactly")
+    closing.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
+    text = "file for the scene with the closed places and velocities, comments kept (default: none)"
+    closing.add_argument("-o", "--output", metavar="FILE", help=text)
     init = commands.add_parser("init", help="write a scene to begin with")
     init.add_argument("name", metavar="NAME", help="of the scene and its file, NAME.toml")
     text = "scene of this package that it is like, such as slider_crank (default: %(default)s)"
@@ -149,7 +180,7 @@ def _parser() -> argparse.ArgumentParser:
     schema.add_argument("-o", "--output", metavar="FILE", help="(default: to stdout)")
     validate = commands.add_parser("validate", help="check an FMU against the standard with fmpy")
     validate.add_argument("target", metavar="FMU")
-    for command in (build, simulate, check, info, validate):
+    for command in (build, simulate, check, info, closing, validate):
         command.add_argument("--json", action="store_true", help="print JSON instead of a table")
     return parser
 

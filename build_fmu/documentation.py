@@ -37,13 +37,13 @@ img {{ float: right; margin: 0 0 1em 1em; border: 1px solid #8886; max-width: 10
 </head>
 <body>
 <h1>{name}</h1>
-<img src="../model.png" alt="the mechanism as drawn" width="480" height="360">
+<img src="../{picture}" alt="the mechanism as drawn" width="480" height="360">
 <p>{description}</p>
 <p>An FMI {fmi}.0 co-simulation unit. It advances the mechanism with a conserving
 augmented-Lagrangian method; its outputs <code>energy.error</code> and
 <code>constraint.position</code> say how well energy and constraints are kept, and
 <code>solver.status</code> is 0 as long as every communication
-step succeeded. Where it is not 0 the last step was discarded and the log has the reason.</p>
+step succeeded. Where it is not 0 the last step was not taken and the log has the reason.</p>
 <p>Default experiment: {experiment}.</p>
 <p>{needs}</p>
 <h2>How it is solved</h2>
@@ -57,7 +57,9 @@ step succeeded. Where it is not 0 the last step was discarded and the log has th
 _NEEDS = (
     "It needs Python 3.10 or newer on the machine that runs it, and no package. A host that is not "
     "a Python program must find libpython there; on Linux preload it: "
-    "LD_PRELOAD=libpython3.x.so.1.0 host. The compiled kernel inside is for "
+    "LD_PRELOAD=libpython3.x.so.1.0 host. There its library, which is pythonfmu's, needs glibc "
+    "2.32 and the libstdc++ of GCC 12 (GLIBCXX_3.4.30), or newer ones; on Windows the Visual C++ "
+    "runtime (MSVCP140.dll). The compiled kernel inside is for "
     f"{sysconfig.get_platform()}; on another platform no instance can be made: build it there."
 )
 _NEEDS_NOTHING = (
@@ -78,6 +80,10 @@ _SECTIONS = {
     "local": "Local variables",
     _SETTINGS: _SETTINGS,
 }
+
+
+PICTURES = {2: "model.png", 3: "terminalsAndIcons/icon.png"}
+"""Path in the archive of the picture, by the version of FMI (2.0.5, 2.3; 3.0.1, 2.5.1)."""
 
 
 def documentation(
@@ -113,6 +119,7 @@ def page(model: Model, seen: SelfCheck, needs: str = _NEEDS, fmi: int = 2) -> st
         experiment=f"{start!r} s to {stop!r} s with steps of {step!r} s",
         needs=needs,
         fmi=fmi,
+        picture=PICTURES[fmi],
         solved=escape(solved(model)),
         accuracy=escape(accuracy(model, seen)),
         tables="\n".join(filter(None, tables)),

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-from collections.abc import Iterator
-from os import PathLike, fspath
-
 DONE, CHECK_FAILED, USAGE, UNFINISHED, LACK, INTERRUPTED = 0, 1, 2, 3, 4, 128 + 2
 EXIT_CODES = {
     DONE: "done",
@@ -16,16 +12,6 @@ EXIT_CODES = {
     INTERRUPTED: "interrupted (Ctrl-C)",  # as a shell says it: 128 + SIGINT
 }
 """What the exit codes of the command mean."""
-
-
-@contextlib.contextmanager
-def writing(path: str | PathLike[str]) -> Iterator[None]:
-    """Name the file in an error of writing it, such as that of a full disk, which has no name."""
-    try:
-        yield
-    except OSError as error:
-        error.filename = error.filename or fspath(path)
-        raise
 
 
 class CommandError(Exception):

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.archive import write_archive
-from build_fmu.documentation import documentation
-from build_fmu.errors import UsageError, writing
+from build_fmu.documentation import PICTURES, documentation
+from build_fmu.errors import UsageError
 from build_fmu.model_description import DRAWING, model_description
 from build_fmu.model_description_fmi3 import model_description_fmi3
 from build_fmu.package import PYTHON, Package
@@ -27,6 +27,7 @@ from build_fmu.study.output_folder import require_own_set
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.ssv import parameter_set
 from build_fmu.version import VERSION
+from solver.files import is_reserved, write_whole
 
 if TYPE_CHECKING:
     from solver.mechanics.parts import Parts
@@ -75,8 +76,8 @@ def write_fmu(
     local = local_variables(model, parts.scene) if local is None else local
     seen = self_check(model)
     write_archive(target, archive_entries(parts, model, seen, package, local))
-    with writing(beside):
-        beside.write_bytes(parameter_set(model, date=generation_date(), tool=TOOL, local=local))
+    values = parameter_set(model, date=generation_date(), tool=TOOL, local=local)
+    write_whole(beside, values)
     failed = f"warning: the trial run of the default experiment failed: {seen.reason}"
     rough = (s for name, mesh in model.meshes.items() for s in accuracy(name, mesh))
     for sentence in (*rough, *seen.remarks, *([failed] if seen.reason else ())):
@@ -95,8 +96,10 @@ def fmu_path(path: str | PathLike[str] | None, name: str) -> Path:
         it is that of a device.
     """
     target = Path(path or ".")
-    if target.is_dir():
-        return target / f"{name}.fmu"
+    target = target / f"{name}.fmu" if target.is_dir() else target
+    if is_reserved(target.name):
+        text = f"{target}: Windows reserves this name of a file; name another"
+        raise UsageError(text)
     if target.exists() and not target.is_file():
         text = f"{target}: an FMU is a file; name one, or a folder for it"
         raise UsageError(text)
@@ -130,7 +133,7 @@ def archive_entries(
     entries = package.entries(name, model.sizes)
     entries["resources/model.bin"] = model.file  # for the GUID, which is then in it
     entries |= documentation(model, seen, package)
-    entries |= drawn(parts.scene)
+    entries |= drawn(parts.scene, PICTURES[package.fmi])
     own_guid = guid(entries)
     entries["resources/model.bin"] = model.to_bytes(own_guid)
     of_fmi2 = partial(model_description, native=package.native, sources=package.sources)
@@ -145,14 +148,14 @@ def archive_entries(
     return entries
 
 
-def drawn(scene: Scene) -> dict[str, bytes]:
+def drawn(scene: Scene, picture_path: str) -> dict[str, bytes]:
     """Drawing of a scene and its picture, by path in the archive."""
     from viewer.drawing import drawing
     from viewer.picture import picture
 
     found = drawing(scene)
     text = json.dumps(found, separators=(",", ":"))
-    return {DRAWING: text.encode(), "model.png": picture(found)}
+    return {DRAWING: text.encode(), picture_path: picture(found)}
 
 
 def identifier(name: str) -> str:

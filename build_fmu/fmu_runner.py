@@ -76,8 +76,9 @@ class FmuRunner:
     ) -> Record:
         """Run from the first to the last of the times, and read outputs at each of them.
 
-        `inputs` has those that change, with a value for each of the times; each step begins with
-        those of its time. `progress` is called after each step with the part that is done.
+        `inputs` has those that change, with what is set before each of the times is reached, the
+        first of them in the initialization mode. `progress` is called after each step with the part
+        that is done.
 
         Raises
         ------
@@ -107,7 +108,7 @@ class FmuRunner:
                 count = 1
                 while (reached := recorder.reached) < len(times):
                     if driven and reached:
-                        self._set(fmu, driven[reached - 1])
+                        self._set(fmu, driven[reached])
                     begin = perf_counter()
                     recorder.go_on(min(reached + count, len(times)))
                     took = perf_counter() - begin

@@ -16,11 +16,14 @@ from collections.abc import Callable, Iterator
 from contextvars import ContextVar
 from os import PathLike, fspath
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from build_fmu.archive_check import require_whole
-from build_fmu.errors import EnvironmentLackError, UsageError, writing
+from build_fmu.errors import EnvironmentLackError, UsageError
 from fmu_src.status import DISCARD, ERROR, LOGGER, WARNING
+from solver.files import writing
+from solver.runtime.integrator import takes_signals
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
@@ -50,10 +53,12 @@ _struck: list[int] = []
 """Whether Ctrl-C is answered here, in how many blocks that hold it back, and what was held."""
 
 
-def _strike(number: int, _frame: object) -> None:
-    if not _depth:
+def _strike(number: int, frame: FrameType | None) -> None:
+    if _depth:
+        _struck.append(number)
+    # An FMU that is written in Python takes it there, within a long step, and refuses that step.
+    if not _depth or (frame and frame.f_code.co_name == takes_signals.__name__):
         raise KeyboardInterrupt
-    _struck.append(number)
 
 
 def _pass_interrupts() -> None:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from build_fmu.errors import EnvironmentLackError, UsageError, writing
+from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.grid import rows_of
 from solver.extras import missing
 from solver.runtime import OptionError
@@ -88,9 +88,7 @@ def _write(arguments: argparse.Namespace, figure: Callable[[Sequence[str] | None
     path = Path(arguments.plot)
     with _as_usage():
         drawn = figure(names)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with writing(path):
-        save(drawn, path)
+    save(drawn, path)
     sys.stderr.write(f"{arguments.plot}: plot\n")
 
 

@@ -39,26 +39,30 @@ def columns_of(reference: Reference) -> dict[str, ndarray]:
     UsageError
         With every mistake.
     """
-    mistakes: list[Mistake] = []
     is_file = not isinstance(reference, Mapping)
-    columns = _read(Path(reference), mistakes) if is_file else reference
-    refuse(mistakes)
+    columns, places = read_columns(reference) if is_file else (reference, [])
     problems: list[Problem] = []
-    arrays = arrays_over_time(columns, problems)
+    arrays = arrays_over_time(columns, problems, places=places)
     refuse(Mistake(name_of(reference), *problem) for problem in problems)
     return arrays
 
 
-def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:
-    """Columns of a CSV file of numbers."""
+def read_columns(file: str | PathLike[str]) -> tuple[dict[str, list[float]], list[str]]:
+    """Columns of a CSV file of numbers, and the line of each row.
+
+    Raises
+    ------
+    UsageError
+        With every mistake.
+    """
+    path, mistakes, places = Path(file), list[Mistake](), list[str]()
     help = (
         "write a name for each column into the first line, 'time' among them, with commas between"
     )
     _, head, rows = csv_table(path, help, mistakes)
     columns: dict[str, list[float]] = {name: [] for name in head}
-    if mistakes or "time" not in head:
-        return columns
-    for where, cells in rows:
+    for where, cells in rows if "time" in head else ():
+        places.append(f"line {where.rpartition(':')[2]}")
         for name, cell in zip(head, cells, strict=True):
             value = _number(cell)
             if abs(value) < float("inf"):
@@ -67,7 +71,8 @@ def _read(path: Path, mistakes: list[Mistake]) -> dict[str, list[float]]:
                 help = "leave out the row, or the column"
                 message = f"{name}: must be a finite number, got {cell!r}"
                 mistakes.append(Mistake(where, message, help))
-    return columns
+    refuse(mistakes)
+    return columns, places
 
 
 def _number(cell: str) -> float:

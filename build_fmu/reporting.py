@@ -13,11 +13,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
-from build_fmu.errors import UsageError, writing
+from build_fmu.errors import UsageError
 from build_fmu.instance import description_of
 from build_fmu.report import as_text
 from build_fmu.run import RECORDED, run_fmu
-from build_fmu.study.values import read_value
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
@@ -73,7 +72,7 @@ class Carried:
             text = f"{self.path}: it has no scene inside; build it from a file with this version"
             raise UsageError(text)
         pairs = (e.text.partition("=") for e in found.findall("Override") if e.text)
-        overrides = {name.strip(): read_value(value) for name, _, value in pairs}
+        overrides = {name.strip(): value for name, _, value in pairs}  # in TOML, as given
         try:
             form: Any = found.get("format", "toml")
             with warnings.catch_warnings():  # which were said when it was built
@@ -153,12 +152,11 @@ class Carried:
         """Write the page of runs of this FMU."""
         from viewer.report import write_report
 
-        with writing(path):
-            return write_report(
-                path, runs, name=self.model.name, description=self.model.description,
-                variables=self.model.variables, outputs=self.scene_outputs, warnings=sentences,
-                compare=compare,
-            )  # fmt: skip
+        return write_report(
+            path, runs, name=self.model.name, description=self.model.description,
+            variables=self.model.variables, outputs=self.scene_outputs, warnings=sentences,
+            compare=compare,
+        )  # fmt: skip
 
 
 def report_rows(

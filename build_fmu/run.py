@@ -98,8 +98,10 @@ def run_fmu(
     inputs
         Inputs that change during the run: a CSV file with a column "time" and one for each; or by
         name numbers, functions of the time in s, and arrays, with their times as "time". Between
-        the times inputs go in straight lines, before and after them they stay. The FMU sees them at
-        communication points: hence a short `step_size`.
+        the times inputs go in straight lines, before and after them they stay; a time that stands
+        twice is a jump, where a step ends too. A held input gets its value at the beginning of each
+        communication step, a ramped or smooth one, as its description in the FMU says, that at its
+        end: hence a short `step_size`.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
     with_local
@@ -120,18 +122,19 @@ def run_fmu(
         entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}
         start_values = fmu_settings(description, [entries])[0]
         times = communication_times(description, stop_time, step_size)
-        signals = given.sampled(description, start_values, times)
+        signals = given.courses(description, start_values, times)
         recorded = (*RECORDED, "local") if with_local else RECORDED
         variables = [v for v in description.modelVariables if v.causality in recorded]
         names = [v.name for v in variables if v.type != "String"]
         begin = time.perf_counter()
-        record = fmu.run(start_values, times, names, signals, progress)
+        record = fmu.run(start_values, signals.times, names, signals.sent, progress)
         wall_time = time.perf_counter() - begin
     if not len(record.values):
         raise UsageError(record.reason)
-    values = np.empty(len(record.values), [(name, float) for name in ("time", *names)])
-    columns = dict(zip(names, record.values.T, strict=True), time=times)
-    for name, column in {**columns, **signals}.items():  # the FMU has inputs of the step before
+    reached = record.values[[k for k in signals.rows if k < len(record.values)]]
+    values = np.empty(len(reached), [(name, float) for name in ("time", *names)])
+    columns = dict(zip(names, reached.T, strict=True), time=times)
+    for name, column in {**columns, **signals.values}.items():  # the FMU has what was set last
         values[name] = column[: len(values)]
     outputs = {v.name: v.unit for v in variables if v.causality != "input" and v.name in names}
     largest = {name: float(abs(values[name]).max()) for name in outputs}
@@ -141,7 +144,7 @@ def run_fmu(
         values=values,
         stop_time=times[-1],
         wall_time=wall_time,
-        messages=(*given.notes(times[0]), *record.messages),
+        messages=(*given.notes(times[0]), *signals.remarks, *record.messages),
         finished=len(values) == len(times),
         reason=record.reason,
         moved=poses.moved(motion),

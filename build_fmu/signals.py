@@ -6,13 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from build_fmu.reference import Reference, columns_of, name_of
+from build_fmu.reference import Reference, name_of, read_columns
 from build_fmu.study.values import Mistake, nearest, refuse
-from solver.signals import Problem, changes, sampled
+from solver.signals import Courses, Problem, changes, courses, moving_inputs
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription
-    from numpy import ndarray
 
 
 @dataclass(frozen=True)
@@ -23,11 +22,13 @@ class Inputs:
     """Name of the file, or of the argument, for messages."""
     changing: Mapping[str, Any]
     held: Mapping[str, Any]
+    places: Sequence[str] = ()
+    """Where the rows are in the file."""
 
-    def sampled(
+    def courses(
         self, description: ModelDescription, values: Mapping[str, object], times: Sequence[float]
-    ) -> dict[str, ndarray]:
-        """Inputs that change at the communication points `times` [s]; `values` has the others.
+    ) -> Courses:
+        """Inputs that change, over the communication points `times` [s]; `values` has the others.
 
         Raises
         ------
@@ -35,7 +36,7 @@ class Inputs:
             If a name is no input, an input has a value besides its signal, or a signal is wrong.
         """
         if not self.changing:
-            return {}
+            return Courses([*times], range(len(times)))
         known = [v.name for v in description.modelVariables if v.causality == "input"]
         mistakes = []
         for name in self.changing.keys() - {"time"}:
@@ -50,9 +51,10 @@ class Inputs:
             mistakes.append(Mistake(self.where, "has no column of an input", nearest("", known)))
         refuse(mistakes)
         problems: list[Problem] = []
-        columns = sampled(self.changing, times, problems)
+        moving = moving_inputs(description.modelVariables)
+        found = courses(self.changing, times, moving, problems, self.places)
         refuse(Mistake(self.where, *problem) for problem in problems)
-        return columns
+        return found
 
     def notes(self, start: float) -> tuple[str, ...]:
         """A sentence if the times of arrays begin after the start of the run [s]."""
@@ -68,7 +70,8 @@ def inputs_of(inputs: Reference | None) -> Inputs:
     if inputs is None:
         return Inputs("", {}, {})
     if not isinstance(inputs, Mapping):
-        return Inputs(name_of(inputs), columns_of(inputs), {})
+        columns, places = read_columns(inputs)
+        return Inputs(name_of(inputs), columns, {}, places)
     changing = {name: signal for name, signal in inputs.items() if changes(signal)}
     held = {name: value for name, value in inputs.items() if name not in changing}
     return Inputs("inputs", changing, held)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
+from solver.files import why_unreadable
 
 if TYPE_CHECKING:
     from build_fmu.package import Package
@@ -24,11 +25,11 @@ def is_fmu(target: str) -> bool:
     Raises
     ------
     UsageError
-        If there is no such file.
+        If there is no such file, or it is a folder, a device or a pipe.
     """
     path = Path(target)
-    if not path.is_file():
-        text = f"{target}: no such file"
+    if reason := why_unreadable(path):
+        text = f"{target}: {reason}"
         raise UsageError(text)
     return path.suffix == ".fmu" or zipfile.is_zipfile(path)
 

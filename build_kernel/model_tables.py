@@ -184,10 +184,11 @@ def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iter
         ("HEAD", "S_", "HEAD"), ("ISLAND", "I_", "SIZE"), ("ISLAND_PARTS", "ISLAND_", "COLUMNS"),
         ("CONTACT", "C_", "SIZE"), ("FRICTION", "F_", "SIZE"), ("NORMAL_SUMS", "NORMAL_", "SUMS"),
         ("CONTACT_MODES", "CONTACT_", "MODES"), ("FRICTION_MODES", "FRICTION_", "MODES"),
-        ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
+        ("CLOSINGS", "CLOSING_", "WAYS"), ("ROW_KINDS", "ROW_", "KINDS"), ("CODES", "T_", "END"),
     ):  # fmt: skip
         yield _enumeration(layout, table, prefix, values[table], last)
     yield f"#define HOLONOM_DRAWN_INTO {values['DRAWN_INTO']!r}\n"
+    yield f"#define HOLONOM_ONE_PLACE {values['ONE_PLACE']!r}\n"
     yield f"#define EARLY_UPDATE_PENALTY {values['EARLY_UPDATE_PENALTY']!r}\n"
     for field, words in values["WORDS"].items():
         yield _enumeration(layout, "WORDS", f"{field.upper()}_", words, "END")

@@ -2,20 +2,36 @@
 
 from __future__ import annotations
 
-from . import status
+import math
 
 MANY = 3
 """Failures in a row at the same time after which it is said what else to change."""
+STOP_DIGITS, STOP_SLACK = 8.0, 1e-3
 
 
-def impossible_step(current_time: float, step_size: float) -> tuple[int, str]:
-    """Code and sentence for a step of no length, or one that ends after the stop time."""
+def ends_too_late(t: float, step: float, start: float | None, stop: float) -> bool:
+    """Whether a step ends after the stop time by more than round-off; all in s.
+
+    That is some last digits, and one for each step of this size from the start, as communication
+    points are often sums; never more than a part of the step.
+    """
+    if stop == math.inf:
+        return False
+    begin = start or 0.0
+    digits = (STOP_DIGITS + (stop - begin) / step) * math.ulp(max(abs(stop), abs(begin)))
+    return t + step > stop + min(STOP_SLACK * step, digits)
+
+
+def impossible_step(current_time: float, step_size: float, stop_time: float) -> str:
+    """Sentence for a step without a proper length, or one that ends after the stop time."""
     step = f"step from t = {current_time!r} s with size {step_size!r} s"
     if not step_size > 0.0:
-        return status.STEP_REFUSED, f"{step}: the size must be > 0 s"
-    return status.STEP_REFUSED, (
-        f"{step}: it ends after the stop time that the importer gave; take a shorter step "
-        "or define no stop time"
+        return f"{step}: the size must be > 0 s"
+    if stop_time == math.inf:
+        return f"{step}: the size must be a finite number"
+    return (
+        f"{step}: it ends after the stop time that the importer gave, {stop_time!r} s; "
+        "take a shorter step or define no stop time"
     )
 
 

@@ -17,7 +17,7 @@ from solver.runtime import AssemblyError, StepError
 from . import snapshot, status
 from .interrupt_guard import hang_doors, shielded
 from .log import sentence
-from .messages import Failures, impossible_step, wrong_experiment
+from .messages import Failures, ends_too_late, impossible_step, wrong_experiment
 from .status import INITIALIZING, INSTANTIATED, STEPPING, TERMINATED
 from .values import SlaveWithValues
 
@@ -26,10 +26,6 @@ if TYPE_CHECKING:
     from typing import Any
 
 NOT_YET = "exitInitializationMode comes first"
-NO_STOP_TIME = sys.float_info.max
-ROUNDING, STOP_SLACK = 8, 1e-3
-"""A step may end after the stop time by so many last digits of it and this part of the step:
-communication points are often sums, and a million additions of 0.1 are off by 1e-5 steps."""
 
 
 class Slave(SlaveWithValues):
@@ -37,7 +33,7 @@ class Slave(SlaveWithValues):
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
-        self._latest = NO_STOP_TIME  # no communication step ends after this
+        self._stop_time = math.inf  # no communication step ends after this
         self._own_horizon = self._integrator.state.head["horizon"]
         self._failures = Failures()
         hang_doors(self)
@@ -58,11 +54,9 @@ class Slave(SlaveWithValues):
             return
         self._refusals.pop("experiment", None)
         self._start_time, self._assembled = start_time, False
-        self._latest, horizon = NO_STOP_TIME, self._own_horizon
-        if stop_time is not None:
-            self._latest = stop_time + ROUNDING * math.ulp(max(abs(stop_time), abs(start_time)))
-            if 0.0 < stop_time - start_time < math.inf:
-                horizon = stop_time - start_time
+        self._stop_time = math.inf if stop_time is None else stop_time
+        length = self._stop_time - start_time
+        horizon = length if 0.0 < length < math.inf else self._own_horizon
         try:
             self._integrator.state.head["horizon"] = horizon
             if tolerance is None:
@@ -106,8 +100,8 @@ class Slave(SlaveWithValues):
             if (
                 self._phase != STEPPING
                 or self._refusals
-                or not step_size > 0.0
-                or not current_time + (1.0 - STOP_SLACK) * step_size <= self._latest
+                or not 0.0 < step_size < math.inf
+                or ends_too_late(current_time, step_size, self._start_time, self._stop_time)
             ):
                 return self._discard(*self._objection(current_time, step_size))
             self._integrator.advance(current_time, step_size)
@@ -139,7 +133,7 @@ class Slave(SlaveWithValues):
         if self._phase != STEPPING:
             when = "after terminate" if self._phase == TERMINATED else "before the initialization"
             return status.STEP_REFUSED, f"doStep was called {when}; it belongs between them"
-        return impossible_step(current_time, step_size)
+        return status.STEP_REFUSED, impossible_step(current_time, step_size, self._stop_time)
 
     def _discard(self, code: int, text: str, what: str = "discarded") -> bool:
         self._status = code

@@ -15,17 +15,24 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from solver.closing import Closing, close
     from solver.mechanics import assemble
     from solver.runtime import AssemblyError, Integrator, Model, OptionError, StepError
     from solver.scene import Scene, SceneError, SceneWarning, load, loads
     from solver.trajectory import Trajectory, simulate
 
 __all__ = ["AssemblyError", "Integrator", "Model", "OptionError", "StepError"]
-__all__ += ["Scene", "SceneError", "SceneWarning", "Trajectory"]
-__all__ += ["assemble", "load", "loads", "simulate"]
+__all__ += ["Closing", "Scene", "SceneError", "SceneWarning", "Trajectory"]
+__all__ += ["assemble", "close", "load", "loads", "simulate"]
 
-_HOMES = ("solver.runtime", "solver.scene", "solver.mechanics", "solver.trajectory")
-"""Modules that have these names, the one that takes longest to import last."""
+_HOMES = (
+    "solver.runtime",
+    "solver.scene",
+    "solver.mechanics",
+    "solver.trajectory",
+    "solver.closing",
+)
+"""Modules that have these names, those that take longest to import last."""
 
 
 def __getattr__(name: str) -> object:

@@ -14,9 +14,16 @@ import numpy as np
 from solver.extras import imported
 from solver.mechanics import assemble
 from solver.runtime import Integrator, Model, OptionError
-from solver.runtime.errors import UnknownNameError
+from solver.runtime.errors import UnknownNameError, tell
 from solver.scene import Scene, load
-from solver.signals import Problem, changes, communication_points, sampled
+from solver.signals import (
+    Courses,
+    Problem,
+    changes,
+    communication_points,
+    courses,
+    moving_inputs,
+)
 
 if TYPE_CHECKING:
     import pandas  # pyright: ignore[reportMissingImports]
@@ -164,9 +171,11 @@ def simulate(
         Values by name, kept for the whole run.
     inputs : mapping, optional
         By name numbers, functions of the time in s, and arrays, with their times as "time" [s].
-        Between the times inputs go in straight lines, before and after them they stay. They are set
-        at communication points: hence a short `step_size`. The trajectory has arrays and functions
-        as given, also where ``limit = "clip"`` changes what acts.
+        Between the times inputs go in straight lines, before and after them they stay; a time that
+        stands twice is a jump. A held input gets its value at the beginning of each communication
+        step, one with ``interpolation = "ramp"`` or ``"smooth"`` that at its end: hence a short
+        `step_size`. At a jump between communication points a step ends, too. The trajectory has
+        arrays and functions as given, also where ``limit = "clip"`` changes what acts.
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
     **options
@@ -181,7 +190,7 @@ def simulate(
     Warns
     -----
     RuntimeWarning
-        Where dampers keep all steps at order 2.
+        Where dampers keep all steps at order 2, or a smooth input gets straight lines.
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
@@ -197,43 +206,43 @@ def simulate(
     times = communication_points(start, stop, step, step_is_chosen=step_size is not None)
     begin = perf_counter()
     integrator.state.head["horizon"] = stop - start
-    signals = _sampled(inputs or {}, held, times)
-    rows = _rows(integrator, times, signals, [model.index(name) for name in names])
+    signals = _courses(model, inputs or {}, held, times)
+    for remark in signals.remarks:
+        tell(None, remark)
+    rows = _rows(integrator, signals, [model.index(name) for name in names])
     table = np.array(rows, dtype=float)
-    for name in signals.keys() & set(names):
-        table[:, names.index(name)] = signals[name]
+    for name in signals.values.keys() & set(names):
+        table[:, names.index(name)] = signals.values[name]
     given = {**(parameters or {}), **held, **settings}
     return Trajectory(np.array(times), names, table, model, given, perf_counter() - begin)
 
 
 def _rows(
-    integrator: Integrator,
-    times: Sequence[float],
-    signals: Mapping[str, NDArray[np.float64]],
-    indices: Sequence[int],
+    integrator: Integrator, signals: Courses, indices: Sequence[int]
 ) -> list[list[float | str | bool]]:
-    """Values at all communication points; each step begins with the inputs of its time."""
-    driven = [integrator.model.index(name) for name in signals]
-    values = np.array([*signals.values()]).T.tolist()
-    rows = []
+    """Values at all communication points; before each step inputs are set to what it needs."""
+    driven = [integrator.model.index(name) for name in signals.sent]
+    sent = np.array([*signals.sent.values()]).T.tolist()
+    rows, times, shown = [], signals.times, {*signals.rows}
     for k, time in enumerate(times):
         if driven:
-            integrator.set(driven, values[max(k - 1, 0)])
+            integrator.set(driven, sent[k])
         if k:
             integrator.advance(times[k - 1], time - times[k - 1])
-        rows.append(integrator.get(indices))
-    if driven:
-        integrator.set(driven, values[-1])  # checks the last value too, which moves nothing
+        if k in shown:
+            rows.append(integrator.get(indices))
+    if driven:  # checks the last values too, which move nothing
+        integrator.set(driven, [float(values[-1]) for values in signals.values.values()])
     return rows
 
 
-def _sampled(
-    inputs: Mapping[str, Any], held: Mapping[str, Any], times: Sequence[float]
-) -> dict[str, NDArray[np.float64]]:
-    """Inputs that change, at the communication points."""
+def _courses(
+    model: Model, inputs: Mapping[str, Any], held: Mapping[str, Any], times: Sequence[float]
+) -> Courses:
+    """Inputs that change, over the communication points."""
     problems: list[Problem] = []
     changing = {name: signal for name, signal in inputs.items() if name not in held}
-    found = sampled(changing, times, problems)
+    found = courses(changing, times, moving_inputs(model.variables), problems)
     if problems:
         raise OptionError("\n".join(f"inputs: {message}; {help}" for message, help in problems))
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 
 FATAL = 7
 
@@ -12,6 +13,12 @@ def square(shared: int, job: int) -> tuple[int, int]:
     if job == FATAL and shared < 0:
         os._exit(3)
     return job, job * job
+
+
+def slow(_shared: object, job: int) -> tuple[int, int]:
+    """A job that takes 20 ms at least."""
+    time.sleep(0.02)
+    return job, job
 
 
 def lost(job: int, reason: str) -> tuple[int, str]:

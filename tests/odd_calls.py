@@ -32,6 +32,10 @@ class Host:
         self.callbacks = fmi2.fmi2CallbackFunctions()
         self.callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(self._hear)
 
+    def named(self, start: bytes) -> bytes:
+        """URI of the resources that begins otherwise."""
+        return self.resources.replace(b"file:///", start)
+
     def _hear(self, _environment, _name, _status, _category, message: bytes) -> None:
         self.heard.append(message.decode())
 
@@ -104,6 +108,11 @@ CALLS: dict[str, Callable[[Host], str]] = {
     "GUID NULL": lambda host: host.made(guid=None),
     "resources NULL": lambda host: host.made(resources=None),
     "no such resources": lambda host: host.made(resources=b"file:///nowhere/resources"),
+    "resources file:/path": lambda host: host.made(resources=host.named(b"file:/")),
+    "resources file://localhost/path": lambda host: host.made(
+        resources=host.named(b"file://localhost/")
+    ),
+    "resources FILE:///path": lambda host: host.made(resources=host.named(b"FILE:///")),
     "callbacks NULL": lambda host: host.made(callbacks=None),
     "logger NULL": Host.without_logger,
     "text NULL": lambda host: host.text(None),

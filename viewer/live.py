@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from solver.runtime.errors import is_double, shown
 from viewer.packing import channels
 from viewer.report import FORMAT, ReportRun, default_plots, described, filled, ordered
 
@@ -37,6 +38,10 @@ MOST_WAITING = 120
 """Rows that wait for one page; a page that is slower misses some."""
 PREVIEW_ROWS, PREVIEW_TIME = 60, 0.5
 """Rows of the rehearsal that a page gets, and how long in s of the clock it may take."""
+
+
+SPEEDS = 1e-6, 1e6
+"""Slowest and fastest, times the clock: beyond them a turn would count steps without end."""
 
 
 class StoppedError(Exception):
@@ -106,9 +111,11 @@ class Session:
             if name not in self._at_once:
                 return f"{name}: no input or parameter of this mechanism"
         for name, value in [*values.items(), ("speed", command.get("speed", 1.0))]:
-            if type(value) not in (int, float) or not math.isfinite(value):
-                return f"{name}: must be a number, got {value!r}"
-        return "" if command.get("speed", 1.0) > 0.0 else "speed: must be > 0"
+            if type(value) is bool or not is_double(value) or not math.isfinite(value):
+                return f"{name}: must be a number, got {shown(value)}"
+        slowest, fastest = SPEEDS
+        fits = slowest <= command.get("speed", 1.0) <= fastest
+        return "" if fits else f"speed: must be from {slowest:g} to {fastest:g}"
 
     def do(self, command: Mapping[str, Any]) -> None:
         """Obey a command at the next turn."""

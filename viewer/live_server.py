@@ -113,7 +113,8 @@ class _Handler(BaseHTTPRequestHandler):
         if not self._is_allowed():
             return
         size = self.headers.get("Content-Length", "")
-        if urlsplit(self.path).path != "/do" or not size.isdecimal() or int(size) > LARGEST:
+        fits = size.isdecimal() and len(size) <= len(str(LARGEST)) and int(size) <= LARGEST
+        if urlsplit(self.path).path != "/do" or not fits:
             self.close_connection = True
             self._answer(HTTPStatus.BAD_REQUEST, b"not a command")
             return
@@ -128,7 +129,10 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(HTTPStatus.NO_CONTENT)
 
     def _is_allowed(self) -> bool:
-        token = parse_qs(urlsplit(self.path).query).get("k", [""])[0]
+        try:
+            token = parse_qs(urlsplit(self.path).query).get("k", [""])[0]
+        except ValueError:  # such as http://[
+            token = ""
         host, origin = self.headers.get("Host", ""), self.headers.get("Origin")
         if self._live.allows(host, origin, token):
             return True

@@ -29,7 +29,9 @@ FARTHEST = 5000.0
 LEVEL = 6
 """Of deflate: 9 takes four times as long for 1 % less."""
 BUDGET = 10_000_000
-"""Characters of all blocks of a page."""
+"""Characters of a page."""
+FEWEST_ROWS = 9
+"""That a page shows, however large a row is."""
 BASE64 = 1.34
 """Characters for each byte, as many as they are where deflate finds nothing to save."""
 CLOSE = 1e-3
@@ -82,21 +84,37 @@ def packed(
     names, kinds = channels(drawing)
     times, keep = np.unique(np.asarray(times, float), return_index=True)
     poses = _continuous([np.asarray(columns[n], float)[keep] for n in names], names, len(times))
-    size, notes = _size(drawing, poses, kinds), []
+    size = _size(drawing, poses, kinds)
     stride = _stride(poses, kinds, size, len(times), len(order), budget)
-    if stride > 1:
+    while True:  # a motion that no line between fewer rows follows is coarse, but the page opens
         rows = np.unique(np.append(np.arange(0, len(times), stride), len(times) - 1))
-        notes.append(f"shows every {stride}th of {len(times)} rows; they are left out of its CSV")
-        times, keep, poses = times[rows], keep[rows], poses[:, rows]
+        poses_then = poses if stride == 1 else poses[:, rows]
+        table = {name: np.asarray(columns[name], float)[keep][rows] for name in order}
+        run = _of_rows(times[rows], poses_then, kinds, size, table, budget)
+        if stride > 1:
+            text = f"shows every {stride}th of {len(times)} rows; they are left out of its CSV"
+            run.notes.insert(0, text)
+        over = sum(map(len, run.blocks)) / max(budget, 1)
+        if over <= 1.0 or len(rows) <= FEWEST_ROWS:
+            return run
+        fewest = max((len(times) - 1) // (FEWEST_ROWS - 1), 1)
+        stride = max(min(stride * max(2, round(over)), fewest), stride + 1)
+
+
+def _of_rows(
+    times: NDArray[np.float64], poses: NDArray[np.float64], kinds: Sequence[str], size: float,
+    columns: Mapping[str, NDArray[np.float64]], budget: int,
+) -> Packed:  # fmt: skip
+    """Pack these rows, with as many columns, the most important first, as have room."""
+    notes, order = [], [*columns]
     meta, pose_bytes = _pose_block(poses, kinds, size)
     blocks = [text_of(times.astype("<f8").tobytes()), text_of(pose_bytes)]
     room = int(max(budget - len(blocks[0]) - len(blocks[1]), 0) / (BASE64 * 4 * len(times)))
-    kept = list(order[:room])
+    kept = order[:room]
     if len(kept) < len(order):
         kept = [*dict.fromkeys([*[n for n in order if n.startswith(MOST_IMPORTANT)], *kept])]
         notes.append(f"{len(order) - len(kept)} of {len(order)} variables were left out")
-    values = np.array([np.asarray(columns[name], float)[keep] for name in kept])
-    values = values.reshape(len(kept), len(times))
+    values = np.array([columns[name] for name in kept]).reshape(len(kept), len(times))
     little = np.ptp(values, axis=1) < LITTLE * abs(values[:, 0])
     levels = np.where(little, values[:, 0], 0.0)
     blocks.append(text_of(_planes((values - levels[:, None]).astype("<f4"))))

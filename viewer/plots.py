@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from solver.extras import imported
+from solver.files import written_whole
 from solver.runtime import OptionError
 from solver.scene.words import did_you_mean
 
@@ -177,10 +178,12 @@ def over_values(
 
 def save(figure: Figure, path: str | PathLike[str]) -> None:
     """Write a figure as its suffix says; the same figure gives the same bytes."""
+    form = fspath(path).rpartition(".")[2].lower()
     dated = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
-    metadata = dated.get(fspath(path).rpartition(".")[2].lower())
-    with imported("matplotlib", "plot").rc_context({"svg.hashsalt": "holonom"}):
-        figure.savefig(path, metadata=metadata, bbox_inches="tight", dpi=150)
+    how = {"format": form, "metadata": dated.get(form), "bbox_inches": "tight", "dpi": 150}
+    salted = imported("matplotlib", "plot").rc_context({"svg.hashsalt": "holonom"})
+    with salted, written_whole(path) as file:
+        figure.savefig(file, **how)
 
 
 def summary_html(

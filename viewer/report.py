@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from solver.files import write_whole, wrong_ending
 from viewer.packing import BUDGET, channels, packed, text_of
 
 if TYPE_CHECKING:
@@ -34,6 +35,8 @@ HOME = Path(__file__).parent
 GOOD = 1e-9
 """Largest error of energy or constraint that a page calls good."""
 LOSSES = ("energy.damping", "energy.friction", "energy.impact")
+ROOM_FOR_NAMES = 8
+"""Characters of a page for each name of a column of a run: deflated, and its level."""
 MOST_LINES = 6
 """Of one plot."""
 MOST_TOLD = 8
@@ -107,8 +110,7 @@ def write_report(
     """
     target = Path(path)
     page = page_text(runs, name, description, [*variables], outputs, [*warnings], compare=compare)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(page, encoding="utf-8")
+    write_whole(target, page)
     return target
 
 
@@ -117,6 +119,9 @@ def report_of_trajectory(path: str | PathLike[str], trajectory: Trajectory) -> P
     from solver.runtime import OptionError
     from viewer.drawing import drawing
 
+    if wrong := wrong_ending(path, (".html", ".htm")):
+        text = f"report: {wrong}"
+        raise OptionError(text)
     model = trajectory.model
     scene: Any = model and model.scene
     if model is None or scene is None:
@@ -164,8 +169,6 @@ def page_text(
     for run in runs:
         if not drawings or run.drawing != drawings[-1]:
             drawings.append(run.drawing)
-        columns = [n for n in order if n in run.columns]
-        result = packed(run.drawing, run.times, run.columns, columns, BUDGET // len(runs))
         meta = {
             "label": run.label,
             "drawing": len(drawings) - 1,
@@ -173,10 +176,8 @@ def page_text(
             "settings": run.settings,
             "facts": facts(run),
         }
-        metas.append(meta | result.meta)
-        blocks += result.blocks
-        notes += [f"{run.label}: {note}" if run.label else note for note in result.notes]
-    data = {
+        metas.append(meta)
+    data: dict[str, Any] = {
         "format": FORMAT,
         "name": name,
         "description": description,
@@ -189,6 +190,14 @@ def page_text(
         "warnings": warnings,
         "compare": compare,
     }
+    around = len(filled(data).encode()) + ROOM_FOR_NAMES * len(order) * len(runs)
+    budget = max(BUDGET - around, 0) // len(runs)
+    for run, meta in zip(runs, metas, strict=True):
+        columns = [n for n in order if n in run.columns]
+        result = packed(run.drawing, run.times, run.columns, columns, budget)
+        meta |= result.meta
+        blocks += result.blocks
+        notes += [f"{run.label}: {note}" if run.label else note for note in result.notes]
     return filled(data, blocks)
 
 

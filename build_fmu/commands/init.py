@@ -8,8 +8,9 @@ import sys
 from pathlib import Path
 
 from build_fmu.commands.schema import write_schema
-from build_fmu.errors import UsageError, writing
-from solver.scene.names import NAME
+from build_fmu.errors import UsageError
+from solver.files import is_reserved, write_whole
+from solver.scene.scene import LONGEST, NAME
 from solver.scene.words import nearest
 
 SCHEMA = "scene.schema.json"
@@ -19,18 +20,18 @@ HOMES = [Path(__file__).parents[1] / "scenes", Path(__file__).parents[2] / "scen
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the scene, and beside it the schema unless one is there; exit code 0."""
-    path = Path(arguments.name).with_suffix(".toml")
-    if not NAME.fullmatch(path.stem):
+    path = Path(arguments.name)
+    path = path if path.suffix == ".toml" else path.with_name(f"{path.name}.toml")
+    if not NAME.fullmatch(path.stem) or is_reserved(path.stem) or len(path.stem) > LONGEST:
         text = f"{path.stem!r} cannot be the name of a scene; write letters, digits and _, "
-        raise UsageError(text + "of which the first is a letter")
+        text += f"of which the first is a letter, at most {LONGEST}; Windows reserves some names"
+        raise UsageError(text)
     text = text_like(arguments.like, path.stem)
     schema = path.with_name(SCHEMA)
-    try:
-        with writing(path), path.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
+    if path.exists():
         text = f"{path}: there is such a file already; choose another name or remove it"
-        raise UsageError(text) from None
+        raise UsageError(text)
+    write_whole(path, text)
     sys.stdout.write(f"{path}: a scene like {arguments.like}; try: holonom check {path}\n")
     if not schema.exists():
         write_schema(schema)

@@ -6,8 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from build_fmu.errors import writing
 from build_fmu.report import json_text
+from solver.files import write_whole
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -21,8 +21,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def write_schema(path: Path) -> None:
     """Write the schema of this version into a file."""
-    with writing(path):
-        path.write_text(_text(), encoding="utf-8")
+    write_whole(path, _text())
     sys.stdout.write(f"{path}: the schema of scenes\n")
 
 

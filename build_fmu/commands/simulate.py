@@ -5,16 +5,19 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import IO, TYPE_CHECKING
 
-from build_fmu.errors import UNFINISHED, UsageError, writing
+from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_run
 from build_fmu.report import number, print_json, print_table, progress_bar
 from build_fmu.run import Run, run_fmu
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import runnable
+from solver.files import written_whole
 
 if TYPE_CHECKING:
     from numpy import ndarray
@@ -26,18 +29,7 @@ def run(arguments: argparse.Namespace) -> int:
         text = "--csv - and --json both want stdout; name a file for one of them"
         raise UsageError(text)
     check_plot(arguments)
-    result = simulate(arguments)
-    if arguments.csv == "-":
-        write_csv(result.values, sys.stdout)
-    elif arguments.csv:
-        path = Path(arguments.csv)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with writing(path), path.open("w", newline="", encoding="utf-8") as file:
-            write_csv(result.values, file)
-        rows, columns = len(result.values), len(result.values.dtype.names or ())
-        # One document on stdout is what --json promises.
-        stream = sys.stderr if arguments.json else sys.stdout
-        stream.write(f"{arguments.csv}: {rows} row{'s' * (rows != 1)}, {columns} columns\n")
+    result = simulate(arguments, keep=partial(_write_table, arguments))
     if arguments.json:
         print_json(summary(result) | {"warnings": arguments.warnings})
     elif not arguments.csv and begun(result):
@@ -46,6 +38,19 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.plot and begun(result):
         plot_run(arguments, result)
     return code
+
+
+def _write_table(arguments: argparse.Namespace, result: Run) -> None:
+    """Write what `--csv` asks for."""
+    if arguments.csv == "-":
+        write_csv(result.values, sys.stdout)
+    elif arguments.csv:
+        with written_whole(arguments.csv, "w") as file:
+            write_csv(result.values, file)
+        rows, columns = len(result.values), len(result.values.dtype.names or ())
+        # One document on stdout is what --json promises.
+        stream = sys.stderr if arguments.json else sys.stdout
+        stream.write(f"{arguments.csv}: {rows} row{'s' * (rows != 1)}, {columns} columns\n")
 
 
 def begun(result: Run) -> bool:
@@ -63,8 +68,14 @@ def report_end(result: Run) -> int:
     return UNFINISHED if result.reason else 0
 
 
-def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
-    """Run what the arguments say, with a progress bar on a terminal."""
+def simulate(
+    arguments: argparse.Namespace, *, with_local: bool = False,
+    keep: Callable[[Run], None] = lambda _: None,
+) -> Run:  # fmt: skip
+    """Run what the arguments say, with a progress bar on a terminal.
+
+    `keep` gets the run before its page is written: a page that fails loses nothing.
+    """
     entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     with (
         runnable(arguments.target, entries) as (path, left),
@@ -80,17 +91,20 @@ def simulate(arguments: argparse.Namespace, *, with_local: bool = False) -> Run:
             with_local=with_local or bool(arguments.report),
         )
         if not arguments.report:
+            keep(result)
             return result
         from build_fmu.reporting import Carried, plain_values
 
         carried = Carried(path, arguments.target)
+        shown = result if with_local else replace(result, values=result.values[carried.ports])
+        keep(shown)
         said = [*arguments.warnings, *result.messages]
         carried.write(arguments.report, [carried.of_run(result, plain_values(left))], said)
         sys.stderr.write(f"{arguments.report}: a page of this run, for any browser\n")
-        return result if with_local else replace(result, values=result.values[carried.ports])
+        return shown
 
 
-def write_csv(values: ndarray, file: TextIO) -> None:
+def write_csv(values: ndarray, file: IO[str]) -> None:
     """Trajectory in fmpy's layout, with digits that read back as the same numbers."""
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(values.dtype.names or ())

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from build_fmu.errors import CommandError, UsageError
 from build_fmu.target import is_fmu, parts_and_model
+from solver.files import read_whole
 
 if TYPE_CHECKING:
     from viewer.live_server import Server
@@ -53,7 +54,7 @@ class WatchedFiles:
         try:
             # A file may be named in any field, also of a scene that cannot be read: what stands in
             # quotes and is a file.
-            text = self._scene.read_text(encoding="utf-8", errors="replace")
+            text = read_whole(self._scene).decode("utf-8", errors="replace")
             named = {self._scene.parent / name for name in re.findall(r"""["']([^"'\n]+)""", text)}
             files = [self._scene, *sorted(path for path in named if path.is_file())]
             now = [(path, path.stat().st_mtime_ns, path.stat().st_size) for path in files]

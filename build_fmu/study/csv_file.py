@@ -9,6 +9,7 @@ from collections.abc import Container, Iterator
 from pathlib import Path
 
 from build_fmu.study.values import Mistake, counted
+from solver.files import read_whole
 
 Rows = Iterator[tuple[str, list[str]]]
 """Place and cells of each."""
@@ -77,7 +78,7 @@ def _words(error: str) -> tuple[str, str]:
 
 def _lines(path: Path, mistakes: list[Mistake]) -> Iterator[str]:
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        text = read_whole(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:
         message = f"not a UTF-8 text: byte 0x{error.object[error.start]:02x}"
         line = error.object[: error.start].count(b"\n") + 1

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import time
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
-from build_fmu.errors import EnvironmentLackError
+from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.processes import DIED, Results, Task
 
 CONNECTION = 10.0
 """Seconds in which a scheduler must answer."""
-MOST_CHUNK = 64
+TOGETHER, MOST_TOGETHER = 0.2, 64
+"""Seconds of work and number of jobs that go to a worker at once, to come back at once: a scheduler
+takes some milliseconds for each time."""
+NEWS = 1.0
+"""Seconds after which workers are counted again: they come and go."""
 
 
 def require_scheduler(address: str) -> None:
@@ -18,36 +25,74 @@ def require_scheduler(address: str) -> None:
     _client(address).close()
 
 
-def run_on_dask(task: Task, jobs: Sequence[Any], address: str) -> Results:
-    """Results of all jobs, not in their order.
+def require_client(client: Any) -> None:
+    """Refuse what is no client of dask.distributed, or one whose answers must be awaited."""
+    if not all(hasattr(client, name) for name in ("submit", "nthreads", "cancel")):
+        text = f"engine: must be a text or a dask.distributed.Client, got {type(client).__name__}"
+        raise UsageError(text)
+    if getattr(client, "asynchronous", False):
+        text = "engine: the Client is asynchronous; make one without asynchronous=True"
+        raise UsageError(text)
 
-    The workers have this package installed as well.
+
+def run_on_dask(task: Task, jobs: Sequence[Any], scheduler: Any) -> Results:
+    """Results of all jobs as they end, not in their order.
+
+    `scheduler` is an address or a client, which stays open. The workers have this package installed
+    as well.
     """
-    with _client(address) as client:
+    with _open(scheduler) as client:
         from distributed import KilledWorker, as_completed  # pyright: ignore[reportMissingImports]
 
         # A result, which is computed anew where the worker that has it dies; scattered data is not.
         shared = client.submit(_itself, task.shared, pure=False)
+        waiting, suspects, running = deque(jobs), [], {}
+        together, counted, threads = 1, -NEWS, 1
+        ended = as_completed()
 
         def submit(chunk: Sequence[Any]) -> Any:
             return client.submit(_each, task.function, shared, chunk, pure=False)
 
-        threads = sum(client.nthreads().values()) or 1
-        size = max(1, min(len(jobs) // (8 * threads), MOST_CHUNK))
-        chunks = [jobs[i : i + size] for i in range(0, len(jobs), size)]
-        running = {submit(chunk): chunk for chunk in chunks}
-        suspects: list[Any] = []
-        for future in as_completed(list(running)):
-            chunk = running.pop(future)
-            try:
-                yield from future.result()
-            except KilledWorker:
-                suspects += chunk
-        for job in suspects:  # alone: a worker takes what waits for it along
-            try:
-                yield from submit([job]).result()
-            except KilledWorker:
-                yield task.lost(job, DIED)
+        try:
+            while waiting or running:
+                if waiting and time.monotonic() - counted >= NEWS:
+                    counted, threads = time.monotonic(), sum(client.nthreads().values()) or 1
+                while waiting and len(running) < 2 * threads:  # so that no worker need wait
+                    share = min(together, -(-len(waiting) // (2 * threads)))
+                    chunk = [waiting.popleft() for _ in range(share)]
+                    future = submit(chunk)
+                    running[future] = chunk
+                    ended.add(future)
+                future = next(ended)
+                try:
+                    seconds, results = future.result()
+                except KilledWorker:
+                    suspects += running.pop(future)
+                    continue
+                del running[future]
+                together = jobs_together(seconds / len(results))
+                yield from results
+            for job in suspects:  # alone: a worker takes what waits for it along
+                try:
+                    yield from submit([job]).result()[1]
+                except KilledWorker:
+                    yield task.lost(job, DIED)
+        finally:
+            client.cancel(list(running))
+
+
+def jobs_together(seconds: float) -> int:
+    """Number of jobs that take so long each and go to a worker at once."""
+    return max(1, min(MOST_TOGETHER, int(TOGETHER / max(seconds, 1e-9))))
+
+
+@contextmanager
+def _open(scheduler: Any) -> Iterator[Any]:
+    if isinstance(scheduler, str):
+        with _client(scheduler) as client:
+            yield client
+    else:
+        yield scheduler
 
 
 def _client(address: str) -> Any:
@@ -70,8 +115,13 @@ def folder_of_worker() -> str:
     return get_worker().local_directory
 
 
-def _each(function: Callable[[Any, Any], Any], shared: Any, jobs: Sequence[Any]) -> list[Any]:
-    return [function(shared, job) for job in jobs]
+def _each(
+    function: Callable[[Any, Any], Any], shared: Any, jobs: Sequence[Any]
+) -> tuple[float, list[Any]]:
+    """Seconds that jobs took, and their results."""
+    begin = time.perf_counter()
+    results = [function(shared, job) for job in jobs]
+    return time.perf_counter() - begin, results
 
 
 def _itself(value: Any) -> Any:

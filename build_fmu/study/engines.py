@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from build_fmu.errors import UsageError
-from build_fmu.study.dask_workers import require_scheduler, run_on_dask
+from build_fmu.study.dask_workers import require_client, require_scheduler, run_on_dask
 from build_fmu.study.processes import Results, Task, run_in_processes
 
 POOL_PAYS = 2.0
@@ -17,7 +17,7 @@ POOL_PAYS = 2.0
 FORMS = "auto, serial, processes, processes:N or dask://HOST:PORT"
 
 
-def engine_of(name: str, workers: int | None = None) -> Callable[[Task, Sequence[Any]], Results]:
+def engine_of(name: Any, workers: int | None = None) -> Callable[[Task, Sequence[Any]], Results]:
     """Function of a task and jobs that has their results, not in the order of the jobs.
 
     Parameters
@@ -25,14 +25,17 @@ def engine_of(name: str, workers: int | None = None) -> Callable[[Task, Sequence
     name
         "auto": in this process, and in several where that pays; "serial"; "processes", perhaps
         with their number, "processes:4"; or the scheduler of dask.distributed, "dask://host:8786",
-        which must answer now.
+        which must answer now; or a `dask.distributed.Client`, which stays open.
     workers
         Number of processes; None: one for each processor.
     """
-    kind, _, rest = name.partition(":")
     if workers is not None and workers < 1:
         text = f"the number of processes must be at least 1, got {workers}"
         raise UsageError(text)
+    if not isinstance(name, str):
+        require_client(name)
+        return partial(run_on_dask, scheduler=name)
+    kind, _, rest = name.partition(":")
     workers = workers or processors()
     if kind == "auto" and not rest:
         return partial(_auto, workers=workers)
@@ -42,7 +45,7 @@ def engine_of(name: str, workers: int | None = None) -> Callable[[Task, Sequence
         return partial(run_in_processes, workers=int(rest or workers))
     if kind == "dask" and rest.startswith("//") and len(rest) > 2:
         require_scheduler(rest[2:])
-        return partial(run_on_dask, address=rest[2:])
+        return partial(run_on_dask, scheduler=rest[2:])
     text = f"there is no engine {name!r}; write {FORMS}"
     raise UsageError(text)
 

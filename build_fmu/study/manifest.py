@@ -12,6 +12,7 @@ from pathlib import Path
 from build_fmu.errors import UsageError
 from build_fmu.report import json_text
 from build_fmu.study.csv_file import cell, column_name
+from solver.files import read_whole
 
 OWN_COLUMNS = ("variant", "fmu", "error")
 LARGEST_WHOLE = 2**53
@@ -62,7 +63,7 @@ def manifest_path(folder: Path, name: str) -> Path:
 
 def _is_manifest(path: Path) -> bool:
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_whole(path).decode()
         if path.suffix == ".json":
             document = json.loads(text)
             return isinstance(document, dict) and "variants" in document

@@ -12,6 +12,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from build_fmu.errors import UsageError
+from solver.files import read_whole, why_unreadable
 
 _OURS = b'generationTool="holonom '
 
@@ -70,7 +71,9 @@ def _numbered(folder: Path, stem: str, kind: str) -> list[Path]:
 def _is_ours(path: Path) -> bool:
     try:
         if path.suffix == ".ssv":
-            return _OURS in path.read_bytes()
+            return _OURS in read_whole(path)
+        if why_unreadable(path):
+            return False
         with zipfile.ZipFile(path) as archive:
             return _OURS in archive.read("modelDescription.xml")
     except (OSError, KeyError, zipfile.BadZipFile):

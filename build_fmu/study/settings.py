@@ -16,7 +16,6 @@ from build_fmu.study.values import (
     WrongValueError,
     is_finite,
     is_number,
-    listed,
     nearest,
     plain,
     refuse,
@@ -25,7 +24,8 @@ from build_fmu.study.values import (
 )
 from build_fmu.version import VERSION
 from solver.options import OPTIONS
-from solver.scene.units import base_unit
+from solver.scene.units import base_unit, offset_of
+from solver.scene.words import listed
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -167,6 +167,8 @@ def converted(entry: Entry, name: str, unit: str) -> object:
         unknown = f"{entry.unit!r} is not known, and the file does not define it"
         reason = f"{entry.unit!r} measures something else" if given else unknown
         help = f"{reason}; give the value in {unit}" if unit else "leave the unit out"
+        if not given and (offset := offset_of(entry.unit)):
+            help = "; ".join(offset)
         raise WrongValueError(name, f"given in {entry.unit!r}, but has {words}", help)
     if same and math.isclose(given.factor / wanted.factor, 1.0):
         return value  # 0.0174533 and all digits of it are one degree

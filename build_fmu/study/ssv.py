@@ -15,6 +15,7 @@ from xml.etree.ElementTree import Element, SubElement
 
 from build_fmu.study.values import Entry, Mistake, keep
 from build_fmu.xml_parts import base_unit_attributes, legible
+from solver.files import read_whole
 from solver.scene.units import BaseUnit, base_unit
 
 if TYPE_CHECKING:
@@ -85,7 +86,7 @@ def read_parameter_set(path: Path, mistakes: list[Mistake]) -> dict[str, Entry]:
 
     parser = etree.XMLParser(resolve_entities=False, no_network=True)
     try:
-        root = etree.fromstring(path.read_bytes(), parser)
+        root = etree.fromstring(read_whole(path), parser)
     except etree.XMLSyntaxError as error:
         where = f"{path}:{error.lineno}:{(error.offset or 0) + 1}"
         message = f"not XML: {str(error.msg).partition(', line ')[0]}"

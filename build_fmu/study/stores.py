@@ -12,16 +12,19 @@ import csv
 import errno
 import io
 import json
+import os
 import re
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
-from typing import Any, BinaryIO, TextIO
+from typing import Any
 
 import numpy as np
 
-from build_fmu.errors import EnvironmentLackError, UsageError, writing
+from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.csv_file import cell
 from build_fmu.study.plan import OWN_COLUMNS, Plan, Result
+from solver.files import is_reserved, read_whole, why_unreadable, writing, written_whole
 
 try:
     import fcntl
@@ -35,6 +38,9 @@ REMEDY = "name another file, or begin anew with --fresh"
 
 def require_kind(path: Path | None) -> None:
     """Refuse a file that cannot hold results, before anything is done to it."""
+    if path is not None and is_reserved(path.name):
+        text = f"{path}: Windows reserves this name of a file; name another"
+        raise UsageError(text)
     if path is not None and path.suffix not in (".csv", ".h5", ".hdf5"):
         text = f"{path}: results go to a .csv, .h5 or .hdf5 file"
         raise UsageError(text)
@@ -60,6 +66,9 @@ def store_for(
     if path is None:
         return Store(plan, trajectories)
     path.parent.mkdir(parents=True, exist_ok=True)
+    if path.exists() and (reason := why_unreadable(path)):
+        text = f"{path}: results go to a file; there is {reason}"
+        raise UsageError(text)
     kind = Hdf5Store if holds_trajectories(path) else CsvStore
     return kind(plan, trajectories, path, fresh)
 
@@ -88,29 +97,35 @@ class Store:
         """Finish the file."""
 
 
-def _lock(path: Path, results: Path) -> BinaryIO:
-    """File, made if it is not there, that is ours until it is closed; its results are named."""
-    file = path.open("ab")
-    if fcntl is not None:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError as error:
-            if error.errno in (errno.EAGAIN, errno.EACCES):
-                file.close()
-                text = (
-                    f"{results} is in use: another sweep writes into it, or a program has it open; "
-                    "wait for its end, or name another file"
-                )
-                raise UsageError(text) from None
-    return file
-
-
 class FileStore(Store):
     """Base: results in a file that is ours until it is closed."""
 
     def __init__(self, plan: Plan, trajectories: bool, path: Path, locked: Path) -> None:
         super().__init__(plan, trajectories)
-        self._path, self._lock = path, _lock(locked, path)
+        self._path, self._locks = path, contextlib.ExitStack()
+        self._lock(locked)
+
+    def _lock(self, path: Path) -> None:
+        """Make a file ours, and make it if it is not there."""
+        if fcntl is None:
+            return
+        file = self._locks.enter_context(path.open("ab"))
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            if error.errno in (errno.EAGAIN, errno.EACCES):
+                self._locks.close()
+                text = (
+                    f"{self._path} is in use: another sweep writes into it, or a program has it "
+                    "open; wait for its end, or name another file"
+                )
+                raise UsageError(text) from None
+
+    def _give_up(self, locked: Path) -> None:
+        """Leave no file that was made for the lock alone."""
+        if locked.exists() and not locked.stat().st_size:
+            locked.unlink()
+        self._locks.close()
 
     def _require_the_same(self, theirs: Any) -> None:
         """Refuse results of another sweep; `theirs` is its plan as JSON."""
@@ -142,30 +157,27 @@ class CsvStore(FileStore):
         if path.is_file() and not fresh and not plan_path.is_file():
             text = f"{path} is there and is not one of a sweep; {REMEDY}"
             raise UsageError(text)
-        # The plan stays the file that it is, which the results do not: it is what is locked.
         super().__init__(plan, trajectories, path, plan_path)
         try:
-            if fresh:
-                path.unlink(missing_ok=True)
-            if path.is_file():
-                self._require_the_same(plan_path.read_bytes())
+            there = path.is_file() and not fresh
+            if there:
+                self._require_the_same(read_whole(plan_path))
                 self._read()
-            else:  # in this order: results are never there without a plan that is theirs and whole
-                plan_path.write_text(json.dumps(plan.document, indent=1) + "\n", encoding="utf-8")
-            self._file = self._begin()
+            self._write_known(None if there else plan_path)
+            self._file = self._path.open("ab", buffering=0)
         except BaseException:
-            self._lock.close()
+            self._give_up(plan_path)
             raise
 
-    def _write(self, file: TextIO, at: int) -> None:
-        """Write the line of a run; numbers read back as the same."""
+    def _line(self, at: int) -> str:
+        """Line of a run; numbers read back as the same."""
         first = self.plan.leading + len(OWN_COLUMNS) - 1
         row = self.table[at].tolist()
         words = *self.plan.lead(at), *row[self.plan.leading : first]
         quoted = io.StringIO()
         csv.writer(quoted, lineterminator="\n").writerow(map(cell, words))
         # Numbers need no quotes: csv would look for these as long as Python writes the numbers.
-        file.write(",".join([quoted.getvalue()[:-1], *map(cell, row[first:])]) + "\n")
+        return ",".join([quoted.getvalue()[:-1], *map(cell, row[first:])]) + "\n"
 
     def _read(self) -> None:
         """Results of the lines that are whole and have the values of their run."""
@@ -185,32 +197,45 @@ class CsvStore(FileStore):
                     end, reason, *numbers = row[leading + 1 :]
                     super().keep(Result(run, float(end), reason, [*map(float, numbers)]))
 
-    def _begin(self) -> TextIO:
-        """File with what is known, in the order of the runs."""
-        other = self._path.with_name(f".{self._path.name}.new")
-        with writing(self._path), other.open("w", newline="", encoding="utf-8") as file:
+    def _write_known(self, plan_path: Path | None = None) -> None:
+        """Write what is known, in the order of the runs; with a path, the plan as well.
+
+        All of it is on the disk before what was there goes, and results are never there without a
+        plan that is theirs and whole.
+        """
+        done = self.is_done.nonzero()[0].tolist()
+        with written_whole(self._path, "w") as file:
             csv.writer(file, lineterminator="\n").writerow(self.plan.columns)
-            for at in self.is_done.nonzero()[0].tolist():
-                self._write(file, at)
-        other.replace(self._path)
-        self._latest, self._is_in_order = int(self.is_done.nonzero()[0].max(initial=-1)) + 1, True
-        return self._path.open("a", newline="", encoding="utf-8")
+            file.writelines(map(self._line, done))
+            if plan_path is not None:
+                file.flush()
+                with written_whole(plan_path, "w") as plan:
+                    plan.write(json.dumps(self.plan.document, indent=1) + "\n")
+                    plan.flush()
+                    self._lock(Path(plan.name))
+                    self._path.unlink(missing_ok=True)
+        self._latest, self._is_in_order = max(done, default=-1) + 1, True
 
     def keep(self, result: Result) -> None:
-        """Write the line of a result at once."""
+        """Write the line of a result at once, and whole."""
         super().keep(result)
         self._is_in_order &= result.run > self._latest
         self._latest = result.run
         with writing(self._path):
-            self._write(self._file, result.run - 1)
-            self._file.flush()
+            end, rest = os.fstat(self._file.fileno()).st_size, self._line(result.run - 1).encode()
+            try:
+                while rest:
+                    rest = rest[self._file.write(rest) :]
+            except OSError:
+                self._file.truncate(end)
+                raise
 
     def close(self) -> None:
         """Put the lines into the order of the runs."""
-        with contextlib.closing(self._lock), writing(self._path):
+        with self._locks, writing(self._path):
             self._file.close()
             if not self._is_in_order:
-                self._begin().close()
+                self._write_known()
 
 
 # ---------------------------------------------------------------------------------------- HDF5
@@ -235,42 +260,47 @@ class Hdf5Store(FileStore):
             )
             raise UsageError(text + "it out")
         super().__init__(plan, trajectories, path, path)
-        there = path.stat().st_size > 0 and not fresh
+        there = path.exists() and path.stat().st_size > 0 and not fresh
+        # What h5py says that a name may stand for is more than a data set; here it is one.
+        # Its own lock would find ours in its way.
+        opened: Any = partial(h5py.File, locking=None if fcntl is None else False)
         try:
-            # What h5py says that a name may stand for is more than a data set; here it is one.
-            # Its own lock would find ours in its way.
-            locking = None if fcntl is None else False
-            self._file: Any = h5py.File(path, "r+" if there else "w", locking=locking)
+            if not there:
+                with written_whole(path) as file:
+                    with _writing_hdf5(path), opened(file.name, "w") as made:
+                        self._create(h5py, made)
+                    self._lock(Path(file.name))
+            self._file = opened(path, "r+")
         except OSError as error:
-            self._lock.close()
+            self._give_up(path)
             text = f"{path}: cannot be opened ({error}); {REMEDY}"
             raise UsageError(text) from None
+        except BaseException:
+            self._give_up(path)
+            raise
         try:
             if there:
                 self._require_the_same(self._file.attrs.get("plan"))
                 self._read()
-            else:
-                with _writing_hdf5(path):
-                    self._create(h5py)
         except BaseException:
             self.close()
             raise
 
-    def _create(self, h5py: Any) -> None:
+    def _create(self, h5py: Any, file: Any) -> None:
         plan = self.plan
         runs = np.zeros(plan.count, plan.dtype(f"S{LONGEST_TEXT}"))
-        self._file.create_dataset("runs", data=runs)
-        self._file.create_dataset("time", data=np.array(plan.times)).attrs["unit"] = "s"
+        file.create_dataset("runs", data=runs)
+        file.create_dataset("time", data=np.array(plan.times)).attrs["unit"] = "s"
         early = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
         early.set_alloc_time(h5py.h5d.ALLOC_TIME_EARLY)
         early.set_fill_value(np.array(np.nan))
-        group = self._file.create_group("trajectories")
+        group = file.create_group("trajectories")
         space = h5py.h5s.create_simple((plan.count, len(plan.times)))
         for name in plan.outputs:
             h5py.h5d.create(group.id, name.encode(), h5py.h5t.IEEE_F64LE, space, early)
             group[name].attrs["unit"] = plan.units.get(name, "")
-        self._file.attrs["plan"] = json.dumps(plan.document)  # last: without it nothing is taken
-        self._file.flush()
+        file.attrs["plan"] = json.dumps(plan.document)  # last: without it nothing is taken
+        file.flush()
 
     def _read(self) -> None:
         """Take the runs of the file that have the values of the plan; others are run again."""
@@ -318,7 +348,7 @@ class Hdf5Store(FileStore):
 
     def close(self) -> None:
         """Close the file."""
-        with contextlib.closing(self._lock), _writing_hdf5(self._path):
+        with self._locks, _writing_hdf5(self._path):
             self._file.close()
 
 

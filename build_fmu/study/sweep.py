@@ -32,6 +32,7 @@ from build_fmu.study.values import Entry, Mistake, refuse
 from build_fmu.target import runnable
 
 if TYPE_CHECKING:
+    from distributed import Client  # pyright: ignore[reportMissingImports]
     from numpy import ndarray
 
 MOST_VALUES = 500_000_000
@@ -71,7 +72,7 @@ def sweep(
     fresh: bool = False,
     trajectories: bool = False,
     form: str = "numpy",
-    engine: str = "auto",
+    engine: str | Client = "auto",
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Any:
@@ -125,7 +126,8 @@ def sweep(
         if wanted and plan.count * len(plan.times) * len(plan.outputs) > MOST_VALUES:
             text = "the trajectories would fill more than 4 GB; name fewer outputs, longer steps"
             raise UsageError(text)
-        archive = Path(unit).read_bytes() if engine.startswith("dask") else None
+        on_dask = not isinstance(engine, str) or engine.startswith("dask")
+        archive = Path(unit).read_bytes() if on_dask else None
         with (
             contextlib.closing(store_for(file, plan, fresh, trajectories)) as store,
             tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True) as folder,

@@ -8,7 +8,7 @@ import math
 import re
 import reprlib
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 MOST_MISTAKES = 30
 """Mistakes that are shown; of the rest only their number."""
-MOST_NAMES = 20
 _LONG_NAMES = ("parameters.{}", "inputs.{}", "parameters.{}.value", "inputs.{}.start")
 """How a parameter or input may be named besides its name."""
 _LONG_NAME = re.compile("|".join(x.replace(".", r"\.").format(r"(\w+)") for x in _LONG_NAMES))
@@ -170,14 +169,11 @@ def nearest(wrong: object, known: Iterable[str], others: Iterable[str] = ()) -> 
     near = [x for each in (names, others) for x in difflib.get_close_matches(str(wrong), each, 1)]
     if near:
         return f"did you mean {near[0]!r}?"
+    from solver.scene.words import listed  # --help needs nothing of the solver
+
     return f"known: {listed(names)}" if names else ""
 
 
 def counted(count: int, word: str) -> str:
     """Number of things in words: 1 run, 2 runs."""
     return f"{count} {word}" if count == 1 else f"{count} {word}s"
-
-
-def listed(names: Sequence[str]) -> str:
-    """Names in one line, the first of them where there are many."""
-    return ", ".join(names[:MOST_NAMES]) + (", ..." if len(names) > MOST_NAMES else "")

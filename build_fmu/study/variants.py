@@ -9,8 +9,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from build_fmu.errors import UnfinishedError, writing
+from build_fmu.errors import UnfinishedError
+from build_fmu.export import fmu_path
 from build_fmu.package import Package, chosen_package
 from build_fmu.study.engines import engine_of
 from build_fmu.study.grid import Row, rows_of
@@ -19,7 +21,11 @@ from build_fmu.study.output_folder import require_room, take_over
 from build_fmu.study.processes import Task
 from build_fmu.study.settings import Source, entries_of, scene_overrides
 from build_fmu.study.values import Mistake, in_one_text, refuse
+from solver.files import write_whole
 from solver.scene import Given, SceneError, SceneWarning
+
+if TYPE_CHECKING:
+    from distributed import Client  # pyright: ignore[reportMissingImports]
 
 
 @dataclass(frozen=True)
@@ -45,7 +51,7 @@ def variants(
     parameters: Source | None = None,
     manifest: str = "manifest.csv",
     fresh: bool = False,
-    engine: str = "auto",
+    engine: str | Client = "auto",
     workers: int | None = None,
     progress: Callable[[int, int], object] | None = None,
     native: bool = False,
@@ -73,7 +79,8 @@ def variants(
     fresh
         Remove the FMUs of an earlier study that are in the folder.
     engine, workers
-        "auto", "serial", "processes" or "dask://host:port", and the number of processes.
+        "auto", "serial", "processes", "dask://host:port" or a `dask.distributed.Client`, and the
+        number of processes.
     progress
         Called with the number of variants that are done, and of all.
     native, fmi, platforms, sources
@@ -108,7 +115,7 @@ def variants(
     overrides = scene_overrides(scene, entries)
     shared = _Shared(fspath(scene), overrides, fspath(scratch), len(rows), package)
     jobs = list(enumerate(rows, start=1))
-    names = {shared.name(number) for number, _ in jobs}
+    names = {fmu_path(target.parent / shared.name(number), "").name for number, _ in jobs}
     require_room(target.parent, stem, names, fresh)
     shutil.rmtree(scratch, ignore_errors=True)  # of a study that was killed
     scratch.mkdir(parents=True)
@@ -123,8 +130,7 @@ def variants(
         made = in_one_form(sorted(made, key=lambda variant: variant.number))
         if made:  # an interrupted study says what it has written
             take_over(scratch, target.parent, stem, {variant.fmu for variant in made})
-            with writing(target):
-                target.write_bytes(manifest_text(made, target.suffix, shared.scene).encode())
+            write_whole(target, manifest_text(made, target.suffix, shared.scene))
         shutil.rmtree(scratch, ignore_errors=True)
     refuse(mistake for variant in made if not variant.lost for mistake in variant.mistakes)
     if lost := [mistake for variant in made for mistake in variant.mistakes]:

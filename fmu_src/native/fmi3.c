@@ -37,9 +37,9 @@ fmi3_status fmi3SetDebugLogging(fmi3_instance c, fmi3_boolean on, size_t count, 
     return c ? status_of(slave_switch_log(c, on, count, category)) : FMI3_ERROR;
 }
 
-static fmi3_instance none(fmi3_logger logger, void *environment, const char *why)
+static fmi3_instance none(fmi3_logger logger, void *environment, fmi3_boolean is_logging, const char *why)
 {
-    if (logger) log_line(logger, environment, ANSWER_ERROR, why);
+    if (logger && is_logging) log_line(logger, environment, ANSWER_ERROR, why);
     return NULL;
 }
 
@@ -49,11 +49,11 @@ fmi3_instance fmi3InstantiateCoSimulation(fmi3_text name, fmi3_text token, fmi3_
                                           fmi3_logger logger, fmi3_callback update)
 {
     (void)is_visible, (void)returns_early, (void)intermediate, (void)update;
-    if (uses_events) return none(logger, environment, "instantiate: this FMU has no event mode");
-    if (n_intermediate) return none(logger, environment, "instantiate: this FMU gives no values within a communication step");
+    if (uses_events) return none(logger, environment, is_logging, "instantiate: this FMU has no event mode");
+    if (n_intermediate) return none(logger, environment, is_logging, "instantiate: this FMU gives no values within a communication step");
     const slave_log log = {
         .logger = logger ? (either){.function = logger}.address : NULL, .environment = environment, .say_line = say_line,
-        .wanted = is_logging ? DEBUGGING : QUIET,
+        .wanted = is_logging ? DEBUGGING : 0,
     };
     return slave_make(name, token, resources, 3, log);
 }
@@ -61,16 +61,16 @@ fmi3_instance fmi3InstantiateCoSimulation(fmi3_text name, fmi3_text token, fmi3_
 fmi3_instance fmi3InstantiateModelExchange(fmi3_text name, fmi3_text token, fmi3_text resources, fmi3_boolean is_visible,
                                            fmi3_boolean is_logging, void *environment, fmi3_logger logger)
 {
-    (void)name, (void)token, (void)resources, (void)is_visible, (void)is_logging;
-    return none(logger, environment, "instantiate: this FMU is for co-simulation, not for model exchange");
+    (void)name, (void)token, (void)resources, (void)is_visible;
+    return none(logger, environment, is_logging, "instantiate: this FMU is for co-simulation, not for model exchange");
 }
 
 fmi3_instance fmi3InstantiateScheduledExecution(fmi3_text name, fmi3_text token, fmi3_text resources, fmi3_boolean is_visible,
                                                 fmi3_boolean is_logging, void *environment, fmi3_logger logger, fmi3_callback clock,
                                                 fmi3_callback lock, fmi3_callback unlock)
 {
-    (void)name, (void)token, (void)resources, (void)is_visible, (void)is_logging, (void)clock, (void)lock, (void)unlock;
-    return none(logger, environment, "instantiate: this FMU is for co-simulation, not for scheduled execution");
+    (void)name, (void)token, (void)resources, (void)is_visible, (void)clock, (void)lock, (void)unlock;
+    return none(logger, environment, is_logging, "instantiate: this FMU is for co-simulation, not for scheduled execution");
 }
 
 void fmi3FreeInstance(fmi3_instance c) { slave_free(c); }

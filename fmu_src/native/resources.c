@@ -27,13 +27,22 @@ static const char NAME[] = "/model.bin";
 
 static int digit_of(char c) { return c >= '0' && c <= '9' ? c - '0' : (c | 32) >= 'a' && (c | 32) <= 'f' ? (c | 32) - 'a' + 10 : -1; }
 
-/* Path of file:///a%20b, file:/a, file://localhost/a, file:///C:/a and, on Windows, file://server/share; 0 if it is none. */
+/* Whether a text begins with these small letters and signs; capitals are as good. */
+static int begins(const char *text, const char *with)
+{
+    for (; *with; text++, with++)
+        if (*text != *with && (*with < 'a' || (*text | 32) != *with)) return 0;
+    return 1;
+}
+
+/* Path of file:///a%20b, file:/a, file://localhost/a, file:///C:/a and, on Windows, file://server/share; 0 if it is none. Schemes and
+   hosts have no case (RFC 3986, 6.2.2.1). */
 static int path_of(const char *uri, char *path, size_t room)
 {
     size_t used = 0;
-    if (strncmp(uri, "file:", 5)) return 0;
+    if (!begins(uri, "file:")) return 0;
     uri += 5;
-    if (!strncmp(uri, "//localhost/", 12)) uri += 11;
+    if (begins(uri, "//localhost/")) uri += 11;
     else if (!strncmp(uri, "///", 3)) uri += 2;
 #ifdef _WIN32
     if (uri[0] == '/' && uri[1] && (uri[2] == ':' || uri[2] == '|')) uri++; /* /C:/a */

@@ -10,8 +10,7 @@
 #include <string.h>
 
 enum { MANY = 3 }; /* failures in a row at the same time after which it is said what else to change */
-static const double STOP_DIGITS = 8.0, STOP_SLACK = 1e-3; /* a step may end after the stop time by so many last digits of it and this part
-                                                          of the step: communication points are often sums */
+static const double STOP_DIGITS = 8.0, STOP_SLACK = 1e-3; /* see ends_too_late */
 
 double *slave_head(const slave *s) { return holonom_state_of(s->instance); }
 
@@ -91,7 +90,8 @@ slave_answer slave_reset(slave *s)
 {
     holonom_reset(s->instance);
     s->memory = (slave_memory){INSTANTIATED, 0, 0, 0, slave_head(s)[S_TIME]};
-    s->latest = INFINITY;
+    s->stop_time = INFINITY;
+    s->last_digit = 0.0;
     s->n_failures = 0;
     return ANSWER_OK;
 }
@@ -120,7 +120,8 @@ slave_answer slave_set_up(slave *s, double start, const double *stop, const doub
     const double last = stop ? fmax(fabs(*stop), fabs(start)) : 0.0, length = stop ? *stop - start : 0.0;
     s->memory.start_time = start;
     s->memory.is_assembled = 0;
-    s->latest = stop ? *stop + STOP_DIGITS * (nextafter(last, INFINITY) - last) : INFINITY;
+    s->stop_time = stop ? *stop : INFINITY;
+    s->last_digit = nextafter(last, INFINITY) - last;
     slave_head(s)[S_HORIZON] = length > 0.0 && length < INFINITY ? length : s->own_horizon;
     if (tolerance) take_tolerance(s, *tolerance);
     return ANSWER_OK;
@@ -157,7 +158,7 @@ slave_answer slave_end_initialization(slave *s)
 
 slave_answer slave_terminate(slave *s)
 {
-    if (s->memory.phase != STEPPING)
+    if (s->memory.phase != STEPPING && s->memory.phase != FAILED) /* importers end a run with it, however it went */
         return slave_tell(s, ANSWER_ERROR, "terminate was ignored: %s",
                        s->memory.phase == TERMINATED ? "it was already called" : "exitInitializationMode comes first");
     s->memory.phase = TERMINATED;
@@ -184,12 +185,34 @@ static void say_remedy(slave *s, double t, double step)
            "that jump, and lengths that cannot be closed at this time", fmin(slave_head(s)[S_STEP_SIZE], s->shortest));
 }
 
-static slave_answer refuse_step(slave *s, double t, double step)
+/* Whether a step ends after the stop time by more than round-off: some last digits, and one for each step of this size from the
+   start, as communication points are often sums; never more than a part of the step. fmin leaves out the NaN that it may be
+   where there is no stop time. */
+static int ends_too_late(const slave *s, double t, double step)
+{
+    const double additions = (s->stop_time - s->memory.start_time) / step;
+    return t + step > s->stop_time + fmin(STOP_SLACK * step, (STOP_DIGITS + additions) * s->last_digit);
+}
+
+/* Ends the run with what s->text says: the answer to a step that cannot be, however short. Then only a saved state or a reset leads
+   back (FMI 2.0.5, 4.2.4, state error; FMI 3.0.1, 2.3.1, state Terminated). */
+static slave_answer end_by_error(slave *s)
 {
     s->memory.status = STEP_REFUSED;
-    return slave_tell(s, ANSWER_DISCARD, "step from t = %r s with size %r s: %s", t, step,
-                   step > 0.0 ? "it ends after the stop time that the importer gave; take a shorter step or define no stop time"
-                              : "the size must be > 0 s");
+    s->memory.phase = FAILED;
+    return slave_tell_text(s, ANSWER_ERROR);
+}
+
+static slave_answer refuse_step(slave *s, double t, double step)
+{
+    hm_clear(&s->text);
+    hm_say(&s->text, "step from t = %r s with size %r s: ", t, step);
+    if (!(step > 0.0)) hm_say(&s->text, "the size must be > 0 s");
+    else if (ends_too_late(s, t, step))
+        hm_say(&s->text, "it ends after the stop time that the importer gave, %r s; take a shorter step or define no stop time", s->stop_time);
+    else
+        hm_say(&s->text, "the size must be a finite number");
+    return end_by_error(s);
 }
 
 static slave_answer move_on(slave *s, double t, double step)
@@ -199,11 +222,11 @@ static slave_answer move_on(slave *s, double t, double step)
         s->memory.status = s->n_failures = 0;
         return ANSWER_OK;
     }
-    const int is_failure = (result & ~HOLONOM_REMARKED) == HOLONOM_FAILED;
-    s->memory.status = is_failure ? 0 : STEP_REFUSED; /* of a failure the core knows more */
     hm_clear(&s->text);
     slave_say_message(s);
-    if (is_failure) say_remedy(s, t, step);
+    if ((result & ~HOLONOM_REMARKED) != HOLONOM_FAILED || !(t + step > t)) return end_by_error(s);
+    s->memory.status = 0; /* the core knows more */
+    say_remedy(s, t, step);
     return slave_tell_text(s, ANSWER_DISCARD);
 }
 
@@ -211,10 +234,11 @@ slave_answer slave_step(slave *s, double t, double step)
 {
     if (s->memory.phase != STEPPING) {
         s->memory.status = STEP_REFUSED;
+        if (s->memory.phase == FAILED) return slave_tell(s, ANSWER_ERROR, "doStep was called after an error; %s", WAY_BACK);
         return slave_tell(s, ANSWER_ERROR, "doStep was called %s; it belongs between them",
                        s->memory.phase == TERMINATED ? "after terminate" : "before the initialization");
     }
-    if (!(step > 0.0) || !(t + (1.0 - STOP_SLACK) * step <= s->latest)) return refuse_step(s, t, step);
+    if (!(step > 0.0 && step < INFINITY) || ends_too_late(s, t, step)) return refuse_step(s, t, step);
     const fp_environment host = fp_enter();
     const slave_answer answer = move_on(s, t, step);
     fp_leave(host);

@@ -46,7 +46,7 @@ struct slave {
     slave_log log;
     slave_memory memory;
     int32_t first, status_index; /* value references of the first variable, and of solver.status */
-    double latest, own_horizon; /* no communication step ends after it [s]; of the model [s] */
+    double stop_time, last_digit, own_horizon; /* no communication step ends after it, and its last digit; of the model [s] */
     double failed_at, shortest, longest;
     int32_t n_failures;         /* in a row from the time failed_at, and the lengths tried [s] */
     hm_text text;

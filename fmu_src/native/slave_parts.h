@@ -5,7 +5,8 @@
 #include "internal.h"
 #include "slave.h"
 
-enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED };
+enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED, FAILED }; /* the last after a step that could not be */
+#define WAY_BACK "restore a saved state or reset the instance first"
 enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103 }; /* fmu_src/status.py has them all */
 enum { ROOM = 4096, ROOM_OF_ROW = 512, ROWS_SAID = 500 }; /* of a text, in bytes; rows that it can have a sentence of */
 

@@ -73,7 +73,7 @@ slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept 
         return slave_tell(s, ANSWER_ERROR, "the bytes are no FMU state of this version; save the state again with this FMU");
     memcpy(&head, bytes, sizeof head);
     const int is_damaged = head.checksum != checksum_of_kept(&head) || head.size != size || size != size_of(s) ||
-                           head.memory.phase < INSTANTIATED || head.memory.phase > TERMINATED || !(fabs(head.memory.start_time) < INFINITY);
+                           head.memory.phase < INSTANTIATED || head.memory.phase > FAILED || !(fabs(head.memory.start_time) < INFINITY);
     if (is_damaged) return slave_tell(s, ANSWER_ERROR, "the bytes of the FMU state are damaged; save the state again");
     const fp_environment host = fp_enter();
     const int is_good = slave_hears(s, holonom_check_saved(s->instance, (const char *)bytes + sizeof head, (int64_t)(size - sizeof head)));

@@ -79,6 +79,7 @@ static slave_answer check_phase(slave *s, const uint32_t *index, size_t count)
 {
     if (s->memory.phase == TERMINATED)
         return slave_tell(s, ANSWER_ERROR, "no value can be set after terminate; reset the instance first");
+    if (s->memory.phase == FAILED) return slave_tell(s, ANSWER_ERROR, "no value can be set after an error in doStep; %s", WAY_BACK);
     if (s->memory.phase != STEPPING) return ANSWER_OK;
     hm_clear(&s->text);
     for (size_t k = 0; k < count; k++) {

@@ -7,8 +7,10 @@
 #include "control.h"
 #include "energy.h"
 #include "event.h"
+#include "fault.h"
 #include "inputs_signals.h"
 #include "ledger.h"
+#include "measure.h"
 #include "predict.h"
 #include "start.h"
 #include "tangent.h"
@@ -19,6 +21,15 @@ static void start_anew(context *c)
     c->s.head[S_MEAN_TIME] = INFINITY;
     c->s.head[S_HELD] = 0.0;
     forget_halves(c);
+}
+
+/* No line leads through means from before and after a jump; outputs at the communication point belong to the step that led
+   there, and stay where its line ends.                                                                          */
+HM_SELDOM static void end_line(const context *c)
+{
+    extrapolate(c, c->m->n_rows, c->s.mean, c->s.mean_before, c->s.mean);
+    extrapolate(c, DIM * c->m->n_driven, c->s.driven_mean, c->s.driven_mean_before, c->s.driven_mean);
+    c->s.head[S_MEAN_TIME] = INFINITY;
 }
 
 /* Whether an input that is held over a communication step differs. */
@@ -42,7 +53,7 @@ int32_t holonom_set_inputs(const holonom_model *m, double *number, double *state
     for (int32_t i = 0; i < n_contacts(m) && has_new_parameters; i++) before[i] = gap_of(&c, i);
     const int has_new_inputs = memcmp(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs) != 0;
     if (has_new_parameters) start_anew(&c);
-    if (has_jumped(&c, c.s.inputs, inputs)) c.s.head[S_MEAN_TIME] = INFINITY;
+    if (has_jumped(&c, c.s.inputs, inputs)) end_line(&c);
     if (has_new_parameters || has_new_inputs) c.s.head[S_UNSETTLED] = 1.0;
     memcpy(c.s.inputs, inputs, sizeof(double) * (size_t)m->n_inputs);
     memcpy(c.s.parameters, parameters, sizeof(double) * (size_t)m->n_parameters);
@@ -140,10 +151,12 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
     return HOLONOM_OK;
 }
 
-int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step)
+int32_t holonom_advance(const holonom_model *m, double *number, double *state, double *work, double step,
+                        holonom_watch *watch)
 {
     context c;
     open_context(&c, m, number, state, work);
+    c.watch = watch;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 0.0 && step < 1e300)) return HOLONOM_BAD_STEP;
@@ -167,8 +180,10 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     else if (!status) status = (head[S_TOLERANCE] > 0.0 ? cover_to_tolerance : cover_evenly)(&c, start, step);
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
+    if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
     if (status) {
         if (!c.at_fault) blame_hardest(&c);
+        if (!c.at_fault) blame_worst(&c, status);
         memcpy(head, c.k.step_backup, sizeof(double) * (size_t)c.state_size);
         head[S_STATUS] = status;
         head[S_AT_FAULT] = c.at_fault;

@@ -9,7 +9,8 @@ static const double DRAWN = 1e-9;      /* largest residual of a drawn mechanism 
                                           a larger one into a jolt */
 static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity that a formula prescribes: rates of signals are
                                           differences, which leaves of a signal at rest what rounding makes, less than DRAWN in a second */
-static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion */
+static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion,
+                                                 or in a second: what moves so little has no speed */
 
 #define ASSEMBLE ", or set [solver] assemble = true"
 
@@ -46,6 +47,7 @@ static int holds(const hm_rule *rule, double value)
 {
     const int relation = rule->relation & ~OF_A_LAW;
     if (relation == IS_FINITE) return fabs(value) < INFINITY;
+    if (relation == IS_NOTED) return value == 0.0;
     return relation == IS_ABOVE ? value > rule->bound : value >= rule->bound;
 }
 
@@ -69,7 +71,7 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
     int broken = 0;
     for (uint32_t k = 0; k < f->header->n_rules; k++) {
         const hm_rule *rule = f->rule + k;
-        if ((only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
+        if (rule->relation == IS_NOTED || (only_laws && !(rule->relation & OF_A_LAW)) || holds(rule, numbers[rule->number])) continue;
         const int others = rule->relation == IS_DRAWN ? others_drawn(f, numbers, k) : 0;
         if (others < 0) continue;
         hm_say(text, "%s%s: ", broken++ ? "\n" : "", f->text + rule->name);
@@ -77,6 +79,16 @@ int hm_broken_rules(hm_text *text, const hm_model_file *f, const double *numbers
         if (others) hm_say(text, " (also at %d more of its places)", others);
     }
     return broken;
+}
+
+void hm_noted_rules(hm_text *text, const hm_model_file *f, const double *numbers)
+{
+    for (uint32_t k = 0; k < f->header->n_rules; k++) {
+        const hm_rule *rule = f->rule + k;
+        if (rule->relation != IS_NOTED || holds(rule, numbers[rule->number])) continue;
+        hm_say(text, "%s%s: ", text->used ? "\n" : "", f->text + rule->name);
+        say_filled(text, f->text + rule->message, numbers[rule->number]);
+    }
 }
 
 void hm_say_pressed(hm_text *text, const hm_model_file *f, int32_t row, double gap, int others)
@@ -189,7 +201,7 @@ static double speed_of(const drawing *d, int32_t row)
     const holonom_model *m = d->m;
     const double scale = d->numbers[m->row_scale_at + row], rate = fabs(d->rate[row]);
     const int32_t coincidence = row - m->n_form_rows;
-    double size = REST_OF_SOLVING * scale * d->fastest; /* of velocities that were made consistent */
+    double size = REST_OF_SOLVING * scale * (d->fastest + 1.0); /* of velocities that were made consistent */
     if (rate <= size) return 0.0; /* then its bound, which takes long, need not be known */
     if (coincidence < 0) size += DRAWN * bound_of_rate(d, m->row_form[row]);
     else if (coincidence < DIM * m->n_coincidences) size += DRAWN * bound_of_rate(d, m->coincidence_form[coincidence / DIM]);
@@ -278,22 +290,48 @@ static void say_velocity(hm_text *text, const drawing *d, int32_t row, double ra
                *unit ? unit : " per second", *unit ? "/s" : "");
 }
 
+static double angle_of_cosine(double cosine) { return hm_acos(fmax(-1.0, fmin(1.0, cosine))); }
+
+/* What is missing to a row, in the unit that a user knows. */
+static double missing(const drawing *d, int32_t row, double whole)
+{
+    const int kind = (int)d->f->row[row].kind;
+    double length, drawn;
+    if (kind == ROW_ANGLE) {
+        const double cosine = d->numbers[d->m->row_constant_at + row];
+        return fabs(angle_of_cosine(cosine + d->phi[row]) - angle_of_cosine(cosine));
+    }
+    if (kind != ROW_LENGTH) return whole;
+    lengths_of(d, row, &length, &drawn);
+    return fabs(length - drawn);
+}
+
+static const char *unit_of(const drawing *d, int32_t row)
+{
+    const int kind = (int)d->f->row[row].kind, turns = d->m->row_power[row] == 0;
+    if (kind == ROW_DRIVER) return turns ? " rad" : " m";
+    return kind == ROW_ANGLE ? " rad" : KIND[kind].unit;
+}
+
 /* With the setting `assemble` positions and velocities have been made consistent, so that a row which is still violated
    cannot be met at all: one sentence names the parts that fight, each with what is missing. */
 static int say_fighting(hm_text *text, const drawing *d)
 {
     int problems = 0;
-    for (int32_t row = 0; row < d->m->n_rows; row++) {
-        int32_t worst = row;
-        double gap, length, drawn;
-        if (drawn_gap(d, row) == 0.0 || !gather(d, row, drawn_gap, 1, &worst, &gap)) continue;
-        gap = drawn_gap(d, worst);
-        if (d->f->row[worst].kind == ROW_LENGTH) {
-            lengths_of(d, worst, &length, &drawn);
-            gap = fabs(length - drawn);
+    for (int pass = 0; pass < 2 && !problems; pass++) {
+        const row_value value = pass ? speed_of : drawn_gap;
+        for (int32_t row = 0; row < d->m->n_rows; row++) {
+            int32_t worst = row;
+            double whole;
+            if (value(d, row) == 0.0 || !gather(d, row, value, 1, &worst, &whole)) continue;
+            hm_say(text, "%s", problems++ ? ", " : pass ? "the mechanism has no velocities at this place that its joints and drivers allow: "
+                                                        : "the mechanism cannot be closed: joints contradict each other: ");
+            hm_say(text, "%s (%3g%s%s)", d->f->text + d->f->row[worst].name, pass ? whole : missing(d, worst, whole), unit_of(d, worst),
+                   !pass ? "" : *unit_of(d, worst) ? "/s" : " per second");
         }
-        hm_say(text, "%s%s (%3g%s)", problems++ ? ", " : "the mechanism cannot be closed: joints contradict each other: ",
-               d->f->text + d->f->row[worst].name, gap, KIND[d->f->row[worst].kind].unit);
+        if (problems)
+            hm_say(text, "%s", pass ? " are missing; draw it beside its dead centre, or let its drivers start from rest"
+                                    : " are missing in the best pose that was found; move a part, or correct a length or a driver");
     }
     return problems > 0;
 }
@@ -325,6 +363,56 @@ int hm_contradicted_rows(hm_text *text, const hm_model_file *f, const double *nu
         }
     }
     return problems;
+}
+
+/* ---------------------------------------------------------------------------------------------------- dead centre */
+
+static const double SHARE = 1e-3; /* of the largest lack, from which on a row is told */
+
+/* Names of parts, or of bodies, each once, that `counts` finds in a row. */
+typedef int (*row_test)(const drawing *d, int32_t row);
+
+static int is_of_body(const drawing *d, int32_t row) { return d->f->row[row].kind == ROW_AXES; }
+
+static double lack(const drawing *d, int32_t row)
+{
+    return fabs(d->phi[row]) / d->numbers[d->m->row_scale_at + row];
+}
+
+static int lacks(const drawing *d, int32_t row)
+{
+    double largest = 0.0;
+    for (int32_t i = 0; i < d->m->n_rows; i++) largest = fmax(largest, lack(d, i));
+    return !is_of_body(d, row) && lack(d, row) > SHARE * largest;
+}
+
+/* Whether a row is of a body whose angular velocity is not given. */
+static int is_of_free_body(const drawing *d, int32_t row)
+{
+    return is_of_body(d, row) && row < d->m->n_form_rows &&
+           d->numbers[d->m->velocity_weight_at + d->m->form_node[d->m->form_ptr[d->m->row_form[row]]]] <= 1.0;
+}
+
+static int say_names(hm_text *text, const drawing *d, row_test counts, const char *before)
+{
+    int said = 0;
+    for (int32_t row = 0; row < d->m->n_rows; row++) {
+        int is_told = !counts(d, row);
+        for (int32_t i = 0; i < row && !is_told; i++) is_told = d->f->row[i].name == d->f->row[row].name && counts(d, i);
+        if (!is_told) hm_say(text, "%s%s", said++ ? ", " : before, d->f->text + d->f->row[row].name);
+    }
+    return said;
+}
+
+void hm_say_dead_centre(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, const double *lacking)
+{
+    const drawing d = {f, &f->model, numbers, lacking, lacking, s, 0.0};
+    hm_say(text, "the mechanism is drawn in a singular place, a dead centre, where branches of its motion meet: ");
+    say_names(text, &d, lacks, "");
+    hm_say(text, " leave more velocities free there than beside it (holonom info: mobility by rank and by counting), and those at the "
+                 "start belong to no branch; give a velocity that chooses one");
+    say_names(text, &d, is_of_free_body, ", such as that of ");
+    hm_say(text, ", or draw the mechanism beside this place");
 }
 
 #include "small.h"

@@ -54,7 +54,7 @@ static double gap_rate(const context *c, int32_t i) { return rate_of_row(c, c->m
 /* Second derivative of a function row, rate of a velocity row, with the accelerations in w. */
 HM_SELDOM static double second_rate_of_row(const context *c, int32_t j)
 {
-    double *none = c->k.signal_sample; /* second derivatives of signals are in the bias */
+    double *none = c->k.signal_before; /* second derivatives of signals are in the bias */
     memset(none, 0, sizeof(double) * (size_t)c->m->n_signals);
     const double bias = bias_of_row(c, j);
     return function_rate(c, j, c->s.q, c->s.q_low, c->k.w, c->s.signal, none) + bias;

@@ -45,7 +45,7 @@ typedef struct context {
     int lagged;         /* whether cones take the normal forces `lag`                                        */
     int divided;        /* whether step_halving had to divide the step at hand, so that event_backup has its start */
     int32_t event;      /* function of event.h that has become 0, or -1                                        */
-    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0 */
+    int32_t at_fault;   /* multiplier of the contact that keeps a step from being solved or changed last, and 1; or 0; see fault.h */
     const double *cone_mu; /* multipliers at which the cones of sliding frictions are linearised             */
     int passing;        /* whether a composition passes a place that explicit steps do not, see control.h          */
     double longest_put_back; /* explicit step, by the difference of the last one [s]                               */
@@ -71,7 +71,20 @@ typedef struct context {
     int form_rows, rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
+    holonom_watch *watch; /* who may end the step, or NULL                                                        */
 } context;
+
+/* Whether who waits for the step has asked for its end. */
+HM_OFTEN int is_stopped(const context *c)
+{
+    holonom_watch *w = c->watch;
+    if (!w || (w->left -= c->state_size) > 0) return 0;
+    if (w->is_stopped) return 1;
+    w->left = HOLONOM_WORK_BETWEEN_LOOKS;
+    w->is_stopped = w->look();
+    if (w->is_stopped) w->left = 0;
+    return w->is_stopped;
+}
 
 #define IN_ISLAND(c, i, column) (int32_t i = (c)->begin[column], i##_end = (c)->end[column]; i < i##_end; i++)
 #define EACH_IN(c, pieces, piece, i)                                                                           \
@@ -180,6 +193,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     hm_map_work(m, work, &c->k);
     use_formulation(c, (int)c->s.head[S_FORMULATION]);
     c->t = c->start = c->s.head[S_TIME];
+    c->watch = NULL;
     c->h = 0.0;
     c->n_moving = m->n_free + m->n_driven;
     c->theta = 0.5;

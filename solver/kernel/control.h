@@ -17,7 +17,6 @@
 
 enum { MAX_REPEATS = 40 };
 #define NEAR_SINGULAR 0.3 /* times what was tried: rows hardly determine accelerations where explicit steps must be as short */
-#define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy of an explicit step back, over the speed */
 #define SAFETY 0.5    /* of what a step may add, aimed at */
 #define MOST_AIMED 1.5 /* times what a step may add, aimed at where steps before have added less */
 #define REJECTED 2.0  /* times what a step may add, at which it is repeated */
@@ -26,7 +25,7 @@ enum { MAX_REPEATS = 40 };
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
-#define MOMENT 1e4 /* half steps for which steps may be short where a contact changes: till then they foretell nothing */
+#define MOMENT 1e4 /* half steps for which steps may be short where a contact changes or a force jumps: they foretell nothing */
 
 /* Number of equal steps of at most a length that cover a time. */
 static double steps_over(const context *c, double time, double longest)
@@ -184,6 +183,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     int repeats = 0;
     begin_control(c);
     while (done < step) {
+        if (is_stopped(c)) return HOLONOM_STOPPED;
         const double rest = step - done;
         const int is_explicit = way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT;
         /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
@@ -192,7 +192,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
-        const double ahead = is_unilateral(c->m) && !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
+        const double ahead = !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
         c->t = start + done;
         if (!(half_steps + ahead < MOST_HALF_STEPS)) {
             if (is_unilateral(c->m) && may_step_over(failed)) return step_over(c, failed, start, done, step);

@@ -165,6 +165,14 @@ HM_SELDOM static void row_rates(const context *c, const double *x, const double 
             state_of_row(c, j) == ROW_IS_ON ? function_rate(c, j, x, x_low, v, signal, signal_rate) : 0.0;
 }
 
+/* Part of its scale above which a row may show round-off of places alone, far from where it was drawn. */
+#define MAY_BE_ROUNDED 1e-12
+
+static int may_be_rounded(const context *c, const double *phi, int32_t i)
+{
+    return !(fabs(phi[i]) <= MAY_BE_ROUNDED * c->number[c->m->row_scale_at + i]);
+}
+
 /* Rows at the state (n_rows, overwritten). */
 HM_SELDOM static void row_values(const context *c, double *phi)
 {
@@ -173,9 +181,16 @@ HM_SELDOM static void row_values(const context *c, double *phi)
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_at_state(c, m->row_form[i], u, w);
         phi[i] = dot(u, w) - c->number[m->row_constant_at + i];
+        if (may_be_rounded(c, phi, i)) phi[i] = row_at_state(c, i);
     }
-    for (int32_t j = 0; j < m->n_coincidences; j++)
-        link_at_state(c, m->coincidence_form[j], phi + m->n_form_rows + DIM * j, w);
+    for (int32_t j = 0, i = m->n_form_rows; j < m->n_coincidences; j++, i += DIM) {
+        link_at_state(c, m->coincidence_form[j], phi + i, w);
+        for (int k = 0; k < DIM; k++)
+            if (may_be_rounded(c, phi, i + k)) {
+                exact_link(c, m->coincidence_form[j], m->alpha_at, m->alpha_turn_at, u, w);
+                phi[i + k] = u[k] + w[k];
+            }
+    }
     if (first_velocity_row(c) > first_function(c)) quantities_at_state(c);
     for (int32_t j = first_function(c); j < first_velocity_row(c); j++)
         phi[row_of(c, j)] = state_of_row(c, j) == ROW_IS_ON ? function_value(c, j) - reference_of(c, j) : 0.0;

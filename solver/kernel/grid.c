@@ -57,12 +57,30 @@ static void weigh_splines(int order, double t, double *w)
         w[1] = t * (1.5 * t - 2.0);
         w[2] = s * (2.0 - 1.5 * s);
         w[3] = 0.5 * t * t;
-    } else {
+    } else if (order == 2) {
         w[0] = s;
         w[1] = 3.0 * t - 2.0;
         w[2] = 3.0 * s - 2.0;
         w[3] = t;
+    } else {
+        w[0] = -1.0;
+        w[1] = 3.0;
+        w[2] = -3.0;
+        w[3] = 1.0;
     }
+}
+
+/* Derivative of a cube's polynomial, per cube, of these orders along the axes. */
+static double partial(const grid *g, const int *order, const int32_t *cube, const double *u)
+{
+    double w[AXES][SUPPORT], sum = 0.0;
+    for (int a = 0; a < AXES; a++) weigh_splines(order[a], u[a] - cube[a], w[a]);
+    for (int i = 0; i < SUPPORT; i++)
+        for (int j = 0; j < SUPPORT; j++) {
+            const double *c = g->coefficient + ((int64_t)(cube[0] + i) * g->count[1] + cube[1] + j) * g->count[2] + cube[2];
+            for (int k = 0; k < SUPPORT; k++) sum += w[0][i] * w[1][j] * w[2][k] * c[k];
+        }
+    return sum;
 }
 
 /* Value and three slopes, per cube, of the polynomial of a cube, or of its derivative along `axis` (from 0). */
@@ -98,6 +116,33 @@ double hm_grid(int derivative, const double *x, const double *first, const doubl
     locate(&g, x, u, cube);
     of_cube(&g, derivative - 1, cube, u, found);
     return derivative ? found[0] / g.spacing : found[0];
+}
+
+hm_jet hm_grid_jet(int derivative, const hm_jet *x, const double *first, const double *last)
+{
+    grid g;
+    double place[AXES], u[AXES];
+    int32_t cube[AXES];
+    hm_jet y = {NAN, NAN, NAN};
+    if (!is_grid(first, last, &g)) return y;
+    for (int a = 0; a < AXES; a++) place[a] = x[a].value;
+    locate(&g, place, u, cube);
+    const double unit = derivative ? 1.0 / g.spacing : 1.0, per = 1.0 / g.spacing;
+    int order[AXES] = {derivative == 1, derivative == 2, derivative == 3};
+    y = (hm_jet){unit * partial(&g, order, cube, u), 0.0, 0.0};
+    for (int a = 0; a < AXES; a++) {
+        order[a]++;
+        const double slope = unit * per * partial(&g, order, cube, u);
+        y.rate += slope * x[a].rate;
+        y.bend += slope * x[a].bend;
+        for (int b = 0; b < AXES; b++) {
+            order[b]++;
+            y.bend += unit * per * per * partial(&g, order, cube, u) * x[a].rate * x[b].rate;
+            order[b]--;
+        }
+        order[a]--;
+    }
+    return y;
 }
 
 /* The mean of the gradient along the straight line from x0 to x1: cube by cube, where the spline is a polynomial of degree 9

@@ -117,7 +117,8 @@ static void begin_choice(context *c, double h)
     }
     for (int32_t i = 0; i < m->n_contacts; i++) {
         const touch *x = touch_of(c, i);
-        if (x->was_closed != 0.0) contact_of(c, i)[C_REFERENCE] = 0.0;
+        double *reference = contact_of(c, i) + C_REFERENCE; /* a negative one: round-off of the drawing, which no step pushes out */
+        if (x->was_closed != 0.0) *reference = fmin(*reference, 0.0);
         else if (x->is_near != 0.0 && x->gap + h * x->rate < -none) close_at_zero(c, i);
     }
 }

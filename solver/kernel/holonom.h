@@ -62,10 +62,21 @@ HOLONOM_API int32_t holonom_initialise(const holonom_model *model, double *numbe
 HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, double *state,
                                    double *work, double *phi, double *phi_dot);
 
+/* Asks who waits for a step whether to go on: `look` returns 1 for its end. Of a small mechanism it is asked seldom, since that takes
+   as long as a step: once in so much work, `left` (modified; counted in doubles of the state, an internal step reads each).     */
+typedef struct holonom_watch {
+    int32_t (*look)(void);
+    int64_t left;
+    int32_t is_stopped; /* modified */
+} holonom_watch;
+
+enum { HOLONOM_WORK_BETWEEN_LOOKS = 1 << 20 };
+
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option
-   step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS. */
+   step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS.
+   `watch` (modified) may be NULL. */
 HOLONOM_API int32_t holonom_advance(const holonom_model *model, double *numbers, double *state, double *work,
-                                    double step);
+                                    double step, holonom_watch *watch);
 
 /* Changes inputs and tunable parameters; a jump of stored energy is booked as work. `inputs` (n_inputs),
    `parameters` (n_parameters). Returns the row of a contact whose sides they press into each other, with its `gap` (1,

@@ -5,8 +5,11 @@
 #ifndef HOLONOM_INITIALISE_H
 #define HOLONOM_INITIALISE_H
 
+#include "close.h"
 #include "context.h"
+#include "dead_centre.h"
 #include "energy.h"
+#include "even_metric.h"
 #include "event.h"
 #include "extrapolation.h"
 #include "inputs_signals.h"
@@ -83,39 +86,69 @@ static void take_over(context *c)
 
 enum { ROUNDS = 8 };
 
-/* Velocities next to those given, in the mass metric, that the rows allow. The first three rounds keep given velocities
-   by large weights, each beginning with them again; the others, without weights, let the rows hold to round-off.   */
-HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
+/* Velocities next to those given, in the mass metric times node weights, that the rows allow. The first three rounds keep given
+   velocities by large weights, each beginning with them again; the others, with weights `rest` or none, let the rows hold to
+   round-off. What rows still ask for, over their scales, becomes `defect`. */
+HM_SELDOM static int32_t project_initial_velocities(context *c, const double *weight, const double *rest, double *defect)
 {
     const holonom_model *m = c->m;
-    const double *weight = keep_given ? c->number + m->velocity_weight_at : NULL;
-    const double *given = c->number + m->initial_velocity_at;
+    const double *is_given = c->number + m->velocity_weight_at, *given = c->number + m->initial_velocity_at;
     double last = INFINITY;
-    for (int round = keep_given ? 0 : 3; round < ROUNDS; round++) {
+    for (int round = weight ? 0 : 3; round <= ROUNDS; round++) {
         for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
-            if (weight[k / DIM] > 1.0) c->s.v[k] = given[k];
+            if (is_given[k / DIM] > 1.0) c->s.v[k] = given[k];
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
         row_rates(c, c->s.q, c->s.q_low, c->s.v, c->s.signal, c->k.signal_rate, c->k.phi);
-        const double defect = largest_row(c, c->k.phi);
-        if (round > 3 && !(defect < 0.5 * last)) break; /* light parts cost digits: again, as long as it helps */
-        last = round < 3 ? INFINITY : defect;
-        const int32_t status = solve_at_state(c, round < 3 ? weight : NULL);
+        *defect = largest_row(c, c->k.phi);
+        if (round == ROUNDS || (round > 3 && !(*defect < 0.5 * last))) break; /* light parts cost digits: again, as long as it helps */
+        last = round < 3 ? INFINITY : *defect;
+        const int32_t status = solve_at_state(c, round < 3 ? weight : rest);
         if (status) return status;
         add_solution(c, c->s.v);
     }
     return HOLONOM_OK;
 }
 
-/* Closes the mechanism. Where that fails the rows say so: the caller looks at their residuals. */
-static int32_t close_mechanism(context *c)
+#define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
+#define GIVEN_HEAVIER 1e4 /* weight of given velocities where all parts weigh the same */
+
+/* Velocities that the rows allow. Where light parts cost all digits, once more in an even metric. */
+HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
+{
+    const holonom_model *m = c->m;
+    double *weight = c->k.free, defect;
+    even_metric metric;
+    int32_t status = project_initial_velocities(c, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
+    if (status || defect <= RATES_HOLD * fastest_rate(c, c->s.v)) return status;
+    status = take_even_metric(c, &metric);
+    for (int32_t a = 0; a < m->n_free; a++)
+        weight[a] = metric.weight[a] * (c->number[m->velocity_weight_at + a] > 1.0 ? GIVEN_HEAVIER : 1.0);
+    memcpy(c->s.v, c->number + m->initial_velocity_at, sizeof(double) * (size_t)(DIM * m->n_free));
+    if (!status) status = project_initial_velocities(c, keep_given ? weight : NULL, metric.weight, &defect);
+    leave_even_metric(c, &metric);
+    return status;
+}
+
+/* Closes the mechanism, by the smallest displacement if that leads to a pose near the drawing. */
+static int32_t close_places(context *c)
 {
     double size;
+    follow_angles(c, NULL);
+    memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
+    keep_pose(c, c->k.step_backup);
     const int32_t status = seek_step(c, 1.0, 1, &size);
-    if (status == HOLONOM_NEWTON_DIVERGED || !status) take_over(c);
-    else return status;
-    return make_velocities_consistent(c, 1);
+    if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW) return status;
+    if (!status) take_over(c), follow_angles(c, NULL);
+    const double way = status ? INFINITY : distance_from(c, c->k.step_backup);
+    return way <= FAR ? HOLONOM_OK : find_pose(c, way <= FARTHEST_STAGE);
+}
+
+static int32_t close_mechanism(context *c)
+{
+    const int32_t status = close_places(c);
+    return status ? status : make_velocities_consistent(c, 1);
 }
 
 static int32_t seek_equilibrium(context *c)
@@ -197,8 +230,9 @@ static int allows_settings(const context *c)
 
 static int32_t refuse_penetration(context *c)
 {
+    const double most = HOLONOM_DRAWN_INTO * c->number[c->m->extent_at] + round_off_of_drawing(c);
     for (int32_t i = 0; i < n_contacts(c->m); i++)
-        if (!(gap_of(c, i) >= -HOLONOM_DRAWN_INTO * c->number[c->m->extent_at])) {
+        if (!(gap_of(c, i) >= -most)) {
             blame(c, c->m->contact_row[i]);
             return HOLONOM_PENETRATION;
         }
@@ -226,9 +260,11 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (!status) status = first_multipliers(&c);
+    if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;
     follow_angles(&c, NULL);
-    memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities); /* the first sines have crossed nothing */
+    if (head[S_ASSEMBLE] == 0.0 || head[S_EQUILIBRIUM] != 0.0) /* the first sines have crossed nothing */
+        memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities);
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
     if (is_unilateral(m) && ((status = refuse_penetration(&c)) || (status = begin_contacts(&c)))) head[S_AT_FAULT] = c.at_fault;

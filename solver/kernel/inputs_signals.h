@@ -7,6 +7,13 @@
 #include "energy.h"
 #include "ledger.h"
 
+/* Time at part `part` of a step of length h from t, but inside of it, where laws may jump at its ends. */
+static double inside_of_step(double t, double h, double part)
+{
+    const double margin = fmax(1e-12 * h, 4.5e-16 * fabs(t));
+    return fmin(fmax(t + part * h, t + margin), t + h - margin);
+}
+
 /* Inputs as they are at time t: held, or on their line or cubic from the value at the beginning of the communication step. */
 static void load_inputs(const context *c, double t)
 {
@@ -68,19 +75,72 @@ static void signals_at(const context *c, double t, double *signal)
     memcpy(signal, c->number + m->signal_at, sizeof(double) * (size_t)m->n_signals);
 }
 
-/* Rates of the signals at time t (n_signals, overwritten): forward differences of fourth order, so that what a formula is
-   before t does not matter. At a kink or a jump, such as that of 2 max(t, 0) at 0, the rate is that of what follows.  */
-HM_SELDOM static void signal_rates_at(const context *c, double t, double *rate)
+/* Lets time and inputs move among the numbers at time t, where a segment of the tape reads them. */
+HM_SELDOM static void load_jets(const context *c, double t, int32_t segment)
 {
-    static const double weight[5] = {0.0, 48.0, -36.0, 16.0, -3.0}; /* of differences: constants have the rate 0 */
-    const int32_t n = c->m->n_signals;
-    const double delta = 1e-2 * c->s.head[S_STEP_SIZE];
-    double *now = c->k.signal_sample, *soon = now + n;
-    signals_at(c, t, now);
-    for (int32_t b = 0; b < n; b++) rate[b] = 0.0;
-    for (int i = 1; i < 5 && n; i++) {
-        signals_at(c, t + i * delta, soon);
-        for (int32_t b = 0; b < n; b++) rate[b] += weight[i] / (12.0 * delta) * (soon[b] - now[b]);
+    const holonom_model *m = c->m;
+    const hm_state *s = &c->s;
+    const double past = t - c->start;
+    load_inputs(c, t);
+    c->number[m->time_at] = t;
+    hm_stop_jets(m, segment, c->k.jet);
+    c->k.jet[2 * m->time_at] = 1.0;
+    c->k.jet[2 * m->time_at + 1] = 0.0;
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        double *jet = c->k.jet + 2 * (m->input_at + i);
+        const double moves = m->input_course[i] != INPUT_HELD;
+        jet[0] = moves * (s->inputs_slope[i] + past * (2.0 * s->inputs_bend[i] + 3.0 * past * s->inputs_third[i]));
+        jet[1] = moves * (2.0 * s->inputs_bend[i] + 6.0 * past * s->inputs_third[i]);
+    }
+}
+
+#define A_LITTLE_LATER 1e-8 /* of the time, or [s] */
+
+/* Rates and second derivatives of the signals at time t (n_signals each, overwritten), as they are just after it: see jets.c.
+   Where a formula such as sqrt(t)^2 has none, they are taken a little later.                                    */
+HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, double *bend)
+{
+    const holonom_model *m = c->m;
+    const double law_time = c->number[m->time_at];
+    int lacks = m->n_signals > 0;
+    for (int later = 0; later < 2 && lacks; later++) {
+        load_jets(c, t + later * A_LITTLE_LATER * fmax(1.0, fabs(t)), 2);
+        hm_run_jets(m, c->number, 2, c->k.jet);
+        lacks = 0;
+        for (int32_t b = 0; b < m->n_signals; b++) {
+            const double *jet = c->k.jet + 2 * (m->signal_at + b);
+            if (later && fabs(rate[b]) < INFINITY && fabs(bend[b]) < INFINITY) continue;
+            rate[b] = jet[0], bend[b] = jet[1];
+            lacks |= !(fabs(rate[b]) < INFINITY && fabs(bend[b]) < INFINITY);
+        }
+    }
+    c->number[m->time_at] = law_time;
+}
+
+static void signal_rates_at(const context *c, double t, double *rate) { signal_jets_at(c, t, rate, c->k.signal_bend); }
+
+/* Values (signal1), rates and second derivatives of the signals at part `part` of a step of length h from t, of its inside: they may
+   have kinks and jumps at its ends. */
+HM_SELDOM static void follow_signals(const context *c, double t, double h, double part)
+{
+    const double time = inside_of_step(t, h, part), past = t + part * h - time;
+    signals_at(c, time, c->k.signal1);
+    signal_jets_at(c, time, c->k.signal_rate, c->k.signal_bend);
+    for (int32_t b = 0; b < c->m->n_signals && past != 0.0; b++) {
+        c->k.signal1[b] += past * (c->k.signal_rate[b] + 0.5 * past * c->k.signal_bend[b]);
+        c->k.signal_rate[b] += past * c->k.signal_bend[b];
+    }
+}
+
+/* Sets the state's signals, and driven nodes, to signal1 and signal_rate. */
+HM_SELDOM static void place_driven(const context *c)
+{
+    const int32_t first = DIM * c->m->n_free;
+    memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
+    for (int32_t k = first; k < DIM * c->n_moving; k++) {
+        c->s.q[k] = c->k.signal1[k - first];
+        c->s.v[k] = c->k.signal_rate[k - first];
+        c->s.q_low[k] = c->s.v_low[k] = 0.0;
     }
 }
 

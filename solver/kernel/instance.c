@@ -12,13 +12,14 @@ struct holonom_instance {
     double *before;              /* state and numbers, while a change of inputs is tried                  */
     double *inputs, *parameters; /* those to come                                                         */
     double *phi, *rate;          /* n_rows each                                                           */
-    char at_fault[128];
+    char at_fault[256];
     char *clipped;               /* of each variable: whether it was said that it is clipped               */
     hm_text message, remarks;
     int64_t state_size;
     int32_t phase, measured, heard, has_rules_of_laws, said, has_remarks;
     int32_t first;               /* number of the first variable                                           */
     int32_t group_end[HOLONOM_GROUPS];
+    holonom_watch watch;
 };
 
 enum { MESSAGE_ROOM = 4096, ROOM_PER_ROW = 256, MOST_ROWS = 500, REMARK_ROOM = 2048 };
@@ -173,7 +174,7 @@ static int32_t measure(holonom_instance *i, int32_t groups)
     if (!(groups & ~i->measured)) return HOLONOM_DONE;
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
-        if (result) return result;
+        if (result & ~HOLONOM_REMARKED) return result;
     }
     holonom_measure(&i->file.model, i->numbers, i->state, i->work, groups);
     i->measured |= groups;
@@ -365,22 +366,30 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
-/* The contact that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
+/* The part that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
 static const char *name_at_fault(holonom_instance *i, int32_t status)
 {
-    const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
-    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED;
-    const int32_t row = is_sure || is_unsolved ? (int32_t)i->s.head[S_AT_FAULT] - 1 : -1;
     hm_text text = {i->at_fault, sizeof i->at_fault, 0};
     hm_clear(&text);
-    if (row >= 0 && row < (int32_t)i->file.header->n_rows) hm_say(&text, "%s%s: ", is_sure ? "" : "near ", text_of(i, i->file.row[row].name));
+    hm_say_fault(&text, &i->file, i->numbers, i->s.head, status);
     return i->at_fault;
+}
+
+/* Remarks on what moved far, as a line of its own. */
+static void remark_on_closing(holonom_instance *i)
+{
+    hm_text said = i->remarks; /* behind those not yet fetched */
+    if (!i->has_remarks) hm_clear(&said);
+    else hm_say(&said, "\n");
+    if (hm_say_closing(&said, &i->file, i->numbers, &i->s)) i->remarks = said, i->has_remarks = 1;
+    else hm_take_back(&said, i->has_remarks ? i->remarks.used : 0);
 }
 
 int32_t holonom_assemble(holonom_instance *i)
 {
     const holonom_model *m = &i->file.model;
     hm_text *message = &i->message;
+    hm_work work;
     evaluate(i);
     hm_clear(message);
     int problems = hm_broken_rules(message, &i->file, i->numbers, 0);
@@ -392,17 +401,27 @@ int32_t holonom_assemble(holonom_instance *i)
         return HOLONOM_UNASSEMBLED;
     }
     const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
-    if (status) {
-        const char *at_fault = status < HOLONOM_CONTACT_UNDECIDED ? "" : name_at_fault(i, status);
+    i->measured = 0;
+    hm_map_work(m, i->work, &work);
+    memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
+    holonom_rows(i, i->phi, i->rate);
+    if (!status || status == HOLONOM_AT_DEAD_CENTRE || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
+        problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
+    if (status == HOLONOM_AT_DEAD_CENTRE && !problems) {
+        hm_say_dead_centre(message, &i->file, i->numbers, &i->s, i->before);
+        return HOLONOM_UNASSEMBLED;
+    }
+    if (status && !problems) {
+        const int is_known = status >= HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NOT_FINITE;
+        const char *at_fault = is_known ? name_at_fault(i, status) : "";
         hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
     }
-    i->measured = 0;
-    holonom_rows(i, i->phi, i->rate);
-    problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
-    return problems ? HOLONOM_UNASSEMBLED : HOLONOM_DONE;
+    if (problems) return HOLONOM_UNASSEMBLED;
+    if (i->s.head[S_ASSEMBLE] != 0.0) remark_on_closing(i);
+    return done(i);
 }
 
 void holonom_begin(holonom_instance *i)
@@ -416,9 +435,17 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     const double longest = head[head[S_TOLERANCE] > 0.0 ? S_LONGEST_STEP : S_STEP_SIZE];
     head[S_STATUS] = status;
     i->measured = 0;
+    if (status != HOLONOM_BAD_STEP) { /* a law that breaks on the way mostly stays broken */
+        i->numbers[i->file.model.time_at] = t + step;
+        holonom_evaluate(&i->file.model, i->numbers, 1);
+    }
+    const char *fault = name_at_fault(i, status);
+    evaluate(i);
     return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
-                  name_at_fault(i, status), hm_about_step(status));
+                  fault, hm_about_step(status));
 }
+
+void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)
 {
@@ -430,10 +457,13 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
     if (!(step > 0.0)) return fail(i, t, step, HOLONOM_BAD_STEP);
     if (i->phase == HOLONOM_CONFIGURED) {
         const int32_t result = holonom_assemble(i);
-        if (result) return result;
+        if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
-    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step);
+    i->watch.left = HOLONOM_WORK_BETWEEN_LOOKS;
+    i->watch.is_stopped = 0;
+    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step,
+                                           i->watch.look ? &i->watch : NULL);
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;

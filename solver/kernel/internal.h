@@ -149,14 +149,27 @@ int32_t hm_discrete_gradient(const int32_t *operation, int32_t n_leaves, int32_t
 /* One operation of the tape, other than those with a table. */
 double hm_operate(int32_t code, double a, double b, double c);
 
+/* A number that changes with time: value, rate [1/s], and second derivative [1/s^2]. See jets.c. */
+typedef struct hm_jet {
+    double value, rate, bend;
+} hm_jet;
+
+/* The same operation of jets, one with a table (of one or three), and a segment of the tape. Rates and second derivatives of the
+   numbers lie in `jet`, 2 for each; what a segment reads stands still after hm_stop_jets. */
+hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c);
+hm_jet hm_look_up_jet(int32_t code, const hm_jet *x, const double *first, const double *last);
+void hm_stop_jets(const holonom_model *model, int32_t segment, double *jet);
+void hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
+
 /* A spline, or its derivative of that order, 1 or 2, at x; and its slope (f(x1) - f(x0))/(x1 - x0), without a difference of
    values. Its table lies from `first` to `last`, one row at least behind its first number; see spline.c.       */
 double hm_spline(int order, double x, const double *first, const double *last);
 double hm_spline_slope(int order, double x0, double x1, const double *first, const double *last);
 
 /* A spline of three coordinates x, or one of its three derivatives; NaN if the table is none. And its mean gradient between
-   two places, with sum slope dx the difference of its values; see grid.c.                                      */
+   two places, with sum slope dx the difference of its values; and its jet where x moves; see grid.c.           */
 double hm_grid(int derivative, const double *x, const double *first, const double *last);
+hm_jet hm_grid_jet(int derivative, const hm_jet *x, const double *first, const double *last);
 void hm_grid_slopes(int derivative, const double *x0, const double *x1, const double *first, const double *last, double *slope);
 
 /* Contacts with meshes alone have grids. */
@@ -167,10 +180,6 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
 {
     return reads_grid(code) ? hm_grid(code - T_GRID, x, first, last) : hm_spline(code - T_SPLINE, *x, first, last);
 }
-
-/* Coefficients of a signal's course in a step, see signal_course.h: second derivatives of a wave that turns by 1 rad in it err by
-   7e-12 of them. */
-#define COURSE_POINTS 12
 
 /* Scratch of an impact with so many rows, see impact_map. */
 #define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))

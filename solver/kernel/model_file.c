@@ -90,7 +90,7 @@ static int has_sound_records(const hm_model_file *f)
     }
     for (uint32_t i = 0; i < h->n_rules; i++) {
         const hm_rule *rule = f->rule + i;
-        if (rule->number < 0 || rule->number >= f->model.n_numbers || (rule->relation & ~OF_A_LAW) > IS_DRAWN ||
+        if (rule->number < 0 || rule->number >= f->model.n_numbers || (rule->relation & ~OF_A_LAW) > IS_NOTED ||
             rule->relation < 0 || !has_text(f, rule->name) || !has_text(f, rule->message))
             return 0;
     }

@@ -36,26 +36,80 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
     EACH_ROW(c, i) x[i] = c->k.rhs[c->lu->row_position[i]];
 }
 
-/* P and its square differ by no more than so much of the multipliers where none of their rows are weakly determined. */
+/* What two powers of P leave of multipliers differs by no more than so much of them where none of their rows are weakly
+   determined. */
 #define WEAK 1e-4
+#define MOST_REPEATED 12 /* powers of P */
 
-/* Multipliers that the next step begins with, in the place of lambda: those of this one, less the part x of dependent rows
-   that is not determined. P leaves of what is determined some 1e-8, its square nothing; of what is weakly determined both
-   leave much, but not the same.                                                                                  */
-HM_SELDOM static void leave_undetermined(const context *c)
+/* Leaves of multipliers x (modified) what their rows do not determine, by powers of P: of what is determined it leaves some 1e-8, its
+   square nothing. Of what is weakly determined, as next to a dead centre, higher powers leave less; 0 if they still leave much, but
+   not the same. With `all` of it taken out, powers differ by no less than the ones before. */
+HM_SELDOM static int keep_undetermined(const context *c, double *x, int all)
 {
-    double size2 = 0.0, change2 = 0.0, *left = c->k.row_bias;
-    EACH_ROW(c, i) left[i] = state_of_multiplier(c, i) == ROW_IS_ON ? c->k.mu[i] : 0.0;
-    contract_multipliers(c, left);
-    EACH_ROW(c, i) c->k.row_rate[i] = left[i];
-    contract_multipliers(c, left);
-    EACH_ROW(c, i) {
-        const double epsilon = c->k.epsilon[i], change = left[i] - c->k.row_rate[i];
-        size2 += epsilon * c->k.mu[i] * c->k.mu[i];
-        change2 += epsilon * change * change;
+    double size2 = 0.0, change2 = INFINITY, before2, *last = c->k.row_rate;
+    int is_told = 0;
+    EACH_ROW(c, i) size2 += c->k.epsilon[i] * x[i] * x[i];
+    contract_multipliers(c, x);
+    for (int power = 2; power <= MOST_REPEATED && !is_told; power++) {
+        before2 = change2;
+        change2 = 0.0;
+        EACH_ROW(c, i) last[i] = x[i];
+        contract_multipliers(c, x);
+        EACH_ROW(c, i) change2 += c->k.epsilon[i] * hm_square(x[i] - last[i]);
+        is_told = change2 <= WEAK * WEAK * size2 && (!all || change2 >= 0.25 * before2);
     }
-    if (change2 > WEAK * WEAK * size2) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
-    else EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i] - left[i];
+    return is_told;
+}
+
+/* Takes from multipliers x (modified) the part of dependent rows that is not determined; 0 if that cannot be told. */
+HM_SELDOM static int leave_undetermined(const context *c, double *x, int all)
+{
+    double *left = c->k.row_bias;
+    EACH_ROW(c, i) left[i] = state_of_multiplier(c, i) == ROW_IS_ON ? x[i] : 0.0;
+    if (!keep_undetermined(c, left, all)) return 0;
+    EACH_ROW(c, i) x[i] -= left[i];
+    return 1;
+}
+
+/* Multipliers that the next step begins with, in the place of lambda: those of this one, less that part. */
+static void clean_multipliers(const context *c)
+{
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
+    if (!leave_undetermined(c, c->k.lambda, 0)) c->island[I_DEPENDENT] = ROWS_ARE_WEAK;
+}
+
+/* Takes from rows phi (modified) what dependent ones cannot meet together, whatever moves; row_bias has it. 0 if that cannot be told. */
+HM_SELDOM static int leave_contradiction(const context *c, double *phi)
+{
+    EACH_ROW(c, i) phi[i] /= c->k.epsilon[i];
+    const int is_told = leave_undetermined(c, phi, 1);
+    EACH_ROW(c, i) phi[i] *= c->k.epsilon[i];
+    EACH_ROW(c, i) c->k.row_bias[i] *= c->k.epsilon[i];
+    return is_told;
+}
+
+/* Largest part of their scale that rows may miss so. */
+#define LARGEST_CONTRADICTION 1e-6
+
+static int is_small_contradiction(const context *c)
+{
+    double largest = 0.0;
+    EACH_ROW(c, i) largest = fmax(largest, fabs(c->k.row_bias[i]) / c->number[c->m->row_scale_at + i]);
+    return largest <= LARGEST_CONTRADICTION;
+}
+
+/* Takes what dependent rows cannot meet together for what they ask for, and its part out of the multipliers, which would grow
+   with each update: axes that are drawn parallel to seven digits hold a loop once too often, and let it move. In two passes: what
+   one leaves of it would do work. */
+HM_SELDOM static int accept_contradiction(const context *c)
+{
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
+    for (int pass = 0; pass < 2; pass++) {
+        if (!leave_contradiction(c, c->k.phi) || !is_small_contradiction(c)) return pass;
+        EACH_ROW(c, i) c->k.phi0[i] -= c->k.row_bias[i];
+        leave_undetermined(c, c->k.lambda, 1);
+    }
+    return 1;
 }
 
 /* Hands on what the last two half steps have left of the momentum balance, e_1 and e_2: the residual R of this one is

@@ -21,6 +21,7 @@ typedef struct newton_record {
     int taken_over;          /* whether they are those of the half step before                                 */
     int slow;                /* whether they are lean ones that contract too little                            */
     int held;                /* whether the last increment was followed by an early update of the multipliers         */
+    int missed;              /* whether what dependent rows cannot meet together was accepted                   */
     int raised;              /* how often the penalty was raised                                               */
     int increments, updates; /* Newton increments and Uzawa updates of the step                                 */
 } newton_record;

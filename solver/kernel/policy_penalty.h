@@ -37,7 +37,7 @@ static inline int updates_slowly(const context *c, double defect, double last)
 /* What I_DEPENDENT says of the rows of an island. Of dependent ones each step takes out of the multipliers what they leave
    undetermined, to which every solve adds their inconsistency, a rounding error of the drawn configuration, over epsilon.
    Where it cannot be told from what is weakly determined, a part of all is forgotten at the beginning of a step. */
-enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK };
+enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK, ROWS_CONTRADICT };
 #define FORGOTTEN 1e-3
 
 /* First increment, over the size of a step, that is short. */

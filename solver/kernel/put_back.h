@@ -8,6 +8,7 @@
 #include "energy.h"
 #include "inputs_signals.h"
 #include "ledger.h"
+#include "newton.h"
 #include "norms.h"
 #include "rigid.h"
 #include "start.h"
@@ -15,6 +16,8 @@
 
 enum { MAX_CORRECTIONS = 8 };
 #define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */
+#define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy back, over the speed */
+#define LEDGER_ROUND_OFF 1e-15 /* of its balance, over the sum of its summands */
 #define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LEAST_FREE 1e-8     /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
@@ -88,6 +91,15 @@ static void look_at_rows(context *at)
     stand_still_as_bodies(at);
 }
 
+/* Takes from the rows what they cannot meet together, where a correction has left most of it; 0 if that is too much. */
+static int leave_missed(const context *at, int stalls)
+{
+    double *rows = at->island + I_DEPENDENT;
+    if (*rows == ROWS_ARE_INDEPENDENT || !(stalls || *rows == ROWS_CONTRADICT) || !leave_contradiction(at, at->k.phi)) return 1;
+    *rows = ROWS_CONTRADICT;
+    return is_small_contradiction(at);
+}
+
 /* Puts coordinates back onto the rows, by displacements as small as can be. A
    correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
 HM_SELDOM static int32_t close_rows(context *at)
@@ -97,6 +109,7 @@ HM_SELDOM static int32_t close_rows(context *at)
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
         look_at_rows(at);
         memcpy(at->k.phi, at->k.phi0, rows);
+        if (!leave_missed(at, i && !(largest_row(at, at->k.phi) < 0.5 * last))) return HOLONOM_UZAWA_DIVERGED;
         const double defect = largest_row(at, at->k.phi);
         if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
         memset(at->k.w, 0, n);
@@ -136,6 +149,7 @@ HM_SELDOM static void follow_rows(context *at)
     for (int i = 0; i < MAX_CORRECTIONS && (i < 2 || !(size / last * size < round_off)); i++) {
         last = size;
         row_rates(at, at->s.q, at->s.q_low, at->s.v, at->s.signal, at->k.signal_rate, at->k.phi);
+        leave_missed(at, 0);
         size = largest_row(at, at->k.phi);
         if (!(size < 0.5 * last)) return;
         memset(at->k.w, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
@@ -182,8 +196,31 @@ static double unbalanced(const context *c)
     return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
 }
 
+/* Sizes of what the energy is summed of: weights, springs and potentials act on places that are known to round-off of the
+   mechanism's size, however little it has moved. */
+HM_SELDOM static double sizes_of_summands(const context *c)
+{
+    const holonom_model *m = c->m;
+    const double *head = c->s.head, *gravity = c->number + m->gravity_at, extent = c->number[m->extent_at];
+    double sum = kinetic_energy(c, c->k.ahead) + head[S_KINETIC_START], weight = 0.0;
+    sum += fabs(head[S_WORK]) + fabs(head[S_DISSIPATED]) + fabs(head[S_FRICTION]) + fabs(head[S_IMPACT]);
+    for (int32_t a = 0; a < c->n_moving; a++) weight += c->number[m->node_weight_at + a];
+    sum += weight * sqrt(dot(gravity, gravity)) * extent;
+    for (int32_t j = 0; j < m->n_elements; j++) {
+        const double rest = c->number[m->rest_at + j];
+        const double sigma = quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, NULL, NULL);
+        sum += c->number[m->stiffness_at + j] * fabs(sigma - rest) * (fabs(sigma) + fabs(rest));
+    }
+    if (m->n_potentials) quantities_at_state(c);
+    for (int32_t j = first_potential(c); j < n_composites(c); j++) {
+        sum += fabs(function_value(c, j));
+        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) sum += fabs(c->k.r.adjoint[l] * c->k.r.r0[l]);
+    }
+    return sum;
+}
+
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
-   u'Mu s^2/2 + v'Mu s + excess = 0.                                                                              */
+   u'Mu s^2/2 + v'Mu s + excess = 0. Where the mechanism almost stands, round-off of the energy would be much velocity: it is left. */
 HM_SELDOM static int32_t balance_energy(context *c)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
@@ -191,11 +228,12 @@ HM_SELDOM static int32_t balance_energy(context *c)
         const double excess = unbalanced(c); /* leaves M v in momentum */
         double along = 0.0;
         for (int32_t a = 0; a < c->n_moving; a++) along += dot(u + DIM * a, c->k.momentum + DIM * a);
-        const int rests = square == 0.0 && fabs(excess) <= 1e-15 * c->s.head[S_ENERGY_REFERENCE];
-        if (excess == 0.0 || rests) return HOLONOM_OK;
+        if (excess == 0.0) return HOLONOM_OK;
         const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
+        const double change = fabs(part) * sqrt(square) / speed_scale(c);
+        if (!(change <= ENERGY_ROUND_OFF) && fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c)) return HOLONOM_OK;
         if (!(fabs(part) <= LARGEST_SCALING)) return HOLONOM_NOT_FINITE;
-        c->balanced = fmax(c->balanced, fabs(part) * sqrt(square) / speed_scale(c));
+        c->balanced = fmax(c->balanced, change);
         for (int32_t k = 0; k < DIM * c->m->n_free; k++) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
     }
     return HOLONOM_OK;
@@ -223,7 +261,9 @@ HM_SELDOM static int32_t put_velocities_back(context *c, context *at, const kept
     }
     free_velocities(at, x->kept, L);
     *held = !(mass_product(c, c->k.free, c->k.free) >= LEAST_FREE * mass_product(c, c->s.v, c->s.v));
-    return *held ? HOLONOM_NOT_FINITE : balance_energy(c);
+    const int32_t status = *held ? HOLONOM_NOT_FINITE : balance_energy(c);
+    *held = status != HOLONOM_OK;
+    return status;
 }
 
 /* Puts the state back, coordinates first; `held` also says where rows are too weak for it. */

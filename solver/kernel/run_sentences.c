@@ -3,6 +3,8 @@
 
 #include "sentences.h"
 
+#include <string.h>
+
 #define HALVED_SO_OFTEN "even with the step halved again and again"
 #define HALVED HALVED_SO_OFTEN "; "
 #define FAR_APART \
@@ -38,10 +40,12 @@ const char *hm_about_step(int32_t status)
     case HOLONOM_DAMPING_REVERSED:
         return "dampers fed energy, " HALVED_SO_OFTEN ": steps of an order above 2 also go back, too far for such "
                "strong dampers; use solver.order = 2 or a smaller step_size";
+    case HOLONOM_STOPPED: return "it was interrupted; all is as before it";
     case HOLONOM_STEP_COLLAPSED:
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
+    case HOLONOM_AT_DEAD_CENTRE: return "its velocities belong to no motion from this dead centre; give those of a part that choose one";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -71,6 +75,79 @@ const char *hm_about_start(int32_t status, int seeks_equilibrium)
     if (status == HOLONOM_NOT_FINITE)
         return "a number of it is not finite; look at the expressions of positions, forces and drivers at the start";
     return hm_about_step(status);
+}
+
+/* Name of the part that the measurement at `place` is of; empty if there is none. */
+static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
+{
+    hm_clear(name);
+    for (uint32_t k = 0; k < f->header->n_variables; k++) {
+        const hm_variable *v = f->variable + k;
+        if (v->kind != KIND_MEASURED || v->place != place) continue;
+        hm_say(name, "%s", f->text + v->name);
+        const char *end = strrchr(name->begin, '.');
+        if (end) hm_take_back(name, (size_t)(end - name->begin));
+        return;
+    }
+}
+
+/* Says a node with a colon: a point by its name, a direction by that of its body; nothing if neither is known. */
+static void say_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
+{
+    const holonom_model *m = &f->model;
+    char room[128];
+    hm_text name = {room, sizeof room, 0};
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; m->node_kind[node] && i < m->n_form_rows; i++)
+        for (int32_t e = m->form_ptr[m->row_form[i]]; e < m->form_ptr[m->row_form[i] + 1]; e++)
+            if (m->form_node[e] == node) {
+                hm_say(text, "%s%s: ", before, f->text + f->row[i].name);
+                return;
+            }
+    if (!m->node_kind[node]) name_of_part(f, DIM * node, &name);
+    if (name.used) hm_say(text, "%s'%s': ", before, room);
+}
+
+static int is_no_number(const double *x, int32_t n)
+{
+    for (int32_t k = 0; k < n; k++)
+        if (!(fabs(x[k]) < INFINITY)) return 1;
+    return 0;
+}
+
+/* Says a load, spring or damper whose law gives no number, or one that it may not give. */
+static void say_broken_law(hm_text *text, const hm_model_file *f, const double *numbers)
+{
+    const holonom_model *m = &f->model;
+    const int32_t turning = 2 * DIM - 3, n_moving = m->n_free + m->n_driven;
+    const int32_t first_force = 2 * DIM * n_moving + 2 * DIM * m->n_places + 2 * m->n_quantities; /* element_force, see MEASURED */
+    static const char FORCE[] = "a force is not a finite number, on ", TORQUE[] = "a torque is not a finite number, on ";
+    for (int32_t j = 0; j < m->n_elements && !text->used; j++) {
+        const double law[] = {numbers[m->stiffness_at + j], numbers[m->rest_at + j], numbers[m->damping_at + j], numbers[m->drive_at + j]};
+        const int is_length = m->quantity_kind[m->leaf[4 * m->leaf_ptr[j] + 1]] == QUANTITY_LENGTH;
+        if (!is_no_number(law, 4) && law[0] >= 0.0 && (law[1] >= 0.0 || !is_length) && law[2] >= 0.0) continue;
+        char room[128];
+        hm_text name = {room, sizeof room, 0};
+        name_of_part(f, first_force + j, &name);
+        if (name.used) hm_say(text, "'%s': ", room);
+    }
+    for (int32_t j = 0; j < m->n_loads && !text->used; j++)
+        if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
+    for (int32_t j = 0; j < m->n_moments && !text->used; j++)
+        if (is_no_number(numbers + m->moment_at + turning * j, turning))
+            say_node(text, f, TORQUE, m->form_node[m->form_ptr[m->moment_form[j]]]);
+    for (int32_t j = 0; j < m->n_body_moments && !text->used; j++)
+        if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_node(text, f, TORQUE, m->body_moment[2 * j]);
+}
+
+void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, const double *head, int32_t status)
+{
+    const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
+    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED;
+    const int32_t fault = is_sure || is_unsolved ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
+    if (is_unsolved || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
+    if (text->used || fault < 0) return;
+    if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
+    else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
 }
 
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
@@ -146,6 +223,8 @@ static void say_missed_load(hm_text *text, const hm_model_file *f, const hm_stat
 
 int hm_remark(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s, int said, int heard)
 {
+    if (!(said & REMARK_NUMBERS)) hm_noted_rules(text, f, numbers);
+    said |= REMARK_NUMBERS;
     for (int what = REMARK_ORDER; what <= REMARK_SAMPLING; what *= 2) {
         const size_t begin = text->used;
         if (said & what) continue;

@@ -13,7 +13,6 @@
 #include "norms.h"
 #include "put_back.h"
 #include "runge_kutta_methods.h"
-#include "signal_course.h"
 #include "stages.h"
 #include "start.h"
 
@@ -64,9 +63,9 @@ static double second_rate_of_axes(const context *at, int32_t f)
 static void second_rates(const context *at)
 {
     const holonom_model *m = at->m;
-    const double *rest = at->k.d, *steady = at->k.signal_sample; /* what signals do is in the biases */
+    const double *rest = at->k.d, *steady = at->k.signal_before; /* what signals do is in the biases */
     double vu[DIM], vw[DIM], au[DIM], aw[DIM];
-    memset(at->k.signal_sample, 0, sizeof(double) * (size_t)m->n_signals);
+    memset(at->k.signal_before, 0, sizeof(double) * (size_t)m->n_signals);
     EACH_FORM_ROW(at, i) {
         const int32_t f = m->row_form[i];
         if (is_axes_row(at, i)) {
@@ -100,7 +99,7 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
     int32_t status = factorise_here(at);
     if (status) return status;
     memset(at->k.w, 0, n);
-    memcpy(at->k.w + DIM * m->n_free, at->k.signal_before, sizeof(double) * (size_t)(DIM * m->n_driven));
+    memcpy(at->k.w + DIM * m->n_free, at->k.signal_bend, sizeof(double) * (size_t)(DIM * m->n_driven));
     EACH_TURN(at, b) { /* what directors have where their bodies do not turn faster */
         const int32_t first = DIM * m->body_node[b];
         double *omega = at->k.spun + first;
@@ -171,9 +170,8 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, double *work
 /* Laws at part c of a step of length h from t, of its inside: they may jump at its ends. What they read is the state. */
 HM_SELDOM static void laws_within(context *at, double t, double h, double c)
 {
-    const double margin = fmax(1e-12 * h, 4.5e-16 * fabs(t));
     if (at->m->sensing) sense(at, 0.0, 0);
-    if (at->m->time_dependent || at->m->sensing) set_laws(at, fmin(fmax(t + c * h, t + margin), t + h - margin), 0);
+    if (at->m->time_dependent || at->m->sensing) set_laws(at, inside_of_step(t, h, c), 0);
 }
 
 /* Forgets those momenta that the accelerations a change in a time h. */
@@ -194,9 +192,8 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
     const int reads_angles = n_composites(at) || at->m->sensing; /* formulas, springs and sensors may read them */
     double *sum = at->k.estimate, *a = at->s.a[0];
     memset(sum, 0, sizeof(double) * (size_t)n);
-    find_courses(at, t, h);
     for (int i = 0; i < x->stages; i++) {
-        follow_courses(at, x->node[i], h);
+        follow_signals(at, t, h, x->node[i]);
         int32_t status = i ? move_from_start(at, h, x->part[i], i) : HOLONOM_OK;
         if (i && reads_angles) turn_angles(at);
         laws_within(at, t, h, x->node[i]);
@@ -277,7 +274,7 @@ HM_SELDOM static int32_t hold_driven(const context *at)
 /* Accelerations and multipliers of the end of a step, for outputs and for the first stage of the next one. */
 HM_SELDOM static int32_t remember_end(context *c, context *at)
 {
-    follow_courses(c, 1.0, c->h);
+    follow_signals(c, c->t - c->h, c->h, 1.0);
     laws_within(at, c->t - c->h, c->h, 1.0);
     c->s.head[S_LONGEST_EXPLICIT] = longest_explicit(at);
     int32_t status = accelerate(at, c->s.a[0], c->s.mu[0]);

@@ -17,8 +17,8 @@ WORK = {
     "sigma0": "n_active",  # quantities at the beginning
     "signal1": "n_signals",  # prescribed values at the end
     "signal_rate": "n_signals", "signal_before": "n_signals",  # before inputs changed theirs
-    "signal_course": "COURSE_POINTS * n_signals",  # within the step, see signal_course.h
-    "signal_sample": "2 * n_signals",  # at the time at which rates are asked for, and next to it
+    "signal_bend": "n_signals",  # second derivatives
+    "jet": "2 * n_numbers",  # rates and second derivatives of the numbers, see jets.c
     "phi0": "n_rows", "phi": "n_rows",  # at the beginning, and the function that shall vanish
     "lambda": "n_rows", "mu": "n_rows",  # multiplier held fixed, total multiplier
     "change": "n_rows", "moved": "n_rows",  # of a function in the step, and its part by quantities

@@ -10,6 +10,9 @@
 const char *hm_about_step(int32_t status);
 const char *hm_about_start(int32_t status, int seeks_equilibrium);
 
+/* Says the part that a step or the start fails at, or near which a step is not solved, and a colon; nothing if none is known. */
+void hm_say_fault(hm_text *text, const hm_model_file *file, const double *numbers, const double *head, int32_t status);
+
 /* Says which rule a value breaks, "name: rule, got value", and returns 1; 0 if it keeps all. `shown`: the value as it was given,
    or NULL. */
 int hm_objects(hm_text *text, const hm_model_file *file, const hm_variable *variable, double value, const char *shown, int moving);
@@ -29,6 +32,9 @@ const char *hm_formulation_word(const hm_model_file *file, double value);
 /* Says a sentence for each rule that the numbers break, and returns how many. */
 int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
 
+/* Says a sentence for each rule that is only noted and that the numbers break, behind others. */
+void hm_noted_rules(hm_text *text, const hm_model_file *file, const double *numbers);
+
 /* Says that new values would press the sides of a contact, this row, into each other by -gap; `others` is whether there are
    sentences before. */
 void hm_say_pressed(hm_text *text, const hm_model_file *file, int32_t row, double gap, int others);
@@ -41,8 +47,14 @@ int hm_unknown_to_method(hm_text *text, const hm_model_file *file, const double 
 int hm_contradicted_rows(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state,
                          const double *phi, const double *rate);
 
+/* Says which parts let the velocities at the start belong to no motion, by what their rows lack (n_rows), and the remedy. */
+void hm_say_dead_centre(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state, const double *lacking);
+
+/* Says what moved far when the mechanism was closed, and whether other poses are as near; whether there is something to say. */
+int hm_say_closing(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state);
+
 /* Remarks on a run that goes on, each once. */
-enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4 };
+enum hm_remark { REMARK_ORDER = 1, REMARK_LEDGER = 2, REMARK_SAMPLING = 4, REMARK_NUMBERS = 8 };
 
 /* Says what a step showed that was not said before; returns what was said until now. */
 int hm_remark(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state, int said, int heard);

@@ -1,4 +1,5 @@
-/* Splines: polynomials of degree 4 at most in pieces, so smooth that their third derivative may jump.
+/* Curves of profiles: polynomials of degree 4 at most in pieces, continuous. What takes the slope of a derivative across pieces
+   needs that to be continuous as well.
 
    A table of numbers is the period, 0 for none, then rows (x_k, c_0, ..., c_4) that mean sum_j c_j (x - x_k)^j from x_k
    on: first the continuation to the left, which has the x_0 of the row behind it, last that to the right.           */

@@ -10,7 +10,7 @@
 #include "ledger.h"
 #include "norms.h"
 #include "runge_kutta_methods.h"
-#include "signal_course.h"
+#include "inputs_signals.h"
 
 /* A stage has velocities and accelerations of each point, and those of the rotation vector psi of each body. */
 static inline int64_t stage_size(const context *at)

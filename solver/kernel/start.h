@@ -34,6 +34,24 @@ static void stand_still(context *c)
     rows_at_start(c, 1);
 }
 
+/* A point: place of node a [m]; NULL of a direction. */
+static const double *place_of_point(const context *c, int32_t a)
+{
+    if (c->m->node_kind[a]) return NULL;
+    return a < c->n_moving ? c->s.q + DIM * a : c->number + c->m->support_at + DIM * (a - c->n_moving);
+}
+
+/* Distance of points that round-off of their coordinates, or of the numbers that these are drawn from, explains [m]. */
+static double round_off_of_drawing(const context *c)
+{
+    double farthest = 0.0;
+    for (int32_t a = 0; a < c->n_moving + c->m->n_support; a++) {
+        const double *x = place_of_point(c, a);
+        if (x) EACH(k) farthest = fmax(farthest, fabs(x[k]));
+    }
+    return HOLONOM_ONE_PLACE * (1.0 + farthest);
+}
+
 /* Size of the mechanism, from its points and the radii of gyration of its bodies. */
 static void derive_extent(context *c)
 {
@@ -42,14 +60,14 @@ static void derive_extent(context *c)
     EACH(k) low[k] = INFINITY;
     EACH(k) high[k] = -INFINITY;
     for (int32_t a = 0; a < c->n_moving + m->n_support; a++) {
-        const int moving = a < c->n_moving;
-        const double *x = moving ? c->s.q + DIM * a : c->number + m->support_at + DIM * (a - c->n_moving);
-        if (moving) *(m->node_kind[a] ? &gyration : &mass) += c->number[m->node_mass_at + a];
-        if (m->node_kind[a]) continue;
+        const double *x = place_of_point(c, a);
+        if (a < c->n_moving) *(x ? &mass : &gyration) += c->number[m->node_mass_at + a];
+        if (!x) continue;
         EACH(k) low[k] = fmin(low[k], x[k]);
         EACH(k) high[k] = fmax(high[k], x[k]);
     }
     EACH(k) extent2 += high[k] > low[k] ? hm_square(high[k] - low[k]) : 0.0;
+    if (!(extent2 > hm_square(round_off_of_drawing(c)))) extent2 = 0.0;
     if (mass > 0.0) extent2 += gyration / mass;
     else if (gyration > 0.0) mass = gyration; /* pivoted bodies alone: their inertia, with unit arms */
     if (!(extent2 > 0.0)) extent2 = 1.0; /* all in one place: nothing tells a size */
@@ -258,45 +276,44 @@ HM_SELDOM static double second_rate(const context *c, int32_t j)
     return (s[0] * bend[1] - s[1] * bend[0] - 2.0 * turning * (s[0] * rate[0] + s[1] * rate[1])) / size2;
 }
 
-/* Sum of slopes times rates of function j, with its leaves moved by `tau` times their rates. */
-HM_SELDOM static double rate_along(const context *c, int32_t j, double tau, const double *x, const double *rate)
+/* Jet of function j, whose leaves begin its registers x; numbers stand still, or move as `jet` says. */
+HM_SELDOM static hm_jet function_jet(const context *c, int32_t j, hm_jet *x, const double *jet)
 {
-    const hm_registers *r = &c->k.r;
-    const int32_t n = c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j];
-    double sum = 0.0;
-    for (int32_t l = 0; l < n; l++) r->r0[l] = r->r1[l] = x[l] + tau * rate[l], r->dr[l] = 0.0;
-    run_function(c, j);
-    for (int32_t l = 0; l < n; l++) sum += r->adjoint[l] * rate[l];
-    return sum;
+    const holonom_model *m = c->m;
+    const int32_t f = j - first_function(c);
+    int32_t l = m->leaf_ptr[j + 1] - m->leaf_ptr[j];
+    for (int32_t at = m->function_ptr[f]; at < m->function_ptr[f + 1]; at++, l++) {
+        const int32_t *op = m->operation + 4 * at;
+        hm_jet argument[3];
+        for (int i = 0; i < 3; i++) {
+            const int32_t number = -1 - op[1 + i];
+            argument[i] = number < 0 ? x[op[1 + i]] : (hm_jet){c->number[number], 0.0, 0.0};
+            if (number >= 0 && jet) argument[i].rate = jet[2 * number], argument[i].bend = jet[2 * number + 1];
+        }
+        x[l] = op[0] < T_SPLINE ? hm_operate_jet(op[0], argument[0], argument[1], argument[2])
+                                : hm_look_up_jet(op[0], op[1] < 0 ? argument : x + op[1], c->number - 1 - op[2], c->number - 1 - op[3]);
+    }
+    return x[l - 1];
 }
 
 /* Bias of row j, a function or velocity row: its second derivative at constant velocities, of a velocity row the first.
-   Rates of signals are `signal_rate`, their second derivatives `signal_before`. Differences of slopes along the motion
-   are of fourth order, over a thousandth of the leaves: 1e-12 of the bias.                                       */
+   Rates of signals are `signal_rate`, their second derivatives `signal_bend`.                                   */
 HM_SELDOM static double bias_of(const context *c, int32_t j)
 {
     const holonom_model *m = c->m;
     const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
-    const int is_velocity = is_velocity_row(c, j);
-    double *x = c->k.leaves, *rate = x + n, *bend = rate + n, shortest = INFINITY, sum = 0.0;
+    hm_jet *x = (hm_jet *)c->k.leaves;
     for (int32_t l = 0; l < n; l++, entry += 4) {
         const int32_t q = entry[1];
-        if (entry[0] == LEAF_SIGNAL) x[l] = c->s.signal[q], rate[l] = c->k.signal_rate[q], bend[l] = c->k.signal_before[q];
+        if (entry[0] == LEAF_SIGNAL) x[l] = (hm_jet){c->s.signal[q], c->k.signal_rate[q], c->k.signal_bend[q]};
         else {
-            x[l] = quantity_at(c, q, c->s.q, c->s.q_low, c->s.v, rate + l);
-            bend[l] = second_rate(c, q);
+            x[l].value = quantity_at(c, q, c->s.q, c->s.q_low, c->s.v, &x[l].rate);
+            x[l].bend = second_rate(c, q);
         }
-        if (entry[0] == LEAF_RATE) x[l] = rate[l], rate[l] = bend[l];
-        const double size = fabs(x[l]) + 1e-2 * c->number[m->extent_at];
-        if (rate[l] != 0.0) shortest = fmin(shortest, 1e-3 * size / fabs(rate[l]));
+        if (entry[0] == LEAF_RATE) x[l] = (hm_jet){x[l].rate, x[l].bend, 0.0};
     }
-    const double first = rate_along(c, j, 0.0, x, rate);
-    if (is_velocity) return first;
-    for (int32_t l = 0; l < n; l++) sum += c->k.r.adjoint[l] * bend[l];
-    if (!(shortest < INFINITY)) return sum;
-    const double near = rate_along(c, j, shortest, x, rate) - rate_along(c, j, -shortest, x, rate);
-    const double far = rate_along(c, j, 2.0 * shortest, x, rate) - rate_along(c, j, -2.0 * shortest, x, rate);
-    return sum + (8.0 * near - far) / (12.0 * shortest);
+    const hm_jet found = function_jet(c, j, x, NULL);
+    return is_velocity_row(c, j) ? found.rate : found.bend;
 }
 
 /* Likewise, less the value of a velocity row at rest, which belongs to G a where that is the row of a. */
@@ -306,73 +323,48 @@ HM_SELDOM static double bias_of_row(const context *c, int32_t j)
     if (!is_velocity_row(c, j)) return bias_of(c, j);
     memset(rest, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
     const double own = function_rate(c, j, c->s.q, c->s.q_low, rest, c->s.signal, c->k.signal_rate);
-    return bias_of(c, j) - own + c->k.drift[row_of(c, j)];
+    return bias_of(c, j) - own + (is_unilateral(c->m) ? c->k.drift[row_of(c, j)] : 0.0);
 }
 
 /* Rates of the slips of frictions by numbers that change with time, such as the speed of a surface (drift).      */
 HM_SELDOM static void find_drifts(context *c)
 {
     const holonom_model *m = c->m;
-    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5}, t = c->number[m->time_at];
+    const double t = c->number[m->time_at];
+    hm_jet *x = (hm_jet *)c->k.leaves;
     memset(c->k.drift, 0, sizeof(double) * (size_t)m->n_rows);
     if (!m->time_dependent || !n_frictions(m)) return;
-    memset(c->k.ahead, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int i = 2; i >= 0; i--) {
-        set_laws(c, t + i * delta, 0);
-        for (int32_t k = 0; k < m->friction_row_ptr[n_frictions(m)]; k++) {
-            const int32_t j = m->friction_row[k];
-            const double slip = function_rate(c, j, c->s.q, c->s.q_low, c->k.ahead, c->s.signal, c->k.signal_rate);
-            c->k.drift[row_of(c, j)] += forward[i] * slip / delta;
+    memset(c->k.jet, 0, sizeof(double) * (size_t)(2 * m->n_numbers)); /* frictions may read any of them */
+    load_jets(c, t, 1);
+    hm_run_jets(m, c->number, 1, c->k.jet);
+    for (int32_t k = 0; k < m->friction_row_ptr[n_frictions(m)]; k++) {
+        const int32_t j = m->friction_row[k], *entry = m->leaf + 4 * m->leaf_ptr[j];
+        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++, entry += 4) {
+            const int is_signal = entry[0] == LEAF_SIGNAL, is_value = entry[0] == LEAF_VALUE;
+            x[l] = (hm_jet){is_signal ? c->s.signal[entry[1]] : 0.0, 0.0, 0.0}; /* rates are 0: the mechanism rests */
+            if (is_value) x[l].value = quantity_at(c, entry[1], c->s.q, c->s.q_low, NULL, NULL);
         }
+        c->k.drift[row_of(c, j)] = function_jet(c, j, x, c->k.jet).rate;
     }
+    set_laws(c, t, 0); /* as they are now, not just after a jump */
 }
 
-/* Biases of function and velocity rows that are on, from derivatives: contacts need more digits than differences in time
-   have. Those of signals look forward only, as below.                                                           */
-HM_SELDOM static void exact_biases(context *c)
-{
-    const double delta = 1e-2 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
-    double *bend = c->k.signal_before;
-    for (int32_t b = 0; b < c->m->n_signals; b++) bend[b] = 0.0;
-    for (int i = 2; i >= 0 && c->m->n_signals; i--) {
-        signal_rates_at(c, c->t + i * delta, c->k.signal_rate);
-        for (int32_t b = 0; b < c->m->n_signals; b++) bend[b] += forward[i] * c->k.signal_rate[b] / delta;
-    }
-    find_drifts(c);
-    for (int32_t j = first_function(c); j < first_potential(c); j++)
-        if (state_of_row(c, j) == ROW_IS_ON) c->k.row_bias[row_of(c, j)] = bias_of_row(c, j);
-}
-
-/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w.
-   Differences look forward only: drivers may have a kink at the start.                                         */
+/* Second derivatives of the rows at constant velocities, -G a = bias; accelerations of driven nodes in w. Signals are as they go on
+   from now: drivers may have a kink at the start. */
 HM_SELDOM static void row_biases(context *c)
 {
     const holonom_model *m = c->m;
-    const double tau = 1e-3 * c->s.head[S_STEP_SIZE], forward[3] = {-1.5, 2.0, -0.5};
-    double *x = c->k.ahead, *rate = c->k.row_rate, *bias = c->k.row_bias, vu[DIM], vw[DIM];
+    double *bias = c->k.row_bias, vu[DIM], vw[DIM];
     for (int32_t i = 0; i < m->n_rows; i++) bias[i] = 0.0;
-    for (int i = 0; i < 3 && first_potential(c) > first_function(c) && !is_unilateral(m); i++) {
-        for (int32_t k = 0; k < DIM * c->n_moving; k++) x[k] = c->s.q[k] + i * tau * c->s.v[k];
-        signals_at(c, c->t + i * tau, c->k.signal1);
-        signal_rates_at(c, c->t + i * tau, c->k.signal_rate);
-        row_rates(c, x, c->s.q_low, c->s.v, c->k.signal1, c->k.signal_rate, rate);
-        for (int32_t k = 0; k < m->n_rows; k++) bias[k] += forward[i] * rate[k] / tau;
-    }
-    if (is_unilateral(m)) exact_biases(c);
+    signal_jets_at(c, c->t, c->k.signal_rate, c->k.signal_bend);
+    if (is_unilateral(m)) find_drifts(c);
+    for (int32_t j = first_function(c); j < first_potential(c); j++)
+        if (state_of_row(c, j) == ROW_IS_ON) bias[row_of(c, j)] = bias_of_row(c, j);
     for (int32_t i = 0; i < m->n_form_rows; i++) {
         link_of(c, m->row_form[i], c->s.v, vu, vw);
         bias[i] = 2.0 * dot(vu, vw); /* v'Hv */
     }
-    for (int32_t k = m->n_form_rows; k < m->n_form_rows + DIM * m->n_coincidences; k++) bias[k] = 0.0;
-    if (m->n_driven) {
-        const double delta = 1e-2 * c->s.head[S_STEP_SIZE];
-        for (int i = 0; i < 3; i++) {
-            signal_rates_at(c, c->t + i * delta, c->k.signal_rate);
-            for (int32_t b = 0; b < DIM * m->n_driven; b++)
-                c->k.w[DIM * m->n_free + b] += forward[i] * c->k.signal_rate[b] / delta;
-        }
-    }
-    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
+    memcpy(c->k.w + DIM * m->n_free, c->k.signal_bend, sizeof(double) * (size_t)(DIM * m->n_driven));
 }
 
 HM_SELDOM static void forget_dependent_rows(const context *c)

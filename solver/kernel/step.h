@@ -125,6 +125,19 @@ static void prepare_step(context *c, int parity)
     if (follows) update_multipliers(c);
 }
 
+/* Whether dependent rows, whose updates are slow, cannot be met together, and what they miss is accepted; once a step, whose penalty,
+   which multiplies what they miss, is not raised then. */
+static int miss_together(context *c, newton_record *r, int slow)
+{
+    double *rows = c->island + I_DEPENDENT;
+    if (*rows == ROWS_ARE_INDEPENDENT || !(slow || *rows == ROWS_CONTRADICT) || r->raised || r->missed || is_penalty(c)) return 0;
+    if (!accept_contradiction(c)) return 0;
+    *rows = ROWS_CONTRADICT;
+    r->missed = 1;
+    r->updates++;
+    return 1;
+}
+
 /* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
    those after an inner iteration, not the early ones within it.                                                 */
 static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *updates)
@@ -137,7 +150,12 @@ static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *upda
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
         if (rows_hold(c, r, defect, last)) return HOLONOM_OK;
-        const int raised = updates_slowly(c, defect, last) && !rows_are_round_off(c, r, defect) && raise_penalty(c, r);
+        const int slow = updates_slowly(c, defect, last) && !rows_are_round_off(c, r, defect);
+        if (miss_together(c, r, slow)) {
+            last = INFINITY;
+            continue;
+        }
+        const int raised = slow && !r->missed && raise_penalty(c, r);
         if (!raised && is_stalled_round_off(c, r, defect, last)) return HOLONOM_OK;
         if (*updates >= max_uzawa) return outcome_of_updates(c, r, defect);
         last = defect;
@@ -160,7 +178,7 @@ static int32_t try_step(context *c, int began_with_old, newton_record *r, effort
     judge_factors(c, r, began_with_old);
     choose_lambda(c, r);
     if (r->increments == 1) trust_less(c);
-    if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) leave_undetermined(c);
+    if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) clean_multipliers(c);
     total->increments += r->increments;
     total->updates += r->updates;
     if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);

@@ -156,6 +156,7 @@ static void keep_start(context *c)
 static int32_t step_halving(context *c, double h, int halvings)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
+    if (is_stopped(c)) return HOLONOM_STOPPED;
     if (halvings == 0) c->divided = 0;
     int32_t status = internal_step(c, h);
     c->careful = status != HOLONOM_OK;

@@ -110,7 +110,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
         c->t = start + done + h * (double)i;
         c->unweighted = 0;
         begin_halves(c, 2);
-        status = stepped_half(c, 0.5 * h, 0, 0);
+        status = is_stopped(c) ? HOLONOM_STOPPED : stepped_half(c, 0.5 * h, 0, 0);
         if (!status) status = stepped_half(c, 0.5 * h, 1, 0);
         if (status) break;
         average_multipliers(c, c->t - 0.5 * h);

@@ -62,10 +62,14 @@ def assemble_parts(scene: Scene) -> tuple[Parts, Model]:
     except AssemblyError as error:
         scene.fail([scene.error("", str(error))])
     try:
-        Integrator(model).initialise()
+        Integrator(model, log=_keep_for_the_run).initialise()
     except (AssemblyError, OptionError) as error:
         _report(scene, model, str(error).splitlines())
     return parts, model
+
+
+def _keep_for_the_run(_: str) -> None:
+    """Say nothing of a remark: the run that follows makes it, too."""
 
 
 def _report(scene: Scene, model: Model, sentences: Iterable[str]) -> None:

@@ -8,7 +8,7 @@ plane; its mass matrix is diag(m, E) or diag(m, J). (theory 9)
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from functools import partial, reduce
 
 from solver.mechanics.combination import node
 from solver.mechanics.frames import BarFrame, RigidFrame
@@ -16,20 +16,19 @@ from solver.mechanics.inertia import FLOOR, FREE_FLOOR, euler_tensor, floored, m
 from solver.mechanics.mechanism import DRIVEN, FIXED, FREE, GIVEN, Node, Scale
 from solver.mechanics.rows import Rows
 from solver.mechanics.vectors import (
+    Matrix,
     Vector,
     add,
     columns,
     cross,
-    dot,
-    identity,
     scale,
-    subtract,
     times,
     turned,
 )
 from solver.runtime.layout import NODE_DIRECTION, NODE_POINT
-from solver.scene import Bar, Number, Point, Rigid
-from solver.scene.expression import sqrt
+from solver.scene import Bar, Expr, Number, Point, Rigid
+from solver.scene.body_sizes import TINY
+from solver.scene.expression import operate, select, sqrt
 
 
 def add_point(rows: Rows, point: Point, path: Vector | None) -> int:
@@ -74,11 +73,11 @@ def _spun(spin: Number | Vector | None, arm: Vector) -> Vector:
     return cross(spin, arm) if isinstance(spin, tuple) else scale(spin, turned(arm))
 
 
-def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
+def add_rigid(rows: Rows, body: Rigid, size2: Number, *, held: bool) -> RigidFrame:
     """Add a rigid body; return its frame.
 
-    `places` are the global positions of what joins it to others, as drawn: they give a point-like
-    body its size.
+    `size2` is its squared size [m2] (``solver.scene.body_sizes``); `held` says that parts are
+    joined to it at places of the drawing.
     """
     mechanism = rows.mechanism
     rotation = body.rotation
@@ -106,7 +105,7 @@ def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
         body.center_of_mass, body.points,
     )  # fmt: skip
     mechanism.rigid.append((centre, *directors))
-    _add_inertia(rows, frame, body, places)
+    _add_inertia(rows, frame, body, size2, held=held)
     for i, first in enumerate(directors):
         for second in directors[i:]:
             form, _ = mechanism.form(node(first), node(second))
@@ -115,14 +114,12 @@ def add_rigid(rows: Rows, body: Rigid, places: Sequence[Vector]) -> RigidFrame:
     return frame
 
 
-def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, places: Sequence[Vector]) -> None:
+def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, size2: Number, *, held: bool) -> None:
     """Give the directors their masses."""
     mechanism = rows.mechanism
     if not isinstance(body.inertia, tuple):
-        J = body.inertia
-        rows.rule(J, ">=", "inertia must be >= 0 kg.m2")
-        if mechanism.default(J) == 0.0:
-            J = _least_inertia(rows, frame, body, places)
+        rows.rule(body.inertia, ">=", "inertia must be >= 0 kg.m2")
+        ((J,),) = _enough(rows, body, ((body.inertia,),), body.inertia, size2)
         mechanism.add_mass(frame.directors[0], frame.directors[0], J)
         mechanism.nodes[frame.directors[0]].mass = J
         return
@@ -130,10 +127,9 @@ def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, places: Sequence[Ve
     for minor in minors(E):
         text = "inertia breaks the triangle inequality J1 + J2 >= J3 of real bodies"
         rows.rule(minor, ">=", text)
-    if max(abs(mechanism.default(x)) for row in E for x in row) == 0.0:
-        least = _least_inertia(rows, frame, body, places)
-        E = tuple(scale(least, row) for row in identity(3))
-    E = floored(E, mechanism.default, FLOOR if places else FREE_FLOOR)
+    moments = (body.inertia[i][i] for i in range(3))
+    E = _enough(rows, body, E, reduce(partial(operate, "max"), moments), size2)
+    E = floored(E, mechanism.default, FLOOR if held else FREE_FLOOR)
     # Norms and penalties take the largest: what holds a light direction is its body, and a penalty
     # scaled with its own small inertia would make Uzawa's iteration slow.
     largest = max((E[i][i] for i in range(3)), key=mechanism.default)
@@ -143,21 +139,31 @@ def _add_inertia(rows: Rows, frame: RigidFrame, body: Rigid, places: Sequence[Ve
             mechanism.add_mass(first, frame.directors[k], E[i][k])
 
 
-def _least_inertia(
-    rows: Rows, frame: RigidFrame, body: Rigid, places: Sequence[Vector]
-) -> Number:  # fmt: skip
-    """Return FLOOR m l^2 for a body without inertia, l the largest offset of its places.
+def _enough(rows: Rows, body: Rigid, E: Matrix, moment: Number, size2: Number) -> Matrix:
+    """Return E, or FLOOR m l^2 for a body whose largest `moment` counts as 0.
 
-    Forces at these places then turn it as they turn a point mass on massless arms: not at all, but
+    Forces at its places then turn it as they turn a point mass on massless arms: not at all, but
     for a part in 10^7.
     """
-    arms = [subtract(point, body.center_of_mass) for point in body.points.values()]
-    arms += [subtract(place, frame.position) for place in places]
-    squares = [dot(arm, arm) for arm in (*arms, body.center_of_mass)]
-    largest = max(squares, key=rows.mechanism.default)
-    text = (
-        "inertia must be > 0 kg.m2, got 0, since all points of the body lie at its centre of mass "
-        "(largest squared distance {value!r} m^2); write an inertia, or a point instead of the body"
+    default = rows.mechanism.default
+    if default(size2) == 0.0:
+        text = (
+            "inertia must be > 0 kg.m2, got {value!r}, since its points, and the bodies joined to "
+            "it, lie at its centre of mass; write an inertia, or a point instead of the body"
+        )
+        rows.rule(moment, ">", text)
+        return E
+    most = TINY * (body.mass * size2)
+    least = FLOOR * body.mass * size2
+    is_tiny: Number = float(default(moment) < default(most))
+    if isinstance(moment, Expr):
+        is_tiny = operate("lt", moment, most)
+        text = "inertia of {value:.6g} kg.m2 counts as 0, below 1e-12 of mass times size squared"
+        rows.rule(is_tiny * moment, "noted", text)
+    return tuple(
+        tuple(
+            select(is_tiny, least if i == k else 0.0, x) if i == k or x != 0.0 else x
+            for k, x in enumerate(row)
+        )
+        for i, row in enumerate(E)
     )
-    rows.rule(largest, ">", text)
-    return FLOOR * body.mass * largest

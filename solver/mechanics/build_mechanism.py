@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from solver.mechanics.bodies import add_bar, add_point, add_rigid
@@ -18,16 +17,8 @@ from solver.mechanics.parts import JointParts, Parts
 from solver.mechanics.rows import Rows
 from solver.mechanics.shapes import SHAPES
 from solver.mechanics.surfaces import SURFACES
-from solver.mechanics.vectors import Vector
-from solver.scene import (
-    Bar,
-    BodyJoint,
-    ExpressionError,
-    Gear,
-    PointReference,
-    Rack,
-    Scene,
-)
+from solver.scene import Bar, ExpressionError, Gear, Rack, Scene
+from solver.scene.body_sizes import PLACED, places_of_bodies, squared_sizes
 
 ADD: dict[type, Callable[[Rows, Any, JointParts], None]] = {
     **dict.fromkeys(JOINTS, add_joint), **COUPLINGS, **CONTACTS, **SURFACES, **SHAPES, **MESHES,
@@ -76,44 +67,28 @@ def _add_points_and_bodies(parts: Parts) -> None:
         rows = Rows(parts, "points", name)
         rows.demand(point)
         parts.points[name] = add_point(rows, point, path)
-    places = _places_of_bodies(scene)
+    tables = {name: getattr(scene, name) for name in PLACED}
+    places = places_of_bodies(tables)
+    sizes2 = squared_sizes(tables, places, mechanism.default)
     for name, body in scene.bodies.items():
         rows = Rows(parts, "bodies", name)
         rows.demand(body)
-        if isinstance(body, Bar):
-            frame = add_bar(rows, body)
-            first, second = frame.ends
-            parts.links[name] = node(second) - node(first)
-            if scene.dimension == 2:
-                parts.frames[name] = frame
-        else:
-            parts.frames[name] = add_rigid(rows, body, places[name])
+        try:
+            if isinstance(body, Bar):
+                frame = add_bar(rows, body)
+                first, second = frame.ends
+                parts.links[name] = node(second) - node(first)
+                if scene.dimension == 2:
+                    parts.frames[name] = frame
+            else:
+                parts.frames[name] = add_rigid(rows, body, sizes2[name], held=name in places)
+        except ExpressionError as error:
+            text = f"a number of it has no finite value: {error.message}"
+            scene.fail([scene.error(rows.location, f"{text}; look for a very large or small one")])
     for name, index in parts.points.items():
         if mechanism.nodes[index].motion == FREE:
             text = "mass must be > 0 kg, with the bars that end at it"
             Rows(parts, "points", name).rule(mechanism.nodes[index].mass, ">", text)
-
-
-def _places_of_bodies(scene: Scene) -> defaultdict[str | None, list[Vector]]:
-    """Global positions, as drawn, where something is joined to each body."""
-    places: defaultdict[str | None, list[Vector]] = defaultdict(list)
-    for joint in scene.joints.values():
-        if isinstance(joint, BodyJoint) and joint.bodies and joint.position:
-            for body in joint.bodies:
-                places[body].append(joint.position)
-    for reference in _references(scene):
-        if reference.at is not None:
-            places[reference.point].append(reference.at)
-    return places
-
-
-def _references(scene: Scene) -> Iterator[PointReference]:
-    tables = scene.joints, scene.contacts, scene.forces, scene.drivers
-    for part in (part for table in tables for part in table.values()):
-        yield from getattr(part, "points", None) or ()
-        point = getattr(part, "point", None)
-        if point is not None:
-            yield point
 
 
 def _check_rows(parts: Parts) -> None:

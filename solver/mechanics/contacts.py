@@ -36,7 +36,7 @@ from solver.mechanics.slips import (
     turning,
 )
 from solver.mechanics.vectors import Vector, add, dot, scale, unit
-from solver.runtime.layout import DRAWN_INTO, LEAF_RATE
+from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     ClearanceContact,
     CornersContact,
@@ -314,11 +314,10 @@ def _demand_free(rows: Rows, contact: Touching, gap: Formula, unit: str, end: st
     text = f"it is drawn in penetration{end}: its gap is {{value:.6g}} {unit}; draw it open"
     if isinstance(contact, PlaneContact | CornersContact):
         text += ", or turn its axis to the other side"
-    size = mechanism.extent if unit == "m" else 1.0
     value = as_drawn(mechanism, gap.value, gap.leaves)
     if isinstance(contact, ClearanceContact):
         value = contact.radius - sqrt(mechanism.drawn_value(gap.leaves[0].index))
-    rows.rule(value, "drawn", text, bound=-DRAWN_INTO * size)
+    rows.rule(value, "drawn", text, bound=-mechanism.drawn_into(unit))
 
 
 def as_drawn(mechanism: Mechanism, value: Number, leaves: Sequence[Leaf]) -> Number:

@@ -6,7 +6,9 @@
 
 with h(psi) the support function: the distance from the axis of a tangent whose normal has the angle
 psi. Each is a spline through points of the exact curve, among them those at the profile's knots,
-between which it is smooth; the pieces are halved until the spline fits.
+between which it is smooth; the pieces are halved until the spline fits. Where the curvature of the
+profile jumps, the pieces have the exact slopes instead: of a path that of the profile, of a centre
+at r_c e_r that of the tangent, and h' = P . e_psi.
 """
 
 from __future__ import annotations
@@ -26,8 +28,8 @@ MOST_HALVINGS = 7
 """Of the pieces between knots; a curve that does not fit by then is taken as it is."""
 ROUNDING = 1e-15
 """Height, relative to the largest, that is left of a matrix by rounding alone."""
-Place = tuple[float, float]
-"""Of a curve: argument and value."""
+Place = tuple[float, float, float]
+"""Of a curve: argument, value and slope."""
 
 
 def centres_above(rows: Rows, profile: Profile, radius: float) -> Curve:
@@ -36,7 +38,7 @@ def centres_above(rows: Rows, profile: Profile, radius: float) -> Curve:
     def place(x: float) -> Place:
         y, slope = _value_and_slope(profile, x)
         s = hypot(1.0, slope)
-        return x - radius * slope / s, y + radius / s
+        return x - radius * slope / s, y + radius / s, slope
 
     text = "the wheel is larger than the hollow of '{}' at x = {:.6g} m, where it touches twice"
     return _traced(rows, profile, place, text, ".radius") if radius > 0.0 else profile.curve
@@ -49,7 +51,9 @@ def centres_around(rows: Rows, profile: Profile, radius: float) -> Curve:
         r, slope = _value_and_slope(profile, phi)
         q = hypot(r, slope)
         out, across = r + radius * r / q, -radius * slope / q
-        return phi + atan2(across, out), hypot(out, across)
+        distance = hypot(out, across)
+        tangent = slope * out + r * across, r * out - slope * across
+        return phi + atan2(across, out), distance, distance * tangent[0] / tangent[1]
 
     text = "the roller is larger than the hollow of '{}' at {:.6g} rad, where it touches twice"
     return _traced(rows, profile, place, text, ".radius") if radius > 0.0 else profile.curve
@@ -60,7 +64,8 @@ def support_function(rows: Rows, profile: Profile) -> Curve:
 
     def place(phi: float) -> Place:
         r, slope = _value_and_slope(profile, phi)
-        return phi - atan2(slope, r), r * r / hypot(r, slope)
+        q = hypot(r, slope)
+        return phi - atan2(slope, r), r * r / q, r * slope / q
 
     text = "the cam '{}' is hollow at {:.6g} rad, where a flat face touches it twice"
     return _traced(rows, profile, place, text, ".face")
@@ -88,7 +93,7 @@ def separated(
         yield u, v
 
 
-def _value_and_slope(profile: Profile, x: float) -> Place:
+def _value_and_slope(profile: Profile, x: float) -> tuple[float, float]:
     return apply("spline", x, profile.curve), apply("spline_slope", x, profile.curve)
 
 
@@ -98,20 +103,21 @@ def _traced(
     """Return the spline through places of a curve; one that turns back is reported by `text`."""
     knots = list(profile.x)
     name = profile.curve.name
-    size = max(abs(y) for _, y in map(place, knots)) + knots[-1] - knots[0]
+    size = max(abs(y) for _, y, _ in map(place, knots)) + knots[-1] - knots[0]
     curve = profile.curve
     for _ in range(MOST_HALVINGS):
         places = [place(x) for x in knots]
-        for (before, _), (after, _), x in zip(places, places[1:], knots[1:], strict=False):
+        for (before, *_), (after, *_), x in zip(places, places[1:], knots[1:], strict=False):
             if not after - before > 0.0:
                 rows.problem(text.format(name, x), field)
                 return profile.curve
-        xs, ys = ([*column] for column in zip(*places, strict=True))
+        xs, ys, slopes = ([*column] for column in zip(*places, strict=True))
         if profile.periodic:  # up to rounding it is
-            xs[-1], ys[-1] = xs[0] + knots[-1] - knots[0], ys[0]
-        curve = Curve(name, table_of(xs, ys, periodic=profile.periodic))
+            xs[-1], ys[-1], slopes[-1] = xs[0] + knots[-1] - knots[0], ys[0], slopes[0]
+        known = () if profile.interpolation == "cubic" else slopes
+        curve = Curve(name, table_of(xs, ys, slopes=known, periodic=profile.periodic))
         middles = list(_middles(knots))
-        error = max(abs(apply("spline", x, curve) - y) for x, y in map(place, middles))
+        error = max(abs(apply("spline", x, curve) - y) for x, y, _ in map(place, middles))
         if error <= FITS * size:
             break
         knots = sorted([*knots, *middles])

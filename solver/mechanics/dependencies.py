@@ -1,9 +1,11 @@
 """What each unknown of a model depends on, as FMI wants it said.
 
-FMI means the structure of the equations, not of their solution: positions and velocities are
-states, so that an input acts on them only where a driver prescribes them; multipliers, and with
-them reactions, follow the forces of their island at once. At the start, a mechanism can be closed
-or brought to rest with everything that its island contains, so that all of that counts.
+At a communication point the motion is a state, and multipliers, with them reactions, are those of
+the step that led there: an input acts on them by the next step alone. What follows it at once are
+formulas that read it: those of outputs, of springs and other forces, of the energy that springs
+store, and of prescribed rates; and this only of an input that is held, as the others begin a step
+with the value that they had. At the start, a mechanism can be closed or brought to rest with
+everything that its island contains, so that all of that counts.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
+from solver.mechanics.derivative import derivative
 from solver.mechanics.mechanism import FIXED
 from solver.mechanics.sensors import Ref
 from solver.mechanics.structure import Structure
@@ -19,14 +22,14 @@ from solver.mechanics.variables import SENSORS, Symbols
 from solver.options import OPTIONS
 from solver.runtime.layout import LEAF_SIGNAL
 from solver.runtime.model import Variable
-from solver.scene import Expr, Number, Scene, symbols
+from solver.scene import Expr, ExpressionError, Number, Scene, symbols
 from solver.scene.quantities import place_in_whole
 
 Sources = frozenset[str | Ref]
 """Names of known variables, and measurements; what a sensor reads is one."""
 Sets = list[Sources]
 """What acts on each island."""
-Acting = tuple[Sets, Iterable[Number], Callable[[Any], Iterable[int]], Any]
+Acting = tuple[Iterable[Number], Callable[[Any], Iterable[int]], Any]
 """How some numbers act; ``nodes(part)`` are the nodes on whose islands they do."""
 NOTHING: Sources = frozenset()
 AT_THE_START: Sources = frozenset({
@@ -34,26 +37,21 @@ AT_THE_START: Sources = frozenset({
     "solver.newton_tolerance",
 })  # fmt: skip
 """Settings that the initial values follow: how it is closed, how exactly, or brought to rest."""
-STATES = {
-    "position", "velocity", "place", "place_velocity", "quantity", "quantity_rate", "quaternion",
-    "body_rate", "residual", "momentum", "angular_momentum",
-}  # fmt: skip
-"""Measurements that are states, or follow from them and from drivers."""
 OF_A_STEP = ("solver", "contact_solver")
 """Measurements that tell of the last step alone."""
-COUNTED = {*(("contact", k) for k in (0, 2, 3, 4)), ("friction", 2)}
-"""Gap, mode, impacts and impulse of contacts, mode of frictions: states as well; forces are not."""
-KINETIC, STATUS = (
-    Ref(name, place_in_whole(name, word))
-    for name, word in (("energy", "kinetic"), ("solver", "status"))
-)
+STORED = tuple(Ref("energy", place_in_whole("energy", x)) for x in ("potential", "total", "work"))
+"""Energies that jump with what springs store: the jump is work."""
+ROW_RATE = Ref("residual", place_in_whole("constraint", "velocity"))
+STATUS = Ref("solver", place_in_whole("solver", "status"))
+SLIP = 1
+"""Component of a friction."""
 
 
 class KnownVariables(NamedTuple):
     """Variables that an unknown depends on, by their indices in the model."""
 
     directly: tuple[int, ...]
-    """Inputs on which it depends at a communication point."""
+    """Inputs that move it where they are set at a communication point, before the next step."""
     at_the_start: tuple[int, ...]
     """Parameters and inputs on which it depends in the initialization mode."""
 
@@ -87,34 +85,40 @@ def _measured(sources: Sources) -> list[Ref]:
     return [x for x in sources if isinstance(x, Ref)]
 
 
+def _rate(signal: Number) -> Number:
+    """Return the rate of a signal; the signal where it has none, which no fewer inputs are in."""
+    try:
+        return derivative(signal, "t")
+    except ExpressionError:
+        return signal
+
+
 class _Search:
     """Known variables that drive, push and shape the islands of a mechanism."""
 
     def __init__(self, scene: Scene, structure: Structure, known: Symbols) -> None:
         self._scene, self._structure, self._symbols = scene, structure, known
         self._mechanism, count = structure.mechanism, structure.islands.count
-        self._inputs = frozenset(scene.inputs)
+        self._held = frozenset(
+            x for x, given in scene.inputs.items() if given.interpolation == "hold"
+        )
         settings = (
             f"solver.{option.name}"
             for option in OPTIONS.values()
             if structure.sizes["unilateral"] or not option.of_contacts
         )
         free = (name for name, p in scene.parameters.items() if not isinstance(p.value, Expr))
-        self._settable = self._inputs.union(free, settings)
+        self._settable = frozenset(scene.inputs).union(free, settings)
         self._made_of: dict[str, Sources] = {"t": NOTHING}
         for name in self._mechanism.defaults:  # each behind those that it is calculated from
             value = scene.parameters[name].value if name in scene.parameters else 0.0
             own = self._of(value) if isinstance(value, Expr) else frozenset({name})
             self._made_of.setdefault(name, own)
-        driven, forced, shaped = ([NOTHING] * count for _ in range(3))
-        numbers_act = self._acting(driven, forced, shaped) if len(self._made_of) > 1 else ()
-        for acting, numbers, nodes, part in numbers_act:
+        self._shaped = [NOTHING] * count
+        for numbers, nodes, part in self._acting() if len(self._made_of) > 1 else ():
             sources = self._of(*numbers)
             for island in self._islands(nodes(part)) if sources else ():
-                acting[island] |= sources
-        self._driven = [x & self._inputs for x in driven]
-        self._forced = [self._directly(x | y) for x, y in zip(forced, driven, strict=True)]
-        self._shaped = [_union(*sets) for sets in zip(driven, forced, shaped, strict=True)]
+                self._shaped[island] |= sources
         for _ in range(count):  # a sensor's island may have sensors of another one
             self._shaped = [
                 _union(x, *(self._of_islands(self._shaped, ref) for ref in _measured(x)))
@@ -152,17 +156,29 @@ class _Search:
 
     def _directly(self, sources: Sources) -> Sources:
         """Inputs that act on what is made of these at a communication point."""
-        return _union(sources & self._inputs, *map(self._direct, _measured(sources)))
+        return _union(sources & self._held, *map(self._direct, _measured(sources)))
 
     def _direct(self, ref: Ref) -> Sources:
-        if ref.section in OF_A_STEP:
-            return NOTHING
-        if ref.section in STATES or ref == KINETIC or (ref.section, ref.k) in COUNTED:
-            return self._of_islands(self._driven, ref)
-        if ref.section != "element_force":
-            return self._of_islands(self._forced, ref)
-        own = self._of(*self._mechanism.elements[ref.item].numbers)
-        return _union(self._directly(own), self._of_islands(self._driven, ref))
+        """Held inputs that formulas read with which a measurement is taken."""
+        return self._directly(self._of(*self._read(ref))) if self._held else NOTHING
+
+    def _read(self, ref: Ref) -> Iterable[Number]:
+        """Numbers with which a measurement is taken; all other measurements are states."""
+        mechanism = self._mechanism
+        if ref.section == "element_force":
+            return mechanism.elements[ref.item].numbers
+        if ref in STORED:
+            springs = [x for x in mechanism.elements if x.stiffness != 0.0]
+            stored = [number for x in springs for number in (x.stiffness, x.rest)]
+            return chain(stored, (potential.value for potential in mechanism.potentials))
+        if ref == ROW_RATE:
+            of_frictions = {row for friction in mechanism.frictions for row in friction.rows}
+            rows = (x for k, x in enumerate(mechanism.velocity_rows) if k not in of_frictions)
+            return chain(map(_rate, mechanism.signals), (row.formula.value for row in rows))
+        if ref.section == "friction" and ref.k == SLIP:
+            rows = mechanism.frictions[ref.item].rows
+            return [mechanism.velocity_rows[row].formula.value for row in rows]
+        return ()
 
     def _first(self, ref: Ref) -> Sources:
         """Known variables that act on a measurement before the first step."""
@@ -172,38 +188,38 @@ class _Search:
 
     # --------------------------------------------------------------------------------- islands
 
-    def _acting(self, driven: Sets, forced: Sets, shaped: Sets) -> Iterator[Acting]:
+    def _acting(self) -> Iterator[Acting]:
         """Yield all numbers of a mechanism."""
         mechanism = self._mechanism
         nodes, joined = mechanism.nodes, mechanism.joined
         for n, node in enumerate(nodes):
-            yield shaped, (*node.position, *node.velocity, node.mass, node.weight), tuple, (n,)
+            yield (*node.position, *node.velocity, node.mass, node.weight), tuple, (n,)
         for pair, mass in mechanism.masses.items():
-            yield shaped, (mass,), tuple, pair
+            yield (mass,), tuple, pair
         for f, form in enumerate(mechanism.forms):
             terms = [term for side in form for term in side.terms]
             places = [nodes[n].position for n, _, _ in terms if nodes[n].motion == FIXED]
-            yield shaped, chain(*(term[1:] for term in terms), *places), mechanism.moving, f
+            yield chain(*(term[1:] for term in terms), *places), mechanism.moving, f
         for row in mechanism.form_rows:
-            yield shaped, (row.constant, row.scale.base), joined, row
+            yield (row.constant, row.scale.base), joined, row
         for row in (*mechanism.function_rows, *mechanism.velocity_rows):
-            yield forced, (row.formula.value,), joined, row
+            yield (row.formula.value,), joined, row
             signals = [leaf.index for leaf in row.formula.leaves if leaf.kind == LEAF_SIGNAL]
-            yield driven, [mechanism.signals[k] for k in signals], joined, row
+            yield [mechanism.signals[k] for k in signals], joined, row
         for contact in mechanism.contacts:
             row = mechanism.function_rows[contact.row]
-            yield forced, (contact.restitution,), joined, row
+            yield (contact.restitution,), joined, row
         for friction in mechanism.frictions:
-            yield forced, friction.numbers, joined, mechanism.velocity_rows[friction.rows[0]]
+            yield friction.numbers, joined, mechanism.velocity_rows[friction.rows[0]]
         for potential in mechanism.potentials:
             numbers = potential.value, potential.damping or 0.0
-            yield forced, numbers, joined, potential
+            yield numbers, joined, potential
         for element in mechanism.elements:
-            yield forced, element.numbers, joined, element
+            yield element.numbers, joined, element
         for load in (*mechanism.loads, *mechanism.moments, *mechanism.body_moments):
-            yield forced, load.value, joined, load
-        yield driven, mechanism.driven_signals, tuple, self._structure.driven_nodes.items
-        yield forced, self._scene.gravity, tuple, range(len(nodes))
+            yield load.value, joined, load
+        yield mechanism.driven_signals, tuple, self._structure.driven_nodes.items
+        yield self._scene.gravity, tuple, range(len(nodes))
 
     def _islands(self, nodes: Iterable[int]) -> set[int]:
         """Islands of some nodes."""

@@ -16,7 +16,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from itertools import chain
+from itertools import chain, combinations_with_replacement
 from typing import NamedTuple
 
 import numpy as np
@@ -214,6 +214,16 @@ class Graph:
     eliminated first, by their bare regularisation."""
     trees: Sequence[TreeBody] = ()
     """Bodies of trees, which are eliminated with their joints."""
+
+    def couplings_of_trees(self) -> dict[tuple[int, int], bool]:
+        """Return those that the factors of a body with its joint store, zero or not: all to all.
+
+        A joint at the centre of mass of a body does not couple the turn of this one to its place.
+        """
+        own = {None: ()} | {body.blocks[0]: body.blocks[:2] for body in self.trees}
+        whole = ((*x.blocks, *own[x.parent]) for x in self.trees if len(x.blocks) > 2)
+        pairs = chain.from_iterable(combinations_with_replacement(sorted(x), 2) for x in whole)
+        return dict.fromkeys(pairs, True)
 
     def joined(self) -> Graph:
         """Return the graph in which each body of a tree is one node, its joint's rows with it."""
@@ -480,8 +490,9 @@ def _operations(p: int, m: int) -> float:
 def _coupled(graph: Graph, position: Integers, sizes: Integers) -> list[list[int]]:
     """Later places that the matrix couples each place to, increasing."""
     n = int(sizes.sum())
-    pairs = np.fromiter(chain.from_iterable(graph.couplings), dtype=np.int64).reshape(-1, 2)
-    full = np.fromiter(graph.couplings.values(), dtype=bool)
+    couplings = {**graph.couplings, **graph.couplings_of_trees()}
+    pairs = np.fromiter(chain.from_iterable(couplings), dtype=np.int64).reshape(-1, 2)
+    full = np.fromiter(couplings.values(), dtype=bool)
     elements: list[Integers] = [np.empty(0, dtype=np.int64)]
     for i in range(sizes.max(initial=0)):
         for k in range(sizes.max()):

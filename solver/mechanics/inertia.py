@@ -9,19 +9,21 @@ no equation of motion, so such a body gets the smallest one that computes safely
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial, reduce
 
 import numpy as np
 
 from solver.mechanics.vectors import Matrix, Vector, dot, times
 from solver.scene import Number
+from solver.scene.expression import operate
 
 FLOOR = 1e-7
 """Least inertia of a director, relative to the largest; of a point-like body, to m l^2. A hundredth
 of it fails where joints are redundant: their pivots, of 1e-8, drown in rounding."""
 FREE_FLOOR = 1e-10
 """The same for a body that nothing holds."""
-ROUNDING = 1e-9
-"""By how much the moments of inertia of a plate may miss the triangle inequality."""
+ROUNDING = 5e-8
+"""By how much parameters may let E miss zero, relative to its trace: `FORGIVEN` of the moments."""
 
 
 def euler_tensor(inertia: Matrix) -> Matrix:
@@ -50,21 +52,33 @@ def floored(E: Matrix, default: Callable[[Number], float], least: float = FLOOR)
 
     Along an axis v_k with less, `least` times the largest is given, and the axes that have enough
     give as much: the transverse inertias of a rod, the sums of two of E's eigenvalues, stay exact
-    and only its spin inertia is biased. Axes and cases are those of the default values.
+    and only its spin inertia is biased. Axes and cases are those of the default values, but for a
+    diagonal E that parameters make thin.
     """
     values, axes = _principal([[default(x) for x in row] for row in E])
     largest = max(range(3), key=lambda k: values[k])
     thin = [k for k in range(3) if values[k] < least * values[largest]]
     if not thin:
-        return E
+        return _kept_thick(E, least)
     floor = least * dot(axes[largest], times(E, axes[largest]))
-    lacking = {k: floor - dot(axes[k], times(E, axes[k])) for k in thin}
+    lacking = {k: operate("max", floor - dot(axes[k], times(E, axes[k])), 0.0) for k in thin}
     mean: Number = 0.0
     for lack in lacking.values():
         mean = mean + lack / float(len(thin))
     for k in range(3):
         E = _added(E, lacking.get(k, -1.0 * mean), axes[k])
     return E
+
+
+def _kept_thick(E: Matrix, least: float) -> Matrix:
+    """Return E with a floor below diagonal elements that parameters could make smaller."""
+    diagonal = [E[i][i] for i in range(3)]
+    parts = [E[i][k] for i in range(3) for k in range(3) if i != k]
+    if all(isinstance(x, float) for x in diagonal) or any(x != 0.0 for x in parts):
+        return E
+    floor = least * reduce(partial(operate, "max"), diagonal)
+    thick = [operate("max", x, floor) for x in diagonal]
+    return tuple(tuple(thick[i] if i == k else 0.0 for k in range(3)) for i in range(3))
 
 
 def _principal(E: list[list[float]]) -> tuple[Sequence[float], list[Vector]]:

@@ -269,12 +269,28 @@ class Mechanism:
         return total
 
     @cached_property
+    def _columns(self) -> list[tuple[float, ...]]:
+        """Coordinates of all points as drawn [m], by direction."""
+        points = [node.position for node in self.nodes if node.kind == layout.NODE_POINT]
+        return [*zip(*([self.default(x) for x in position] for position in points), strict=True)]
+
+    @property
+    def round_off(self) -> float:
+        """Distance of places that the round-off of a drawing explains [m]."""
+        return layout.ONE_PLACE * (1.0 + max(abs(x) for column in self._columns for x in column))
+
+    @cached_property
     def extent(self) -> float:
         """Diagonal of the box around all points as drawn [m]; 1 for a mechanism of one place."""
-        points = [node.position for node in self.nodes if node.kind == layout.NODE_POINT]
-        positions = [[self.default(x) for x in position] for position in points]
-        sides = [max(column) - min(column) for column in zip(*positions, strict=True)]
-        return sum(side * side for side in sides) ** 0.5 or 1.0
+        sides = [max(column) - min(column) for column in self._columns]
+        found = sum(side * side for side in sides) ** 0.5
+        return found if found > self.round_off else 1.0
+
+    def drawn_into(self, unit: str) -> float:
+        """Return the penetration of a drawing that counts as none [m or rad]."""
+        if unit == "rad":
+            return layout.DRAWN_INTO
+        return layout.DRAWN_INTO * self.extent + self.round_off
 
     def normals(self, axis: Vector) -> tuple[Vector, ...]:
         """Return the unit vectors perpendicular to one: two in space, one in the plane."""

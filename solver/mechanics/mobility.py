@@ -108,7 +108,7 @@ def is_lasting(model: Model) -> list[bool]:
 
 def survey(model: Model) -> Survey:
     """Count what a mechanism consists of, with its default parameters."""
-    integrator = Integrator(model)
+    integrator = Integrator(model, log=lambda _: None)  # what closing moves, a run says
     integrator.initialise()
     sizes = model.sizes
     dim, n_free, n_driven = sizes["dim"], sizes["n_free"], sizes["n_driven"]

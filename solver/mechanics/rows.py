@@ -40,7 +40,7 @@ class Rows:
     # --------------------------------------------------------------------------------- demands
 
     def rule(
-        self, number: Number, relation: Literal[">", ">=", "finite", "drawn"], text: str,
+        self, number: Number, relation: Literal[">", ">=", "finite", "drawn", "noted"], text: str,
         bound: float = 0.0,
     ) -> None:  # fmt: skip
         """Demand that a number is `relation` to a bound (or finite); `text` has its value."""

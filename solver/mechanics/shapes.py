@@ -49,7 +49,7 @@ from solver.mechanics.vectors import (
     turned,
     unit,
 )
-from solver.runtime.layout import DRAWN_INTO, LEAF_RATE
+from solver.runtime.layout import LEAF_RATE
 from solver.scene import (
     BoxContact,
     CapsuleContact,
@@ -266,7 +266,7 @@ def _demand_apart(rows: Rows, first: Shape, second: Shape) -> None:
         if number(norm(axis)) > 1e-6:
             one, two = ([number(dot(x, unit(axis))) for x in places] for places in both)
             overlap = min(overlap, max(one) - min(two), max(two) - min(one))
-    if overlap > DRAWN_INTO * mechanism.extent:
+    if overlap > mechanism.drawn_into("m"):
         text = f"it is drawn in penetration: the bodies overlap by {overlap:.6g} m"
         rows.problem(f"{text}; draw them apart")
 

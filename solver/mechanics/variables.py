@@ -98,7 +98,7 @@ def variables_of(
     for place, (name, given) in enumerate(scene.inputs.items()):
         yield Variable(
             name=name, type="Real", causality="input", variability="continuous",
-            unit=given.unit, description=given.description, start=given.start,
+            unit=given.unit, description=given.told, start=given.start,
             minimum=given.min, maximum=given.max, kind="input", place=place,
             clips=given.limit == "clip",
         )  # fmt: skip

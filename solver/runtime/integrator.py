@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from .errors import AssemblyError, OptionError, Status, StepError, is_double, shown, tell
-from .kernel import shared_library
+from .kernel import LOOK, shared_library
 from .layout import RESULTS, state_size
 from .model import Model
 from .state import State
@@ -15,6 +15,22 @@ from .state import State
 MOST_PLANS = 64
 
 Value = float | str | bool
+
+
+def takes_signals(caught: list[BaseException]) -> Iterator[int]:
+    """Let Python answer signals, as it does between two lines, and catch what a handler raises.
+
+    The core asks this for the next value, 1 where something was caught: within a call of C nothing
+    else of Python runs. It waits within `try`, or an exception could strike ahead of it.
+    """
+    while True:
+        try:
+            while True:  # within, as Python looks for signals where a loop turns
+                yield len(caught)
+        except GeneratorExit:
+            return
+        except BaseException as error:
+            caught.append(error)
 
 
 class Integrator:
@@ -55,6 +71,11 @@ class Integrator:
         self._instance = library.holonom_make(
             ctypes.addressof(self._file), address, log is not None
         )
+        self._caught: list[BaseException] = []
+        watch = takes_signals(self._caught)
+        next(watch)  # from here on it waits within `try`
+        self._look = LOOK(watch.__next__)
+        library.holonom_let_look(self._instance, self._look)
         self._get, self._advance = library.holonom_get, library.holonom_move
         self._plans: dict[tuple[int, ...], tuple] = {}
         self.state = State(model.sizes, self._vector("state", state_size(model.sizes)))
@@ -224,9 +245,13 @@ class Integrator:
         StepError
             When the step cannot be solved; time, h, reason and remedy in one sentence. The state
             is as before.
+        KeyboardInterrupt
+            At Ctrl-C, or what else a handler of a signal raises; the state is as before.
         """
         result = self._advance(self._instance, t, step)
         if result:
+            if self._caught:
+                raise self._caught.pop()
             self._end(result)
         self.message = "done"
 

@@ -67,6 +67,8 @@ def library_platform(path: str) -> str:
 
 
 _POINTER, _INTEGER, _REAL, _COUNT = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_int64
+LOOK = ctypes.CFUNCTYPE(_INTEGER)
+"""What a step asks now and then: 1 for its end."""
 FUNCTIONS = {
     "abi": (_INTEGER, []),
     "dimension": (_INTEGER, []),
@@ -83,6 +85,7 @@ FUNCTIONS = {
     "number_of_word": (_REAL, [_POINTER, _INTEGER, ctypes.c_char_p]),
     "assemble": (_INTEGER, [_POINTER]),
     "begin": (None, [_POINTER]),
+    "let_look": (None, [_POINTER, LOOK]),
     "move": (_INTEGER, [_POINTER, _REAL, _REAL]),
     "saved_size": (_COUNT, [_POINTER]),
     "save": (None, [_POINTER, _POINTER]),

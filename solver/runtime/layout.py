@@ -288,8 +288,9 @@ HEAD = (
     "ledger_error",
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
-    "at_fault",  # multiplier of the contact that the last step failed at, and 1; else 0
+    "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
+    "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
     "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
@@ -326,6 +327,9 @@ FRICTION = (
 DRAWN_INTO = 1e-8
 """Penetration of contacts that rounding explains, of a drawing and of closing it; relative to the
 size of the mechanism."""
+ONE_PLACE = 1e-12
+"""Distance of places that the round-off of a drawing explains, relative to their coordinates, or in
+m if these are small: a coordinate may be the difference of larger numbers."""
 EARLY_UPDATE_PENALTY = 1e6
 """From this one on an Uzawa update contracts far better than a Newton iteration: multipliers of a
 nested iteration need not wait for its end (inexact Uzawa), and bodies turn as wholes."""
@@ -349,6 +353,10 @@ CONTACT_MODES = ("open", "closed", "slides")
 NORMAL_SUMS = ("continues", "begins", "pushes")
 """How a multiplier enters a normal force: the norm of some begins or continues with it; or it is
 that of a gap, which pushes with the negative multiplier."""
+
+CLOSINGS = ("at_once", "on_path", "behind_path", "shaken")
+"""How a mechanism was closed: by the smallest displacement, on a path from its drawing, from the
+end of that path, or from a drawing that was shaken."""
 
 FRICTION_MODES = ("off", "sticks", "slides")
 
@@ -445,8 +453,12 @@ WORDS = {
 """What a record of a variable has numbers for."""
 
 FLAGS = {"has_minimum": 1, "has_maximum": 2, "has_start": 4, "clips": 8, "whole": 16, "even": 32}
-RELATIONS = {"finite": "is_finite", ">": "is_above", ">=": "is_at_least", "drawn": "is_drawn"}
-"""Of a number and its bound; `drawn` is >= of the mechanism as drawn, whatever it does later."""
+RELATIONS = {
+    "finite": "is_finite", ">": "is_above", ">=": "is_at_least", "drawn": "is_drawn",
+    "noted": "is_noted",
+}  # fmt: skip
+"""Of a number and its bound; `drawn` is >= of the mechanism as drawn, whatever it does later;
+`noted` is = 0, and a run that breaks it tells so and goes on."""
 OF_A_LAW = 256
 """Flag of a relation: inputs and tunable parameters may break it in motion."""
 MOST_SAMPLING = 1.0

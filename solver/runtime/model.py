@@ -57,8 +57,9 @@ class Rule(namedtuple("Rule", "number relation bound location name message")):
     ----------
     number : int
         Place in the vector of numbers.
-    relation : {">", ">=", "finite", "drawn"}
-        Against `bound`; "drawn" is >= at the start alone.
+    relation : {">", ">=", "finite", "drawn", "noted"}
+        Against `bound`; "drawn" is >= at the start alone; "noted" is = 0, and a run that breaks it
+        tells so and goes on.
     bound : float
     location, name : str
         Where it stands in the scene, ``bodies.rod``, and what it is called in a sentence.

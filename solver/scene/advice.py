@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
 from solver.options import OPTIONS
+from solver.scene.body_sizes import TINY, places_of_bodies, squared_sizes
 from solver.scene.draft import Draft
+from solver.scene.expression import Number, curves_of, evaluate
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
 from solver.scene.numbers import NumberChecks
 from solver.scene.parameters import Input
+from solver.scene.profiles import Profile
 from solver.scene.report import Path, location_of
 
 LARGE = 100.0
@@ -20,13 +24,19 @@ SMALL = 5.0
 """Length in mm below which few numbers of a drawing in mm are."""
 
 
-def advise(numbers: NumberChecks, inputs: dict[str, Input], joints: dict[str, Part]) -> None:
-    """Warn of a scene as a whole, in which no mistake was found."""
+def advise(
+    numbers: NumberChecks,
+    profiles: Mapping[str, Profile],
+    parts: Mapping[str, Mapping[str, Any]],
+) -> None:
+    """Warn of a scene as a whole, in which no mistake was found; `parts` are by table and name."""
     _unused(numbers)
     _settings_of_contacts(numbers)
-    _held(numbers, inputs)
-    _welded_twice(numbers.draft, joints)
+    _held(numbers, parts["inputs"])
+    _with_corners(numbers.draft, profiles, parts)
+    _welded_twice(numbers.draft, parts["joints"])
     _millimetres(numbers.draft)
+    _tiny_inertias(numbers, parts)
 
 
 def _unused(numbers: NumberChecks) -> None:
@@ -49,7 +59,7 @@ def _settings_of_contacts(numbers: NumberChecks) -> None:
             numbers.draft.warn(("solver", name), message, "leave it out, or write [contacts]")
 
 
-def _held(numbers: NumberChecks, inputs: dict[str, Input]) -> None:
+def _held(numbers: NumberChecks, inputs: Mapping[str, Input]) -> None:
     """Warn of inputs and tunable parameters that move something by jumps."""
     for name, given in inputs.items():
         moved = [path for path in numbers.known.uses.get(name, []) if _prescribes(path)]
@@ -70,7 +80,23 @@ def _prescribes(path: Path) -> bool:
     return path[0] == "drivers" or (path[0] == "constraints" and path[2] == "value")
 
 
-def _welded_twice(draft: Draft, joints: dict[str, Part]) -> None:
+def _with_corners(
+    draft: Draft, profiles: Mapping[str, Profile], parts: Mapping[str, Mapping[str, Any]]
+) -> None:
+    """Warn of motions along straight lines, whose rate jumps where these meet."""
+    for table in ("drivers", "constraints"):
+        for name, part in parts[table].items():
+            value = getattr(part, "value", None)
+            terms = value if isinstance(value, tuple) else (value,)
+            for curve in sorted({curve for term in terms for curve in curves_of(term)}):
+                if curve in profiles and profiles[curve].has_corners:
+                    message = f"moves along the straight lines of '{curve}', whose rate jumps "
+                    message += "where they meet; velocities do not follow a jump"
+                    help = f'write interpolation = "monotone" in profiles.{curve}'
+                    draft.warn((table, name, "value"), message, help)
+
+
+def _welded_twice(draft: Draft, joints: Mapping[str, Part]) -> None:
     """Warn of joints between bodies that fixed joints hold together already."""
     welded_to: dict[str | None, str | None] = {}
 
@@ -101,6 +127,26 @@ def _millimetres(draft: Draft) -> None:
         help = f"{sizes[-1]:g} mm are {sizes[-1] / 1000.0:g} m; if metres are meant, say so by a "
         message = f"is {sizes[-1]:g} m: all lengths of a scene are in metres"
         draft.warn(found[-1][1], message, f'{help}parameter with unit = "m"')
+
+
+def _tiny_inertias(numbers: NumberChecks, parts: Mapping[str, Mapping[str, Any]]) -> None:
+    """Warn of bodies whose inertia is not 0 and counts as 0."""
+
+    def default(number: Number) -> float:
+        return evaluate(number, numbers.known.values)
+
+    for name, size2 in squared_sizes(parts, places_of_bodies(parts), default).items():
+        body = parts["bodies"][name]
+        rows = body.inertia if isinstance(body.inertia, tuple) else ((body.inertia,),)
+        moment, mass = max(default(row[i]) for i, row in enumerate(rows)), default(body.mass)
+        if 0.0 < moment < TINY * mass * default(size2):
+            field = "inertia" if body.shape is None else "shape"
+            message = (
+                f"inertia of {moment:.6g} kg.m2 counts as 0: it is below {TINY:g} of the mass "
+                f"{mass:.6g} kg times the squared size {math.sqrt(default(size2)):.6g} m"
+            )
+            help = "write 0, or the inertia of the body in kg.m2"
+            numbers.draft.warn(("bodies", name, field), message, help)
 
 
 def _lengths(draft: Draft) -> Iterator[tuple[Path, float]]:

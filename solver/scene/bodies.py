@@ -144,12 +144,13 @@ class Rigid(Part):
     inertia: Annotated[
         Number | tuple[Vector, Vector, Vector],
         kind.ByShape(
-            text="kg.m2 about the centre of mass: a number in 2-D, [Jx, Jy, Jz] or 3 x 3 in 3-D",
+            text="kg.m2 about the centre of mass: a number in 2-D, [Jx, Jy, Jz] or 3 x 3 in 3-D, "
+            "with Jxy = -integral of x*y dm",
             required=False, number=kind.NUMBER, vector=kind.COMPONENTS,
             vectors=kind.ListOf(item=kind.COMPONENTS),
         ),
     ]  # fmt: skip
-    """A number in 2-D, a symmetric 3 x 3 matrix in body axes in 3-D."""
+    """A number in 2-D; in 3-D the tensor in body axes, 3 x 3, with Jxy = -integral of x*y dm."""
     center_of_mass: Annotated[
         Vector, kind.Components("m", "in body axes, from the origin", required=False)
     ]  # fmt: skip

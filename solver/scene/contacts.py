@@ -9,6 +9,7 @@ from solver.scene.couplings import check_point_and_body
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.joints import Pair as BodyPair
+from solver.scene.places import SAME
 from solver.scene.report import Path
 from solver.scene.rules import DRIVER, NOT_NEGATIVE, POSITIVE, PROPERTY
 
@@ -286,7 +287,7 @@ class Stop(Contact):
         elif given.points is None and given.joint is not None:
             unit, what = ("rad" if self.turns else "m"), self.of or "angle"
             for name, value, sign in (("min", low, -1.0), ("max", high, 1.0)):
-                if value is not None and sign * value < 0.0:
+                if value is not None and sign * value < -SAME:
                     rule = "<= 0" if name == "min" else ">= 0"
                     message = f"must be {rule} {unit}, got {value:.15g}: the {what} is 0 as drawn"
                     help = "draw the joint within its stops, or measure them from the drawing"

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from solver.scene import fields as kind
-from solver.scene.expression import Number, Vector
+from solver.scene.expression import Number, Vector, curves_of
 from solver.scene.fields import BROKEN, Part, PointReference
+from solver.scene.profiles import check_smooth
 from solver.scene.quantities import CONTACT, VECTOR, Offer, turning
 from solver.scene.report import Path
 from solver.scene.rules import NOT_ZERO, POSITIVE, PROPERTY, SHARE, Place
@@ -116,6 +117,7 @@ def read_surface(reader: "Reader", path: Path, value: Any, _: Any) -> Number:
     if value is not BROKEN and not any(mention.name in own for mention in value.mentions):
         message = f"mentions none of the coordinates {', '.join(own)} of the point"
         reader.draft.error(path, message, "write an expression that is 0 on the surface")
+    check_smooth(reader.draft, path, reader.profiles, sorted(curves_of(number)))
     return number
 
 

@@ -375,6 +375,19 @@ def symbols(number: Number) -> frozenset[str]:
     return number.mentions if isinstance(number, Expr) else frozenset()
 
 
+def curves_of(number: object) -> set[str]:
+    """Return the names of the profiles that a number calls."""
+    found, pending, seen = set[str](), [number], set[int]()
+    while pending:
+        node = pending.pop()
+        if isinstance(node, Curve):
+            found.add(node.name)
+        elif isinstance(node, Expr) and id(node) not in seen:
+            seen.add(id(node))
+            pending += node.args
+    return found
+
+
 def evaluate(number: Number, values: Mapping[str, float]) -> float:
     """Value of a number.
 

@@ -14,6 +14,7 @@ from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, NamedTuple
 from urllib.parse import quote, unquote
 
+from solver.files import read_whole
 from solver.scene.report import Path
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def read_file(
             return draft.error(path, "holds no data in base64", "write the name of a file")
         return DataFile(unquote(given[2] or f"{path[-2]}.{form}"), form, content)
     try:
-        return DataFile(file, form, where.read_bytes())
+        return DataFile(file, form, read_whole(where))
     except (OSError, ValueError) as problem:  # a ValueError: no name of a file has such characters
         reason = getattr(problem, "strerror", None) or str(problem)
         message = f"file '{where.as_posix()}' cannot be read: {reason.lower()}"

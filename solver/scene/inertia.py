@@ -5,11 +5,20 @@ the sum of the other two; equality is a slender or flat body, zero a point.
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, Choice, Components, Part, Quantity, fields_of, shown
+from solver.scene.principal_moments import (
+    composed,
+    excess,
+    explained,
+    half_units,
+    nearest,
+    principal,
+)
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE
 
@@ -19,8 +28,6 @@ if TYPE_CHECKING:
 Inertia: TypeAlias = Number | tuple[Vector, Vector, Vector]
 
 NOTHING: tuple[Vector, Vector, Vector] = ((0.0,) * 3, (0.0,) * 3, (0.0,) * 3)
-ROUND_OFF = 1e-12
-"""By which a moment may exceed the sum of the others, relative to that sum."""
 
 # --------------------------------------------------------------------------------------- shapes
 
@@ -243,14 +250,9 @@ def _inertia(reader: "Reader", path: Path, given: Any) -> Inertia:
     if any(isinstance(row, list) for row in given):
         return _matrix(reader, path, given)
     moments = reader.vector(path, given)
-    values = reader.values(moments)
     if len(moments) != 3:
         return NOTHING
-    if values is not None:
-        names = ["Jx", "Jy", "Jz"]
-        order = sorted(range(3), key=lambda i: values[i])
-        _possible(reader, path, [values[i] for i in order], [names[i] for i in order])
-    return _diagonal(*moments)
+    return _of_a_body(reader, path, _diagonal(*moments), [[x] for x in given])
 
 
 def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
@@ -266,25 +268,69 @@ def _matrix(reader: "Reader", path: Path, given: Any) -> Inertia:
                 message = f"must be symmetric: J{names} = {matrix[i][j]:.15g}, but J{names[::-1]} ="
                 reader.draft.error(path, f"{message} {matrix[j][i]:.15g} kg.m2")
                 return NOTHING
-        names = ["J1", "J2", "J3"]
-        # Only this report needs NumPy, which takes long to import.
-        from numpy.linalg import eigvalsh
-
-        _possible(reader, path, eigvalsh(matrix).tolist(), names)
     (a, d, e), (_, b, f), (_, _, c) = rows
-    return (a, d, e), (d, b, f), (e, f, c)
+    return _of_a_body(reader, path, ((a, d, e), (d, b, f), (e, f, c)), given)
 
 
-def _possible(reader: "Reader", path: Path, moments: list[float], names: list[str]) -> None:
-    """Report moments, the largest last, that no body can have."""
+def _of_a_body(
+    reader: "Reader", path: Path, inertia: tuple[Vector, Vector, Vector],
+    given: Sequence[Sequence[Any]],
+) -> Inertia:  # fmt: skip
+    """Return an inertia that a body can have; report one that none has by more than its digits.
+
+    `given` are the rows of the file, or the three principal moments, one a row.
+    """
+    values = [reader.values(row) for row in inertia]
+    matrix = [row for row in values if row is not None]
+    if len(matrix) < 3:
+        return inertia
+    moments, axes = principal(matrix)
+    over = excess(moments)
+    if over == 0.0:
+        return inertia
+    diagonal = len(given[0]) == 1
+    names = ["J1", "J2", "J3"]
+    if diagonal:
+        names = ["J" + "xyz"[axis.index(1.0)] for axis in axes]
+    problem = _broken(moments, names) + ("" if diagonal else " (principal moments)")
+    if not over <= explained(moments, axes, _half_units(reader, path, given)):
+        help = "give it about the centre of mass, in kg.m2" if ">" in problem else None
+        reader.draft.error(path, f"inertia that no body can have: {problem}", help)
+        return inertia
+    mended = composed(nearest(moments), axes)
+    shown = [mended[i][i] for i in range(3)] if diagonal else mended
+    message = f"{problem}, by less than its digits or the solver resolve; taken as {_listed(shown)}"
+    reader.draft.warn(path, message, "give it with more digits, or give a shape")
+    if any(not isinstance(x, float) for row in inertia for x in row):
+        return inertia  # of parameters, the mechanism gives a flat body what it lacks
+    return tuple(mended[0]), tuple(mended[1]), tuple(mended[2])
+
+
+def _half_units(reader: "Reader", path: Path, given: Sequence[Sequence[Any]]) -> list[list[float]]:
+    """Half a unit of the last digit of each entry of an inertia, of a formula 0."""
+
+    def text(place: Path, parsed: Any) -> str:
+        formula = isinstance(parsed.given, str)
+        return "" if formula else reader.draft.source.written(place, parsed.given)
+
+    if len(given[0]) == 1:
+        ends = half_units([[text((*path, i), x)] for i, (x,) in enumerate(given)])
+        return [[ends[i][0] if i == k else 0.0 for k in range(3)] for i in range(3)]
+    return half_units(
+        [[text((*path, i, k), x) for k, x in enumerate(row)] for i, row in enumerate(given)]
+    )
+
+
+def _broken(moments: Sequence[float], names: Sequence[str]) -> str:
+    """What is wrong with moments that no body can have."""
     small, middle, large = moments
-    principal = "" if "Jx" in names else " (principal moments)"
-    if small < -ROUND_OFF * large or large < 0.0:
-        message = f"inertia that no body can have: {names[0]} = {small:.12g} < 0 kg.m2{principal}"
-        reader.draft.error(path, message)
-    elif large > (small + middle) * (1.0 + ROUND_OFF):
-        message = (
-            f"inertia that no body can have: {names[2]} = {large:.12g} > "
-            f"{names[0]} + {names[1]} = {small + middle:.12g} kg.m2{principal}"
-        )
-        reader.draft.error(path, message, "give it about the centre of mass, in kg.m2")
+    if small < 0.0:
+        return f"{names[0]} = {small:.12g} < 0 kg.m2"
+    return f"{names[2]} = {large:.12g} > {names[0]} + {names[1]} = {small + middle:.12g} kg.m2"
+
+
+def _listed(numbers: Any) -> str:
+    """Numbers with 12 digits, in brackets."""
+    if isinstance(numbers, float):
+        return f"{numbers:.12g}"
+    return f"[{', '.join(map(_listed, numbers))}]"

@@ -15,7 +15,7 @@ from solver.scene.fields import BROKEN, Part, PointReference
 from solver.scene.numbers import unknown_end
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, SHARE
-from solver.scene.words import a, did_you_mean
+from solver.scene.words import a, did_you_mean, listed
 
 if TYPE_CHECKING:
     from solver.scene.references import Reader
@@ -170,7 +170,7 @@ def _plots(reader: "Reader", path: Path, plots: Any, _: Any) -> tuple[tuple[str,
             if name in known.parts:
                 message = f"'{name}' is {a(known.parts[name])}, not a variable"
                 own = [word for word in known.quantities if word.startswith(f"{name}.")]
-                help = f"known: {', '.join(own[:8])}" if own else help
+                help = f"known: {listed(own)}" if own else help
             reader.draft.error((*path, i, k), message, help)
         if not names:
             reader.draft.error((*path, i), "must have at least one variable, got none")

@@ -6,13 +6,14 @@ import keyword
 from collections.abc import Iterator
 from typing import Any
 
+from solver.files import is_reserved
 from solver.scene.contact_laws import is_compliant
 from solver.scene.draft import Draft
 from solver.scene.expression import FUNCTIONS, MECHANISM_FUNCTIONS
 from solver.scene.numbers import Known
 from solver.scene.quantities import MOTION, Offer
 from solver.scene.report import Path
-from solver.scene.scene import NAME, NOUNS, TABLES, TYPES
+from solver.scene.scene import LONGEST, NAME, NOUNS, TABLES, TYPES
 from solver.scene.words import a
 
 RESERVED: dict[str, str] = {
@@ -41,6 +42,17 @@ def check_name(draft: Draft, path: Path, name: str) -> None:
         draft.error(path, f"'{name}' is not a name: a letter, then letters, digits or _")
     elif name in RESERVED:
         draft.error(path, f"the name '{name}' is reserved for {RESERVED[name]}")
+
+
+def check_scene_name(draft: Draft, name: str) -> None:
+    """Report the name of a scene that is none, or that no file of an FMU can have."""
+    check_name(draft, ("name",), name)
+    if len(name) > LONGEST:
+        message = f"must have at most {LONGEST} letters, got {len(name)}"
+        draft.error(("name",), message, "put the rest into 'description'")
+    elif is_reserved(name):
+        message = f"the name '{name}' is reserved by Windows: no file of an FMU can have it"
+        draft.error(("name",), message)
 
 
 def check_names(draft: Draft) -> None:

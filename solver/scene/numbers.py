@@ -26,7 +26,7 @@ from solver.scene.quantities import Level, Offer, quantities
 from solver.scene.report import Path
 from solver.scene.rules import GEOMETRY, SETTING, Place, Rule
 from solver.scene.units import in_si
-from solver.scene.words import a, did_you_mean
+from solver.scene.words import a, did_you_mean, nearest
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
@@ -238,9 +238,9 @@ class NumberChecks:
         words = [*place.own, *(other for other in parameters if other != place.of)]
         if place.time:
             words += ["t", *self.known.of("input")]
-        if name.count("."):
-            words += sorted(possible)
-        unit = in_si(f"1 {name}") if len(name) > 1 else None
+        words += sorted(possible)
+        is_near = nearest(name, words) is not None
+        unit = in_si(f"1 {name}") if len(name) > 1 and not is_near else None
         return f"unknown symbol '{name}'", unit or did_you_mean(name, words)
 
     def _unknown_of(self, name: str, owner: str, possible: list[str]) -> tuple[str, str | None]:
@@ -337,8 +337,11 @@ class NumberChecks:
 _ELSEWHERE = "is possible only in outputs, in constraints and in the values of forces and torques"
 
 
-def unknown_end(known: Known, name: str) -> tuple[str, str | None] | None:
-    """Judge the name of a point, of a body with an origin, or of a point of a body."""
+def unknown_end(known: Known, name: str, *, ground: bool = False) -> tuple[str, str | None] | None:
+    """Judge the name of a point, of a body with an origin, or of a point of a body.
+
+    `ground` says that the ground would do as well.
+    """
     if name in known.ends:
         return None
     owner, _, point = name.partition(".")
@@ -353,7 +356,8 @@ def unknown_end(known: Known, name: str) -> tuple[str, str | None] | None:
         return f"'{name}' is a bar, not a point", "name one of its two points"
     if kind is not None:
         return f"'{name}' is {a(kind)}, not a point", None
-    return f"unknown point '{name}'", did_you_mean(name, known.ends, "known points")
+    ends = [*known.ends, *(["ground"] if ground else [])]
+    return f"unknown point '{name}'", did_you_mean(name, ends, "known points")
 
 
 def _finite(result: object) -> bool:

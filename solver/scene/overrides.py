@@ -14,7 +14,7 @@ from solver.scene.fields import fields_of, shown
 from solver.scene.grammar import is_readable
 from solver.scene.report import Given, Path, Problem, location_of, path_of
 from solver.scene.scene import HEADING, NOUNS, TABLES
-from solver.scene.words import did_you_mean
+from solver.scene.words import did_you_mean, nearest
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -52,7 +52,9 @@ def apply_overrides(
         elif path is None or not _replace(data, path, value):
             tables = [table for table, part in SECTIONS.items() if name in fields_of(part)]
             meant = " or ".join(f"'{table}.{name}'" for table in sorted(tables, reverse=True))
-            help = f"did you mean {meant}?" if meant else did_you_mean(name, _known(data))
+            given_names, possible = _known(data, whole=False), _known(data, whole=True)
+            known = given_names if nearest(name, given_names) else possible
+            help = f"did you mean {meant}?" if meant else did_you_mean(name, known)
             message = "unknown name" if len(path_of(name)) == 1 else "no such thing in the scene"
             named = override.named if isinstance(override, Given) else ""
             problems.append(Problem(name, message, help, override=named or where))
@@ -109,18 +111,36 @@ def _replace(data: Any, path: Path, value: object) -> bool:
     return True
 
 
-def _known(data: dict[str, Any]) -> list[str]:
-    """Every name an override may have in this scene."""
+def _known(data: dict[str, Any], *, whole: bool) -> list[str]:
+    """Every name an override may have in this scene; without `whole` of what the file gives."""
     names = []
     for table in ("parameters", "inputs"):
         parts = data.get(table)
         names += list(parts) if isinstance(parts, dict) else []
+    if whole:
+        names += HEADING
+        names += [
+            location_of((x, field)) for x, part in SECTIONS.items() for field in fields_of(part)
+        ]
     for table, parts in data.items():
-        if not isinstance(parts, dict) or table in ("parameters", "inputs"):
+        listed = ("parameters", "inputs", *(SECTIONS if whole else ()))
+        if not isinstance(parts, dict) or table in listed:
             continue
         for name, part in parts.items():
             if isinstance(part, dict):
-                names += [location_of((table, name, field)) for field in part]
+                fields = [*part, *(_fields(table, part) if whole else [])]
+                names += [location_of((table, name, field)) for field in dict.fromkeys(fields)]
             else:
                 names.append(location_of((table, name)))
     return names
+
+
+def _fields(table: str, part: dict[str, Any]) -> list[str]:
+    """Fields that a part of its type has, also those that the file leaves out."""
+    types = TABLES[table].types if table in TABLES else ()
+    return [
+        field
+        for kind in types
+        if kind.type == part.get("type", "") or (kind.is_usual and "type" not in part)
+        for field in fields_of(kind)
+    ]

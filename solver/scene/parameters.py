@@ -10,7 +10,7 @@ from solver.scene.expression import Number
 from solver.scene.fields import BROKEN, Part
 from solver.scene.report import Path
 from solver.scene.rules import PARAMETER
-from solver.scene.units import not_of_si
+from solver.scene.units import not_of_si, spelled
 
 if TYPE_CHECKING:
     from solver.scene.draft import Draft
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 
 def _unit(reader: "Reader", path: Path, unit: Any, _: Any) -> Any:
-    """Report a unit that is not of SI: nothing would convert the number."""
+    """Report a unit that is not of SI, as nothing would convert the number; write it as FMI."""
     message, help = not_of_si(unit) if isinstance(unit, str) else ("", "")
     if message:
         reader.draft.error(path, message, help)
-    return unit
+    return spelled(unit) if isinstance(unit, str) and not message else unit
 
 
 def _limit(reader: "Reader", path: Path, value: Any, _: Any) -> float | None:
@@ -102,12 +102,35 @@ class Input(Part):
     limit: Annotated[Literal["refuse", "clip"], kind.Choice(words=("refuse", "clip"))] = "refuse"
     """What happens to a value beyond `min` or `max`: an error, or the limit instead."""
 
+    @property
+    def told(self) -> str:
+        """Its description in an FMU, which says what to set before a step if it moves there."""
+        moves = _MOVES.get(self.interpolation, "")
+        return (
+            f"{self.description} ({moves})"
+            if self.description and moves
+            else self.description or moves
+        )
+
     def check(self, reader: "Reader", path: Path, given: Any) -> None:
         """Check that the start is within the limits, and that there are some to clip to."""
         _within_limits(reader, (*path, "start"), self, self.start)
         if given.limit == "clip" and given.min is None and given.max is None:
             message = "there is nothing to clip to without min or max"
             reader.draft.error((*path, "limit"), message, "give one, or leave it out")
+
+
+_MOVES = {
+    "ramp": "a ramp: before each step set its value at the end of the step",
+    "smooth": "smooth: before each step set its value at the end of the step",
+}
+"""What is said of inputs that are not held, by interpolation."""
+
+
+def interpolation_told(description: str) -> str:
+    """Interpolation of an input by its description in an FMU."""
+    told = (word for word, moves in _MOVES.items() if description.rstrip(")").endswith(moves))
+    return next(told, "hold")
 
 
 def _within_limits(

@@ -1,4 +1,4 @@
-"""Lines of a scene file: where each key and each array element stands.
+"""Lines of a scene file: where each key and each array element stands, and numbers as written.
 
 TOML and JSON readers hand out values without their places. This scanner walks a text that the
 reader has already accepted and notes a line for every path, so it need not judge the syntax.
@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import TypeAlias
 
@@ -38,6 +39,18 @@ def lines_of(text: str, notation: str) -> Mapping[Path, int]:
     return lines_of_toml(text) if notation == "toml" else {}
 
 
+@lru_cache(maxsize=4)
+def written(text: str, notation: str) -> Mapping[Path, str]:
+    """Text of each number of a text, with all its digits; nothing where the notation is unknown."""
+    scanner = _Scanner(text)
+    if notation == "toml":
+        scanner.document()
+    elif notation == "json":
+        scanner.skip(_BLANK)
+        scanner.value(())
+    return scanner.scalars
+
+
 def lines_of_toml(text: str) -> Mapping[Path, int]:
     """Line of each path of a TOML text that a reader has accepted."""
     return _Scanner(text).document()
@@ -58,14 +71,39 @@ def first_of_repeated(text: str) -> int | None:
     return lines[scanner.repeated[-1][0]] if scanner.repeated else None
 
 
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Where the value of a key stands in a text, and its key."""
+
+    begin: int
+    end: int
+    key: str
+    """As it is written, with the keys of outer tables if it has them."""
+    in_brackets: bool
+    """Whether the entry stands within braces, and so ends with a comma and not with its line."""
+
+
+def spans_of(text: str, notation: str) -> Mapping[Path, Span]:
+    """Where the value of each key of a text stands that a reader has accepted."""
+    scanner = _Scanner(text)
+    if notation == "json":
+        scanner.skip(_BLANK)
+        scanner.value(())
+    else:
+        scanner.document()
+    return scanner.spans
+
+
 class _Scanner:
     def __init__(self, text: str) -> None:
         self.text = text
+        self.spans: dict[Path, Span] = {}
         self.at = 0
         self.line = 1
         self.counted = 0
         """Characters whose line breaks `line` has counted."""
         self.lines: dict[Path, int] = {}
+        self.scalars: dict[Path, str] = {}
         self.repeated: list[tuple[Path, int]] = []
         """Keys given twice in one bracket, and the line of the second."""
         self.counts: dict[Path, int] = {}
@@ -113,10 +151,12 @@ class _Scanner:
                 self.note(path)
         return path
 
-    def entry(self, table: Path) -> None:
+    def entry(self, table: Path, *, in_brackets: bool = False) -> None:
         """Read ``key = value``, or ``"key": value``."""
-        known = False
-        for part in self.key():
+        known, begin = False, self.at
+        keys = self.key()
+        key = self.text[begin : self.at].strip()
+        for part in keys:
             table = (*table, part)
             known = table in self.lines
             self.note(table)
@@ -124,7 +164,10 @@ class _Scanner:
             self.repeated.append((table, self.line))
         self.at += 1  # the separator
         self.skip(_BLANK)
+        begin = self.at
         self.value(table)
+        end = begin + len(self.text[begin : self.at].rstrip())
+        self.spans[table] = Span(begin, end, key, in_brackets)
 
     def key(self) -> list[str]:
         """Read a dotted key."""
@@ -152,10 +195,12 @@ class _Scanner:
         elif self.peek("{"):
             self.at += 1
             while self.skip(_COMMENT_LINES) is not None and not self.peek("}"):
-                self.entry(path)
+                self.entry(path, in_brackets=True)
             self.at += 1
+        elif self.text[self.at] in "\"'":
+            self.skip(_STRING)
         else:
-            self.skip(_STRING if self.text[self.at] in "\"'" else _SCALAR)
+            self.scalars[path] = self.skip(_SCALAR).strip()
 
 
 def _unquoted(key: str) -> str:

@@ -22,7 +22,7 @@ from solver.scene.draft import Draft
 from solver.scene.drivers import PositionDriver
 from solver.scene.fields import BROKEN, Part, fields_of
 from solver.scene.looks import read_view
-from solver.scene.names import check_body_points, check_name, check_names, known_names
+from solver.scene.names import check_body_points, check_names, check_scene_name, known_names
 from solver.scene.overrides import apply_overrides
 from solver.scene.parameters import read_parameters
 from solver.scene.profiles import Profile, read_profiles
@@ -152,7 +152,7 @@ def _build(draft: Draft) -> Scene:
     solver, experiment = read_settings(reader)
     check_settings(reader, solver)
     if not draft.problems:
-        advise(reader, reader.parts["inputs"], reader.parts["joints"])
+        advise(reader, profiles, reader.parts)
     return Scene(
         name=heading.name,
         description=heading.description or "",
@@ -194,7 +194,7 @@ def _heading(draft: Draft) -> Any:
         (), Scene, {name: draft.data[name] for name in HEADING if name in draft.data}
     )
     if heading.name is not BROKEN:
-        check_name(draft, ("name",), heading.name)
+        check_scene_name(draft, heading.name)
     return heading
 
 

@@ -59,9 +59,9 @@ class Reader(Places):
         body = name.partition(".")[0]
         return body if self.known.parts.get(body) == "body" else None
 
-    def exists(self, path: Path, name: str) -> bool:
-        """Report a name that is no point."""
-        problem = unknown_end(self.known, name)
+    def exists(self, path: Path, name: str, *, ground: bool = False) -> bool:
+        """Report a name that is no point; `ground` says that the ground would do as well."""
+        problem = unknown_end(self.known, name, ground=ground)
         if problem is not None:
             self.draft.error(path, *problem)
         return problem is None
@@ -86,7 +86,7 @@ class Reader(Places):
         where, (first, second) = (*path, "points"), names
         for i, name in enumerate(names):
             if name != "ground":
-                self.exists((*where, i), name)
+                self.exists((*where, i), name, ground=True)
         body = self.owner(first)
         if body is not None and body == self.owner(second):
             self.draft.error(where, f"both ends are on the body '{body}', which does not deform")

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Literal
 
-from solver.scene.positions import Path, lines_of
+from solver.scene.positions import Path, lines_of, written
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _STEP = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
@@ -107,6 +107,12 @@ class Source:
                 line = lines[path[:end]]
                 return Problem(location, message, help, line, self._column(line, *mark))
         return Problem(location, message, help)
+
+    def written(self, path: Path, number: float) -> str:
+        """Text of a number as it stands in the file, or as Python writes that of an override."""
+        if any(path[:end] in self.places for end in range(len(path) + 1)):
+            return repr(number)
+        return written(self.text, self.notation).get(path, repr(number))
 
     def report(self, problem: Problem) -> str:
         """Text of a problem as it is reported, with its line and help."""

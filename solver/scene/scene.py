@@ -31,6 +31,8 @@ from solver.scene.surfaces import SURFACES
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 """What a name looks like."""
+LONGEST = 200
+"""Letters of the name of a scene: files and folders have it, and names of these have 255 bytes."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,7 +72,9 @@ def _table(noun: str, types: Mapping[str, type[Part]] | type[Part]) -> Parts:
 class Scene(Part):
     """A mechanism: format version 1."""
 
-    name: Annotated[str, kind.Plain(example="double_pendulum", pattern=f"^{NAME.pattern}$")]
+    name: Annotated[
+        str, kind.Plain(example="double_pendulum", pattern=f"^(?=.{{1,{LONGEST}}}$){NAME.pattern}$")
+    ]
     description: Annotated[str, kind.Plain()] = ""
     dimension: Annotated[Literal[2, 3], kind.Choice(words=(2, 3))] = 3
     gravity: Annotated[Vector, kind.Components("m/s2", "0 by default", example=[0, 0, -9.81])] = (

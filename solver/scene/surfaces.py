@@ -12,6 +12,7 @@ from solver.scene.couplings import check_point_and_body, read_surface
 from solver.scene.expression import Number, Vector
 from solver.scene.fields import BROKEN, PointReference
 from solver.scene.files import DataFile, number, read_file, rows_of_table
+from solver.scene.profiles import check_smooth
 from solver.scene.report import Path
 from solver.scene.rules import NOT_NEGATIVE, POSITIVE, Rule
 from solver.scene.words import a, did_you_mean
@@ -23,7 +24,7 @@ POWER = Rule(lambda x: x == 2.0 or x >= 3.0, "2 or at least 3, else its curvatur
 
 
 def _profile(reader: "Reader", path: Path, name: Any, _: Any) -> str:
-    """Check that a profile exists, and is a spline and not the integral of one."""
+    """Check that a profile exists, is smooth, and is not an integral."""
     if name is BROKEN:
         return ""
     known, draft = reader.draft.names("profiles"), reader.draft
@@ -34,6 +35,7 @@ def _profile(reader: "Reader", path: Path, name: Any, _: Any) -> str:
     elif name in reader.profiles and reader.profiles[name].integrate:
         message = f"the profile '{name}' is an integral, which has no curve of centres"
         draft.error(path, message, "write points of the curve itself, without integrate")
+    check_smooth(draft, path, reader.profiles, [name])
     return name
 
 

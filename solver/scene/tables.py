@@ -8,6 +8,7 @@ import sys
 from pathlib import Path as FilePath
 from typing import Any, NoReturn
 
+from solver.files import read_whole
 from solver.scene.fields import shown
 from solver.scene.grammar import is_readable
 from solver.scene.positions import first_of_repeated, lines_of_json
@@ -54,7 +55,7 @@ def text_of(path: str) -> tuple[str, str]:
         message = f"unknown kind of file '{FilePath(path).suffix}'"
         _give_up(Source(path), message, "known: .toml, .json")
     try:
-        data = FilePath(path).read_bytes()
+        data = read_whole(path)
     except FileNotFoundError:
         _give_up(Source(path), "file not found")
     except OSError as error:

@@ -6,11 +6,11 @@ the first that is known there is suggested, or a sentence.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
-_MOST = 20
-"""Names that are listed."""
+_MOST = 300
+"""Names that are listed: of more, as variables of large mechanisms are, their number."""
 _MANY = 300
 """Names that are compared with a wrong one; of more only those that begin like it."""
 
@@ -181,8 +181,13 @@ def did_you_mean(
         return f"did you mean '{near}'?"
     if sentence := _sentence(wrong, place):
         return sentence
-    shown = ", ".join(names[:_MOST]) + (", ..." if len(names) > _MOST else "")
-    return f"{title}: {shown}" if names else None
+    return f"{title}: {listed(names)}" if names else None
+
+
+def listed(names: Sequence[str]) -> str:
+    """All names in one line; of very many the first, and how many more there are."""
+    more = len(names) - _MOST
+    return ", ".join(names[:_MOST]) + (f" and {more} more" if more > 0 else "")
 
 
 def _sentence(word: str, place: str) -> str | None:

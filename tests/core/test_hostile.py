@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
 
 from tests.hostile import attack, process
+from tests.hostile.__main__ import main
 
 BRIEFLY, CALLS = 40, 150
 PATIENCE = 20.0
@@ -17,6 +19,24 @@ PATIENCE = 20.0
 def test_bad_input_ends_in_an_answer_or_a_sentence(name, tmp_path):
     count = CALLS if name == "calls" else BRIEFLY
     assert attack.run(name, "0", count, tmp_path, PATIENCE) == []
+
+
+def test_an_attack_that_lacks_an_extra_is_left_out_and_the_others_are_run(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "trimesh", None)  # as if it were not installed
+    assert attack.lacking("native") == "trimesh"
+    assert attack.lacking("scenes") == ""
+    assert main(["native", "scenes", "--count", "2"]) == 0
+    out = capsys.readouterr().out.splitlines()
+    assert out[0] == "native: left out, since this machine lacks trimesh"
+    assert out[1].startswith("scenes: 2 cases of seed 1, ")
+
+
+def test_so_is_one_that_cannot_be_imported_without_it(monkeypatch):
+    def unable(_: str) -> None:
+        raise ModuleNotFoundError(name="igl")
+
+    monkeypatch.setattr(attack, "module_of", unable)
+    assert attack.lacking("native") == "igl"
 
 
 @pytest.fixture

@@ -193,8 +193,12 @@ def test_where_an_fmu_cannot_be_unpacked_the_folder_is_named_and_gone(command, t
 
 
 def test_what_is_no_file_has_a_sentence(tmp_path):
-    for path in (tmp_path, tmp_path / "missing.fmu", Path("/dev/null")):
-        with pytest.raises(UsageError, match="no such file"):
+    for path, words in (
+        (tmp_path, "is a directory"),
+        (tmp_path / "missing.fmu", "no such file"),
+        (Path("/dev/null"), "a device, and only regular files are read"),
+    ):
+        with pytest.raises(UsageError, match=words):
             run_fmu(path)
 
 

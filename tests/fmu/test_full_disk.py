@@ -33,39 +33,81 @@ def limited(folder, size, *command):
     return process.returncode, process.stderr
 
 
-@pytest.mark.parametrize(
-    ("size", "file", "command"),
-    [
-        (1000, "x.fmu", ("build", PENDULUM, "-o", "x.fmu")),
-        (ENOUGH, "x.csv", ("simulate", "FMU", "--step", "5e-3", "--csv", "x.csv")),
-        (ENOUGH, "x.csv", ("sweep", "FMU", "-o", "x.csv", *GRID)),
-        (ENOUGH, "x.h5", ("sweep", "FMU", "-o", "x.h5", *GRID)),
-    ],
-)
-def test_a_file_that_becomes_too_large_is_named(tmp_path, size, file, command):
+SMALL = ("--stop", "0.1")
+WRITERS = [
+    (1000, "x.fmu", ("build", PENDULUM, "-o", "x.fmu")),
+    (1000, "x.json", ("schema", "-o", "x.json")),
+    (ENOUGH, "x.html", ("report", "FMU", "--results", "run.csv", "-o", "x.html")),
+    (ENOUGH, "x.csv", ("simulate", "FMU", "--step", "5e-3", "--csv", "x.csv")),
+    (ENOUGH, "x.html", ("simulate", "FMU", *SMALL, "--report", "x.html")),
+    (ENOUGH, "x.csv", ("sweep", "FMU", "-o", "x.csv", *GRID)),
+    (ENOUGH, "x.h5", ("sweep", "FMU", "-o", "x.h5", *GRID)),
+]
+"""Size [bytes] at which files end, the file that is larger, and what writes it."""
+
+
+@pytest.fixture
+def results(tmp_path, capsys):
+    """Results of a run beside what is written."""
+    words = ("simulate", scene_fmu("double_pendulum"), *SMALL, "--csv", tmp_path / "run.csv")
+    assert run(capsys, *words)[0] == 0
+
+
+@pytest.mark.usefixtures("results")
+@pytest.mark.parametrize(("size", "file", "command"), WRITERS)
+def test_a_file_that_becomes_too_large_is_named_and_not_left(tmp_path, size, file, command):
     fmu = scene_fmu("double_pendulum")
     code, err = limited(tmp_path, size, *(fmu if word == "FMU" else word for word in command))
     assert code == 2
     assert err.splitlines()[-1].startswith(f"holonom: {file}: ")
     assert "Traceback" not in err
+    left = {path.name for path in tmp_path.iterdir()} - {"run.csv"}
+    if command[0] == "sweep" and file == "x.csv":  # it has the runs so far, and goes on
+        assert left == {"x.csv", "x.csv.plan.json"}
+        assert (
+            len({line.count(b",") for line in (tmp_path / file).read_bytes().split(b"\n")[:-1]})
+            == 1
+        )
+        assert (tmp_path / file).read_bytes().endswith(b"\n")
+    else:
+        assert not left
+
+
+@pytest.mark.usefixtures("results")
+@pytest.mark.parametrize(("size", "file", "command"), [w for w in WRITERS if w[2][0] != "sweep"])
+def test_the_file_before_stays(tmp_path, size, file, command):
+    (tmp_path / file).write_bytes(b"before")
+    fmu = scene_fmu("double_pendulum")
+    limited(tmp_path, size, *(fmu if word == "FMU" else word for word in command))
+    assert (tmp_path / file).read_bytes() == b"before"
+
+
+def test_the_results_before_stay_where_a_fresh_sweep_finds_no_room(tmp_path):
+    pytest.importorskip("h5py")
+    words = ("sweep", scene_fmu("double_pendulum"), "-o", "x.h5", *SMALL, "--engine", "serial")
+    assert limited(tmp_path, 2**30, *words, "--grid", "mass=1")[0] == 0
+    before = (tmp_path / "x.h5").read_bytes()
+    assert limited(tmp_path, ENOUGH, *words, "--grid", "mass=1:2:500", "--fresh")[0] == 2
+    assert (tmp_path / "x.h5").read_bytes() == before
 
 
 @pytest.mark.parametrize("name", ["x.ssv", "manifest.csv"])
 def test_so_is_a_small_file_on_a_disk_that_is_full_by_then(tmp_path, monkeypatch, capsys, name):
     """A limit that spares the FMU spares these as well, so that one write alone is refused."""
-    write = Path.write_bytes
+    replace = Path.replace
 
-    def refused(path, data):
-        if path.name == name:
+    def refused(path, target):
+        if Path(target).name == name and path.name.startswith(".holonom-"):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        return write(path, data)
+        return replace(path, target)
 
-    monkeypatch.setattr(Path, "write_bytes", refused)
+    monkeypatch.setattr(Path, "replace", refused)
     command = ("build", PENDULUM, "-o", tmp_path / "x.fmu")
     if name == "manifest.csv":
         command = ("variants", PENDULUM, "-o", tmp_path, "--grid", "mass=1", "--engine", "serial")
     code, _, err = run(capsys, *command)
     assert (code, err) == (2, f"holonom: {tmp_path / name}: No space left on device\n")
+    assert not [path for path in tmp_path.iterdir() if path.name == name or path.suffix == ""]
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device")

@@ -17,7 +17,7 @@ from build_fmu.export import generation_date
 from build_fmu.model_description import model_description
 from solver.runtime import Model
 from solver.scene.units import BaseUnit, base_unit
-from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu
+from tests.fmu_instance import SCENES, instance, pendulum, scene_fmu, text_fmu
 from tests.native_fmus import native_scene_fmu
 from tests.scene_files import ALL
 
@@ -153,6 +153,30 @@ def test_the_default_experiment_is_the_scenes():
         ("mm", {"m": 1}, 1e-3),
         ("km/h", {"m": 1, "s": -1}, 1e3 / 3600),
         ("m**-2", {"m": -2}, 1.0),
+        ("mN", {"kg": 1, "m": 1, "s": -2}, 1e-3),
+        ("mN.m", {"kg": 1, "m": 2, "s": -2}, 1e-3),
+        ("mN*m", {"kg": 1, "m": 2, "s": -2}, 1e-3),
+        ("m.N", {"kg": 1, "m": 2, "s": -2}, 1.0),
+        ("kN/m", {"kg": 1, "s": -2}, 1e3),
+        ("N/mm", {"kg": 1, "s": -2}, 1e3),
+        ("N/mm2", {"kg": 1, "m": -1, "s": -2}, 1e6),
+        ("mrad/s", {"rad": 1, "s": -1}, 1e-3),
+        ("mHz", {"s": -1}, 1e-3),
+        ("hPa", {"kg": 1, "m": -1, "s": -2}, 100.0),
+        ("um", {"m": 1}, 1e-6),
+        ("\u00b5m", {"m": 1}, 1e-6),
+        ("\u03bcm", {"m": 1}, 1e-6),
+        ("1/mm3", {"m": -3}, 1e9),
+        ("mg", {"kg": 1}, 1e-6),
+        ("Mg", {"kg": 1}, 1e3),
+        ("g.cm2", {"kg": 1, "m": 2}, 1e-7),
+        ("daN", {"kg": 1, "m": 1, "s": -2}, 10.0),
+        ("cd", {"cd": 1}, 1.0),
+        ("min", {"s": 1}, 60.0),
+        ("Pa", {"kg": 1, "m": -1, "s": -2}, 1.0),
+        ("mmol", {"mol": 1}, 1e-3),
+        ("kOhm", {"kg": 1, "m": 2, "s": -3, "A": -2}, 1e3),
+        ("kW.h", {"kg": 1, "m": 2, "s": -2}, 3.6e6),
     ],
 )
 def test_a_unit_is_a_product_of_powers_of_base_units(unit, powers, factor):
@@ -161,9 +185,29 @@ def test_a_unit_is_a_product_of_powers_of_base_units(unit, powers, factor):
     assert base.factor == pytest.approx(factor, rel=1e-15)
 
 
-@pytest.mark.parametrize("unit", ["furlong", "N.", "m//s", "2m", "N m(", "", "m s⁻¹"])
+@pytest.mark.parametrize(
+    "unit", ["kkg", "mmm", "mdeg", "degC", "furlong", "N.", "m//s", "2m", "N m(", "", "m s⁻¹"]
+)
 def test_a_unit_that_is_not_known_has_no_base(unit):
     assert base_unit(unit) is None
+
+
+def test_a_unit_is_written_as_fmi_does():
+    """So that N*m and N.m are one unit, of one type: the torque of SI."""
+    text = (
+        'name = "x"\ndimension = 2\n[points]\nA = { position = [0, 0], mass = 1 }\n[parameters]\n'
+    )
+    text += 'a = { value = 1, unit = "N*m" }\nb = { value = 1, unit = "N.m" }\n'
+    text += 'c = { value = 1, unit = "kg*m^2/s**2" }\nd = { value = 1, unit = "kg m²" }\n'
+    text += '[outputs]\ne = { value = "a + b + c + d", unit = "N*m/rad" }\n'
+    root = root_of(text_fmu(text))
+    of_name = {v.get("name"): v[0] for v in root.iter("ScalarVariable")}
+    expected = {"a": "N.m", "b": "N.m", "c": "kg.m2/s2", "d": "kg.m2", "e": "N.m/rad"}
+    assert {name: of_name[name].get("unit") for name in expected} == expected
+    assert of_name["a"].get("declaredType") == of_name["b"].get("declaredType") == "SI.Torque"
+    bases = {x.get("name"): x.find("BaseUnit").attrib for x in root.iter("Unit")}
+    assert bases["N.m"] == {"kg": "1", "m": "2", "s": "-2"}
+    assert "N*m" not in bases
 
 
 def test_a_degree_is_a_part_of_a_radian():

@@ -10,8 +10,10 @@ import zlib
 
 import numpy as np
 import pytest
+from fmpy.validation import validate_fmu
 
 import solver
+from build_fmu import build
 from build_fmu.documentation import documentation, page
 from build_fmu.self_check import self_check
 from tests.fmu_instance import SCENES, scene_fmu
@@ -107,6 +109,28 @@ def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
     assert f"{seen.position_error:.1e} m" in page
     assert "conserving-al" in page
     assert 'src="../model.png"' in page
+
+
+PLACES = {2: "model.png", 3: "terminalsAndIcons/icon.png"}
+"""Of the picture, by FMI 2.0.5, 2.3, and FMI 3.0.1, 2.5.1."""
+TOP = {
+    2: {"binaries", "documentation", "model.png", "modelDescription.xml", "resources"},
+    3: {"binaries", "documentation", "modelDescription.xml", "resources", "terminalsAndIcons"},
+}
+"""What stands at the top of an archive without sources; both versions know it by these names."""
+
+
+@pytest.mark.parametrize("fmi", PLACES)
+def test_the_picture_is_where_the_version_of_the_standard_has_it(fmi, tmp_path):
+    path = build(SCENES / "four_bar.toml", tmp_path / "a.fmu", native=True, fmi=fmi)
+    with zipfile.ZipFile(path) as archive, zipfile.ZipFile(scene_fmu("four_bar")) as python:
+        assert archive.read(PLACES[fmi]) == python.read("model.png")
+        assert [name for name in archive.namelist() if name.endswith(".png")] == [PLACES[fmi]]
+        assert {name.partition("/")[0] for name in archive.namelist()} == TOP[fmi]
+        page = archive.read("documentation/index.html").decode()
+    assert f'src="../{PLACES[fmi]}"' in page
+    assert page.count(".png") == 1
+    assert validate_fmu(str(path)) == []
 
 
 SLIDE = """

@@ -144,7 +144,7 @@ def test_communication_points_are_those_of_the_reference():
     ("text", "report"),
     [
         ("t,A.x\n0,1\n1,1\n", "has no column 'time'\n  = help: columns: t, A.x"),
-        ("time,A.x\n0,1\n0,1\n", "time must ascend, from at least two rows; row 2 does not"),
+        ("time,A.x\n0,1\n0,1\n", "time must ascend: line 3 has 0 s after 0 s\n  = help: sort"),
         ("time,A.x\n0,1\n", "time must ascend, from at least two rows, got 1"),
         ("time,A.x\n0,1\n1,one\n2\n", ":3: error: A.x: must be a finite number, got 'one'"),
         ("time,A.x\n0,1\n1,1\n2\n", ":4: error: has 1 cell, and the header has 2"),

@@ -13,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.hostile.attack import attacks, module_of, run
+from tests.hostile.attack import attacks, lacking, module_of, run
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -30,6 +30,9 @@ def main(arguments: list[str] | None = None) -> int:
     names = given.attack or attacks()
     found = 0
     for name in names:
+        if missing := lacking(name):
+            print(f"{name}: left out, since this machine lacks {missing}")
+            continue
         with tempfile.TemporaryDirectory(prefix="hostile-") as folder:
             if given.show is not None:
                 module = module_of(name)

@@ -5,7 +5,8 @@ An attack is a module of this folder with
     prepare(folder)              make once what its cases need, such as an FMU
     case(seed, number, folder)   run one case; None, or what it found in one line
 
-and, where a case may take longer, ``CPU_LIMIT`` in seconds. It uses public interfaces alone.
+and, where a case may take longer, ``CPU_LIMIT`` in seconds, and ``NEEDS``, packages and programs
+that not every machine has. It uses public interfaces alone.
 """
 
 from __future__ import annotations
@@ -15,7 +16,9 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
+from shutil import which
 from types import ModuleType
 
 HERE = Path(__file__).parent
@@ -41,6 +44,15 @@ def attacks() -> list[str]:
 def module_of(attack: str) -> ModuleType:
     """Import an attack."""
     return import_module(f"tests.hostile.{attack}")
+
+
+def lacking(attack: str) -> str:
+    """Packages and programs that an attack needs and this machine lacks; empty if it has all."""
+    try:
+        needs = getattr(module_of(attack), "NEEDS", ())
+    except ModuleNotFoundError as error:
+        return str(error.name)
+    return ", ".join(x for x in needs if find_spec(x) is None and which(x) is None)
 
 
 def run(attack: str, seed: str, count: int, folder: Path, patience: float = 1.0) -> list[Finding]:

@@ -5,7 +5,7 @@ first one is brought back by a saved state or a reset; then all outputs agree bi
 goes back to states saved long before, or goes on as another instance that is given its bytes; the
 twin never sees a state, and repeats the calls that led there from the beginning.
 A refused call to an FMU without Python (``native_calls``) changes nothing, so that nothing is
-brought back after it.
+brought back after it; but a step that cannot be is an error, after which no step is taken.
 Not tried: what ends pythonfmu's library itself (docs/fmu.md, section 5).
 """
 
@@ -280,13 +280,20 @@ class Sequence:
             self.tried.fmu.setFMUState(state)
         self.tried.fmu.freeFMUState(state)
 
-    def _bad_step(self) -> None:
+    def _bad_step(self) -> bool:
+        """Try a step that cannot be; whether it has ended the run."""
         chance = self.chance
         time, step = chance.choice([self.time, *TIMES]), chance.choice([0.0, -0.1, *TIMES, 1e10])
         near = abs(time - self.time) <= 1e-5 * (1.0 + abs(time))  # taken up to round-off of a step
         if near and 0.0 < step < 1e9 and self.phase == 2:
             step = -step
         assert not self.tried.call("doStep", time, step), f"doStep({time}, {step}) was taken"
+        if self.phase != 2 or not self.tried.is_native:
+            return False
+        if step < 1e9:  # a longer one may be discarded, for its many internal steps
+            taken = self.tried.call("doStep", self.time, 0.01)
+            assert not taken, "a step was taken after an error"
+        return True
 
     def _bad_order(self) -> object:
         chance = self.chance

@@ -11,10 +11,12 @@ import subprocess
 from pathlib import Path
 
 import solver
+from solver.scene.meshes import LIBRARIES
 from tests.hostile.calls import SCENE
 from tests.sanitize import OPTIONS, ROOT, SETTINGS, copy_with_sanitizers, sanitized_library
 
 HERE = Path(__file__).parent
+NEEDS = ("gcc", *LIBRARIES)
 NAMES = (
     *("double_pendulum", "four_bar", "cam_and_follower", "slider_crank_with_clearance"),
     *("woodpecker_toy", "heavy_top", "ball_on_hills", "bowling_ball", "stewart", "die_in_a_bowl"),

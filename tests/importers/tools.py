@@ -58,7 +58,8 @@ TOOLS = (
         "libcosimpy",
         "libcosimpy",
         "coupled, fixed step",
-        "the parallel scheme; it rounds t to nanoseconds",
+        "the parallel scheme; it rounds t to nanoseconds; knows no FMI 3.0 and ends Python at one, "
+        "see below",
     ),
     Tool(
         "ecospy",
@@ -102,7 +103,7 @@ TOOLS = (
         "",
         "`fmi4ctest` of every scene: 20 steps, outputs of FMI 3 beside fmpy's",
         "it writes no outputs of FMI 2; in FMI 3 it always gives 10 s as the stop time, "
-        "and later steps are discarded",
+        "and later steps are errors",
         ALL_KINDS,
         program="FMI4C",
         revision="cab0bb1",

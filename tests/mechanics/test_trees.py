@@ -33,7 +33,8 @@ def joint_pivots(model: Model) -> list[int]:
 def trees(draw: st.DrawFn) -> tuple[Content, list[int]]:
     """Up to five bodies on joints, with springs between any, and the pivots of each with its joint.
 
-    The first body is free or on the ground.
+    The first body is free or on the ground. A joint lies anywhere, or at the centre of mass of the
+    body that it carries, of the other one, or of both.
     """
     count, random = draw(st.integers(2, 5)), np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
     grounded, kinds = draw(st.booleans()), []
@@ -47,9 +48,16 @@ def trees(draw: st.DrawFn) -> tuple[Content, list[int]]:
             bodies["B0"] |= {"angular_velocity": random.uniform(-1.0, 1.0, 3).tolist()}
             continue
         kinds.append(draw(st.sampled_from([*KINDS])))
-        other = f"B{draw(st.integers(0, body - 1))}" if body else "ground"
+        parent = draw(st.integers(0, body - 1)) if body else None
+        other = "ground" if parent is None else f"B{parent}"
         pair = [other, f"B{body}"] if draw(st.booleans()) else [f"B{body}", other]
-        joint = {"type": kinds[-1], "bodies": pair, "position": random.uniform(-1, 1, 3).tolist()}
+        at = draw(st.sampled_from(["anywhere", "own centre", "other centre", "both"]))
+        if parent is not None and at == "both":
+            places[body] = places[parent]
+            bodies[f"B{body}"]["position"] = places[body].tolist()
+        centre = {"own centre": body, "other centre": parent, "both": body}.get(at)
+        place = random.uniform(-1, 1, 3) if centre is None else places[centre]
+        joint = {"type": kinds[-1], "bodies": pair, "position": place.tolist()}
         axis, second = np.linalg.qr(random.normal(size=(3, 2)))[0].T
         if kinds[-1] == "revolute":
             joint["axis"] = axis.tolist()

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PchipInterpolator, make_interp_spline
+from scipy.optimize import brentq
 
 import solver
 from build_fmu import build
+from build_fmu.run import run_fmu
 from tests.fmu.test_model_description import root_of
 from tests.fmu_instance import instance
 from tests.twins import start
@@ -155,3 +157,89 @@ def test_an_fmu_carries_the_points_so_that_it_can_be_built_again(cam, tmp_path):
     overrides = dict(each.text.split("=", 1) for each in scene.findall("Override"))
     again = solver.loads(scene.findtext("Text"), overrides=overrides)
     assert solver.assemble(again).fingerprint == fingerprint
+
+
+KERB = """
+name = "kerb"
+dimension = 2
+[profiles]
+road = { FILE, interpolation = "WORD" }
+[points]
+A = { position = [0, 0], mass = 1 }
+[drivers]
+d = { type = "position", point = "A", value = ["t", "road(t)"] }
+"""
+ROAD = [0.0, 1.0, 2.0, 2.1, 3.0, 4.0], [0.0, 0.0, 0.0, 0.1, 0.1, 0.1]
+CURVES = {
+    "cubic": CubicSpline(*ROAD, bc_type="natural"),
+    "monotone": PchipInterpolator(*ROAD),
+    "linear": make_interp_spline(*ROAD, k=1),
+}
+
+
+@pytest.mark.filterwarnings("ignore::solver.SceneWarning")  # of swings and corners
+@pytest.mark.parametrize("kind", ["python", "FMU with Python", "native FMU", "native FMU of FMI 3"])
+@pytest.mark.parametrize("word", CURVES)
+def test_a_point_goes_along_a_curve_of_each_interpolation(tmp_path, kind, word):
+    """From a file, against SciPy's curves; along corners its velocity does not follow."""
+    (tmp_path / "road.csv").write_text("".join(f"{x},{y}\n" for x, y in zip(*ROAD, strict=True)))
+    file = tmp_path / "kerb.toml"
+    file.write_text(KERB.replace("FILE", 'file = "road.csv"').replace("WORD", word))
+    if kind == "python":
+        moved = solver.simulate(solver.load(file), stop_time=4.0, step_size=0.03)
+        t, found = moved.t, moved
+    else:
+        of_native = {"native": True, "fmi": 3 if kind.endswith("3") else 2}
+        path = build(file, tmp_path / "kerb.fmu", **(of_native if "native" in kind else {}))
+        found = run_fmu(path, stop_time=4.0, step_size=0.03).values
+        t = found["time"]
+    assert found["A.y"] == pytest.approx(CURVES[word](t), abs=1e-14)
+    if word != "linear":
+        assert found["A.vy"] == pytest.approx(CURVES[word](t, 1), abs=1e-10)
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 1e-6])
+@pytest.mark.parametrize("word", ["monotone", "linear"])
+def test_a_measured_spring_of_any_interpolation_keeps_its_energy(word, tolerance):
+    """And goes from end to end: a spring of straight lines is softer than its cubic."""
+    text = SPRING.replace("FORCE", LAWS["potential"])
+    text = text.replace("integrate = true", f'integrate = true, interpolation = "{word}"')
+    run = start(text.replace("step_size = 0.25", f"step_size = 0.05\ntolerance = {tolerance}"))
+    energy = run["whole"]
+    low = 0.0
+    for k in range(400):
+        run.advance(0.05 * k, 0.05)
+        low = min(low, float(run["A.x"]))
+        assert run["whole"] == pytest.approx(energy, rel=1e-12)
+    x, force = [-2, -1, -0.3, 0, 0.4, 1, 2], [-9, -3, -0.4, 0, 0.6, 3, 7]
+    curve = PchipInterpolator(x, force) if word == "monotone" else make_interp_spline(x, force, k=1)
+    stored = curve.antiderivative()
+    turn = brentq(lambda x: float(stored(x) - stored(1.5)), -2.0, -0.5)
+    assert low == pytest.approx(turn, abs=0.01)  # rows are 0.05 s apart
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.05])
+def test_a_wheel_rolls_over_a_monotone_kerb_and_keeps_its_energy_between_impacts(radius):
+    """It climbs 0.1 m: its speed on top is what is left, up to the square of the step.
+
+    The curvature jumps at the points, so that its speed upwards is off by 2 mm/s behind them.
+    """
+    text = f"""
+name = "wheel"
+dimension = 2
+gravity = [0, -9.81]
+[profiles]
+road = {{ x = [0, 1, 2, 4], y = [0, 0, 0.1, 0.1], interpolation = "monotone" }}
+[points]
+A = {{ position = [0.2, {radius}], mass = 1, velocity = [2.5, 0] }}
+[contacts]
+c = {{ type = "profile", point = "A", profile = "road", radius = {radius} }}
+"""
+    moved = solver.simulate(solver.loads(text), stop_time=1.2, step_size=0.01)
+    assert moved["energy.error"].max() < 1e-13
+    assert moved["c.gap"].min() > -1e-10
+    assert moved["A.x"][-1] > 2.2
+    assert moved["A.y"][-1] == pytest.approx(0.1 + radius, abs=1e-9)
+    lost = moved["energy.impact"][-1]
+    speed = math.sqrt(2.5**2 - 2.0 * (9.81 * 0.1 + lost))
+    assert moved["A.vx"][-1] == pytest.approx(speed, rel=1e-6)

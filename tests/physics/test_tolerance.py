@@ -598,3 +598,44 @@ def test_loads_that_read_a_mechanism_with_contacts_leave_the_choice_at_order_two
     with pytest.warns(RuntimeWarning, match="a load reads the mechanism"):
         run.advance(0.0, 0.5)
     assert run["solver.order_in_use"] == 2.0
+
+
+SPRING = """
+name = "through"
+dimension = 2
+[points]
+A = {{ position = [0, -0.3], velocity = [{aside}, 2.0], mass = 1.0 }}
+[forces]
+s = {{ type = "spring", points = ["ground", "A"], at = [0, 0], stiffness = 40, free_length = 0.2 }}
+"""
+
+
+def through_zero(time: Array) -> Array:
+    """Place of a point on a line whose spring of free length l_0 is there and back through 0.
+
+    |y| = l_0 + R cos(phi) between two passages, where the force k (|y| - l_0) turns round at once.
+    """
+    k, free = 40.0, 0.2
+    root = math.sqrt(k)
+    R = math.hypot(0.3 - free, 2.0 / root)
+    phase, last = math.atan2(2.0 / root, 0.3 - free), math.acos(-free / R)
+    turned = root * time + phase + last
+    lobes = np.floor(turned / (2 * last))
+    return (-1.0) ** (lobes + 1) * (free + R * np.cos(turned - 2 * last * lobes - last))
+
+
+@pytest.mark.parametrize(("order", "tolerance"), [(0, 1e-4), (0, 1e-8), (4, 1e-6), (8, 1e-10)])
+@pytest.mark.parametrize("aside", [0.0, 1e-12, 1e-9])
+def test_a_spring_passes_its_length_zero(aside: float, order: int, tolerance: float) -> None:
+    """Its force jumps there, which no order tells: steps are short for a moment, and grow again."""
+    run = solver.simulate(
+        solver.loads(SPRING.format(aside=aside)),
+        step_size=0.05, stop_time=5.0, order=order, tolerance=tolerance,
+        outputs=["A.y", "energy.error"],
+    )  # fmt: skip
+    found, error = run.table.T
+    assert np.abs(found).max() == pytest.approx(0.5316, abs=1e-4)
+    turned_aside = 1e-8 * (aside > 0.0)
+    exact = through_zero(np.linspace(0.0, 5.0, len(found)))
+    assert found == pytest.approx(exact, abs=3 * tolerance + turned_aside)
+    assert error.max() < 1e-12

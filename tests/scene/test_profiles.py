@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import math
 import shutil
+import warnings
 from itertools import pairwise
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PchipInterpolator
 
 import solver
 from solver.mechanics.derivative import derivative
@@ -24,17 +25,21 @@ from tests.oracle import splines
 SPLINES = ("spline", "spline_slope", "spline_curvature")
 
 
+WORDS = ("cubic", "monotone", "linear")
+
+
 @st.composite
-def tables(draw, kinds=("plain", "periodic", "integral")):
+def tables(draw, kinds=("plain", "periodic", "integral"), words=("cubic",)):
     """Abscissae, ordinates, kind and table of a random profile."""
-    kind = draw(st.sampled_from(kinds))
+    kind, word = draw(st.sampled_from(kinds)), draw(st.sampled_from(words))
     steps = draw(st.lists(st.floats(0.01, 2.0), min_size=2, max_size=12))
     x = np.cumsum([draw(st.floats(-3.0, 3.0)), *steps]).tolist()
     y = [draw(st.floats(-5.0, 5.0)) for _ in x]
     if kind == "periodic":
         y[-1] = y[0]
     periodic, integrate = kind == "periodic", kind == "integral"
-    return x, y, kind, Curve("f", table_of(x, y, periodic=periodic, integrate=integrate))
+    numbers = table_of(x, y, interpolation=word, periodic=periodic, integrate=integrate)
+    return x, y, kind, Curve("f", numbers)
 
 
 def size_of(table, order, *more):
@@ -58,6 +63,15 @@ def test_a_profile_is_the_natural_or_periodic_spline_through_its_points(content)
             )
 
 
+@given(tables(("plain", "periodic"), ("monotone", "linear")))
+def test_a_monotone_or_linear_profile_goes_through_its_points(content):
+    """Up to the rounding of x, of which a period is taken off, times the slope."""
+    x, y, _, table = content
+    near = 1e-14 * size_of(table, 0) + 4e-16 * max(map(abs, x)) * size_of(table, 1)
+    for at, value in zip(x, y, strict=True):
+        assert apply("spline", at, table) == pytest.approx(value, abs=near)
+
+
 @given(tables(("plain", "periodic")))
 def test_a_profile_goes_through_its_points(content):
     x, y, _, table = content
@@ -75,6 +89,62 @@ def test_value_slope_and_curvature_are_continuous_at_all_points_also_the_ends(co
             assert left == pytest.approx(right, abs=1e-7 * max(steepest, 1.0))
     beyond = apply("spline_curvature", x[-1] + 1.0, table)
     assert kind != "plain" or beyond == 0.0  # straight
+
+
+@given(tables(words=("monotone",)))
+def test_a_monotone_profile_is_that_of_fritsch_and_butland(content):
+    """As SciPy has it; of a periodic one the middle of three periods."""
+    x, y, kind, table = content
+    period = x[-1] - x[0]
+    long = [at + k * period for k in (-1, 0, 1) for at in x[:-1]], [*y[:-1]] * 3
+    reference = PchipInterpolator(*(long if kind == "periodic" else (x, y)))
+    reference = reference.antiderivative() if kind == "integral" else reference
+    for order, name in enumerate(SPLINES):
+        near = 1e-13 * size_of(table, order) / min(np.diff(x)) ** order
+        for share in np.linspace(0.01, 0.99, 40):  # where no curvature jumps
+            at = x[0] + share * (x[-1] - x[0])
+            if min(abs(at - np.array(x))) < 1e-9 or (kind == "periodic" and at > x[-2]):
+                continue
+            assert apply(name, at, table) == pytest.approx(float(reference(at, order)), abs=near)
+
+
+@given(tables(("plain",), ("linear",)), st.floats(-4.0, 30.0))
+def test_a_linear_profile_is_straight_between_its_points_and_beyond(content, at):
+    x, y, _, table = content
+    k = min(max(int(np.searchsorted(x, at, "right")) - 1, 0), len(x) - 2)
+    slope = (y[k + 1] - y[k]) / (x[k + 1] - x[k])
+    near = 1e-14 * size_of(table, 0, at)
+    assert apply("spline", at, table) == pytest.approx(y[k] + slope * (at - x[k]), abs=near)
+    assert apply("spline_slope", at, table) == slope
+
+
+@given(tables(("integral",), ("linear",)))
+def test_the_integral_of_a_linear_profile_is_that_of_trapezia(content):
+    x, y, _, table = content
+    areas = np.cumsum([0.0, *(np.diff(x) * 0.5 * (np.array(y[1:]) + y[:-1]))])
+    for at, area in zip(x, areas, strict=True):
+        assert apply("spline", at, table) == pytest.approx(area, abs=1e-13 * size_of(table, 0))
+
+
+@given(tables(("plain", "periodic"), ("monotone", "linear")))
+def test_a_monotone_or_linear_profile_stays_between_neighbouring_points(content):
+    x, y, _, table = content
+    for (left, right), (a, b) in zip(pairwise(x), pairwise(y), strict=True):
+        low, high = sorted((a, b))
+        near = 1e-14 * size_of(table, 0)
+        for share in np.linspace(0.0, 1.0, 9)[:-1]:
+            assert (
+                low - near <= apply("spline", left + share * (right - left), table) <= high + near
+            )
+
+
+@given(tables(words=("monotone",)))
+def test_the_slope_of_a_monotone_profile_is_continuous_at_all_points(content):
+    x, _, _, table = content
+    for at in x:
+        left, right = (apply("spline_slope", at + d, table) for d in (-1e-9, 1e-9))
+        steepest = max(size_of(table, 1) / min(np.diff(x)), size_of(table, 2))
+        assert left == pytest.approx(right, abs=1e-7 * steepest)
 
 
 @given(tables(("periodic",)), st.integers(-5, 5), st.floats(0.0, 1.0))
@@ -180,3 +250,125 @@ def test_the_integral_of_a_profile_begins_at_its_first_point():
     for x in (-1.0, 1.0, 1.5, 4.0, 6.0):
         assert apply("spline", x, table) == pytest.approx(3.0 * (x - 1.0), rel=1e-15)
     assert apply("spline", math.nextafter(1.0, 0.0), table) == pytest.approx(0.0, abs=1e-15)
+
+
+# --------------------------------------------------------------------------- words and warnings
+
+KERB = """
+name = "kerb"
+dimension = 2
+[profiles]
+road = { x = [0, 1, 2, 2.1, 3, 4], y = [0, 0, 0, 0.1, 0.1, 0.1]INTERPOLATION }
+[points]
+A = { position = [0, 0], mass = 1 }
+[drivers]
+d = { type = "position", point = "A", value = ["t", "road(t)"] }
+[experiment]
+stop_time = 4
+"""
+
+
+@pytest.mark.parametrize("word", ["", "cubic"])
+def test_a_spline_that_swings_out_of_its_points_is_told_with_place_and_value(word):
+    """The natural spline falls to -0.16315 at 1.6163 and rises to 0.24575; its points have 0.1."""
+    x, y = [0, 1, 2, 2.1, 3, 4], [0, 0, 0, 0.1, 0.1, 0.1]
+    curve = CubicSpline(x, y, bc_type="natural")
+    place = min(curve.derivative().roots(extrapolate=False), key=curve)
+    told = f"the spline swings beyond its points, whose y are 0 to 0.1: it is {curve(place):.6g}"
+    with pytest.warns(solver.SceneWarning):
+        scene = solver.loads(
+            KERB.replace("INTERPOLATION", f', interpolation = "{word}"' * bool(word))
+        )
+    (problem,) = scene.warnings
+    assert problem.location == "profiles.road"
+    assert problem.message == f"{told} at x = {place:.6g}"
+    assert "monotone" in problem.help
+
+
+@pytest.mark.parametrize("lift", [0.4, 0.9, 1.1, 3.0])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_swing_is_told_from_a_tenth_of_the_range_on(lift, sign):
+    """From 0 to 1 and 1 + lift: by how much it leaves these, against SciPy's spline on a grid."""
+    x, y = [0.0, 1.0, 2.0, 3.0], [sign * v for v in (0.0, 1.0 + lift, 1.0, 1.0)]
+    curve = CubicSpline(x, y, bc_type="natural")(np.linspace(0.0, 3.0, 30001))
+    beyond = max(curve.max() - max(y), min(y) - curve.min()) / (max(y) - min(y))
+    text = KERB.replace("INTERPOLATION", "").replace("[0, 1, 2, 2.1, 3, 4]", str(x))
+    text = text.replace("[0, 0, 0, 0.1, 0.1, 0.1]", str(y)).replace("stop_time = 4", "")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        scene = solver.loads(text)
+    assert len(scene.warnings) == (beyond > 0.1)
+
+
+def test_a_monotone_profile_gives_no_warning_and_a_driver_with_corners_does():
+    assert (
+        solver.loads(KERB.replace("INTERPOLATION", ', interpolation = "monotone"')).warnings == ()
+    )
+    with pytest.warns(solver.SceneWarning):
+        scene = solver.loads(KERB.replace("INTERPOLATION", ', interpolation = "linear"'))
+    (problem,) = scene.warnings
+    assert problem.location == "drivers.d.value"
+    assert problem.message.startswith("moves along the straight lines of 'road', whose rate jumps")
+
+
+def test_an_unknown_interpolation_lists_the_known_ones():
+    with pytest.raises(SceneError) as caught:
+        solver.loads(KERB.replace("INTERPOLATION", ', interpolation = "akima"'))
+    (problem,) = caught.value.problems
+    assert problem.location == "profiles.road.interpolation"
+    assert problem.help == "known: cubic, monotone, linear"
+
+
+def test_the_text_of_a_profile_from_a_file_keeps_its_interpolation(tmp_path):
+    """An FMU carries the scene with the points of its files."""
+    (tmp_path / "lobe.csv").write_text("0,0\n0.5,1\n1,0\n")
+    words = ', periodic = true, interpolation = "monotone" }'
+    (tmp_path / "scene.toml").write_text(SCENE.replace("{PROFILE}", '{ file = "lobe.csv"' + words))
+    scene = solver.load(tmp_path / "scene.toml")
+    (override,) = scene.source.overrides.values()
+    name, _, text = override.partition("=")
+    assert name == "profiles.lobe"
+    again = solver.loads(SCENE.replace("{PROFILE}", text))
+    assert again.profiles["lobe"].interpolation == "monotone"
+    assert again.profiles["lobe"].curve == scene.profiles["lobe"].curve
+
+
+CORNERED = """
+name = "corners"
+dimension = 2
+[profiles]
+road = { x = [-1, 0, 1], y = [0, 0, 1], interpolation = "linear" }
+lobe = { x = [0, 1, 2, "2*pi"], y = [1, 1.1, 1, 1], periodic = true, interpolation = "linear" }
+[points]
+A = { position = [0, 2], mass = 1 }
+[bodies]
+shaft = { position = [5, 0], mass = 1, inertia = 1 }
+[joints]
+j = { type = "revolute", bodies = ["ground", "shaft"], position = [5, 0] }
+"""
+
+
+@pytest.mark.parametrize(
+    ("part", "place", "name"),
+    [
+        ('[contacts]\nc = { type = "profile", point = "A", profile = "road" }', "profile", "road"),
+        (
+            '[contacts]\nc = { type = "cam", joint = "j", follower = "A", profile = "lobe" }',
+            "profile", "lobe",
+        ),
+        (
+            '[contacts]\nc = { type = "surface", point = "A", surface = "y - road(x)" }',
+            "surface", "road",
+        ),
+        ('s = { type = "point_on_surface", point = "A", surface = "y - 2 - road(x)" }', "surface",
+         "road"),
+    ],
+)  # fmt: skip
+def test_no_contact_or_surface_has_corners(part, place, name):
+    with pytest.raises(SceneError) as caught:
+        solver.loads(CORNERED + part)
+    (problem,) = caught.value.problems
+    assert problem.location.endswith(f".{place}")
+    assert problem.message.startswith(f"the profile '{name}' has corners")
+    smooth = (CORNERED + part).replace("linear", "monotone")
+    assert solver.loads(smooth).profiles[name].interpolation == "monotone"

@@ -8,11 +8,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from solver import SceneError, loads
+from solver.options import OPTIONS
 from solver.scene import JointFriction
 from solver.scene.fields import fields_of
 from solver.scene.scene import NOUNS, TYPES, Scene
 from solver.scene.units import base_unit
-from solver.scene.words import NAMES
+from solver.scene.words import NAMES, listed
 
 TABLES = [*NOUNS]
 PARTS = [(table, word) for table, types in TYPES.items() for word in types]
@@ -244,6 +245,36 @@ def test_nothing_is_named_where_there_is_nothing():
     assert found.help == 'write body = "..."'
 
 
+# ------------------------------------------------------------------------------ what is known
+
+
+def test_what_is_possible_is_listed_whole():
+    """Fields of a table with many, points with the ground, and symbols with the mechanism's own."""
+    rod = {"type": "distance", "points": ["A", "qqq"]}
+    output = {"value": "qqq"}
+    scene = SCENE | {"solver": {"qqq": 1}, "joints": {"rod": rod}, "outputs": {"o": output}}
+    helps = {found.location: found.help for found in problems(scene)}
+    assert helps["solver.qqq"] == f"known fields: {', '.join(OPTIONS)}"
+    assert helps["joints.rod.points[1]"].endswith(", ground")
+    of_output = helps["outputs.o.value"].removeprefix("known: ").split(", ")
+    assert {"t", "A.x", "crank.qw", "energy.error"} <= {*of_output}
+
+
+def test_an_unknown_override_lists_all_that_can_be_replaced():
+    with pytest.raises(SceneError) as caught:
+        loads(json.dumps(SCENE), format="json", overrides={"qqq": 1})
+    names = caught.value.problems[0].help.removeprefix("known: ").split(", ")
+    assert {"gravity", "solver.tolerance", "experiment.stop_time", "points.A.velocity"} <= {*names}
+    for name in ("gravity", "solver.tolerance", "points.A.mass"):
+        value = [0, 0, -1] if name == "gravity" else 0.01
+        loads(json.dumps(SCENE), format="json", overrides={name: value})
+
+
+def test_of_very_many_names_the_number_of_the_rest_is_told():
+    assert listed([f"n{i}" for i in range(300)]).endswith(", n298, n299")
+    assert listed([f"n{i}" for i in range(1234)]).endswith(", n298, n299 and 934 more")
+
+
 # --------------------------------------------------------------------------------------- units
 
 SI = ["N", "m", "s", "kg", "rad", "J", "Pa", "W", "Hz"]
@@ -270,6 +301,41 @@ def test_other_spellings_of_units(unit, meant):
     scene = SCENE | {"parameters": {"p": {"value": 1.0, "unit": unit}}}
     helps = [found.help for found in problems(scene)]
     assert helps == ([f"did you mean '{meant}'?"] if meant else [])
+
+
+@pytest.mark.parametrize(
+    ("unit", "help"),
+    [
+        ("mN", "give the value in N: 1 mN is 0.001 N"),
+        ("mNm", "give the value in N.m: 1 mN.m is 0.001 N.m"),
+        ("mN*m", "give the value in N.m: 1 mN.m is 0.001 N.m"),
+        ("kN/m", "give the value in N/m: 1 kN/m is 1000 N/m"),
+        ("mrad", "give the value in rad: 1 mrad is 0.001 rad"),
+        ("hPa", "give the value in Pa: 1 hPa is 100 Pa"),
+        ("um", "give the value in m: 1 um is 1e-06 m"),
+        ("degC", "give a temperature in K, value + 273.15; a difference of 1 degC is 1 K"),
+        ("deg C", "give a temperature in K, value + 273.15; a difference of 1 degC is 1 K"),
+        ("J/°C", "give a temperature in K, value + 273.15; a difference of 1 °C is 1 K"),
+        ("degF", "give a temperature in K, (value + 459.67)*5/9; a difference of 1 degF is 5/9 K"),
+    ],
+)
+def test_a_unit_with_a_prefix_or_an_offset_is_refused_with_the_value_in_si(unit, help):
+    (found,) = problems(SCENE | {"parameters": {"p": {"value": 1.0, "unit": unit}}})
+    assert found.help == help
+    counts = "counts from another zero than SI, so that no factor converts it"
+    assert (counts in found.message) == ("K" in help)
+
+
+def test_a_name_of_the_scene_is_nearer_than_a_unit():
+    """A pm is a picometre."""
+    point = SCENE["points"]["A"] | {"mass": "pm"}
+    helps = [
+        found.help
+        for parameters in ({"pms": 1.0}, {"k": 1.0})
+        for found in problems(SCENE | {"points": {"A": point}, "parameters": parameters})
+    ]
+    assert helps[0] == "did you mean 'pms'?"
+    assert helps[1].endswith("here m: write 1e-12")
 
 
 @given(

@@ -5,15 +5,16 @@ from __future__ import annotations
 import multiprocessing
 import tempfile
 import warnings
+from types import SimpleNamespace
 
 import pytest
 
 import build_fmu
-from build_fmu.errors import EnvironmentLackError
+from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study import dask_workers
 from build_fmu.study.engines import engine_of
 from build_fmu.study.processes import DIED, Task
-from tests.ending_jobs import FATAL, lost, square
+from tests.ending_jobs import FATAL, lost, slow, square
 from tests.fmu_instance import pendulum
 
 with warnings.catch_warnings():
@@ -51,6 +52,46 @@ def test_a_sweep_has_the_results_of_this_process(engine):
     there = build_fmu.sweep(pendulum(), engine=engine, **arguments)
     assert repr(there.tolist()) == repr(here.tolist())  # with NaN where no step was taken
     assert list(there["finished"]) == [True, False, True, True]
+
+
+def test_a_sweep_takes_a_client_and_leaves_it_open(engine, tmp_path):
+    arguments = {"grid": {"mass": [1.0, 2.0, 3.0]}, "outputs": ["A.x"], "stop_time": 0.1}
+    here = build_fmu.sweep(pendulum(), engine="serial", **arguments)
+    with distributed.Client(engine.replace("dask:", "tcp:")) as client:
+        there = build_fmu.sweep(pendulum(), engine=client, path=tmp_path / "a.csv", **arguments)
+        assert client.status == "running"
+        assert client.submit(int, 3).result() == 3
+    assert repr(there.tolist()) == repr(here.tolist())
+
+
+def test_jobs_come_back_as_they_end(engine, monkeypatch):
+    """Of jobs that take longer than what may come back at once, each comes back by itself."""
+    monkeypatch.setattr(dask_workers, "TOGETHER", 0.01)
+    with distributed.Client(engine.replace("dask:", "tcp:")) as client:
+        sizes, submit = [], client.submit
+        monkeypatch.setattr(
+            client, "submit", lambda f, *x, **how: sizes.append(len(x[-1])) or submit(f, *x, **how)
+        )
+        found = dict(engine_of(client)(Task(slow, [1], lost), range(40)))
+    assert found == {i: i for i in range(40)}
+    assert sizes == [1] * 41  # with what all share
+
+
+def test_short_jobs_go_together_and_long_ones_alone():
+    assert dask_workers.jobs_together(0.0) == dask_workers.MOST_TOGETHER
+    assert dask_workers.jobs_together(0.05) == 4
+    assert dask_workers.jobs_together(1e3) == 1
+
+
+@pytest.mark.parametrize(("given", "words"), [(3, "got int"), (None, "got NoneType")])
+def test_what_is_no_client_is_refused(given, words):
+    with pytest.raises(UsageError, match=words):
+        engine_of(given)
+
+
+def test_a_client_whose_answers_must_be_awaited_is_refused():
+    with pytest.raises(UsageError, match="asynchronous"):
+        engine_of(SimpleNamespace(submit=0, nthreads=0, cancel=0, asynchronous=True))
 
 
 def test_a_job_that_ends_its_worker_is_lost_and_no_other(engine):

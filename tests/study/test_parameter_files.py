@@ -133,10 +133,13 @@ def test_the_set_has_every_parameter_with_its_unit_whatever_a_description_has(tm
     ("value", "name", "defined", "meters"),
     [
         (500, "mm", "", 0.5),
+        (7e5, "um", "", 0.7),
+        (3e-3, "km", "", 3.0),
+        (30, "dm*cm/cm", "", 3.0),
         (10, "ft", 'm="1" factor="0.3048"', 3.048),
         (500, "m", 'm="1" factor="0.001"', 0.5),
     ],
-    ids=["known", "of the file", "of the file, named otherwise"],
+    ids=["known", "um", "km", "product", "of the file", "of the file, named otherwise"],
 )
 def test_a_value_is_converted_by_what_the_file_says_of_its_unit_or_its_name(
     tmp_path, measured, value, name, defined, meters
@@ -177,6 +180,7 @@ WRONG_UNITS = [
     ("length", "furlong", "", "given in 'furlong', but has the unit 'm'", f"'furlong' {UNKNOWN}"),
     ("length", "stone", 'kg="1" factor="6.35"', "given in 'stone', but has the", "'stone' measu"),
     ("length", "abs", 'm="1" offset="2"', "the unit 'abs' has an offset", "write the value in a"),
+    ("length", "degC", "", "given in 'degC', but has", "'degC' counts from another zero than SI"),
     ("solver.max_newton", "kg", "", "given in 'kg', but has no unit", "leave the unit out"),
 ]
 

@@ -99,17 +99,14 @@ class System:
     def error(self, right: Values, **settings: float | str | bool) -> float:
         """Largest error of a run at its communication points, over the scale of its kind."""
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", solver.SceneWarning)
-            scene = self.read()
-        found = solver.simulate(
-            scene, stop_time=self.stop, step_size=self.stop / self.points, outputs=list(right),
-            inputs=self.inputs, **{**self.settings, **settings},
-        )  # fmt: skip
+            warnings.simplefilter("ignore")  # errors are judged here, not what a run says of itself
+            found = solver.simulate(
+                self.read(), stop_time=self.stop, step_size=self.stop / self.points,
+                outputs=list(right), inputs=self.inputs, **{**self.settings, **settings},
+            )  # fmt: skip
         scales = self.scales(right)
-        return max(
-            float(np.abs(found[name] - values).max()) / scales[kind_of(name)]
-            for name, values in right.items()
-        )
+        errors = [np.abs(found[x] - right[x]).max() / scales[kind_of(x)] for x in right]
+        return float(np.max(errors))  # NaN stays NaN, which Python's max may drop
 
     def scales(self, right: Values) -> dict[str, float]:
         """What errors of each kind are measured by."""
@@ -117,7 +114,8 @@ class System:
         for name, values in right.items():
             kind = kind_of(name)
             largest[kind] = max(largest.get(kind, 0.0), float(np.abs(values).max()))
-        return {**largest, "angle": 1.0, "count": 1.0, **self.scale}
+        stands = {kind: value or 1.0 for kind, value in largest.items()}
+        return {**stands, "angle": 1.0, "count": 1.0, **self.scale}
 
 
 def marked(systems: Sequence[System], fails: Mapping[str, Mapping[str, int]]) -> tuple[System, ...]:

@@ -16,6 +16,7 @@ import tempfile
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -33,78 +34,8 @@ else:
     import tomli as tomllib
 
 FAILS: Mapping[str, Mapping[str, int]] = {
-    "joint_at_centre_of_mass": {
-        "a revolute joint there runs: both bodies fly on": 44,
-        "a spherical joint there runs: both bodies fly on": 44,
-        "a universal joint there runs: both bodies fly on": 44,
-        "a fixed joint there runs: both bodies fly on": 44,
-        "a body on a revolute joint there spins on evenly": 44,
-        "a body on a spherical joint there spins on evenly": 44,
-    },
-    "rest_with_tolerance": {
-        "it stands still at 0.001": 44,
-        "it stands still at 1e-06": 44,
-        "it stands still at 1e-09": 44,
-        "bricard stays in its equilibrium at 0.0001": 44,
-        "bricard stays in its equilibrium at 1e-07": 44,
-        "chain stays in its equilibrium at 0.0001": 44,
-        "chain stays in its equilibrium at 1e-07": 44,
-        "double_pendulum stays in its equilibrium at 0.0001": 44,
-        "double_pendulum stays in its equilibrium at 1e-07": 44,
-        "four_bar stays in its equilibrium at 0.0001": 44,
-        "four_bar stays in its equilibrium at 1e-07": 44,
-        "pendulum stays in its equilibrium at 0.0001": 44,
-        "pendulum stays in its equilibrium at 1e-07": 44,
-        "rolling_disc stays in its equilibrium at 0.0001": 44,
-        "rolling_disc stays in its equilibrium at 1e-07": 44,
-        "an arm that a torque holds stands still at 1e-6": 44,
-    },
-    "truss_with_tolerance": {
-        "its forces follow the load at 0.0001": 44,
-        "its forces follow the load at 1e-06": 44,
-        "its forces follow the load at 1e-08": 44,
-    },
-    "cart_pole_at_rest": {
-        "with the pin aside it stands still at 0.0001": 44,
-        "with the pin aside it stands still at 1e-06": 44,
-        "with the pin aside it stands still at 1e-08": 44,
-        "with the pin behind it stands still at 0.0001": 44,
-        "with the pin behind it stands still at 1e-06": 44,
-        "with the pin behind it stands still at 1e-08": 44,
-    },
-    "cassie": {
-        "it runs at 0.0001 from its drawn velocities": 44,
-        "it runs at 1e-06 from its drawn velocities": 44,
-        "it runs at 1e-08 from its drawn velocities": 44,
-        "it moves as with lines in place of the balls of its feet, at 0.0001": 44,
-        "it moves as with lines in place of the balls of its feet, at 1e-06": 44,
-    },
-    "tiny_inertia": {
-        "inertias of 1e-20 run as those of 0": 44,
-        "inertias of 1e-30 run as those of 0": 44,
-        "a warning names the body": 44,
-    },
-    "plate_inertia": {
-        "the inertia [0.333333333333,0.333333333333,0.666666666667] is accepted": 44,
-        "the inertia [0.3333,0.3333,0.6667] is accepted": 44,
-        "the inertia [0.333333,0.333333,0.666667] is accepted": 44,
-        "the inertia [0.33333333,0.33333333,0.66666667] is accepted": 44,
-        "the inertia [[0.172703, -0.171959, 0.015742], [-0.171959, 0.506722, -0.037234], [0.015742, -0.037234, 0.520575]] is accepted": 44,
-        "the inertia [[0.1727032, -0.17195924, 0.01574217], [-0.17195924, 0.50672185, -0.03723373], [0.01574217, -0.03723373, 0.52057494]] is accepted": 44,
-    },
-    "round_off_gap": {
-        "a point at 0.3 - 0.1*3 touches the floor and rests": 44,
-        "a point at 0.7 - 0.1*7 touches the floor and rests": 44,
-    },
     "mass_ratio_start": {
-        "assembled velocities agree with the joints, B0 of 1 kg and 2e-10 kg.m2": 44,
         "assembled velocities agree with the joints, B0 of 1e-12 kg": 44,
-        "assembled velocities agree with the joints, B0 of 1e-09 kg": 44,
-        "with a tolerance it runs, B0 of 1e-09 kg": 44,
-    },
-    "dead_point": {
-        "the user is told that the drawing is singular and a velocity chooses the branch": 44,
-        "the user is not told that lengths cannot be closed": 44,
     },
     "heavy_load": {
         "with a load of 1000000.0 kg it runs in steps of 0.02 s": 44,
@@ -112,38 +43,6 @@ FAILS: Mapping[str, Mapping[str, int]] = {
         "with a load of 1000000.0 kg it runs in steps of 0.005 s": 44,
         "by default load.y(2) is -0.42205": 46,
         "ten links of 1e-3 kg in space carry 1e3 kg in steps of 0.01 s": 44,
-    },
-    "spring_through_zero": {
-        "it turns at +-0.531662 at 1e-06, or the spring of no length is named": 44,
-        "it turns at +-0.531662 at 1e-08, or the spring of no length is named": 44,
-    },
-    "csv_profile_report": {
-        "simulate writes its report of a scene with a profile from a file": 44,
-        "check writes its report of a scene with a profile from a file": 44,
-    },
-    "kerb": {
-        "straight lines may be chosen, and stay between their points": 44,
-        "a monotone curve may be chosen, and stays between its points": 44,
-        "a cubic that leaves the range of its points is warned of": 44,
-    },
-    "driver_force_at_start": {
-        "its force is 0 at the start with steps of 1e-05 s": 44,
-        "its force is 0 at the start with steps of 0.0001 s": 44,
-        "its force is 0 at the start with steps of 0.01 s": 44,
-        "its force is 0 at the start with a tolerance and step_size 1e-05": 44,
-        "its force is 0 at the start with a tolerance and step_size 0.01": 44,
-        "a motion with an acceleration of 0.6 needs 0.6 N at the start, steps 1e-05 s": 44,
-        "a motion with an acceleration of 0.6 needs 0.6 N at the start, steps 0.01 s": 44,
-    },
-    "straight_arm": {
-        "all of 25 reachable places at 0.1 m are reached in the plane": 44,
-        "all of 25 reachable places at 0.1 m are reached in space": 44,
-        "all of 25 reachable places at 0.3 m are reached in the plane": 44,
-        "all of 25 reachable places at 0.3 m are reached in space": 44,
-        "all of 25 reachable places at 0.6 m are reached in the plane": 44,
-        "all of 25 reachable places at 0.6 m are reached in space": 44,
-        "all of 25 reachable places at 1.0 m are reached in the plane": 44,
-        "all of 25 reachable places at 1.0 m are reached in space": 44,
     },
     "excavator_by_eye": {
         "each pose that closes is reached, on the drawn branch": 44,
@@ -196,7 +95,6 @@ FAILS: Mapping[str, Mapping[str, int]] = {
         "300 s in steps of 0.05 s run at 1e-09": 46,
     },
     "arm_stiff": {
-        "10 s in steps of 10.0 s run at 1e-4 and end in the same place": 46,
         "springs and dampers of 10 as formulas of torques run by default": 46,
     },
     "slider_crank_tolerance": {
@@ -220,7 +118,6 @@ FAILS: Mapping[str, Mapping[str, int]] = {
         "a friction of 1e-09 gives the same to 1e-8": 47,
         "a friction of 1e-10 gives the same to 1e-8": 47,
         "restitution 1 loses nothing with a friction of 1e-9": 47,
-        "stepped, restitution 0.0: the horizontal impulse lies in the cone": 47,
         "stepped, restitution 0.5: the horizontal impulse lies in the cone": 47,
         "stepped, restitution 0.9: the horizontal impulse lies in the cone": 47,
         "stepped, restitution 1.0: the horizontal impulse lies in the cone": 47,
@@ -252,6 +149,10 @@ FAILS: Mapping[str, Mapping[str, int]] = {
     },
     "engine": {
         "its crank is at 146.83769324 rad and 143.38373137 rad/s after 1 s, by default": 46,
+    },
+    "ball_in_socket": {
+        "friction 0.5 takes at most 3 times the steps and iterations": 47,
+        "at order 4 friction 0.5 takes at most 3 times the steps and iterations": 47,
     },
 }
 """Case, sentence, issue: what does not hold today."""
@@ -979,6 +880,7 @@ def _(step: float) -> None:
 FEET = [f"{part}.{axis}" for part in ("left_foot", "right_foot", "left_shin") for axis in "xz"]
 
 
+@cache
 def _cassie(tolerance: float) -> solver.Trajectory:
     return run(text_of("cassie"), 0.1, 0.01, [*FEET, "constraint.position"], tolerance=tolerance)
 
@@ -1012,9 +914,14 @@ def _lines_for_balls() -> str:
     return text
 
 
+@cache
+def _moved_with_lines() -> solver.Trajectory:
+    return run(_lines_for_balls(), 0.1, 0.01, FEET, tolerance=1e-8)
+
+
 @right("cassie", "it moves as with lines in place of the balls of its feet, at {}", 1e-4, 1e-6)
 def _(tolerance: float) -> None:
-    goal = run(_lines_for_balls(), 0.1, 0.01, FEET, tolerance=1e-8)
+    goal = _moved_with_lines()
     found = _cassie(tolerance)
     for name in FEET:
         assert np.abs(found[name] - goal[name]).max() < BEYOND_TOLERANCE * tolerance
@@ -1041,7 +948,7 @@ def _(tolerance: float) -> None:
     assert found["A.y"].max() == pytest.approx(turn, abs=2e-3)  # sampled at 10 ms: v = 0 there
     assert found["A.y"].min() == pytest.approx(-turn, abs=2e-3)
     energy = found.t * 0 + 2.0 + 20 * 0.1**2
-    assert (20 * (np.abs(found["A.y"]) - 0.2) ** 2 <= energy + 1e-6).all()
+    assert (20 * (np.abs(found["A.y"]) - 0.2) ** 2 <= energy + 1e-6 + 50 * tolerance).all()
 
 
 # ------------------------------------------------------------------------------ laws that jump
@@ -1055,7 +962,7 @@ def _(tolerance: float) -> None:
 
 LAWS = {
     "floor(3.7*t)": sum(k * (min(1.0, (k + 1) / 3.7) - k / 3.7) for k in range(4)),
-    "sign(sin(7*t))": 2 * math.pi / 7 * 1.5 - 1.0,
+    "sign(sin(7*t))": 1 - 2 * math.pi / 7,
     "mod(t, 0.3)": 3 * 0.045 + 0.005,
     "min(t, 0.4173)": 0.4173**2 / 2 + 0.4173 * (1 - 0.4173),
     "abs(sin(7*t))": (4 + 1 - math.cos(7 - 2 * math.pi)) / 7,
@@ -1119,13 +1026,16 @@ def _(step: float, tolerance: float) -> None:
 ARM = ["l5.x", "l5.y", "l5.z"]
 
 
+@cache
+def _settled_arm() -> solver.Trajectory:
+    return run(text_of("arm_stiff"), 10.0, 0.5, ARM, tolerance=1e-7)
+
+
 @right("arm_stiff", "10 s in steps of {} s run at 1e-4 and end in the same place", 10.0, 2.0, 0.05)
 def _(step: float) -> None:
-    text = text_of("arm_stiff")
-    goal = run(text, 10.0, 0.5, ARM, tolerance=1e-7)
-    found = run(text, 10.0, step, ARM, tolerance=1e-4)
+    found = run(text_of("arm_stiff"), 10.0, step, ARM, tolerance=1e-4)
     for name in ARM:
-        assert found[name][-1] == pytest.approx(goal[name][-1], abs=3e-4)
+        assert found[name][-1] == pytest.approx(_settled_arm()[name][-1], abs=3e-4)
 
 
 @right(
@@ -1195,17 +1105,34 @@ def _() -> None:
 # --------------------------------------------------------------------------- contacts, friction
 
 
-def _socket(friction: float, **settings: Setting) -> dict[str, float]:
-    found = run(text_of("ball_in_socket", ("friction=0.5", f"friction={friction}")), 0.5, 0.01,
-                ["solver.newton_iterations", "solver.substeps"], **settings)  # fmt: skip
-    return {name: float(found[name].sum()) for name in found}
+def _socket(friction: float, stop: float, order: int) -> tuple[float, float]:
+    """Newton iterations and internal steps of a run."""
+    text = text_of("ball_in_socket", ("friction=0.5", f"friction={friction}"))
+    names = ["solver.newton_iterations", "solver.substeps"]
+    found = run(text, stop, 0.01, names, order=order)
+    return float(found[names[0]].sum()), float(found[names[1]].sum())
 
 
-@right("ball_in_socket", "friction {} takes at most 3 times the Newton iterations", 0.1, 0.5)
+def _costs_little(friction: float, stop: float, order: int) -> None:
+    smooth, rough = (_socket(x, stop, order) for x in (0.0, friction))
+    assert rough[0] < 3 * smooth[0]
+    assert rough[1] < 3 * smooth[1]
+
+
+@right("ball_in_socket", "friction {} takes at most 3 times the steps and iterations", 0.1, 0.5)
 def _(friction: float) -> None:
-    smooth, rough = _socket(0.0), _socket(friction)
-    assert rough["solver.newton_iterations"] < 3 * smooth["solver.newton_iterations"]
-    assert rough["solver.substeps"] <= 1.2 * smooth["solver.substeps"]
+    _costs_little(friction, 0.2, 2)
+
+
+@right(
+    "ball_in_socket",
+    "at order 4 friction {} takes at most 3 times the steps and iterations",
+    0.1,
+    0.5,
+    long=True,
+)
+def _(friction: float) -> None:
+    _costs_little(friction, 0.5, 4)
 
 
 def _box(friction: float, restitution: float) -> tuple[float, float]:
@@ -1227,8 +1154,8 @@ def _() -> None:
 @right("box_impact", "a friction of {} loses at most its share of the impulse", 1e-9, 1e-3, 0.01)
 def _(friction: float) -> None:
     loss, impulse = _box(friction, 1.0)
-    # No corner is faster than 2.72 J in one corner's effective mass of 0.2 kg: 5.2 m/s.
-    assert -1e-9 < loss < friction * impulse * 5.2 + 1e-9
+    # No corner is faster than 2.72 J in one corner's effective mass of at least 0.1 kg: 7.4 m/s.
+    assert -1e-9 < loss < friction * impulse * 7.4 + 1e-9
 
 
 @right("box_impact", "with a friction of 0.01 restitution 0.9 loses more than 1")
@@ -1236,10 +1163,10 @@ def _() -> None:
     assert _box(0.01, 0.9)[0] > _box(0.01, 1.0)[0]
 
 
-def _rest(text: str, stop: float, step: float, name: str, **settings: Setting) -> None:
-    found = run(text, stop, step, [f"{name}.x", f"{name}.vx"], **settings)
-    assert np.abs(found[f"{name}.x"]).max() < 1e-9
-    assert np.abs(found[f"{name}.vx"]).max() < 1e-9
+def _at_rest(found: solver.Trajectory) -> None:
+    """Assert that body b stays at x = 0."""
+    assert np.abs(found["b.x"]).max() < 1e-9
+    assert np.abs(found["b.vx"]).max() < 1e-9
 
 
 @right(
@@ -1264,21 +1191,25 @@ def _() -> None:
     assert found["b.x"][-1] == pytest.approx(a / 2, rel=1e-6)
 
 
+@cache
+def _parked() -> solver.Trajectory:
+    return run(text_of("parked_box"), 0.5, 0.05, ["b.x", "b.vx", "solver.events", "solver.stepped"])
+
+
 @right("parked_box", "it rests")
 def _() -> None:
-    _rest(text_of("parked_box"), 0.5, 0.05, "b")
+    _at_rest(_parked())
 
 
 @right("parked_box", "it rests without an event, and not by stepped contacts")
 def _() -> None:
-    found = run(text_of("parked_box"), 0.5, 0.05, ["solver.events", "solver.stepped"])
-    assert found["solver.events"].sum() == 0
-    assert found["solver.stepped"].sum() == 0
+    assert _parked()["solver.events"].sum() == 0
+    assert _parked()["solver.stepped"].sum() == 0
 
 
 @right("slope_static_friction", "it stays where it is")
 def _() -> None:
-    _rest(text_of("slope_static_friction"), 2.0, 0.05, "b")
+    _at_rest(run(text_of("slope_static_friction"), 2.0, 0.05, ["b.x", "b.vx"]))
 
 
 def _pushed(share: float, height: float, kinetic: float, grows: bool) -> float:
@@ -1348,7 +1279,7 @@ def _spin_after() -> float:
 @right("rod_impact", "without friction its normal velocity turns round")
 def _() -> None:
     assert math.sqrt(2 * G * (0.5 - 0.5 * math.sin(0.5))) == pytest.approx(RIGHT_AFTER, abs=1e-11)
-    assert _after(0.0) == pytest.approx(RIGHT_AFTER, abs=2e-3)
+    assert _after(0.0) == pytest.approx(RIGHT_AFTER, abs=1e-4)
 
 
 @right("rod_impact", "a friction of {} gives the same to 1e-8", 1e-9, 1e-10)
@@ -1376,7 +1307,8 @@ def _(restitution: float) -> None:
     found = _rod(1e-9, restitution, contact_mode="stepped")
     impulse = np.abs(found["b.vx"] - 1.0).max()  # of the mass centre; nothing else acts along x
     assert found["c.impulse"][-1] > 0
-    assert impulse <= 1.01e-9 * found["c.impulse"][-1] + 1e-14
+    # After the impact it may slide for 20 ms more, under a normal force of some 20 N at most.
+    assert impulse <= 1.01e-9 * (found["c.impulse"][-1] + 0.4)
 
 
 @pytest.mark.parametrize("check", [check.parameter() for check in CHECKS])

@@ -8,6 +8,7 @@ import http.client
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
 
@@ -19,7 +20,7 @@ from build_fmu.stepping import SteppedFmu
 from tests.commands import run
 from tests.hanging import HANGS
 from tests.viewer.conftest import ROOT, scene
-from viewer.live import BUSY, GRACE, LAG, RATE, Session, StoppedError, live_page
+from viewer.live import BUSY, GRACE, LAG, RATE, SPEEDS, Session, StoppedError, live_page
 from viewer.live_server import Server
 
 
@@ -268,7 +269,9 @@ def test_a_page_that_is_loaded_again_keeps_the_session():
 @pytest.mark.parametrize(
     "command",
     [None, [], 3, {"set": 1}, {"set": {"f": 1.0}}, {"set": {"g": "1"}}, {"set": {"g": True}},
-     {"set": {"g": float("nan")}}, {"speed": 0.0}, {"speed": -1.0}, {"speed": "fast"}],
+     {"set": {"g": float("nan")}}, {"speed": 0.0}, {"speed": -1.0}, {"speed": "fast"},
+     {"speed": 1e-320}, {"speed": 1e300}, {"speed": float("inf")}, {"speed": float("nan")},
+     {"speed": True}, {"speed": 10**400}, {"set": {"g": -(10**400)}}, {"set": {"g": 10**400}}],
 )  # fmt: skip
 def test_a_wrong_command_is_refused_with_a_sentence(command):
     assert Session(Falling(), CONTROLS, Clock()).mistake(command)
@@ -318,7 +321,42 @@ def test_a_posted_value_acts(server):
     assert server.session.values == {"g": 7.0}
 
 
-@pytest.mark.parametrize("body", ["", "{", "[" * 60000, "x" * 70000, '{"set": {"g": NaN}}'])
+@pytest.mark.parametrize("speed", SPEEDS)
+def test_a_session_turns_at_the_slowest_and_the_fastest_speed(speed):
+    clock = Clock(each=1e-3)
+    session = Session(Falling(), CONTROLS, clock)
+    assert not session.mistake({"speed": speed})
+    session.do({"speed": speed, "play": True})
+    for _ in range(3):
+        clock.now += 0.1
+        session.turn()
+    assert session.time >= 0.0
+
+
+def test_a_request_of_odd_numbers_is_answered_and_the_server_goes_on(server, capfd):
+    port, token = server.server_port, server.token
+    for line in ("GET http://[ HTTP/1.1", f"POST /do?k={token} HTTP/1.1"):
+        with socket.create_connection(("127.0.0.1", port), timeout=HANGS) as connection:
+            head = f"{line}\r\nHost: 127.0.0.1:{port}\r\nContent-Length: {'9' * 5000}\r\n\r\n"
+            connection.sendall(head.encode())
+            assert connection.makefile("rb").read().startswith(b"HTTP/1.1 4")
+    assert asked(server, f"/?k={token}")[0] == 200
+    assert "Traceback" not in capfd.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "",
+        "{",
+        '{"speed": %s}' % ("9" * 400),
+        '{"speed": %s}' % ("9" * 5000),
+        '{"speed": 1e-320}',
+        "[" * 60000,
+        "x" * 70000,
+        '{"set": {"g": NaN}}',
+    ],
+)
 def test_a_post_that_is_no_command_is_refused(server, body):
     assert asked(server, f"/do?k={server.token}", body)[0] == 400
     server.session.turn()

@@ -75,6 +75,20 @@ def test_positions_of_what_travels_far_are_of_single_precision(far):
     assert abs(unpacked(run, "xx")[0] - x).max() < 1e-3 * (0.5 + far)
 
 
+@pytest.mark.parametrize("bodies", [1, 40])
+def test_a_run_of_any_length_and_roughness_keeps_to_its_budget(bodies):
+    """Noise is not deflated, and no line between fewer rows follows it."""
+    rng, budget = np.random.default_rng(1), 200_000
+    times = np.linspace(0.0, 1.0, 20_000)
+    names = [f"{name}{k}" for k in range(bodies) for name in ("b.x", "b.y", "energy.")]
+    columns = {name: rng.standard_normal(len(times)) for name in names}
+    places = [name for name in names if not name.startswith("energy")]
+    run = packed(drawing(*places), times, columns, names, budget)
+    assert sum(map(len, run.blocks)) <= budget
+    assert run.notes[0].startswith("shows every ")
+    assert run.meta["n"] >= 9
+
+
 def test_values_come_back_as_single_precision():
     column = np.exp(T) - 1e-12
     run = packed(drawing(), T, {"e": column}, ["e"])

@@ -44,6 +44,54 @@ def test_commands_write_a_page(command, tmp_path):
     assert data["runs"][0]["facts"][0]["value"] == "finished"
 
 
+PROFILED = """
+name = "pushed"
+dimension = 2
+[inputs]
+pull = { start = 0.5 }
+[profiles]
+p = { file = "p.csv" }
+[points]
+A = { position = [0, 0], mass = 1 }
+[forces]
+push = { type = "force", point = "A", value = ["p(t)", "pull"] }
+[experiment]
+stop_time = 0.2
+step_size = 0.1
+"""
+
+
+@pytest.fixture
+def profiled(tmp_path):
+    """Path of a scene whose force is a profile of a CSV file, y = x^2 at 0, 1 and 2."""
+    (tmp_path / "p.csv").write_text("x,y\n0,0\n1,1\n2,4\n")
+    (tmp_path / "m.toml").write_text(PROFILED)
+    return tmp_path / "m.toml"
+
+
+@pytest.mark.parametrize("command", ["simulate", "check"])
+@pytest.mark.parametrize("built", [False, True])
+def test_a_scene_with_a_profile_of_a_file_becomes_a_page(command, built, profiled):
+    """Also as an FMU, which holds the points of the profile, far from the file."""
+    target, page = profiled, profiled.parent / "run.html"
+    if built:
+        target = profiled.with_suffix(".fmu")
+        overrides = ["--set", "pull=0.25", "--set", "points.A.mass=2*0.5"]
+        assert main(["build", str(profiled), "-o", str(target), *overrides]) == 0
+        (profiled.parent / "p.csv").unlink()
+    assert main([command, str(target), "--report", str(page)]) == 0
+    assert data_of(page)["name"] == "pushed"
+
+
+def test_a_page_that_cannot_be_written_loses_no_table(profiled, capsys):
+    table, page = profiled.parent / "o.csv", profiled.parent / "a folder"
+    page.mkdir()
+    command = ["simulate", str(profiled), "--csv", str(table), "--report", str(page)]
+    assert main(command) != 0
+    assert "a folder" in capsys.readouterr().err
+    assert len(table.read_text().splitlines()) == 4
+
+
 def test_a_page_does_not_change_what_a_command_prints(tmp_path, capsys):
     assert main(["simulate", PENDULUM, "--stop", "1", "--csv", "-"]) == 0
     without = capsys.readouterr().out

@@ -1,0 +1,149 @@
+/* What is said of a mechanism that was closed: what moved far from its drawing, and whether other poses are as near. */
+#include "small.h"
+
+#include "sentences.h"
+
+#include <string.h>
+
+enum { MOST_TOLD = 5 };
+static const double TENTH = 0.1;      /* of the size of the mechanism, or of a full turn */
+static const double ROUND_OFF = 1e-9; /* of a way over that size, and of a turn */
+
+/* Way of a part from its drawing [m], and the angle it turned by [rad]. */
+typedef struct move {
+    const char *name;
+    int length;
+    double way, turn;
+} move;
+
+static double place_of_node(const hm_model_file *f, const double *numbers, const double *q, int32_t node, int k)
+{
+    const holonom_model *m = &f->model;
+    const int32_t n_moving = m->n_free + m->n_driven;
+    return node < n_moving ? q[DIM * node + k] : numbers[m->support_at + DIM * (node - n_moving) + k];
+}
+
+/* Component k of measured place j, the end of a link, at coordinates q. */
+static double measured_place(const hm_model_file *f, const double *numbers, const double *q, int32_t j, int k)
+{
+    const holonom_model *m = &f->model;
+    const int32_t form = m->place_form[j];
+    double sum = 0.0;
+    for (int32_t e = m->form_ptr[form]; e < m->form_ptr[form + 1]; e++) {
+        sum += numbers[m->alpha_at + e] * place_of_node(f, numbers, q, m->form_node[e], k);
+        if (DIM == 2 && m->form_kind[form] & FORM_TURNED)
+            sum += numbers[m->alpha_turn_at + e] * (k ? 1.0 : -1.0) * place_of_node(f, numbers, q, m->form_node[e], 1 - k);
+    }
+    return sum;
+}
+
+/* Angle between two orientations of the body with first director `a`. */
+static double turned_angle(const double *now, const double *drawn, int32_t a)
+{
+    double cosines = 0.0, sine = 0.0;
+    const double *d = drawn + DIM * a, *e = now + DIM * a;
+    for (int k = 0; k < (DIM == 2 ? 2 : 9); k++) cosines += d[k] * e[k];
+    if (DIM == 2) {
+        sine = d[0] * e[1] - d[1] * e[0];
+        return hm_atan2(sine, cosines);
+    }
+    return hm_acos(fmax(-1.0, fmin(1.0, 0.5 * (cosines - 1.0))));
+}
+
+/* The angle that the body of this name turned by; 0 if there is none. */
+static double turn_of(const hm_model_file *f, const double *numbers, const hm_state *s, const char *name, int length)
+{
+    const holonom_model *m = &f->model;
+    for (int32_t b = 0; b < m->n_bodies; b++) {
+        const int32_t a = m->body_node[b];
+        for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
+            const char *title = f->text + f->row[i].name + sizeof "body '" - 1;
+            if (m->form_node[m->form_ptr[m->row_form[i]]] != a) continue;
+            if (!strncmp(title, name, (size_t)length) && title[length] == '\'') return turned_angle(s->q, numbers + m->initial_position_at, a);
+            break;
+        }
+    }
+    return 0.0;
+}
+
+/* How far the part moved whose x coordinate this variable is; 0 if it is none of a point or of the origin of a body. */
+static int find_move(const hm_model_file *f, const double *numbers, const hm_state *s, const hm_variable *v, move *x)
+{
+    const holonom_model *m = &f->model;
+    const char *name = f->text + v->name, *dot = strchr(name, '.');
+    const int32_t n = DIM * (m->n_free + m->n_driven), first_place = 2 * n; /* driven nodes go where they must */
+    double square = 0.0;
+    if (v->kind != KIND_MEASURED || !dot || strcmp(dot, ".x")) return 0;
+    const int is_node = v->place < DIM * m->n_free;
+    if (!is_node && (v->place < first_place || v->place >= first_place + DIM * m->n_places)) return 0;
+    for (int k = 0; k < DIM; k++) {
+        const double *drawn = numbers + m->initial_position_at;
+        const int32_t j = (v->place - first_place) / DIM;
+        const double way = is_node ? s->q[v->place + k] - drawn[v->place + k]
+                                   : measured_place(f, numbers, s->q, j, k) - measured_place(f, numbers, drawn, j, k);
+        square += way * way;
+    }
+    *x = (move){name, (int)(dot - name), sqrt(square), turn_of(f, numbers, s, name, (int)(dot - name))};
+    return 1;
+}
+
+/* How far that is, over a tenth of the mechanism or of a turn. */
+static double farness(const hm_model_file *f, const double *numbers, const move *x)
+{
+    const double turn = 6.283185307179586;
+    return fmax(x->way / numbers[f->model.extent_at], fabs(x->turn) / turn) / TENTH;
+}
+
+static void say_name(hm_text *text, const move *x)
+{
+    char letter[2] = "";
+    for (int k = 0; k < x->length; k++) letter[0] = x->name[k], hm_say(text, "%s", letter);
+}
+
+/* Says which parts moved far, the farthest first; returns how many. */
+static int say_moves(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
+{
+    double last = INFINITY;
+    uint32_t last_variable = 0;
+    int told = 0, all = 0;
+    for (uint32_t k = 0; k < f->header->n_variables; k++) {
+        move x;
+        all += find_move(f, numbers, s, f->variable + k, &x) && farness(f, numbers, &x) > 1.0;
+    }
+    for (; told < all && told < MOST_TOLD; told++) {
+        move next = {0}, x;
+        uint32_t at = 0;
+        double most = 0.0;
+        for (uint32_t k = 0; k < f->header->n_variables; k++) {
+            if (!find_move(f, numbers, s, f->variable + k, &x)) continue;
+            const double far = farness(f, numbers, &x);
+            if (far > most && (far < last || (far == last && k > last_variable))) most = far, at = k, next = x;
+        }
+        hm_say(text, "%s", told ? ", " : "closing the mechanism moved ");
+        say_name(text, &next);
+        const int goes = next.way > ROUND_OFF * numbers[f->model.extent_at], turns = fabs(next.turn) > ROUND_OFF;
+        if (goes) hm_say(text, " by %3g m", next.way);
+        if (turns) hm_say(text, " %s %3g rad", goes ? "and" : "by", next.turn);
+        last = most, last_variable = at;
+    }
+    if (all > told) hm_say(text, " and %d more", all - told);
+    if (all) hm_say(text, ", more than a tenth of its size, %3g m, or of a turn; draw what moved nearer to its place", numbers[f->model.extent_at]);
+    return all;
+}
+
+int hm_say_closing(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
+{
+    const double *head = s->head;
+    const size_t begin = text->used;
+    if (say_moves(text, f, numbers, s) && head[S_CLOSING] == CLOSING_BEHIND_PATH)
+        hm_say(text, "; on the way from the drawing it came to a dead centre, and may have gone to another branch");
+    if (text->used > begin && head[S_CLOSING] == CLOSING_SHAKEN)
+        hm_say(text, "; the drawing itself leads to no pose, this one was found from one of %d drawings that were shaken",
+               (int)head[S_CLOSING_TRIES]);
+    if (head[S_CLOSING_OTHERS] != 0.0)
+        hm_say(text, "%s another pose closes it, too, and is as near to the drawing: turn a body towards the one that is meant",
+               text->used > begin ? ";" : "closing the mechanism:");
+    return text->used > begin;
+}
+
+#include "small.h"

@@ -1,0 +1,46 @@
+/* Which part a step has failed at, as far as the residuals of its last try tell. */
+#ifndef HOLONOM_FAULT_H
+#define HOLONOM_FAULT_H
+
+#include "context.h"
+
+/* Whether x is larger than the largest so far, or no number: nothing is larger than that. */
+static int exceeds(double x, double largest) { return largest == largest && !(x <= largest); }
+
+#define MET 1e-9 /* part of its size by which a row may be off and is met */
+
+/* The row that is off most, against its size; -1 if all are met. */
+static int32_t worst_row(const context *c)
+{
+    double largest = MET;
+    int32_t worst = -1;
+    for (int32_t i = 0; i < c->m->n_rows; i++) {
+        const double off = fabs(c->k.phi[i]) / c->number[c->m->row_scale_at + i];
+        if (exceeds(off, largest)) largest = off, worst = i;
+    }
+    return worst;
+}
+
+/* The free node whose balance of momentum is off most, in the norm of its mass. */
+static int32_t worst_node(const context *c)
+{
+    double largest = 0.0;
+    int32_t worst = -1;
+    for (int32_t a = 0; a < c->m->n_free; a++) {
+        const double *x = c->k.momentum + DIM * a, off = dot(x, x) / c->number[c->m->node_mass_at + a];
+        if (exceeds(off, largest)) largest = off, worst = a;
+    }
+    return worst;
+}
+
+/* Blames a row, by its multiplier and 1, or a node, by its number behind the multipliers and 1; nothing if none is known. */
+HM_SELDOM static void blame_worst(context *c, int32_t status)
+{
+    const int of_rows = status == HOLONOM_UZAWA_DIVERGED || status == HOLONOM_NEWTON_DIVERGED;
+    const int of_nodes = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE;
+    const int32_t row = of_rows ? worst_row(c) : -1, node = row < 0 && of_nodes ? worst_node(c) : -1;
+    if (row >= 0) c->at_fault = 1 + row;
+    else if (node >= 0) c->at_fault = 1 + c->m->n_rows + node;
+}
+
+#endif

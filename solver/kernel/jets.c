@@ -1,0 +1,167 @@
+/* Jets: values with their rates and second derivatives in time, through the operations of tapes and functions (forward mode).
+
+   They look forward: at a kink or a jump, such as that of max(t, 0) at 0, the jet is that of what follows. */
+#include "small.h"
+
+#include "internal.h"
+
+/* Sign that a jet has just after the present: of the first of value, rate and second derivative that is not 0. */
+static double sign_after(hm_jet a)
+{
+    const double first = a.value != 0.0 ? a.value : a.rate != 0.0 ? a.rate : a.bend;
+    return (double)((first > 0.0) - (first < 0.0));
+}
+
+static hm_jet difference(hm_jet a, hm_jet b) { return (hm_jet){a.value - b.value, a.rate - b.rate, a.bend - b.bend}; }
+
+static hm_jet product(hm_jet a, hm_jet b)
+{
+    return (hm_jet){a.value * b.value, a.rate * b.value + a.value * b.rate,
+                    a.bend * b.value + 2.0 * a.rate * b.rate + a.value * b.bend};
+}
+
+static hm_jet quotient(hm_jet a, hm_jet b)
+{
+    const double value = a.value / b.value, rate = (a.rate - value * b.rate) / b.value;
+    return (hm_jet){value, rate, (a.bend - 2.0 * rate * b.rate - value * b.bend) / b.value};
+}
+
+static int stands(hm_jet a) { return a.rate == 0.0 && a.bend == 0.0; }
+
+/* Of a function of a with this value and these derivatives, which may be infinite where a stands. */
+static hm_jet chain(hm_jet a, double value, double slope, double curvature)
+{
+    if (stands(a)) return (hm_jet){value, 0.0, 0.0};
+    return (hm_jet){value, slope * a.rate, slope * a.bend + (a.rate == 0.0 ? 0.0 : curvature * a.rate * a.rate)};
+}
+
+/* factor a^n, without the infinite power of 0 that a factor of 0 leaves out. */
+static double times_power(double factor, double a, double n) { return factor == 0.0 ? 0.0 : factor * hm_pow(a, n); }
+
+static hm_jet power(hm_jet a, hm_jet b)
+{
+    const double value = hm_pow(a.value, b.value), n = b.value;
+    if (stands(b)) return chain(a, value, times_power(n, a.value, n - 1.0), times_power(n * (n - 1.0), a.value, n - 2.0));
+    const double inverse = 1.0 / a.value;
+    const hm_jet exponent = product(chain(a, hm_log(a.value), inverse, -inverse * inverse), b);
+    return chain(exponent, value, value, value);
+}
+
+static hm_jet angle_of(hm_jet a, hm_jet b)
+{
+    const double square = a.value * a.value + b.value * b.value;
+    const double rate = (b.value * a.rate - a.value * b.rate) / square;
+    const double bend = (b.value * a.bend - a.value * b.bend - 2.0 * rate * (a.value * a.rate + b.value * b.rate)) / square;
+    return (hm_jet){hm_atan2(a.value, b.value), stands(a) && stands(b) ? 0.0 : rate, stands(a) && stands(b) ? 0.0 : bend};
+}
+
+/* What a exceeds a multiple of b by: at a multiple, that from which a falls is the one before. */
+static hm_jet modulus(hm_jet a, hm_jet b)
+{
+    double value = hm_operate(T_MOD, a.value, b.value, 0.0);
+    double whole = floor((a.value - value) / b.value + 0.5);
+    if (value == 0.0) {
+        hm_jet after = quotient(a, b);
+        after.value = 0.0;
+        if (sign_after(after) < 0.0) value = b.value, whole -= 1.0;
+    }
+    return (hm_jet){value, a.rate - whole * b.rate, a.bend - whole * b.bend};
+}
+
+/* Floor or ceiling: at a whole number, of the side to which a goes. */
+static double rounded(int32_t code, hm_jet a)
+{
+    const double value = hm_operate(code, a.value, 0.0, 0.0), goes = sign_after((hm_jet){0.0, a.rate, a.bend});
+    if (value != a.value) return value;
+    return code == T_FLOOR ? value - (goes < 0.0) : value + (goes > 0.0);
+}
+
+/* A comparison as it is just after the present. */
+static double compared(int32_t code, hm_jet a, hm_jet b)
+{
+    if (a.value != b.value) return hm_operate(code, a.value, b.value, 0.0);
+    return hm_operate(code, sign_after((hm_jet){0.0, a.rate - b.rate, a.bend - b.bend}), 0.0, 0.0);
+}
+
+hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c)
+{
+    const double x = a.value, f = hm_operate(code, x, b.value, c.value), rest = 1.0 - x * x;
+    switch (code) {
+    case T_COPY: return a;
+    case T_ADD: return (hm_jet){f, a.rate + b.rate, a.bend + b.bend};
+    case T_SUB: return difference(a, b);
+    case T_MUL: return product(a, b);
+    case T_DIV: return quotient(a, b);
+    case T_POW: return power(a, b);
+    case T_NEG: return (hm_jet){-x, -a.rate, -a.bend};
+    case T_SIN: return chain(a, f, hm_cos(x), -f);
+    case T_COS: return chain(a, f, -hm_sin(x), -f);
+    case T_TAN: return chain(a, f, 1.0 + f * f, 2.0 * f * (1.0 + f * f));
+    case T_ASIN: return chain(a, f, 1.0 / sqrt(rest), x / (rest * sqrt(rest)));
+    case T_ACOS: return chain(a, f, -1.0 / sqrt(rest), -x / (rest * sqrt(rest)));
+    case T_ATAN: return chain(a, f, 1.0 / (1.0 + x * x), -2.0 * x / ((1.0 + x * x) * (1.0 + x * x)));
+    case T_ATAN2: return angle_of(a, b);
+    case T_SQRT: return chain(a, f, 0.5 / f, -0.25 / (x * f));
+    case T_EXP: return chain(a, f, f, f);
+    case T_LOG: return chain(a, f, 1.0 / x, -1.0 / (x * x));
+    case T_SINH: return chain(a, f, hm_cosh(x), f);
+    case T_COSH: return chain(a, f, hm_sinh(x), f);
+    case T_TANH: return chain(a, f, 1.0 - f * f, -2.0 * f * (1.0 - f * f));
+    case T_ABS: return sign_after(a) < 0.0 ? (hm_jet){f, -a.rate, -a.bend} : (hm_jet){f, a.rate, a.bend};
+    case T_MIN: return x != x || (b.value == b.value && compared(T_LE, a, b) != 0.0) ? a : b;
+    case T_MAX: return x != x || (b.value == b.value && compared(T_GE, a, b) != 0.0) ? a : b;
+    case T_SELECT: return x != 0.0 ? b : c;
+    case T_MOD: return modulus(a, b);
+    case T_SIGN: return (hm_jet){x != x ? x : sign_after(a), 0.0, 0.0};
+    case T_FLOOR: case T_CEIL: return (hm_jet){rounded(code, a), 0.0, 0.0};
+    case T_LT: case T_LE: case T_GT: case T_GE: case T_EQ: case T_NE: return (hm_jet){compared(code, a, b), 0.0, 0.0};
+    default: return (hm_jet){f, 0.0, 0.0};
+    }
+}
+
+hm_jet hm_look_up_jet(int32_t code, const hm_jet *x, const double *first, const double *last)
+{
+    const int order = code - T_SPLINE;
+    if (reads_grid(code)) return hm_grid_jet(code - T_GRID, x, first, last);
+    return chain(*x, hm_spline(order, x->value, first, last), hm_spline(order + 1, x->value, first, last),
+                 hm_spline(order + 2, x->value, first, last));
+}
+
+static const int32_t *operations(const holonom_model *m, int32_t segment, int32_t *count)
+{
+    const int32_t *op = m->tape, *length = &m->n_tape_parameters;
+    for (int32_t before = 0; before < segment; before++) op += 5 * (int64_t)length[before];
+    *count = length[segment];
+    return op;
+}
+
+void hm_stop_jets(const holonom_model *m, int32_t segment, double *jet)
+{
+    int32_t count;
+    const int32_t *op = operations(m, segment, &count), *end = op + 5 * (int64_t)count;
+    for (; op < end; op += 5)
+        for (int k = 0; k < (reads_grid(op[0]) ? 6 : 2); k++)
+            jet[2 * op[2] + k] = jet[2 * op[3] + k % 2] = jet[2 * op[4] + k % 2] = 0.0;
+}
+
+static hm_jet jet_at(const double *numbers, const double *jet, int32_t place)
+{
+    return (hm_jet){numbers[place], jet[2 * place], jet[2 * place + 1]};
+}
+
+void hm_run_jets(const holonom_model *m, double *numbers, int32_t segment, double *jet)
+{
+    int32_t count;
+    const int32_t *op = operations(m, segment, &count), *end = op + 5 * (int64_t)count;
+    for (; op < end; op += 5) {
+        hm_jet x[3] = {jet_at(numbers, jet, op[2])}, y;
+        for (int k = 1; k < 3 && reads_grid(op[0]); k++) x[k] = jet_at(numbers, jet, op[2] + k);
+        if (op[0] >= T_SPLINE) y = hm_look_up_jet(op[0], x, numbers + op[3], numbers + op[4]);
+        else y = hm_operate_jet(op[0], x[0], jet_at(numbers, jet, op[3]), jet_at(numbers, jet, op[4]));
+        numbers[op[1]] = y.value;
+        jet[2 * op[1]] = y.rate;
+        jet[2 * op[1] + 1] = y.bend;
+    }
+}
+
+#include "small.h"
