@@ -1,7 +1,8 @@
 # make demo        build FMUs of a four-bar and of a worn slider-crank, run them in fmpy, show what they conserve
 # make test        everything CI runs: format, lint, types, import contracts, C warnings, tests
-# make long        what takes longer: long tests, sanitize, hostile
+# make long        what takes longer: long tests, sanitize, hostile, coverage
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
+# make coverage    which functions, lines and branches of the kernel run in the tests of make test (needs gcc)
 # make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
 # make docs        the documentation site, in build/docs; its examples are run, and a warning is an error
 # make linkcheck   whether the site's links to other sites lead somewhere
@@ -34,7 +35,7 @@ BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/ke
     $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
     solver/options.py solver/runtime/layout.py solver/runtime/errors.py
 
-.PHONY: demo test tests long lint style types sanitize hostile docs linkcheck benchmark importers platforms viewer browser browser-tools release cofmupy kernel clean
+.PHONY: demo test tests long lint style types sanitize hostile coverage docs linkcheck benchmark importers platforms viewer browser browser-tools release cofmupy kernel clean
 
 demo: $(VENV)/installed
 	@$(BIN)/python -m examples.demo
@@ -48,7 +49,7 @@ tests: $(VENV)/installed-tools
 
 long: $(VENV)/installed-truth
 	$(BIN)/python -m pytest -n $(JOBS) -m long
-	$(MAKE) sanitize hostile
+	$(MAKE) sanitize hostile coverage
 
 lint: style types
 
@@ -65,6 +66,9 @@ sanitize: $(VENV)/installed-tools
 
 hostile: $(VENV)/installed-tools
 	$(BIN)/python -m tests.hostile --seed $(SEED) --count $(N) $(ATTACKS)
+
+coverage: $(VENV)/installed-tools
+	$(BIN)/python -m tests.coverage -n $(JOBS)
 
 docs: $(VENV)/installed-docs
 	$(BIN)/python -m sphinx -W --keep-going -q -E -d build/doctrees docs build/docs

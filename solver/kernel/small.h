@@ -1,4 +1,5 @@
-/* Included first, and again last, by files whose functions run seldom, or wait for others: they are compiled for size. */
+/* Included first, and again last, by files whose functions run seldom, or wait for others: they are compiled for size, but
+   where nothing is optimised, so that counts of lines are true. */
 #if defined(__clang__)
 #ifndef HM_SMALL
 #define HM_SMALL
@@ -7,6 +8,6 @@
 #undef HM_SMALL
 #pragma clang attribute pop
 #endif
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && defined(__OPTIMIZE__)
 #pragma GCC optimize("Os")
 #endif
