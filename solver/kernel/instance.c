@@ -420,7 +420,7 @@ int32_t holonom_assemble(holonom_instance *i)
     }
     i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
     if (problems) return HOLONOM_UNASSEMBLED;
-    if (i->s.head[S_ASSEMBLE] != 0.0) remark_on_closing(i);
+    if (i->s.head[S_ASSEMBLE] != 0.0 && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
     return done(i);
 }
 
