@@ -7,7 +7,7 @@ import sys
 from dataclasses import asdict
 from typing import TYPE_CHECKING
 
-from build_fmu.errors import UsageError, writing
+from build_fmu.errors import UsageError
 from build_fmu.report import number, print_json, print_table
 
 if TYPE_CHECKING:
@@ -22,8 +22,7 @@ def run(arguments: argparse.Namespace) -> int:
     from solver import SceneError, close
 
     try:
-        with writing(arguments.output or ""):
-            closing = close(arguments.scene, arguments.output)
+        closing = close(arguments.scene, arguments.output)
     except SceneError as error:
         raise UsageError(str(error)) from None
     if arguments.json:
