@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from solver.files import write_whole
 from solver.mechanics.assembly import assemble_parts
 from solver.mechanics.mobility import Survey, survey
 from solver.runtime import Integrator
@@ -108,8 +109,7 @@ def close(
         text=text,
     )
     if path is not None:
-        with open(path, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        write_whole(path, text)
     return result
 
 
@@ -296,9 +296,9 @@ class _Edit:
                     moved = closed.get(f"{joint}.{word}", 0.0)
                     for path in ((table, name, field) for field in fields):
                         if path in self._spans and abs(moved) > ROUND_OFF * size:
-                            span = self._spans[path]
-                            text = self._scene.source.text[span.begin : span.end]
-                            self._new[path] = less(text, moved)
+                            span, source = self._spans[path], self._scene.source
+                            written = source.text[span.begin : span.end]
+                            self._new[path] = less(written, source.notation, moved)
 
     def _add_places(self, table: str, name: str, part: Any) -> None:
         """Carry places and directions of a part with the bodies that they are fixed to."""

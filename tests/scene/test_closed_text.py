@@ -138,6 +138,39 @@ def test_drivers_and_stops_of_joints_count_from_the_new_drawing():
     assert float(again["upper.angle"]) == pytest.approx(0.5, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("written", "counted"),
+    [
+        ("'0.2 + 0*t'", '"(0.2 + 0*t) - 0.2'),
+        ('"""0.2 + 0*t"""', '"(0.2 + 0*t) - 0.2'),
+        ("2e-1", ""),
+        ("0x1", ""),
+    ],
+)
+def test_a_driver_in_any_notation_of_toml_counts_from_the_new_drawing(written, counted):
+    text = arm("plane", [1.2, 0.8]).partition("[drivers]")[0] + (
+        f'[drivers]\nmotor = {{ type = "angle", joint = "shoulder", value = {written} }}\n'
+        "[solver]\nassemble = true\n"
+    )
+    closed = solver.close(solver.loads(text)).text
+    assert f"value = {counted}" in closed
+    angle = 1.0 if written == "0x1" else 0.2
+    assert float(start(closed)["upper.angle"]) == pytest.approx(angle, abs=1e-9)
+
+
+def test_new_fields_stand_beside_the_position_whatever_the_name_of_the_part():
+    head, _, rest = arm("plane", [1.2, 0.8]).replace("upper", "position1").partition("[bodies]\n")
+    _, _, rest = rest.partition("[joints]")
+    dotted = "".join(
+        f"{name}.{field}\n"
+        for name, fields in (("position1", "position = [0.5, 0]"), ("lower", "position = [1.5, 0]"))
+        for field in (fields, "mass = 1", "inertia = 0.1",
+                      "points = { root = [-0.5, 0], tip = [0.5, 0] }")
+    )  # fmt: skip
+    closed = solver.close(solver.loads(f"{head}[bodies]\n{dotted}[joints]{rest}")).text
+    assert "\nposition1.orientation = " in closed
+
+
 def test_a_pose_that_counts_from_the_drawing_otherwise_is_refused():
     text = arm("plane", [1.2, 0.8]).partition("[drivers]")[0] + (
         '[constraints]\nheld = { value = "shoulder.angle - 0.2" }\n'
