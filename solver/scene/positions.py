@@ -41,11 +41,6 @@ def written(text: str, notation: str) -> Mapping[Path, str]:
     return _scanned(text, notation).scalars
 
 
-def lines_of_toml(text: str) -> Mapping[Path, int]:
-    """Line of each path of a TOML text that a reader has accepted."""
-    return _scanned(text, "toml").lines
-
-
 def lines_of_json(text: str) -> tuple[Mapping[Path, int], list[tuple[Path, int]]]:
     """Line of each path of a JSON text that a reader has accepted, and of keys given twice."""
     scanner = _scanned(text, "json")
