@@ -27,7 +27,6 @@ OTHER_WORDS = {
 """Options that other programs have, and what they are called here."""
 PAGE = (".html", ".htm")
 ENDINGS = {
-    "assemble output": (".toml", ".json"),
     "csv": (".csv",),
     "report": PAGE,
     "report output": PAGE,

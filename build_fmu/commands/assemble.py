@@ -19,11 +19,11 @@ ROUND_OFF = 1e-12
 
 def run(arguments: argparse.Namespace) -> int:
     """Close it, say what moved, and write the scene; exit code 0."""
-    from solver import SceneError, close
+    from solver import OptionError, SceneError, close
 
     try:
         closing = close(arguments.scene, arguments.output)
-    except SceneError as error:
+    except (OptionError, SceneError) as error:
         raise UsageError(str(error)) from None
     if arguments.json:
         document = {k: v for k, v in asdict(closing).items() if k != "text"}

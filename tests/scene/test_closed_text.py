@@ -198,6 +198,9 @@ def test_the_command_writes_the_scene_and_says_what_moved(tmp_path, capsys):
     assert float(start(unassembled(closed.read_text()))["constraint.position"]) < 1e-15
     code, out, _ = run(capsys, "assemble", drawn, "--json")
     assert (code, json.loads(out)["freedoms"]) == (0, 0)
+    code, _, error = run(capsys, "assemble", drawn, "-o", tmp_path / "closed.json")
+    assert (code, (tmp_path / "closed.json").exists()) == (2, False)
+    assert "closed.json: the name must end in .toml" in error
     drawn.write_text(arm("plane", [2.5, 0.0]))
     code, _, error = run(capsys, "assemble", drawn, "-o", closed)
     assert code == 2
