@@ -18,7 +18,6 @@ from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
-from solver.files import wrong_ending
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
@@ -87,6 +86,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _wrong_output(chosen: argparse.Namespace) -> str:
     """Say which file cannot be written under its name, before anything is computed for it."""
+    from solver.files import wrong_ending  # --help waits for no package
+
     for key, endings in ENDINGS.items():
         command, _, name = key.rpartition(" ")
         file = getattr(chosen, name, None)

