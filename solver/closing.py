@@ -9,9 +9,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from solver.files import write_whole, wrong_ending
 from solver.mechanics.assembly import assemble_parts
 from solver.mechanics.mobility import Survey, survey
-from solver.runtime import Integrator
+from solver.runtime import Integrator, OptionError
 from solver.runtime.layout import CLOSINGS
 from solver.scene import BodyJoint, Point, PointReference, Rigid, Scene, SceneWarning, load, loads
 from solver.scene.expression import evaluate
@@ -82,8 +83,12 @@ def close(
     SceneError
         With every mistake of the scene; where no pose closes the mechanism, by how much each part
         misses in the best one; or where a place of the drawing cannot be written.
+    OptionError
+        If the name of the file does not end as the notation of the scene, .toml or .json.
     """
     drawn = scene if isinstance(scene, Scene) else load(scene)
+    if path is not None and (wrong := wrong_ending(path, (f".{drawn.source.notation}",))):
+        raise OptionError(wrong)
     closed, counts, integrator = _closed(drawn)
     poses = {name: _Pose.of(drawn, name, closed) for name in _moving(drawn)}
     size = max(integrator.numbers[integrator.model.offsets["extent"]], math.ulp(0.0))
@@ -108,8 +113,7 @@ def close(
         text=text,
     )
     if path is not None:
-        with open(path, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        write_whole(path, text)
     return result
 
 
@@ -296,9 +300,9 @@ class _Edit:
                     moved = closed.get(f"{joint}.{word}", 0.0)
                     for path in ((table, name, field) for field in fields):
                         if path in self._spans and abs(moved) > ROUND_OFF * size:
-                            span = self._spans[path]
-                            text = self._scene.source.text[span.begin : span.end]
-                            self._new[path] = less(text, moved)
+                            span, source = self._spans[path], self._scene.source
+                            written = source.text[span.begin : span.end]
+                            self._new[path] = less(written, source.notation, moved)
 
     def _add_places(self, table: str, name: str, part: Any) -> None:
         """Carry places and directions of a part with the bodies that they are fixed to."""

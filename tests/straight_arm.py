@@ -35,7 +35,7 @@ hand = {{ type = "position", point = "B", value = {target} }}
 assemble = true
 """
 _PINS = """
-shoulder = {{ type = "{shoulder}", bodies = ["ground", "upper"], position = {origin}{first_axis} }}
+shoulder = {{ type = "{shoulder}", bodies = ["ground", "upper"], position = {origin} }}
 elbow = {{ type = "{elbow}", bodies = ["upper", "lower"], position = {middle}{axis} }}
 """
 KINDS = {
@@ -60,9 +60,8 @@ def arm(kind: str, target: list[float]) -> str:
     inertia = 0.1 if dim == 2 else [0.1, 0.1, 0.1]
     hinge = ", axis = [0, 0, 1]" if elbow == "revolute" and dim == 3 else ""
     joints = _PINS.format(
-        shoulder=shoulder, elbow=elbow, origin=place(0.0), middle=place(1.0), axis=hinge,
-        first_axis="",
-    )  # fmt: skip
+        shoulder=shoulder, elbow=elbow, origin=place(0.0), middle=place(1.0), axis=hinge
+    )
     body = _BODY.format(inertia=inertia, root=place(-0.5), tip=place(0.5))
     return _ARM.format(
         dim=dim, body=body, first=place(0.5), second=place(1.5), joints=joints, target=target

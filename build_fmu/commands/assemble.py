@@ -7,7 +7,7 @@ import sys
 from dataclasses import asdict
 from typing import TYPE_CHECKING
 
-from build_fmu.errors import UsageError, writing
+from build_fmu.errors import UsageError
 from build_fmu.report import number, print_json, print_table
 
 if TYPE_CHECKING:
@@ -19,12 +19,11 @@ ROUND_OFF = 1e-12
 
 def run(arguments: argparse.Namespace) -> int:
     """Close it, say what moved, and write the scene; exit code 0."""
-    from solver import SceneError, close
+    from solver import OptionError, SceneError, close
 
     try:
-        with writing(arguments.output or ""):
-            closing = close(arguments.scene, arguments.output)
-    except SceneError as error:
+        closing = close(arguments.scene, arguments.output)
+    except (OptionError, SceneError) as error:
         raise UsageError(str(error)) from None
     if arguments.json:
         document = {k: v for k, v in asdict(closing).items() if k != "text"}

@@ -313,13 +313,20 @@ static const char *unit_of(const drawing *d, int32_t row)
     return kind == ROW_ANGLE ? " rad" : KIND[kind].unit;
 }
 
+/* Rate of a row where it is more than dependent rows may miss together, as those of axes that are almost parallel do; else 0. */
+static double missed_speed(const drawing *d, int32_t row)
+{
+    const double most = LARGEST_CONTRADICTION * d->numbers[d->m->row_scale_at + row] * d->fastest;
+    return fabs(d->rate[row]) > most ? speed_of(d, row) : 0.0;
+}
+
 /* With the setting `assemble` positions and velocities have been made consistent, so that a row which is still violated
    cannot be met at all: one sentence names the parts that fight, each with what is missing. */
 static int say_fighting(hm_text *text, const drawing *d)
 {
     int problems = 0;
     for (int pass = 0; pass < 2 && !problems; pass++) {
-        const row_value value = pass ? speed_of : drawn_gap;
+        const row_value value = pass ? missed_speed : drawn_gap;
         for (int32_t row = 0; row < d->m->n_rows; row++) {
             int32_t worst = row;
             double whole;

@@ -12,6 +12,7 @@
 
 #include "body_turns.h"
 #include "context.h"
+#include "fault.h"
 #include "ledger.h"
 #include "put_back.h"
 #include "start.h"
@@ -69,7 +70,7 @@ static void look_at_gaps(closing *x, double damping)
         at->k.phi[i] = slope * gap;
         at->k.epsilon[i] = fmax(damping * usual, at->number[m->row_sigma_at + i] / AT_STATE_PENALTY);
         x->sum += part * part;
-        if (!(fabs(part) <= x->largest)) x->largest = fabs(part);
+        if (exceeds(fabs(part), x->largest)) x->largest = fabs(part);
     }
 }
 

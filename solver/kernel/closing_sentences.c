@@ -54,14 +54,10 @@ static double turned_angle(const double *now, const double *drawn, int32_t a)
 static double turn_of(const hm_model_file *f, const double *numbers, const hm_state *s, const char *name, int length)
 {
     const holonom_model *m = &f->model;
-    for (int32_t b = 0; b < m->n_bodies; b++) {
-        const int32_t a = m->body_node[b];
-        for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
-            const char *title = f->text + f->row[i].name + sizeof "body '" - 1;
-            if (m->form_node[m->form_ptr[m->row_form[i]]] != a) continue;
-            if (!strncmp(title, name, (size_t)length) && title[length] == '\'') return turned_angle(s->q, numbers + m->initial_position_at, a);
-            break;
-        }
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) { /* the first of a body has its first director */
+        const char *title = f->text + f->row[i].name + sizeof "body '" - 1;
+        if (!strncmp(title, name, (size_t)length) && title[length] == '\'')
+            return turned_angle(s->q, numbers + m->initial_position_at, m->form_node[m->form_ptr[m->row_form[i]]]);
     }
     return 0.0;
 }
@@ -96,8 +92,9 @@ static double farness(const hm_model_file *f, const double *numbers, const move 
 
 static void say_name(hm_text *text, const move *x)
 {
-    char letter[2] = "";
-    for (int k = 0; k < x->length; k++) letter[0] = x->name[k], hm_say(text, "%s", letter);
+    const size_t begin = text->used;
+    hm_say(text, "%s", x->name);
+    if (text->used > begin + (size_t)x->length) hm_take_back(text, begin + (size_t)x->length);
 }
 
 /* Says which parts moved far, the farthest first; returns how many. */

@@ -97,7 +97,7 @@ HM_SELDOM static void load_jets(const context *c, double t, int32_t segment)
 #define A_LITTLE_LATER 1e-8 /* of the time, or [s] */
 
 /* Rates and second derivatives of the signals at time t (n_signals each, overwritten), as they are just after it: see jets.c.
-   Where a formula such as sqrt(t)^2 has none, they are taken a little later.                                    */
+   What a formula such as sqrt(t)^2 lacks of them is taken a little later.                                       */
 HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, double *bend)
 {
     const holonom_model *m = c->m;
@@ -109,8 +109,8 @@ HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, d
         lacks = 0;
         for (int32_t b = 0; b < m->n_signals; b++) {
             const double *jet = c->k.jet + 2 * (m->signal_at + b);
-            if (later && fabs(rate[b]) < INFINITY && fabs(bend[b]) < INFINITY) continue;
-            rate[b] = jet[0], bend[b] = jet[1];
+            if (!later || !(fabs(rate[b]) < INFINITY)) rate[b] = jet[0];
+            if (!later || !(fabs(bend[b]) < INFINITY)) bend[b] = jet[1];
             lacks |= !(fabs(rate[b]) < INFINITY && fabs(bend[b]) < INFINITY);
         }
     }

@@ -92,9 +92,6 @@ HM_SELDOM static int leave_contradiction(const context *c, double *phi)
     return is_told;
 }
 
-/* Largest part of their scale that rows may miss so. */
-#define LARGEST_CONTRADICTION 1e-6
-
 static int is_small_contradiction(const context *c)
 {
     double largest = 0.0;

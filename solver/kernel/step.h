@@ -115,7 +115,7 @@ static void prepare_step(context *c, int parity)
         c->k.epsilon[i] = compliance * c->number[m->row_sigma_at + i];
         c->k.mu[i] = kept * c->s.mu[parity][i];
     }
-    /* Lambda is predicted, too, with dependent rows, whose multipliers leave_undetermined has cleaned, and where choose_lambda
+    /* Lambda is predicted, too, with dependent rows, whose multipliers clean_multipliers has cleaned, and where choose_lambda
        says so. Else it is the last one: near a singular configuration a prediction would amplify what the rows leave
        undetermined. */
     const int follows = rows == ROWS_ARE_DEPENDENT || (rows == ROWS_ARE_INDEPENDENT && c->island[I_PREDICTS_LAMBDA] != 0.0);

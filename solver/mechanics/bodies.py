@@ -158,7 +158,8 @@ def _enough(rows: Rows, body: Rigid, E: Matrix, moment: Number, size2: Number) -
     is_tiny: Number = float(default(moment) < default(most))
     if isinstance(moment, Expr):
         is_tiny = operate("lt", moment, most)
-        text = "inertia of {value:.6g} kg.m2 counts as 0, below 1e-12 of mass times size squared"
+        bound = f"below {TINY:g} of mass times size squared"
+        text = "inertia of {value:.6g} kg.m2 counts as 0, " + bound
         rows.rule(is_tiny * moment, "noted", text)
     return tuple(
         tuple(

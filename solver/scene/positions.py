@@ -28,47 +28,29 @@ _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 _SCALAR = re.compile(r"[^,\]}#\n]*")
 
 
-@lru_cache(maxsize=4)
 def lines_of(text: str, notation: str) -> Mapping[Path, int]:
     """Line of each path of a text; nothing has a line where the notation is unknown.
 
-    Only a report of mistakes asks for lines, and then for many of the same text.
+    Only a report of mistakes asks for lines.
     """
-    if notation == "json":
-        return lines_of_json(text)[0]
-    return lines_of_toml(text) if notation == "toml" else {}
+    return _scanned(text, notation).lines
 
 
-@lru_cache(maxsize=4)
 def written(text: str, notation: str) -> Mapping[Path, str]:
     """Text of each number of a text, with all its digits; nothing where the notation is unknown."""
-    scanner = _Scanner(text)
-    if notation == "toml":
-        scanner.document()
-    elif notation == "json":
-        scanner.skip(_BLANK)
-        scanner.value(())
-    return scanner.scalars
-
-
-def lines_of_toml(text: str) -> Mapping[Path, int]:
-    """Line of each path of a TOML text that a reader has accepted."""
-    return _Scanner(text).document()
+    return _scanned(text, notation).scalars
 
 
 def lines_of_json(text: str) -> tuple[Mapping[Path, int], list[tuple[Path, int]]]:
     """Line of each path of a JSON text that a reader has accepted, and of keys given twice."""
-    scanner = _Scanner(text)
-    scanner.skip(_BLANK)
-    scanner.value(())
+    scanner = _scanned(text, "json")
     return scanner.lines, scanner.repeated
 
 
 def first_of_repeated(text: str) -> int | None:
     """Line of the key that the last entry of a TOML text, which ends with it, gives once more."""
-    scanner = _Scanner(text)
-    lines = scanner.document()
-    return lines[scanner.repeated[-1][0]] if scanner.repeated else None
+    scanner = _scanned(text, "toml")
+    return scanner.lines[scanner.repeated[-1][0]] if scanner.repeated else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,13 +67,19 @@ class Span:
 
 def spans_of(text: str, notation: str) -> Mapping[Path, Span]:
     """Where the value of each key of a text stands that a reader has accepted."""
+    return _scanned(text, notation).spans
+
+
+@lru_cache(maxsize=4)
+def _scanned(text: str, notation: str) -> _Scanner:
+    """Scanner at the end of a text; at its beginning where the notation is unknown."""
     scanner = _Scanner(text)
-    if notation == "json":
+    if notation == "toml":
+        scanner.document()
+    elif notation == "json":
         scanner.skip(_BLANK)
         scanner.value(())
-    else:
-        scanner.document()
-    return scanner.spans
+    return scanner
 
 
 class _Scanner:
@@ -123,12 +111,12 @@ class _Scanner:
         self.counted = self.at
         self.lines.setdefault(path, self.line)
 
-    def document(self) -> Mapping[Path, int]:
+    def document(self) -> None:
         table: Path = ()
         while True:
             self.skip(_BLANK)
             if self.at >= len(self.text):
-                return self.lines
+                return
             if self.peek("["):
                 table = self.header()
             else:

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from solver.scene.positions import Path, spans_of
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 Written: TypeAlias = (
     float | str | Sequence[float] | Sequence[list[float]] | Mapping[str, Sequence[float]]
@@ -40,7 +46,8 @@ def rewritten(text: str, notation: str, values: Mapping[Path, Written]) -> str:
         place = spans.get((*path[:-1], "position"))
         if place is None or any(known[: len(path)] == path for known in spans):
             raise UnwrittenError(path)
-        name = place.key.replace("position", str(path[-1]))
+        before, _, after = place.key.rpartition("position")
+        name = f"{before}{path[-1]}{after}"
         separator, equals = (", ", ": " if notation == "json" else " = ")
         if not place.in_brackets:
             separator = "\n"
@@ -54,12 +61,12 @@ def rewritten(text: str, notation: str, values: Mapping[Path, Written]) -> str:
     return text
 
 
-def less(written: str, number: float) -> Written:
+def less(written: str, notation: str, number: float) -> Written:
     """Return what stands in a text, a number or a formula, less a number."""
-    if written[:1] not in ("'", '"'):
-        return float(written) - number
-    inner = written[1:-1] if written[0] == "'" else json.loads(written)
-    return f"({inner}) {'+' if number < 0.0 else '-'} {abs(number)!r}"
+    given = json.loads(written) if notation == "json" else tomllib.loads(f"x = {written}")["x"]
+    if not isinstance(given, str):
+        return float(given) - number
+    return f"({given}) {'+' if number < 0.0 else '-'} {abs(number)!r}"
 
 
 def _shown(value: Written, notation: str) -> str:

@@ -61,7 +61,7 @@ def test_no_call_without_an_instance_ends_the_process(fmu):
 @pytest.mark.parametrize("kind", ["ModelExchange", "ScheduledExecution"])
 def test_there_is_no_instance_of_another_kind(kind, fmu):
     heard: list[tuple[int, bytes]] = []
-    logger = LOGGER(lambda _, status, category, text: heard.append((status, text)))
+    logger = LOGGER(lambda _, status, _category, text: heard.append((status, text)))
     make = ctypes.CDLL(fmu.fmu.dll._name)[f"fmi3Instantiate{kind}"]
     make.restype = ctypes.c_void_p
     texts = [ctypes.c_char_p(x) for x in (b"name", fmu.description.guid.encode(), b"")]

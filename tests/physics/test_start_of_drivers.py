@@ -102,3 +102,10 @@ def test_a_driver_of_any_formula_starts_with_its_exact_force(value: str, setting
     scene = POINT.format(x=x, value=value, settings=settings)
     found = holonom.simulate(holonom.loads(scene), stop_time=1e-3)["hand.force.x"][0]
     assert found == pytest.approx(force, rel=1e-14, abs=1e-14)
+
+
+def test_a_driver_whose_second_derivative_is_infinite_starts_with_its_rate() -> None:
+    """Of 2 t + t^1.5 that is 2 at 0, and not 2 + 1.5 sqrt(1e-8)."""
+    scene = POINT.format(x=0.0, value="2*t + t**1.5", settings="")
+    found = holonom.simulate(holonom.loads(scene), stop_time=1e-3)
+    assert found["B.vx"][0] == pytest.approx(2.0, rel=1e-14)

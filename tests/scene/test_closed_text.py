@@ -138,6 +138,39 @@ def test_drivers_and_stops_of_joints_count_from_the_new_drawing():
     assert float(again["upper.angle"]) == pytest.approx(0.5, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("written", "counted"),
+    [
+        ("'0.2 + 0*t'", '"(0.2 + 0*t) - 0.2'),
+        ('"""0.2 + 0*t"""', '"(0.2 + 0*t) - 0.2'),
+        ("2e-1", ""),
+        ("0x1", ""),
+    ],
+)
+def test_a_driver_in_any_notation_of_toml_counts_from_the_new_drawing(written, counted):
+    text = arm("plane", [1.2, 0.8]).partition("[drivers]")[0] + (
+        f'[drivers]\nmotor = {{ type = "angle", joint = "shoulder", value = {written} }}\n'
+        "[solver]\nassemble = true\n"
+    )
+    closed = solver.close(solver.loads(text)).text
+    assert f"value = {counted}" in closed
+    angle = 1.0 if written == "0x1" else 0.2
+    assert float(start(closed)["upper.angle"]) == pytest.approx(angle, abs=1e-9)
+
+
+def test_new_fields_stand_beside_the_position_whatever_the_name_of_the_part():
+    head, _, rest = arm("plane", [1.2, 0.8]).replace("upper", "position1").partition("[bodies]\n")
+    _, _, rest = rest.partition("[joints]")
+    dotted = "".join(
+        f"{name}.{field}\n"
+        for name, fields in (("position1", "position = [0.5, 0]"), ("lower", "position = [1.5, 0]"))
+        for field in (fields, "mass = 1", "inertia = 0.1",
+                      "points = { root = [-0.5, 0], tip = [0.5, 0] }")
+    )  # fmt: skip
+    closed = solver.close(solver.loads(f"{head}[bodies]\n{dotted}[joints]{rest}")).text
+    assert "\nposition1.orientation = " in closed
+
+
 def test_a_pose_that_counts_from_the_drawing_otherwise_is_refused():
     text = arm("plane", [1.2, 0.8]).partition("[drivers]")[0] + (
         '[constraints]\nheld = { value = "shoulder.angle - 0.2" }\n'
@@ -165,6 +198,9 @@ def test_the_command_writes_the_scene_and_says_what_moved(tmp_path, capsys):
     assert float(start(unassembled(closed.read_text()))["constraint.position"]) < 1e-15
     code, out, _ = run(capsys, "assemble", drawn, "--json")
     assert (code, json.loads(out)["freedoms"]) == (0, 0)
+    code, _, error = run(capsys, "assemble", drawn, "-o", tmp_path / "closed.json")
+    assert (code, (tmp_path / "closed.json").exists()) == (2, False)
+    assert "closed.json: the name must end in .toml" in error
     drawn.write_text(arm("plane", [2.5, 0.0]))
     code, _, error = run(capsys, "assemble", drawn, "-o", closed)
     assert code == 2

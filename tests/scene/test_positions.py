@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solver.scene.positions import lines_of_json, lines_of_toml
+from solver.scene.positions import lines_of, lines_of_json
 from solver.scene.report import location_of, path_of
 from tests.nested_data import paths_of
 from tests.scene_files import ALL
@@ -53,7 +53,7 @@ z = {}
 
 
 def test_every_path_of_a_toml_text_has_its_line():
-    lines = lines_of_toml(TRICKY)
+    lines = lines_of(TRICKY, "toml")
     data = tomllib.loads(TRICKY)
     assert set(lines) == {path for path, _ in paths_of(data)}
     text = TRICKY.split("\n")
@@ -68,7 +68,7 @@ def test_every_path_of_a_toml_text_has_its_line():
 @pytest.mark.parametrize("path", ALL, ids=lambda path: path.stem)
 def test_every_path_of_a_scene_has_its_line(path):
     text = path.read_text(encoding="utf-8")
-    assert set(lines_of_toml(text)) == {place for place, _ in paths_of(tomllib.loads(text))}
+    assert set(lines_of(text, "toml")) == {place for place, _ in paths_of(tomllib.loads(text))}
 
 
 keys = st.text(st.characters(min_codepoint=32, max_codepoint=0x24F, exclude_categories=["C"]))

@@ -15,6 +15,8 @@ import solver
 Array = NDArray[np.float64]
 Values = Mapping[str, Array]
 
+WRONG = (AssertionError, solver.SceneError, solver.StepError)
+"""What a check that fails may raise; all else is a mistake of the corpus."""
 TOLERANCES = ("1e-4", "1e-6", "1e-8")
 BEYOND_TOLERANCE = 3.0
 """Largest error over the tolerance that a run may have."""

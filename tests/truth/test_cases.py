@@ -34,15 +34,8 @@ else:
     import tomli as tomllib
 
 FAILS: Mapping[str, Mapping[str, int]] = {
-    "mass_ratio_start": {
-        "assembled velocities agree with the joints, B0 of 1e-12 kg": 44,
-    },
     "heavy_load": {
-        "with a load of 1000000.0 kg it runs in steps of 0.02 s": 44,
-        "with a load of 1000000.0 kg it runs in steps of 0.01 s": 44,
-        "with a load of 1000000.0 kg it runs in steps of 0.005 s": 44,
         "by default load.y(2) is -0.42205": 46,
-        "ten links of 1e-3 kg in space carry 1e3 kg in steps of 0.01 s": 44,
     },
     "excavator_by_eye": {
         "each pose that closes is reached, on the drawn branch": 44,
@@ -264,6 +257,7 @@ def run(
 
 def still(found: solver.Trajectory, names: Sequence[str], size: float = 1e-10) -> None:
     """Assert that variables stay as they begin."""
+    assert names
     for name in names:
         assert np.ptp(found[name]) < size, name
 
@@ -1265,7 +1259,7 @@ def _after(friction: float) -> float:
     fall = 0.5 - 0.5 * math.sin(0.5)
     # The end's acceleration after the impact is free: back from the sample to the impact.
     late = float(found.t[at]) - math.sqrt(2 * fall / G)
-    spin2 = 0.0 if friction is None else _spin_after() ** 2
+    spin2 = _spin_after() ** 2
     arm = -0.5 * math.sin(0.5 + _spin_after() * late)
     return float(found["b.a.vy"][at]) + late * (G + spin2 * arm)
 

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-import solver
 from tests.truth.record import RIGHT, different, right_now
 from tests.truth.system import (
     BEYOND_TOLERANCE,
@@ -14,12 +13,10 @@ from tests.truth.system import (
     OF_ORDER,
     ROUND_OFF,
     TOLERANCES,
+    WRONG,
     System,
 )
 from tests.truth.systems import SYSTEMS
-
-WRONG = (AssertionError, solver.SceneError, solver.StepError)
-"""What a check that fails may raise; all else is a mistake of the corpus."""
 
 
 def checks(names: Callable[[System], Iterator[str]]) -> pytest.MarkDecorator:
