@@ -266,6 +266,37 @@ HM_SELDOM static int32_t put_velocities_back(context *c, context *at, const kept
     return status;
 }
 
+/* Forgets those momenta that velocities have changed. */
+HM_SELDOM static void forget_changed(const context *c, kept_momenta *x)
+{
+    double after[RIGID], scale[RIGID];
+    momenta(c, c->k.momentum);
+    rigid_momenta(c, x->kept, c->k.momentum, after, scale);
+    for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(after[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(scale[i], x->scale[i]);
+}
+
+/* Takes from velocities what half steps have left of them across the rows, which alternates from one to the next and is not damped:
+   places are on the rows. Momenta that rows let be are kept, and the energy. Where that cannot be, velocities stay as they are.  */
+HM_SELDOM static void put_only_velocities_back(context *c)
+{
+    context at = rows_at_state(c, 0.0);
+    const size_t bytes = sizeof(double) * (size_t)c->state_size;
+    double *before = c->k.whole_backup;
+    int held = 1;
+    memcpy(before, c->s.head, bytes);
+    kept_momenta x = momenta_at_start(c);
+    signals_at(c, c->t, c->k.signal1);
+    signal_rates_at(c, c->t, c->k.signal_rate);
+    place_driven(c); /* half steps leave rates of driven nodes that are right to the order */
+    take_unknowns(&at);
+    if (!factorise_here(&at)) {
+        follow_rows(&at);
+        forget_changed(c, &x);
+        put_velocities_back(c, &at, &x, &held);
+    }
+    if (held) memcpy(c->s.head, before, bytes);
+}
+
 /* Puts the state back, coordinates first; `held` also says where rows are too weak for it. */
 HM_SELDOM static int32_t put_back(context *c, context *at, const kept_momenta *x, int *held)
 {

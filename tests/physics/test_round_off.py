@@ -75,10 +75,11 @@ def test_velocities_across_the_rows_stay_below_the_tolerance(light, tolerance):
     for _ in range(20):
         run.advance(run.time, 0.1)
         speeds = [abs(float(run[f"{name}.v{axis}"])) for name in "ABC" for axis in "xy"]
-        # A pair may add twenty times the tolerance of the fastest motion over the size, 3 m; a
-        # dozen fill a communication step, after which weighted covers take away what they add.
+        # Ten times the tolerance of the fastest motion over the size, 3 m: more is put back. The
+        # first steps, from rest, are measured against the fall by the size.
         fastest = max(max(speeds) / 3.0, (2.0 * 9.81 / 3.0) ** 0.5)
-        assert run["constraint.velocity"] < 250.0 * tolerance * fastest
+        assert run["constraint.velocity"] < 10.1 * tolerance * fastest
+        assert run["energy.error"] < 1e-9
 
 
 def test_rows_are_measured_exactly_far_from_where_they_were_drawn():
