@@ -8,7 +8,7 @@ import pytest
 
 import solver
 from solver.scene import SceneError
-from tests.excavator import BODIES, DRAWN, SCENE, STROKES, branches, farthest
+from tests.excavator import BODIES, DRAWN, OTHERS, SCENE, STROKES, branches, farthest
 from tests.fmu_instance import instance
 from tests.native_fmus import native_fmu
 from tests.straight_arm import HANDS, arm, targets
@@ -112,9 +112,15 @@ def test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes):
     assert farthest(poses_of(integrator), branches(*strokes)[DRAWN]) < 1e-9
 
 
+@pytest.mark.parametrize("strokes", OTHERS[4::21], ids=str)
+def test_an_excavator_keeps_its_branch_at_all_strokes(strokes):
+    """Four bars stand at a dead centre in the drawing: joints are closed before drivers move."""
+    test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes)
+
+
 @pytest.mark.long
-def test_an_excavator_is_closed_in_56_poses_of_56():
-    for strokes in STROKES:
+def test_an_excavator_is_closed_in_56_poses_of_56_and_at_other_strokes():
+    for strokes in STROKES + OTHERS:
         test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes)
 
 
