@@ -7,6 +7,7 @@ import math
 import pytest
 
 import solver
+from solver.runtime.layout import CLOSINGS
 from solver.scene import SceneError
 from tests.excavator import BODIES, DRAWN, OTHERS, SCENE, STROKES, branches, farthest
 from tests.fmu_instance import instance
@@ -66,6 +67,31 @@ def driven(*drivers: str) -> str:
     lines = "\n".join(drivers)
     head = arm("plane", [0.0, 0.0]).partition("[drivers]")[0]
     return f"{head}[drivers]\n{lines}\n[solver]\nassemble = true\n"
+
+
+FAR_LEGS = """
+name = "legs"
+dimension = 2
+gravity = [0, 0]
+[bodies]
+left = { position = [0, 0], orientation = 0.3, mass = 1, inertia = 1, points = { foot = [0, 0], tip = [1, 0] } }
+right = { position = [3, 0], orientation = "pi - 0.3", mass = 1, inertia = 1, points = { foot = [0, 0], tip = [1, 0] } }
+[joints]
+hip = { type = "revolute", points = ["ground", "left.foot"], at = [0, 0] }
+knee = { type = "revolute", points = ["left.tip", "right.tip"] }
+[drivers]
+foot = { type = "position", point = "right.foot", value = [1.2, 0] }
+[solver]
+assemble = true
+"""  # noqa: E501
+
+
+def test_drivers_help_joints_that_do_not_close_before():
+    """Legs of 1 m, their feet drawn 3 m apart and led to 1.2 m: a triangle, 0.8 m high."""
+    integrator, _ = start(FAR_LEGS)
+    tip = [float(integrator[f"left.tip.{axis}"]) for axis in "xy"]
+    assert tip == pytest.approx([0.6, 0.8], abs=ROUND_OFF)
+    assert integrator.state.head["closing"] == CLOSINGS.index("on_path")
 
 
 def test_angles_that_contradict_places_are_told_in_rad():
