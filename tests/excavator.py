@@ -82,9 +82,13 @@ step_size = 0.02
 BODIES = ("boom", "stick", "rocker", "link", "bucket")
 STROKES = [(0.2 * boom, 0.2 * stick, 0.5) for boom, stick in itertools.product(range(7), range(8))]
 """Of boom, stick and bucket [m]: all can be reached."""
+OTHERS = [
+    *itertools.product((0.0, 0.43, 0.87), (0.0, 0.5, 1.0, 1.5), (0.0, 0.37, 0.73)),
+    *((boom, stick, bucket) for boom, stick, _ in STROKES for bucket in (0.0, 0.2, 0.8, 1.0)),
+]
+"""With other strokes of the bucket."""
 DRAWN = (1, -1, -1, -1)
 """Branch of the drawing."""
-
 Branch = tuple[int, int, int, int]
 
 

@@ -1,8 +1,10 @@
 /* Closes a mechanism that is drawn inexactly. First the smallest displacement in the mass metric, one step of initialise.h. Where
    that step fails or leads far away, three others follow until one closes the mechanism:
 
-     1. a path on which the gaps of the drawing shrink to zero, r(q) = (1 - s) r(q_drawn): it keeps the branch that is drawn,
-     2. Levenberg-Marquardt from the end of that path,   x = -M^-1 G' (G M^-1 G' + damping S)^-1 r,   S = diag(scale^2),
+     1. a path on which the gaps of the drawing shrink to zero, r(q) = (1 - s) r(q_drawn): it keeps the branch that is drawn.
+        Gaps of joints come first, while drivers keep those of the drawing: the branch does not depend on what drivers ask for.
+        Where joints do not close like that, all gaps shrink together,
+     2. Levenberg-Marquardt from the end of a path,   x = -M^-1 G' (G M^-1 G' + damping S)^-1 r,   S = diag(scale^2),
      3. the same from drawings that are shaken more and more, of which the nearest pose counts.
 
    Unknowns are places and turns of bodies, which stay rigid; gaps r are the rows, of a rod l - L (Levenberg 1944; Marquardt
@@ -11,6 +13,7 @@
 #define HOLONOM_CLOSE_H
 
 #include "body_turns.h"
+#include "composite.h"
 #include "context.h"
 #include "fault.h"
 #include "ledger.h"
@@ -30,11 +33,13 @@ enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES
 #define OTHER_POSE 0.02       /* from pose to pose: these are two, where nothing can move */
 #define AS_NEAR 1.5           /* times as far from the drawing as the pose that is taken: a drawing tells them apart no more */
 
-/* Equations whose unknowns are turns of bodies, at the present state; gaps of the drawing (n_rows), and of the part of them that
-   is aimed at. */
+enum { JOINTS, DRIVERS }; /* rows, by whether they follow signals */
+
+/* Equations whose unknowns are turns of bodies, at the present state; gaps of the drawing (n_rows), and the part of them that is
+   aimed at, of joints and of drivers. */
 typedef struct closing {
     context at;
-    double *drawn, aimed;
+    double *drawn, aimed[2];
     double sum, largest; /* of squares of the gaps, over their scales; of these alone */
     uint32_t random;
 } closing;
@@ -54,6 +59,16 @@ static double gap_of_row(const context *at, int32_t i, double phi, double *scale
     return 0.5 * *slope - length;
 }
 
+/* Whether row i follows signals: its own, or of driven nodes. */
+static int is_driver(const context *c, int32_t i)
+{
+    const holonom_model *m = c->m;
+    const int32_t coincident = i - m->n_form_rows, function = coincident - DIM * m->n_coincidences;
+    if (function >= 0) return has_signal(c, first_function(c) + function);
+    const int32_t f = coincident >= 0 ? m->coincidence_form[coincident / DIM] : m->row_form[i];
+    return m->form_moving[f] > m->form_free[f];
+}
+
 /* Looks at the gaps of the state less those aimed at; right-hand sides of their equations in phi, compliances in epsilon. */
 static void look_at_gaps(closing *x, double damping)
 {
@@ -65,7 +80,8 @@ static void look_at_gaps(closing *x, double damping)
     memset(at->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
     EACH_ROW(at, i) {
         double scale, slope;
-        const double gap = gap_of_row(at, i, at->k.phi0[i], &scale, &slope) - x->aimed * x->drawn[i], part = gap / scale;
+        const double aimed = x->aimed[is_driver(at, i)] * x->drawn[i];
+        const double gap = gap_of_row(at, i, at->k.phi0[i], &scale, &slope) - aimed, part = gap / scale;
         const double usual = hm_square(slope * scale) / (size2 > 0.0 ? size2 : 1.0);
         at->k.phi[i] = slope * gap;
         at->k.epsilon[i] = fmax(damping * usual, at->number[m->row_sigma_at + i] / AT_STATE_PENALTY);
@@ -186,15 +202,15 @@ static int32_t approach(closing *x, int rounds)
     return HOLONOM_OK;
 }
 
-/* Follows the gaps of the drawing to zero, as far as it goes; whether that is all the way. */
-static int follow_gaps(closing *x)
+/* Follows the gaps of the rows `first` to `last` to zero, as far as it goes; whether that is all the way. */
+static int follow_gaps(closing *x, int first, int last)
 {
     context *at = &x->at;
     double done = 0.0, length = 0.25, *stage = at->k.finest;
     for (int i = 0; i < STAGES && length >= SHORTEST_STAGE; i++) {
         const double end = fmin(1.0, done + length);
         keep_pose(at, stage);
-        x->aimed = 1.0 - end;
+        for (int k = first; k <= last; k++) x->aimed[k] = 1.0 - end;
         const int fails = approach(x, end < 1.0 ? ROUNDS_OF_STAGE : ROUNDS_OF_TRY) || !is_closed_now(x);
         if (fails || distance_from(at, stage) > FARTHEST_STAGE) {
             take_pose(at, stage);
@@ -205,8 +221,16 @@ static int follow_gaps(closing *x)
         done = end;
         length *= 1.6;
     }
-    x->aimed = 0.0;
+    for (int k = first; k <= last; k++) x->aimed[k] = 0.0;
     return 0;
+}
+
+/* Closes these rows on a path or, where it ends, behind it; that is noted in `how`. */
+static int32_t lead_gaps(closing *x, int first, int last, int *how)
+{
+    if (follow_gaps(x, first, last)) return HOLONOM_OK;
+    *how = CLOSING_BEHIND_PATH;
+    return approach(x, ROUNDS_OF_TRY);
 }
 
 /* Equations at the drawing, whose gaps they note; it is kept in step_backup. */
@@ -215,7 +239,7 @@ static void begin_closing(const context *c, closing *x)
     x->at = rows_at_state(c, 0.0);
     take_turns(&x->at, c->m->n_reduced_values > 0);
     x->drawn = c->k.row_bias;
-    x->aimed = 0.0;
+    x->aimed[JOINTS] = x->aimed[DRIVERS] = 0.0;
     x->random = 1;
     memset(x->drawn, 0, sizeof(double) * (size_t)c->m->n_rows);
     look_at_gaps(x, 1.0);
@@ -287,17 +311,18 @@ HM_SELDOM static int32_t find_pose(context *c, int is_closed)
     begin_closing(c, &x);
     if (!(x.sum < INFINITY)) return HOLONOM_NOT_FINITE;
     int how = CLOSING_AT_ONCE;
-    if (!is_closed) {
+    if (is_closed) take_pose(c, taken);
+    for (int first = c->m->n_signals ? DRIVERS : JOINTS; first >= JOINTS && !is_closed; first--) {
+        take_pose(c, drawn);
         how = CLOSING_ON_PATH;
-        if (!follow_gaps(&x)) {
-            how = CLOSING_BEHIND_PATH;
-            const int32_t status = approach(&x, ROUNDS_OF_TRY);
-            if (status) return status;
-        }
+        x.aimed[DRIVERS] = 1.0;
+        if (first == DRIVERS && (lead_gaps(&x, JOINTS, JOINTS, &how) || !is_closed_now(&x))) continue;
+        const int32_t status = lead_gaps(&x, first, DRIVERS, &how);
+        if (status) return status;
         is_closed = is_closed_now(&x);
         if (is_closed) keep_pose(c, taken);
-    } else take_pose(c, taken);
-    x.aimed = 0.0;
+    }
+    x.aimed[JOINTS] = x.aimed[DRIVERS] = 0.0;
     const int found = try_shaken(&x, is_closed);
     head[S_CLOSING] = is_closed ? how : CLOSING_SHAKEN;
     return found ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;

@@ -49,6 +49,14 @@ static inline int32_t row_of(const context *c, int32_t j)
     return c->m->n_form_rows + DIM * c->m->n_coincidences + (j - first_function(c));
 }
 
+/* Whether composite j follows a signal. */
+static int has_signal(const context *c, int32_t j)
+{
+    for (int32_t l = c->m->leaf_ptr[j]; l < c->m->leaf_ptr[j + 1]; l++)
+        if (c->m->leaf[4 * l] == LEAF_SIGNAL) return 1;
+    return 0;
+}
+
 /* Links and values of the forms of composite j, gradients to be taken at q_n + theta d. */
 static void set_local_forms(const context *c, int32_t j, double theta)
 {

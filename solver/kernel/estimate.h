@@ -113,14 +113,6 @@ static int estimate_error(const context *c, int order, double h, step_error *e)
 #define ACROSS_ROWS 10.0
 #define NEGLIGIBLE_ACROSS_ROWS 1e-6
 
-/* Whether composite j follows a signal. */
-static int has_signal(const context *c, int32_t j)
-{
-    for (int32_t l = c->m->leaf_ptr[j]; l < c->m->leaf_ptr[j + 1]; l++)
-        if (c->m->leaf[4 * l] == LEAF_SIGNAL) return 1;
-    return 0;
-}
-
 /* Largest rate of a row over its scale and the fastest motion, without what round-off of places over h explains. Errors in
    the mass norm do not see light parts: their velocities show here. Rows of drivers have rates of signals, which are
    differences and tell nothing at a kink.                                                                       */

@@ -7,8 +7,9 @@ import math
 import pytest
 
 import solver
+from solver.runtime.layout import CLOSINGS
 from solver.scene import SceneError
-from tests.excavator import BODIES, DRAWN, SCENE, STROKES, branches, farthest
+from tests.excavator import BODIES, DRAWN, OTHERS, SCENE, STROKES, branches, farthest
 from tests.fmu_instance import instance
 from tests.native_fmus import native_fmu
 from tests.straight_arm import HANDS, arm, targets
@@ -68,6 +69,31 @@ def driven(*drivers: str) -> str:
     return f"{head}[drivers]\n{lines}\n[solver]\nassemble = true\n"
 
 
+FAR_LEGS = """
+name = "legs"
+dimension = 2
+gravity = [0, 0]
+[bodies]
+left = { position = [0, 0], orientation = 0.3, mass = 1, inertia = 1, points = { foot = [0, 0], tip = [1, 0] } }
+right = { position = [3, 0], orientation = "pi - 0.3", mass = 1, inertia = 1, points = { foot = [0, 0], tip = [1, 0] } }
+[joints]
+hip = { type = "revolute", points = ["ground", "left.foot"], at = [0, 0] }
+knee = { type = "revolute", points = ["left.tip", "right.tip"] }
+[drivers]
+foot = { type = "position", point = "right.foot", value = [1.2, 0] }
+[solver]
+assemble = true
+"""  # noqa: E501
+
+
+def test_drivers_help_joints_that_do_not_close_before():
+    """Legs of 1 m, their feet drawn 3 m apart and led to 1.2 m: a triangle, 0.8 m high."""
+    integrator, _ = start(FAR_LEGS)
+    tip = [float(integrator[f"left.tip.{axis}"]) for axis in "xy"]
+    assert tip == pytest.approx([0.6, 0.8], abs=ROUND_OFF)
+    assert integrator.state.head["closing"] == CLOSINGS.index("on_path")
+
+
 def test_angles_that_contradict_places_are_told_in_rad():
     """The angle of a link, and a place of its tip, beside the circle of that angle."""
     text = driven(
@@ -112,9 +138,15 @@ def test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes):
     assert farthest(poses_of(integrator), branches(*strokes)[DRAWN]) < 1e-9
 
 
+@pytest.mark.parametrize("strokes", OTHERS[4::21], ids=str)
+def test_an_excavator_keeps_its_branch_at_all_strokes(strokes):
+    """Four bars stand at a dead centre in the drawing: joints are closed before drivers move."""
+    test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes)
+
+
 @pytest.mark.long
-def test_an_excavator_is_closed_in_56_poses_of_56():
-    for strokes in STROKES:
+def test_an_excavator_is_closed_in_56_poses_of_56_and_at_other_strokes():
+    for strokes in STROKES + OTHERS:
         test_an_excavator_is_closed_on_the_branch_that_is_drawn(strokes)
 
 
