@@ -182,7 +182,7 @@ static inline double hm_look_up(int32_t code, const double *x, const double *fir
 }
 
 /* Largest part of their scale that dependent rows may miss together, see newton.h; of rates also over the fastest motion. */
-#define LARGEST_CONTRADICTION 1e-6
+#define LARGEST_CONTRADICTION 1e-12
 
 /* Scratch of an impact with so many rows, see impact_map. */
 #define IMPACT_SCRATCH(rows) ((int64_t)(rows) * ((int64_t)(rows) + 13))

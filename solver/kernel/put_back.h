@@ -109,7 +109,9 @@ HM_SELDOM static int32_t close_rows(context *at)
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
         look_at_rows(at);
         memcpy(at->k.phi, at->k.phi0, rows);
-        if (!leave_missed(at, i && !(largest_row(at, at->k.phi) < 0.5 * last))) return HOLONOM_UZAWA_DIVERGED;
+        const double missed = largest_row(at, at->k.phi);
+        const int stalls = i && !(missed < 0.5 * last) && missed > at->s.head[S_NEWTON_TOLERANCE];
+        if (!leave_missed(at, stalls)) return HOLONOM_UZAWA_DIVERGED;
         const double defect = largest_row(at, at->k.phi);
         if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
         memset(at->k.w, 0, n);

@@ -125,14 +125,12 @@ static void prepare_step(context *c, int parity)
     if (follows) update_multipliers(c);
 }
 
-/* Whether dependent rows, whose updates are slow, cannot be met together, and what they miss is accepted; once a step, whose penalty,
-   which multiplies what they miss, is not raised then. */
-static int miss_together(context *c, newton_record *r, int slow)
+/* Whether what rows that contradict each other cannot meet together is accepted; once a step, whose penalty, which multiplies what
+   they miss, is not raised then. */
+static int miss_together(const context *c, newton_record *r)
 {
-    double *rows = c->island + I_DEPENDENT;
-    if (*rows == ROWS_ARE_INDEPENDENT || !(slow || *rows == ROWS_CONTRADICT) || r->raised || r->missed || is_penalty(c)) return 0;
+    if (c->island[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed || is_penalty(c)) return 0;
     if (!accept_contradiction(c)) return 0;
-    *rows = ROWS_CONTRADICT;
     r->missed = 1;
     r->updates++;
     return 1;
@@ -151,7 +149,7 @@ static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *upda
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
         if (rows_hold(c, r, defect, last)) return HOLONOM_OK;
         const int slow = updates_slowly(c, defect, last) && !rows_are_round_off(c, r, defect);
-        if (miss_together(c, r, slow)) {
+        if (miss_together(c, r)) {
             last = INFINITY;
             continue;
         }
@@ -195,6 +193,7 @@ static inline newton_record nothing_seen(const context *c)
 static int32_t solve_island(context *c, int parity, effort *total)
 {
     newton_record r = nothing_seen(c);
+    const double level = c->island[I_PENALTY_LEVEL];
     if (is_unilateral(c->m)) leave_rows_out(c);
     prepare_step(c, parity);
     hand_on(c);
@@ -202,6 +201,17 @@ static int32_t solve_island(context *c, int parity, effort *total)
     const int began_with_old = take_factors_over(c, &r);
     int32_t status = try_step(c, began_with_old, &r, total);
     if (status && began_with_old) { /* old factors may have led astray */
+        c->factors_h = 0.0;
+        c->rows_known = 0;
+        r = nothing_seen(c);
+        prepare_step(c, parity);
+        status = try_step(c, 0, &r, total);
+    }
+    double *rows = c->island + I_DEPENDENT;
+    if (status && !known_misses(c) && *rows != ROWS_ARE_INDEPENDENT && *rows != ROWS_CONTRADICT) {
+        /* Dependent rows may contradict each other; a penalty would multiply what they miss. */
+        *rows = ROWS_CONTRADICT;
+        c->island[I_PENALTY_LEVEL] = level;
         c->factors_h = 0.0;
         c->rows_known = 0;
         r = nothing_seen(c);

