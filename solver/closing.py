@@ -14,7 +14,19 @@ from solver.mechanics.assembly import assemble_parts
 from solver.mechanics.mobility import Survey, survey
 from solver.runtime import Integrator, OptionError
 from solver.runtime.layout import CLOSINGS
-from solver.scene import BodyJoint, Point, PointReference, Rigid, Scene, SceneWarning, load, loads
+from solver.scene import (
+    BodyJoint,
+    CornersContact,
+    CylinderContact,
+    Point,
+    PointReference,
+    Rigid,
+    Rolling,
+    Scene,
+    SceneWarning,
+    load,
+    loads,
+)
 from solver.scene.expression import evaluate
 from solver.scene.positions import Path, spans_of
 from solver.scene.rewriting import UnwrittenError, Written, less, rewritten
@@ -306,14 +318,17 @@ class _Edit:
 
     def _add_places(self, table: str, name: str, part: Any) -> None:
         """Carry places and directions of a part with the bodies that they are fixed to."""
-        for reference in (*(getattr(part, "points", None) or ()), getattr(part, "point", None)):
-            if isinstance(reference, PointReference) and reference.at is not None:
-                self._carry((table, name, "at"), reference.point, reference.at, place=True)
+        ends = (*(getattr(part, "points", None) or ()), getattr(part, "point", None))
+        self._carry_ends(
+            (table, name, "at"),
+            [x for x in ends if isinstance(x, PointReference) and x.at is not None],
+        )
         bodies = getattr(part, "bodies", None) or (getattr(part, "body", None),)
         for field in ("position", "axis", "normal"):
             value = getattr(part, field, None)
             if isinstance(part, BodyJoint) or len(bodies) == 1:
-                self._carry((table, name, field), bodies[0], value, place=field == "position")
+                owner = _owner_of(part, field, bodies[0])
+                self._carry((table, name, field), owner, value, place=field == "position")
             elif value is not None and (table, name, field) in self._spans:
                 self._refuse((table, name, field), bodies)
         axes = getattr(part, "axes", None)
@@ -325,6 +340,17 @@ class _Edit:
                 turned.append(self._poses[body].turned(numbers) if body in self._poses else numbers)
             if path in self._spans and not self._poses.keys().isdisjoint(bodies):
                 self._new[path] = turned
+
+    def _carry_ends(self, path: Path, ends: Sequence[PointReference]) -> None:
+        """Carry the places of one end or of both; with two, the file has a place for each."""
+        if len(ends) == 1:
+            self._carry(path, ends[0].point, ends[0].at, place=True)
+        elif path in self._spans and any(end.point in self._poses for end in ends):
+            places = [[_number(x, self._values) for x in end.at or ()] for end in ends]
+            self._new[path] = [
+                self._poses[end.point].carried(place) if end.point in self._poses else place
+                for end, place in zip(ends, places, strict=True)
+            ]
 
     def _carry(self, path: Path, body: str | None, value: Any, *, place: bool) -> None:
         if body not in self._poses or path not in self._spans or not isinstance(value, tuple):
@@ -341,6 +367,13 @@ class _Edit:
                 self._scene.fail([self._scene.source.problem(path, message, help)])
 
 
+def _owner_of(part: Any, field: str, body: str | None) -> str | None:
+    """Body that a place or direction is fixed to: a plane is not that of what touches it."""
+    if isinstance(part, Rolling) and field != "axis":
+        return None
+    return part.on if isinstance(part, CornersContact | CylinderContact) else body
+
+
 def _counted_from_the_drawing(
     scene: Scene, closed: Mapping[str, float], size: float
 ) -> Iterator[str]:
@@ -351,8 +384,9 @@ def _counted_from_the_drawing(
             if abs(value) > SAME * scale:
                 yield (
                     f"joints.{name}: its {word} counts from the new drawing, in which it is "
-                    f"{value:.6g} {unit} less than from the old one; its drivers and stops were "
-                    "changed alike, but no other formulas and springs that read it"
+                    f"{abs(value):.6g} {unit} {'less' if value > 0.0 else 'more'} than from the "
+                    "old one; its drivers and stops were changed alike, but no other formulas "
+                    "and springs that read it"
                 )
     for name, force in scene.forces.items():
         for field in ("free_length", "free_angle"):

@@ -205,3 +205,36 @@ def test_the_command_writes_the_scene_and_says_what_moved(tmp_path, capsys):
     code, _, error = run(capsys, "assemble", drawn, "-o", closed)
     assert code == 2
     assert "driver 'hand' (0.167 m)" in error
+
+
+ARM_OVER_A_FLOOR = """
+name = "arm"
+dimension = 2
+[points]
+O = { position = [0, 1], fixed = true }
+[bodies]
+a = { position = [0.5, 1], orientation = 0.4, mass = 1, inertia = 0.1, points = { l = [-0.5, 0] } }
+[joints]
+h = { type = "revolute", points = ["O", "a.l"] }
+[forces]
+s = { type = "spring", points = ["ground", "a"], at = [[0.4, 0.5], [0.4, 1.1]], stiffness = 1 }
+[contacts]
+[contacts.floor]
+type = "corners"
+body = "a"
+corners = [[-0.5, 0], [0.5, 0]]
+axis = [0, 1]
+position = [0, 0.5]
+[solver]
+assemble = true
+"""
+
+
+def test_both_ends_of_a_spring_and_the_floor_stay_where_they_are_fixed():
+    """The floor and the lower end of the spring are the ground's, its upper end is the arm's."""
+    closed = solver.close(solver.loads(ARM_OVER_A_FLOOR)).text
+    before, after = (start_silent(text) for text in (ARM_OVER_A_FLOOR, unassembled(closed)))
+    for name in ("s.length", "floor.gap"):
+        assert float(after[name]) == pytest.approx(float(before[name]), abs=1e-12)
+    assert "at = [[0.4, 0.5], [" in closed
+    assert "position = [0, 0.5]" in closed
