@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
 from build_fmu.report import number, print_json, print_table
-from solver.files import writing
 
 if TYPE_CHECKING:
     from solver.closing import Closing
