@@ -215,17 +215,8 @@ static void internal_velocity(const double *v, const double *v_low, const double
     }
 }
 
-/* The vector whose cross products with the directors come nearest to x_i: for orthonormal ones half the sum of d_i x x_i, in
-   the plane d x x. */
-static void common_turn(const context *c, int32_t a, const double *x, double *turn)
-{
-    double own[TURNING];
-    for (int k = 0; k < TURNING; k++) turn[k] = 0.0;
-    for (int i = 0; i < TURNING; i++) {
-        cross_product(c->s.q + DIM * (a + i), x + DIM * i, own);
-        for (int k = 0; k < TURNING; k++) turn[k] += (DIM == 2 ? 1.0 : 0.5) * own[k];
-    }
-}
+/* The common turn of x_i, at the directors of the state. */
+static void common_turn(const context *c, int32_t a, const double *x, double *turn) { turn_of_directors(c->s.q + DIM * a, x, turn); }
 
 /* Largest angular velocity of a body [rad/s]. */
 HM_SELDOM static double fastest_turn(const context *c)

@@ -1,7 +1,9 @@
-/* What is said of a mechanism that was closed: what moved far from its drawing, and whether other poses are as near. */
+/* What is said of a mechanism that was closed: what moved far from its drawing, whether other poses are as near, and which given
+   velocity joints do not allow. */
 #include "small.h"
 
 #include "sentences.h"
+#include "vectors.h"
 
 #include <string.h>
 
@@ -128,6 +130,63 @@ static int say_moves(hm_text *text, const hm_model_file *f, const double *number
     return all;
 }
 
+/* Says the part that node a belongs to: a body by its rows, whose centre stands before its directors, or a point. */
+static void say_part(hm_text *text, const hm_model_file *f, int32_t a)
+{
+    const holonom_model *m = &f->model;
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
+        const int32_t first = m->form_node[m->form_ptr[m->row_form[i]]];
+        if (first != a && first != a + 1) continue;
+        hm_say(text, "%s", f->text + f->row[i].name);
+        return;
+    }
+    for (uint32_t k = 0; k < f->header->n_variables; k++) {
+        const hm_variable *v = f->variable + k;
+        const char *name = f->text + v->name, *dot = strchr(name, '.');
+        if (v->kind != KIND_MEASURED || v->place != DIM * a || !dot || strcmp(dot, ".x")) continue;
+        hm_say(text, "point '");
+        say_name(text, &(move){name, (int)(dot - name), 0.0, 0.0});
+        hm_say(text, "'");
+        return;
+    }
+}
+
+/* Velocity of node a in motion v [m/s], or the angular velocity of the body that it is the first director of [rad/s]; its size. */
+static double rate_of(const holonom_model *m, int32_t a, const double *q, const double *v, double *rate)
+{
+    double square = 0.0;
+    const int n = m->node_kind[a] ? TURNING : DIM;
+    if (m->node_kind[a]) turn_of_directors(q + DIM * a, v + DIM * a, rate);
+    else memcpy(rate, v + DIM * a, sizeof(double) * DIM);
+    for (int k = 0; k < n; k++) square += rate[k] * rate[k];
+    return sqrt(square);
+}
+
+/* Says which given velocity joints have changed most, if by more than a tenth of it. */
+static void say_changed_velocity(hm_text *text, int others, const hm_model_file *f, const double *numbers, const hm_state *s)
+{
+    const holonom_model *m = &f->model;
+    double most = TENTH, far = 0.0, fastest = 0.0, unused[DIM];
+    int32_t worst = -1;
+    for (int32_t a = 0; a < m->n_free; a++)
+        if (m->node_kind[a] <= NODE_DIRECTION) fastest = fmax(fastest, rate_of(m, a, s->q, s->v, unused) / (m->node_kind[a] ? 1.0 : numbers[m->extent_at]));
+    for (int32_t a = 0; a < m->n_free; a++) {
+        double given[DIM], now[DIM], square = 0.0;
+        if (m->node_kind[a] > NODE_DIRECTION || numbers[m->velocity_weight_at + a] <= 1.0) continue;
+        const double size = rate_of(m, a, numbers + m->initial_position_at, numbers + m->initial_velocity_at, given);
+        const double own = rate_of(m, a, s->q, s->v, now);
+        for (int k = 0; k < (m->node_kind[a] ? TURNING : DIM); k++) square += hm_square(now[k] - given[k]);
+        const double least = ROUND_OFF * fastest * (m->node_kind[a] ? 1.0 : numbers[m->extent_at]);
+        const double change = sqrt(square) / fmax(fmax(size, own), least);
+        if (change > most) worst = a, far = sqrt(square), most = change;
+    }
+    if (worst < 0) return;
+    hm_say(text, "%sjoints do not allow the velocity that is given for ", others ? "; " : "");
+    say_part(text, f, worst);
+    hm_say(text, ": it starts %3g %s away from it", far, m->node_kind[worst] ? "rad/s" : "m/s");
+    hm_say(text, "; give velocities that belong to one motion, or one alone");
+}
+
 int hm_say_closing(hm_text *text, const hm_model_file *f, const double *numbers, const hm_state *s)
 {
     const double *head = s->head;
@@ -140,6 +199,7 @@ int hm_say_closing(hm_text *text, const hm_model_file *f, const double *numbers,
     if (head[S_CLOSING_OTHERS] != 0.0)
         hm_say(text, "%s another pose closes it, too, and is as near to the drawing: turn a body towards the one that is meant",
                text->used > begin ? ";" : "closing the mechanism:");
+    say_changed_velocity(text, text->used > begin, f, numbers, s);
     return text->used > begin;
 }
 

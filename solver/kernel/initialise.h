@@ -86,17 +86,18 @@ static void take_over(context *c)
 
 enum { ROUNDS = 8 };
 
-/* Velocities next to those given, in the mass metric times node weights, that the rows allow. The first three rounds keep given
+static int is_given(const context *c, int32_t a) { return c->number[c->m->velocity_weight_at + a] > 1.0; }
+
+/* Velocities next to those given (n), in the mass metric times node weights, that the rows allow. The first three rounds keep given
    velocities by large weights, each beginning with them again; the others, with weights `rest` or none, let the rows hold to
    round-off. What rows still ask for, over their scales, becomes `defect`. */
-HM_SELDOM static int32_t project_initial_velocities(context *c, const double *weight, const double *rest, double *defect)
+HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given, const double *weight, const double *rest, double *defect)
 {
     const holonom_model *m = c->m;
-    const double *is_given = c->number + m->velocity_weight_at, *given = c->number + m->initial_velocity_at;
     double last = INFINITY;
     for (int round = weight ? 0 : 3; round <= ROUNDS; round++) {
         for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
-            if (is_given[k / DIM] > 1.0) c->s.v[k] = given[k];
+            if (is_given(c, k / DIM)) c->s.v[k] = given[k];
         stand_still(c);
         memset(c->k.momentum, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
         signal_rates_at(c, c->t, c->k.signal_rate);
@@ -112,23 +113,55 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *we
 }
 
 #define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
+#define GIVEN_HOLD 1e-9  /* changes of given velocities, likewise */
 #define GIVEN_HEAVIER 1e4 /* weight of given velocities where all parts weigh the same */
 
-/* Velocities that the rows allow. Where light parts cost all digits, once more in an even metric. */
+/* Largest change of a given velocity, over the fastest motion. */
+static double lost_of_given(const context *c, const double *given)
+{
+    const holonom_model *m = c->m;
+    const double fastest = fmax(fastest_rate(c, c->s.v), fastest_rate(c, given));
+    double lost = 0.0;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        double change[DIM];
+        EACH(k) change[k] = is_given(c, a) ? c->s.v[DIM * a + k] - given[DIM * a + k] : 0.0;
+        lost = fmax(lost, sqrt(dot(change, change)) / (m->node_kind[a] ? 1.0 : c->number[m->extent_at]));
+    }
+    return fastest > 0.0 ? lost / fastest : 0.0;
+}
+
+/* Velocities that the rows allow. Where light parts cost all digits, or heavy ones keep light ones from what is given, once more in an
+   even metric; a contradiction of those given is shared out by masses. */
 HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
 {
     const holonom_model *m = c->m;
-    double *weight = c->k.free, defect;
+    const size_t bytes = sizeof(double) * (size_t)(DIM * c->n_moving);
+    double *weight = c->k.free, *given = c->k.pair_backup, *by_masses = given + DIM * c->n_moving, defect;
     even_metric metric;
-    int32_t status = project_initial_velocities(c, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
-    if (status || defect <= RATES_HOLD * fastest_rate(c, c->s.v)) return status;
+    memcpy(given, c->s.v, bytes);
+    int32_t status = project_initial_velocities(c, given, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
+    if (status) return status;
+    const int holds = defect <= RATES_HOLD * fastest_rate(c, c->s.v);
+    if (holds && !(keep_given && lost_of_given(c, given) > GIVEN_HOLD)) return HOLONOM_OK;
+    memcpy(by_masses, c->s.v, bytes);
     status = take_even_metric(c, &metric);
-    for (int32_t a = 0; a < m->n_free; a++)
-        weight[a] = metric.weight[a] * (c->number[m->velocity_weight_at + a] > 1.0 ? GIVEN_HEAVIER : 1.0);
-    memcpy(c->s.v, c->number + m->initial_velocity_at, sizeof(double) * (size_t)(DIM * m->n_free));
-    if (!status) status = project_initial_velocities(c, keep_given ? weight : NULL, metric.weight, &defect);
+    for (int32_t a = 0; a < m->n_free; a++) weight[a] = metric.weight[a] * (is_given(c, a) ? GIVEN_HEAVIER : 1.0);
+    memcpy(c->s.v, given, bytes);
+    if (!status) status = project_initial_velocities(c, given, keep_given ? weight : NULL, metric.weight, &defect);
     leave_even_metric(c, &metric);
-    return status;
+    if (holds && (status || lost_of_given(c, given) > GIVEN_HOLD)) memcpy(c->s.v, by_masses, bytes);
+    return holds ? HOLONOM_OK : status;
+}
+
+/* Keeps the angular velocities of bodies that were turned from their drawing. */
+HM_SELDOM static void turn_velocities(const context *c)
+{
+    for (int32_t b = 0; b < n_bodies(c->m); b++) {
+        const int32_t first = DIM * c->m->body_node[b];
+        double omega[TURNING];
+        turn_of_directors(c->number + c->m->initial_position_at + first, c->s.v + first, omega);
+        for (int i = 0; i < DIM * TURNING; i += DIM) turned_by(omega, c->s.q + first + i, c->s.v + first + i);
+    }
 }
 
 /* Closes the mechanism, by the smallest displacement if that leads to a pose near the drawing. */
@@ -148,7 +181,9 @@ static int32_t close_places(context *c)
 static int32_t close_mechanism(context *c)
 {
     const int32_t status = close_places(c);
-    return status ? status : make_velocities_consistent(c, 1);
+    if (status) return status;
+    turn_velocities(c);
+    return make_velocities_consistent(c, 1);
 }
 
 static int32_t seek_equilibrium(context *c)

@@ -22,4 +22,16 @@ static inline void cross_product(const double *a, const double *b, double *x)
 #endif
 }
 
+/* The vector whose cross products with the directors d_i of a body come nearest to x_i: for orthonormal ones half the sum of
+   d_i x x_i, in the plane d x x. */
+static inline void turn_of_directors(const double *d, const double *x, double *turn)
+{
+    double own[TURNING];
+    for (int k = 0; k < TURNING; k++) turn[k] = 0.0;
+    for (int i = 0; i < TURNING; i++) {
+        cross_product(d + DIM * i, x + DIM * i, own);
+        for (int k = 0; k < TURNING; k++) turn[k] += (DIM == 2 ? 1.0 : 0.5) * own[k];
+    }
+}
+
 #endif
