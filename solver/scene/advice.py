@@ -14,6 +14,7 @@ from solver.scene.expression import Number, curves_of, evaluate
 from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint, Fixed
 from solver.scene.numbers import NumberChecks
+from solver.scene.parallel_axes import Groups
 from solver.scene.parameters import Input
 from solver.scene.profiles import Profile
 from solver.scene.report import Path, location_of
@@ -98,22 +99,16 @@ def _with_corners(
 
 def _welded_twice(draft: Draft, joints: Mapping[str, Part]) -> None:
     """Warn of joints between bodies that fixed joints hold together already."""
-    welded_to: dict[str | None, str | None] = {}
-
-    def last_of(body: str | None) -> str | None:
-        while body in welded_to:
-            body = welded_to[body]
-        return body
-
+    welded = Groups()
     of_bodies = ((n, j) for n, j in joints.items() if isinstance(j, BodyJoint))
     for name, joint in sorted(of_bodies, key=lambda item: not isinstance(item[1], Fixed)):
-        first, second = map(last_of, joint.bodies or ("", None))
-        if first == second:
+        bodies = joint.bodies or ("", None)
+        if welded.are_one(*bodies):
             message = "fixed joints hold these bodies together already, so that it is redundant"
             help = "leave it out: the reactions of redundant joints are not unique"
             draft.warn(("joints", name), message, help)
         elif isinstance(joint, Fixed):
-            welded_to[first] = second
+            welded.join(*bodies)
 
 
 def _millimetres(draft: Draft) -> None:

@@ -24,6 +24,7 @@ from solver.scene.fields import BROKEN, Part, fields_of
 from solver.scene.looks import read_view
 from solver.scene.names import check_body_points, check_names, check_scene_name, known_names
 from solver.scene.overrides import apply_overrides
+from solver.scene.parallel_axes import align_axes
 from solver.scene.parameters import read_parameters
 from solver.scene.profiles import Profile, read_profiles
 from solver.scene.references import Reader
@@ -151,6 +152,11 @@ def _build(draft: Draft) -> Scene:
     reader.read("looks")
     solver, experiment = read_settings(reader)
     check_settings(reader, solver)
+    aligned = {} if draft.problems else align_axes(draft, reader.parts["joints"])
+    if aligned:
+        reader.parts["joints"] |= aligned
+        if _have_velocities(reader.parts):  # those of the axes as they were written
+            solver = replace(solver, assemble=True)
     if not draft.problems:
         advise(reader, profiles, reader.parts)
     return Scene(
@@ -217,6 +223,12 @@ def _forgotten_dimension(
         message = f"{what} 2 numbers, but the scene has dimension 3 (the default)"
         help = "write dimension = 2 at the top of the file"
         draft.error((places[0][0],), message, help)
+
+
+def _have_velocities(parts: Mapping[str, Mapping[str, Any]]) -> bool:
+    given = (part for table in ("points", "bodies") for part in parts[table].values())
+    fields = ("velocity", "angular_velocity")
+    return any(getattr(part, field, None) is not None for part in given for field in fields)
 
 
 def _something_moves(draft: Draft, points: Mapping[str, Any]) -> None:

@@ -38,6 +38,7 @@ def _kind(option: Option) -> kind.Kind:
 
 if TYPE_CHECKING:
 
+    @dataclass(frozen=True)
     class SolverSettings(Part):
         """The settings of `solver.options`."""
 
