@@ -91,15 +91,6 @@ static void look_at_rows(context *at)
     stand_still_as_bodies(at);
 }
 
-/* Takes from the rows what they cannot meet together, where a correction has left most of it; 0 if that is too much. */
-static int leave_missed(const context *at, int stalls)
-{
-    double *rows = at->island + I_DEPENDENT;
-    if (*rows == ROWS_ARE_INDEPENDENT || !(stalls || *rows == ROWS_CONTRADICT) || !leave_contradiction(at, at->k.phi)) return 1;
-    *rows = ROWS_CONTRADICT;
-    return is_small_contradiction(at);
-}
-
 /* Puts coordinates back onto the rows, by displacements as small as can be. A
    correction leaves the same part as the one before it: where that is round-off, rows are not looked at again.       */
 HM_SELDOM static int32_t close_rows(context *at)
@@ -109,9 +100,6 @@ HM_SELDOM static int32_t close_rows(context *at)
     for (int i = 0; i < MAX_CORRECTIONS; i++) {
         look_at_rows(at);
         memcpy(at->k.phi, at->k.phi0, rows);
-        const double missed = largest_row(at, at->k.phi);
-        const int stalls = i && !(missed < 0.5 * last) && missed > at->s.head[S_NEWTON_TOLERANCE];
-        if (!leave_missed(at, stalls)) return HOLONOM_UZAWA_DIVERGED;
         const double defect = largest_row(at, at->k.phi);
         if (defect < 1e-17 || (defect <= at->s.head[S_NEWTON_TOLERANCE] && !(defect < 0.5 * last))) return HOLONOM_OK;
         memset(at->k.w, 0, n);
@@ -151,7 +139,6 @@ HM_SELDOM static void follow_rows(context *at)
     for (int i = 0; i < MAX_CORRECTIONS && (i < 2 || !(size / last * size < round_off)); i++) {
         last = size;
         row_rates(at, at->s.q, at->s.q_low, at->s.v, at->s.signal, at->k.signal_rate, at->k.phi);
-        leave_missed(at, 0);
         size = largest_row(at, at->k.phi);
         if (!(size < 0.5 * last)) return;
         memset(at->k.w, 0, sizeof(double) * (size_t)(DIM * at->n_moving));

@@ -189,6 +189,16 @@ static inline newton_record nothing_seen(const context *c)
     return (newton_record){.theta = 1.0, .seen = 1.0, .known = 1.0, .floor = round_off_of_places(c)};
 }
 
+/* Another try of the step, with new factors. */
+HM_SELDOM static int32_t try_again(context *c, int parity, newton_record *r, effort *total)
+{
+    c->factors_h = 0.0;
+    c->rows_known = 0;
+    *r = nothing_seen(c);
+    prepare_step(c, parity);
+    return try_step(c, 0, r, total);
+}
+
 /* One step of an island; increments and updates that it takes are added to `total`. */
 static int32_t solve_island(context *c, int parity, effort *total)
 {
@@ -200,23 +210,13 @@ static int32_t solve_island(context *c, int parity, effort *total)
     choose_factors(c);
     const int began_with_old = take_factors_over(c, &r);
     int32_t status = try_step(c, began_with_old, &r, total);
-    if (status && began_with_old) { /* old factors may have led astray */
-        c->factors_h = 0.0;
-        c->rows_known = 0;
-        r = nothing_seen(c);
-        prepare_step(c, parity);
-        status = try_step(c, 0, &r, total);
-    }
+    if (status && began_with_old) status = try_again(c, parity, &r, total); /* old factors may have led astray */
     double *rows = c->island + I_DEPENDENT;
     if (status && !known_misses(c) && *rows != ROWS_ARE_INDEPENDENT && *rows != ROWS_CONTRADICT) {
         /* Dependent rows may contradict each other; a penalty would multiply what they miss. */
         *rows = ROWS_CONTRADICT;
         c->island[I_PENALTY_LEVEL] = level;
-        c->factors_h = 0.0;
-        c->rows_known = 0;
-        r = nothing_seen(c);
-        prepare_step(c, parity);
-        status = try_step(c, 0, &r, total);
+        status = try_again(c, parity, &r, total);
     }
     return status;
 }
