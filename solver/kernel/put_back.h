@@ -29,7 +29,7 @@ typedef struct kept_momenta {
 /* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
 static int may_put_back(const context *c)
 {
-    return c->m->n_islands == 1 && hm_conserves_all(c->formulation);
+    return c->m->n_islands <= 1 && hm_conserves_all(c->formulation);
 }
 
 /* Momenta at the state, of which all may be kept. */
@@ -185,7 +185,7 @@ static double unbalanced(const context *c)
     return ledger_balance(c, kinetic_energy(c, c->k.momentum), potential_change(c));
 }
 
-/* Sizes of what the energy is summed of: weights, springs and potentials act on places that are known to round-off of the
+/* Sizes of what the energy is summed of: weights, loads, springs and potentials act on places that are known to round-off of the
    mechanism's size, however little it has moved. */
 HM_SELDOM static double sizes_of_summands(const context *c)
 {
@@ -195,9 +195,15 @@ HM_SELDOM static double sizes_of_summands(const context *c)
     sum += fabs(head[S_WORK]) + fabs(head[S_DISSIPATED]) + fabs(head[S_FRICTION]) + fabs(head[S_IMPACT]);
     for (int32_t a = 0; a < c->n_moving; a++) weight += c->number[m->node_weight_at + a];
     sum += weight * sqrt(dot(gravity, gravity)) * extent;
+    for (int32_t k = 0; k < DIM * m->n_loads; k++) sum += fabs(c->number[m->load_at + k]) * extent;
+    for (int32_t k = 0; k < TURNING * m->n_moments; k++) sum += fabs(c->number[m->moment_at + k]);
+    for (int32_t k = 0; k < TURNING * m->n_body_moments; k++) sum += fabs(c->number[m->body_moment_at + k]);
     for (int32_t j = 0; j < m->n_elements; j++) {
         const double rest = c->number[m->rest_at + j];
-        const double sigma = quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, NULL, NULL);
+        const int32_t measured = m->leaf[4 * m->leaf_ptr[j] + 1];
+        const double sigma = quantity_at(c, measured, c->s.q, c->s.q_low, NULL, NULL);
+        const double size = m->quantity_kind[measured] == QUANTITY_ANGLE ? 1.0 : extent;
+        sum += fabs(c->number[m->drive_at + j]) * fmax(fabs(sigma), size);
         sum += c->number[m->stiffness_at + j] * fabs(sigma - rest) * (fabs(sigma) + fabs(rest));
     }
     if (m->n_potentials) quantities_at_state(c);

@@ -29,7 +29,7 @@ enum { MOST_PASSES = 8 };
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
-    return m->n_free && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
+    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
            !(m->variable_potential && (m->time_dependent || m->sensing));
 }
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from scipy.optimize import brentq
 
-from tests.truth.system import Array, System, Values
+from tests.truth.system import Array, System, Values, marked
 
 G = 9.81
 
@@ -258,6 +258,31 @@ def _truss() -> System:
     )  # fmt: skip
 
 
+def _frame_under_a_fast_load() -> System:
+    """Joint on two rods, without weight; the load swings in less than a communication step."""
+    a, b, P, rate = 0.8, 0.6, 50.0, 30.0
+    text = f"""
+        name = "frame"
+        dimension = 2
+        [points]
+        B = {{ position = [{a}, {-b}], mass = 2 }}
+        [joints]
+        left = {{ type = "distance", points = ["ground", "B"], at = [0, 0] }}
+        right = {{ type = "distance", points = ["ground", "B"], at = [{2 * a}, 0] }}
+        [forces]
+        load = {{ type = "force", point = "B", value = [0, "-{P}*sin({rate}*t)"] }}
+    """
+
+    def right(t: Array) -> Values:
+        rod = P * np.sin(rate * t) * math.hypot(a, b) / (2 * b)
+        return {"B.x": np.full_like(t, a), "left.force": rod, "right.force": rod}
+
+    return System(
+        name="frame_under_a_fast_load", kind="equilibria", origin="method of joints", scene=text,
+        stop=1.0, right=right,
+    )  # fmt: skip
+
+
 def _tripod() -> System:
     """Load on three unequal legs: forces by three equations."""
     feet = np.array([[0.8, 0.0, 0.0], [-0.5, 0.6, 0.0], [-0.4, -0.9, 0.1]])
@@ -301,7 +326,9 @@ def _ladder() -> System:
     }, start="drawn")  # fmt: skip
 
 
-SYSTEMS = (
+# Reactions of equal steps are means.
+FAILS = {"frame_under_a_fast_load": {"default": 46, "order 4": 48}}
+SYSTEMS = marked((
     _blown(),
     _pulled_chain(),
     _hung_chain(),
@@ -311,6 +338,7 @@ SYSTEMS = (
     _stands("double_pendulum_that_hangs", 0.0, motor=False),
     _spatial_arm(),
     _truss(),
+    _frame_under_a_fast_load(),
     _tripod(),
     _ladder(),
-)  # fmt: skip
+), FAILS)  # fmt: skip
