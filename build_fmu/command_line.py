@@ -18,19 +18,19 @@ from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
+from solver.files import PAGE, RESULTS, TABLE, wrong_ending
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
     **dict.fromkeys(("--dt", "--interval"), "--step"),
 }
 """Options that other programs have, and what they are called here."""
-PAGE = (".html", ".htm")
 ENDINGS = {
-    "csv": (".csv",),
+    "csv": TABLE,
     "report": PAGE,
     "report output": PAGE,
     "schema output": (".json",),
-    "sweep results": (".csv", ".h5", ".hdf5"),
+    "sweep results": RESULTS,
 }
 """Of the names of files that options of all commands, or of one, write."""
 OPTIONS = {"csv": "--csv", "report": "--report"}
@@ -86,8 +86,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _wrong_output(chosen: argparse.Namespace) -> str:
     """Say which file cannot be written under its name, before anything is computed for it."""
-    from solver.files import wrong_ending  # --help waits for no package
-
     for key, endings in ENDINGS.items():
         command, _, name = key.rpartition(" ")
         file = getattr(chosen, name, None)
