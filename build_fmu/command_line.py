@@ -166,6 +166,9 @@ def _parser() -> argparse.ArgumentParser:
     closing.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
     text = "file for the scene with the closed places and velocities, comments kept (default: none)"
     closing.add_argument("-o", "--output", metavar="FILE", help=text)
+    _add_settings(
+        closing, "replace a parameter or any number of the scene, also in what is written"
+    )
     init = commands.add_parser("init", help="write a scene to begin with")
     init.add_argument("name", metavar="NAME", help="of the scene and its file, NAME.toml")
     text = "scene of this package that it is like, such as slider_crank (default: %(default)s)"
