@@ -12,7 +12,7 @@ import math
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import PurePath
 from typing import Any
 
@@ -251,8 +251,10 @@ class Edit:
                     else:
                         continue
                     new = less(given, self._counts[count])
-                    self.values[path] = rounded(new, scale) if isinstance(new, float) else new
-                    self._tell(path, count)
+                    new = rounded(new, scale) if isinstance(new, float) else new
+                    self.values[path] = new
+                    there = f"replaces {self._written(path)}" if path in self._spans else "is added"
+                    self._tell(path, new if isinstance(new, str) else repr(new), there, count)
 
     def _change_formulas(self) -> None:
         """Let formulas that read a joint read what it counted from the old drawing."""
@@ -268,21 +270,22 @@ class Edit:
                     self.values[path] = changed
             elif new is None:
                 written = self._written(path)
-                text = _TOKEN.sub(self._changed_token, written)
+                text = _TOKEN.sub(partial(self._changed_token, path), written)
                 if text != written:
                     self.values[path] = AsIs(text)
-                    self._tell(path, *(x for x in self._counts if self._reads(written, x)))
 
-    def _reads(self, text: str, count: str) -> bool:
-        joint, word = count.split(".")
-        return re.search(rf"\b{joint}\s*\.\s*{word}\b", text) is not None
-
-    def _changed_token(self, token: re.Match[str]) -> str:
+    def _changed_token(self, path: Path, token: re.Match[str]) -> str:
+        """Return what stands for a formula in the text of a field."""
         if token[0].startswith("#"):
             return token[0]
         given = value_of(token[0], self._source.notation)
         changed = self._changed(str(given))
-        return token[0] if changed == given else json.dumps(changed, ensure_ascii=False)
+        if changed == given:
+            return token[0]
+        new = json.dumps(changed, ensure_ascii=False)
+        names = [x for x in self._counts if rf"({x} " in changed]
+        self._tell(path, new, f"replaces {token[0]}", *names)
+        return new
 
     def _changed(self, formula: str) -> str:
         """Return a formula that reads the old counts of joints."""
@@ -315,12 +318,9 @@ class Edit:
                         "old drawing, since it is as drawn unless given"
                     )
 
-    def _tell(self, path: Path, *counts: str) -> None:
-        new = self.values[path]
-        shown = new if isinstance(new, str) else repr(new)
-        before = f"replaces {self._written(path)}" if path in self._spans else "is added"
+    def _tell(self, path: Path, new: str, before: str, *counts: str) -> None:
         names = " and ".join(f"{x} is {_by(self._counts[x], x)}" for x in counts)
-        text = f"{location_of(path)}: {shown} {before}, since {names} in the new drawing"
+        text = f"{location_of(path)}: {new} {before}, since {names} in the new drawing"
         self._remarks.append(text)
 
     def _left(self) -> Iterator[str]:

@@ -136,11 +136,16 @@ def _closed(scene: Scene) -> tuple[Parts, dict[str, float], Survey, Integrator]:
 
 def _rewritten(scene: Scene, values: Mapping[Path, Written]) -> str:
     """Text of a scene with these values, or an error that says which cannot be written."""
+    text, notation = scene.source.text, scene.source.notation
     try:
-        return rewritten(scene.source.text, scene.source.notation, values)
+        return rewritten(text, notation, values)
     except UnwrittenError as error:
-        message = "is written as a table of several lines, which is not replaced"
-        help = "write it in one line, such as orientation = { axis = [0, 0, 1], angle = 0.1 }"
+        spans = spans_of(text, notation)
+        message = "is of a table that the text lacks"
+        help = f"write the table '{location_of(error.path[:-1])}' into the file"
+        if any(known[: len(error.path)] == error.path for known in spans):
+            message = "is written as a table of several lines, which is not replaced"
+            help = "write it in one line, such as orientation = { axis = [0, 0, 1], angle = 0.1 }"
         scene.fail([scene.source.problem(error.path, message, help)])
 
 

@@ -11,6 +11,7 @@ import pytest
 import solver
 from solver.closed_text import files_from
 from solver.scene import SceneError, Source
+from solver.scene.rewriting import tomllib
 from tests.commands import run
 from tests.excavator import DRAWN, SCENE, branches
 from tests.fmu_instance import SCENES
@@ -215,7 +216,8 @@ def test_all_that_reads_a_joint_means_what_it_did():
         "forces.rope.free_length: 1.4142135623",
     ):
         assert said in remarks
-    for name in ("leaf", "motor", "well", "push"):
+    assert 'forces.push.value: "2*sin((shoulder.angle + 0.2))" replaces "2*sin(shou' in remarks
+    for name in ("leaf", "motor", "well"):
         assert f"forces.{name}." in remarks
     assert "outputs.bend.value: " in remarks
     assert 'description = "elbow.angle"' in closing.text
@@ -340,6 +342,10 @@ def test_a_new_field_of_a_new_table_is_written():
     closing = solver.close(solver.loads(text, overrides={"solver.assemble": True}))
     assert closing.text.endswith("[solver]\nassemble = true\n")
     assert solver.loads(closing.text).solver.assemble
+    text = json.dumps(tomllib.loads(text))
+    scene = solver.loads(text, format="json", overrides={"solver.assemble": True})
+    with pytest.raises(SceneError, match="of a table that the text lacks"):
+        solver.close(scene)
 
 
 @pytest.mark.parametrize(
