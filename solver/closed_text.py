@@ -258,10 +258,9 @@ class Edit:
 
     def _change_formulas(self) -> None:
         """Let formulas that read a joint read what it counted from the old drawing."""
-        for path in self._spans:
-            if path[0] not in TABLES_WITH_FORMULAS or path[-1] == "description":
-                continue
-            if any(len(other) > len(path) and other[: len(path)] == path for other in self._spans):
+        tables = {path[:k] for path in self._spans for k in range(1, len(path))}
+        for path in self._spans if self._counts else ():
+            if path[0] not in TABLES_WITH_FORMULAS or path in tables or path[-1] == "description":
                 continue
             new = self.values.get(path)
             if isinstance(new, str):
