@@ -18,19 +18,19 @@ from build_fmu.errors import EXIT_CODES, INTERRUPTED, LACK, USAGE, CommandError
 from build_fmu.report import scene_warnings
 from build_fmu.study.values import read_value
 from build_fmu.version import VERSION
+from solver.files import PAGE, RESULTS, TABLE, wrong_ending
 
 OTHER_WORDS = {
     **dict.fromkeys(("--duration", "--end", "--until", "--tend", "--time"), "--stop"),
     **dict.fromkeys(("--dt", "--interval"), "--step"),
 }
 """Options that other programs have, and what they are called here."""
-PAGE = (".html", ".htm")
 ENDINGS = {
-    "csv": (".csv",),
+    "csv": TABLE,
     "report": PAGE,
     "report output": PAGE,
     "schema output": (".json",),
-    "sweep results": (".csv", ".h5", ".hdf5"),
+    "sweep results": RESULTS,
 }
 """Of the names of files that options of all commands, or of one, write."""
 OPTIONS = {"csv": "--csv", "report": "--report"}
@@ -86,8 +86,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _wrong_output(chosen: argparse.Namespace) -> str:
     """Say which file cannot be written under its name, before anything is computed for it."""
-    from solver.files import wrong_ending  # --help waits for no package
-
     for key, endings in ENDINGS.items():
         command, _, name = key.rpartition(" ")
         file = getattr(chosen, name, None)
@@ -168,6 +166,9 @@ def _parser() -> argparse.ArgumentParser:
     closing.add_argument("scene", metavar="SCENE", help="scene file, .toml or .json")
     text = "file for the scene with the closed places and velocities, comments kept (default: none)"
     closing.add_argument("-o", "--output", metavar="FILE", help=text)
+    _add_settings(
+        closing, "replace a parameter or any number of the scene, also in what is written"
+    )
     init = commands.add_parser("init", help="write a scene to begin with")
     init.add_argument("name", metavar="NAME", help="of the scene and its file, NAME.toml")
     text = "scene of this package that it is like, such as slider_crank (default: %(default)s)"

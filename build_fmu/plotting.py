@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.grid import rows_of
 from solver.extras import missing
+from solver.files import wrong_ending
 from solver.runtime import OptionError
 
 if TYPE_CHECKING:
@@ -38,9 +39,8 @@ def check_plot(arguments: argparse.Namespace) -> None:
         return
     from viewer.plots import FORMATS, require_few_parameters
 
-    if Path(arguments.plot).suffix.lower().removeprefix(".") not in FORMATS:
-        known = ", ".join(f".{form}" for form in FORMATS)
-        text = f"--plot {arguments.plot}: the name must end in one of {known}"
+    if wrong := wrong_ending(arguments.plot, FORMATS):
+        text = f"--plot {wrong}"
         raise UsageError(text)
     if text := missing("matplotlib", "plot"):
         raise EnvironmentLackError(text)

@@ -12,7 +12,7 @@ import os
 import re
 import secrets
 import stat
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from os import PathLike, fspath
 from pathlib import Path
 from typing import IO, Any
@@ -25,9 +25,16 @@ _KINDS = {
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
-_HANDED_OVER = ("/dev/stdin", "/dev/fd/", "/proc/self/fd/")
-"""Beginnings of names of what this program was started with, such as `<(command)` of a shell."""
+_HANDED_OVER = re.compile(r"/dev/std(in|out|err)|(?:/dev/fd/|/proc/self/fd/)([0-9]+)")
+"""Names of what this program was started with, such as `<(command)` of a shell."""
+_STANDARD = {"in": 0, "out": 1, "err": 2}
+_OF_THE_SYSTEM = ("/proc/", "/sys/")
+"""What is there looks like files, but may have no end, or wait for an event (/proc/kmsg)."""
 
+PAGE = (".html", ".htm")
+TABLE = (".csv",)
+RESULTS = (*TABLE, ".h5", ".hdf5")
+"""Endings of files that are written; those with trajectories are of HDF5."""
 
 _DEVICES = re.compile(r"(con|prn|aux|nul|(com|lpt)[1-9\u00b9\u00b2\u00b3]) *(\..*)?", re.IGNORECASE)
 
@@ -38,10 +45,15 @@ def is_reserved(name: str) -> bool:
 
 
 def wrong_ending(path: str | PathLike[str], endings: Sequence[str]) -> str:
-    """Say what the name of a file to write must end in; empty if it does, or names a device."""
+    """Say why no file of this name is written, or what it must end in; empty if it is all right.
+
+    A device that is written into, such as /dev/null, needs no ending.
+    """
     target = Path(path)
     if is_reserved(target.name):
         return f"{fspath(path)}: Windows reserves this name of a file; name another"
+    if reason := why_unwritable(path):
+        return f"{fspath(path)}: {reason}"
     if target.suffix.lower() in endings or (target.exists() and not target.is_file()):
         return ""
     one = "one of " if len(endings) > 1 else ""
@@ -50,8 +62,17 @@ def wrong_ending(path: str | PathLike[str], endings: Sequence[str]) -> str:
 
 def why_unreadable(path: str | PathLike[str]) -> str:
     """Why nothing is read from a file, in small letters; empty if it may be."""
+    return _why_not(path, _require_an_end)
+
+
+def why_unwritable(path: str | PathLike[str]) -> str:
+    """Why nothing is written into a file, in small letters; empty if it may be."""
+    return _why_not(path, _require_room)
+
+
+def _why_not(path: str | PathLike[str], require: Callable[[Path], object]) -> str:
     try:
-        _require_an_end(Path(path))
+        require(Path(path))
     except FileNotFoundError:
         return "no such file"
     except OSError as error:
@@ -67,7 +88,8 @@ def read_whole(path: str | PathLike[str]) -> bytes:
     Raises
     ------
     OSError
-        If it cannot be read, is a folder, device, socket or named pipe, or has more than 1 GiB.
+        If it cannot be read, is a folder, device, socket or named pipe, is of the operating system
+        (/proc, /sys), or has more than 1 GiB.
     """
     size = _require_an_end(Path(path))
     with open(path, "rb") as file:
@@ -80,15 +102,38 @@ def read_whole(path: str | PathLike[str]) -> bytes:
 def _require_an_end(path: Path) -> int:
     """Size [bytes] of a file that has an end; 0 for a pipe."""
     known = path.stat()
-    kind = stat.S_IFMT(known.st_mode)
-    if kind == stat.S_IFDIR:
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), fspath(path))
-    if kind != stat.S_IFREG and not (
-        kind == stat.S_IFIFO and fspath(path).startswith(_HANDED_OVER)
-    ):
-        text = f"{_KINDS.get(kind, 'no file')}, and only regular files are read"
-        raise OSError(errno.EINVAL, text, fspath(path))
+    if not (stat.S_ISFIFO(known.st_mode) and _handed_over(path) is not None):
+        _require_regular(path, known.st_mode, "read")
     return known.st_size
+
+
+def _require_room(path: Path) -> os.stat_result | None:
+    """What is there already, if anything; refuse what would wait for a reader, or keep nothing."""
+    try:
+        known = path.stat()
+    except (FileNotFoundError, NotADirectoryError):  # what its folder is, making it will tell
+        return None
+    if _handed_over(path) is None and fspath(path.resolve()) != os.devnull:
+        _require_regular(path, known.st_mode, "written")
+    return known
+
+
+def _require_regular(path: Path, mode: int, done: str) -> None:
+    if stat.S_ISDIR(mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), fspath(path))
+    kind = _KINDS.get(stat.S_IFMT(mode), "no file")
+    if stat.S_ISREG(mode):
+        if not fspath(path.resolve()).startswith(_OF_THE_SYSTEM):
+            return
+        kind = "of the operating system"
+    raise OSError(errno.EINVAL, f"{kind}, and only regular files are {done}", fspath(path))
+
+
+def _handed_over(path: Path) -> int | None:
+    """Number of the open file that this program was started with and that the name stands for."""
+    if not (found := _HANDED_OVER.fullmatch(fspath(path))):
+        return None
+    return _STANDARD[found[1]] if found[1] else int(found[2])
 
 
 @contextlib.contextmanager
@@ -106,22 +151,24 @@ def written_whole(path: str | PathLike[str], mode: str = "wb") -> Iterator[IO[An
     """File to write, "wb" or "w" (UTF-8, line ends as written), which takes its name at the end.
 
     Its folder is made if need be. Until the end, and after any failure, what was there stays as it
-    was. A device, such as /dev/stdout, is written into.
+    was. What this program was started with, such as /dev/stdout, is written into, as is /dev/null.
 
     Raises
     ------
     OSError
-        With this path.
+        With this path; at once if it is a folder, another device, a socket or a named pipe.
     """
     text: dict[str, Any] = {} if "b" in mode else {"encoding": "utf-8", "newline": ""}
     with writing(path):
-        target = Path(path).resolve()  # a link stays one
-        target.parent.mkdir(parents=True, exist_ok=True)
-        before = target.stat() if target.exists() else None
-        if before and not stat.S_ISREG(before.st_mode):
-            with target.open(mode, **text) as file:
+        before = _require_room(Path(path))
+        given = _handed_over(Path(path))
+        if given is not None or (before and not stat.S_ISREG(before.st_mode)):
+            # Opened by its name, what was handed over would be written from its beginning again.
+            with open(path if given is None else os.dup(given), mode, **text) as file:
                 yield file
             return
+        target = Path(path).resolve()  # a link stays one
+        target.parent.mkdir(parents=True, exist_ok=True)
         beside = target.with_name(f".holonom-{secrets.token_hex(8)}")
         try:
             with beside.open(mode.replace("w", "x"), **text) as file:

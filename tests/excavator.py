@@ -4,80 +4,9 @@ from __future__ import annotations
 
 import itertools
 import math
+from pathlib import Path
 
-SCENE = """
-name = "excavator"
-description = "Boom, stick and bucket posed by three hydraulic cylinders"
-dimension = 2
-gravity = [0, -9.81]
-
-[parameters]
-boom_closed = { value = 1.75, unit = "m" }
-stick_closed = { value = 2.40, unit = "m" }
-bucket_closed = { value = 1.65, unit = "m" }
-
-[inputs]
-boom_stroke = { unit = "m", min = 0, max = 1.3, start = 0.5, interpolation = "smooth" }
-stick_stroke = { unit = "m", min = 0, max = 1.5, start = 0.7, interpolation = "smooth" }
-bucket_stroke = { unit = "m", min = 0, max = 1.1, start = 0.5, interpolation = "smooth" }
-
-[bodies.boom]
-position = [0, 0]
-orientation = "30*pi/180"
-mass = 1500
-inertia = 4500
-center_of_mass = [2.8, 0.4]
-points = { foot = [0, 0], cyl = [2.3, 0.5], stick_cyl = [2.6, 1.0], tip = [5.7, 0] }
-
-[bodies.stick]
-position = ["5.7*cos(30*pi/180)", "5.7*sin(30*pi/180)"]
-orientation = "-70*pi/180"
-mass = 800
-inertia = 800
-center_of_mass = [1.0, 0.1]
-points = { root = [0, 0], tail = [-0.9, 0.3], bucket_cyl = [0.3, 0.6], rocker = [2.4, 0.0], tip = [2.9, 0] }
-
-[bodies.rocker]
-position = [5.9, 0.9]
-orientation = 0.0
-mass = 60
-inertia = 3
-points = { a = [0, 0], b = [0.6, 0] }
-
-[bodies.link]
-position = [6.5, 0.9]
-mass = 60
-inertia = 3
-points = { a = [0, 0], b = [0.6, 0] }
-
-[bodies.bucket]
-position = [6.0, 0.2]
-orientation = "-90*pi/180"
-mass = 700
-inertia = 250
-center_of_mass = [0.6, -0.3]
-points = { root = [0, 0], link = [0, 0.45], tooth = [1.4, 0] }
-
-[joints]
-boom_pin = { type = "revolute", points = ["ground", "boom.foot"], at = [0, 0] }
-stick_pin = { type = "revolute", points = ["boom.tip", "stick.root"] }
-bucket_pin = { type = "revolute", points = ["stick.tip", "bucket.root"] }
-rocker_pin = { type = "revolute", points = ["stick.rocker", "rocker.a"] }
-link_pin = { type = "revolute", points = ["rocker.b", "link.a"] }
-bucket_link = { type = "revolute", points = ["link.b", "bucket.link"] }
-
-[drivers]
-boom_cyl = { type = "distance", points = ["ground", "boom.cyl"], at = [0.4, -0.5], value = "boom_closed + boom_stroke" }
-stick_cyl = { type = "distance", points = ["boom.stick_cyl", "stick.tail"], value = "stick_closed + stick_stroke" }
-bucket_cyl = { type = "distance", points = ["stick.bucket_cyl", "rocker.b"], value = "bucket_closed + bucket_stroke" }
-
-[solver]
-assemble = true
-
-[experiment]
-stop_time = 6
-step_size = 0.02
-"""  # noqa: E501
+SCENE = (Path(__file__).parent / "truth" / "cases" / "excavator_by_eye.toml").read_text("utf-8")
 """The bucket link is drawn 0.96 m off its pins."""
 BODIES = ("boom", "stick", "rocker", "link", "bucket")
 STROKES = [(0.2 * boom, 0.2 * stick, 0.5) for boom, stick in itertools.product(range(7), range(8))]
@@ -120,6 +49,16 @@ def branches(boom_stroke: float, stick_stroke: float, bucket_stroke: float) -> d
         bucket = _direction(pin[0] - 2.9, pin[1]) - math.pi / 2.0
         found[s1, s2, s3, s4] = [boom, stick, stick + rocker, stick + link, stick + bucket]
     return found
+
+
+def drawn_pose(
+    boom_stroke: float, stick_stroke: float, bucket_stroke: float
+) -> list[float] | None:  # fmt: skip
+    """Angles of all bodies [rad] on the branch of the drawing; None where a triangle is open."""
+    try:
+        return branches(boom_stroke, stick_stroke, bucket_stroke).get(DRAWN)
+    except ValueError:
+        return None
 
 
 def farthest(angles: list[float], others: list[float]) -> float:

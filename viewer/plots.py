@@ -8,7 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from html import escape
-from os import PathLike, fspath
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -21,7 +22,7 @@ from solver.scene.words import did_you_mean
 if TYPE_CHECKING:
     from matplotlib.figure import Figure  # pyright: ignore[reportMissingImports]
 
-FORMATS = ("png", "svg", "pdf")
+FORMATS = (".png", ".svg", ".pdf")
 ERRORS = ("energy.error", "constraint.position")
 """What says how exact a run is."""
 MOST = 24
@@ -177,8 +178,8 @@ def over_values(
 
 
 def save(figure: Figure, path: str | PathLike[str]) -> None:
-    """Write a figure as its suffix says; the same figure gives the same bytes."""
-    form = fspath(path).rpartition(".")[2].lower()
+    """Write a figure as its suffix says, else as PNG; the same figure gives the same bytes."""
+    form = Path(path).suffix.lower().removeprefix(".") or "png"
     dated = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
     how = {"format": form, "metadata": dated.get(form), "bbox_inches": "tight", "dpi": 150}
     salted = imported("matplotlib", "plot").rc_context({"svg.hashsalt": "holonom"})

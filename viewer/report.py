@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from solver.files import write_whole, wrong_ending
+from solver.files import PAGE, write_whole, wrong_ending
 from viewer.packing import BUDGET, channels, packed, text_of
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def report_of_trajectory(path: str | PathLike[str], trajectory: Trajectory) -> P
     from solver.runtime import OptionError
     from viewer.drawing import drawing
 
-    if wrong := wrong_ending(path, (".html", ".htm")):
+    if wrong := wrong_ending(path, PAGE):
         text = f"report: {wrong}"
         raise OptionError(text)
     model = trajectory.model

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from build_fmu.errors import UsageError
 from build_fmu.report import number, print_json, print_table
+from build_fmu.study.settings import given_on_the_command_line, scene_overrides
 
 if TYPE_CHECKING:
     from solver.closing import Closing
@@ -19,10 +20,13 @@ ROUND_OFF = 1e-12
 
 def run(arguments: argparse.Namespace) -> int:
     """Close it, say what moved, and write the scene; exit code 0."""
+    from build_fmu.export import load_scene
     from solver import OptionError, SceneError, close
 
+    entries = given_on_the_command_line(arguments.parameters, arguments.settings)
     try:
-        closing = close(arguments.scene, arguments.output)
+        scene = load_scene(arguments.scene, scene_overrides(arguments.scene, entries))
+        closing = close(scene, arguments.output)
     except (OptionError, SceneError) as error:
         raise UsageError(str(error)) from None
     if arguments.json:

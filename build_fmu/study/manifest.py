@@ -12,7 +12,7 @@ from pathlib import Path
 from build_fmu.errors import UsageError
 from build_fmu.report import json_text
 from build_fmu.study.csv_file import cell, column_name
-from solver.files import read_whole
+from solver.files import read_whole, why_unwritable
 
 OWN_COLUMNS = ("variant", "fmu", "error")
 LARGEST_WHOLE = 2**53
@@ -54,6 +54,9 @@ def manifest_path(folder: Path, name: str) -> Path:
         raise UsageError(text)
     if path.name != name:
         text = f"{name}: a manifest stands beside the FMUs; write {path.name}"
+        raise UsageError(text)
+    if reason := why_unwritable(path):
+        text = f"{path}: {reason}"
         raise UsageError(text)
     if path.exists() and not _is_manifest(path):
         text = f"{path} is there and is no manifest of variants; name another with --manifest"

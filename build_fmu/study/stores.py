@@ -24,7 +24,15 @@ import numpy as np
 from build_fmu.errors import EnvironmentLackError, UsageError
 from build_fmu.study.csv_file import cell
 from build_fmu.study.plan import OWN_COLUMNS, Plan, Result
-from solver.files import is_reserved, read_whole, why_unreadable, writing, written_whole
+from solver.files import (
+    RESULTS,
+    TABLE,
+    read_whole,
+    why_unwritable,
+    writing,
+    written_whole,
+    wrong_ending,
+)
 
 try:
     import fcntl
@@ -38,17 +46,18 @@ REMEDY = "name another file, or begin anew with --fresh"
 
 def require_kind(path: Path | None) -> None:
     """Refuse a file that cannot hold results, before anything is done to it."""
-    if path is not None and is_reserved(path.name):
-        text = f"{path}: Windows reserves this name of a file; name another"
-        raise UsageError(text)
-    if path is not None and path.suffix not in (".csv", ".h5", ".hdf5"):
-        text = f"{path}: results go to a .csv, .h5 or .hdf5 file"
+    if path is None:
+        return
+    if wrong := wrong_ending(path, RESULTS):
+        raise UsageError(wrong)
+    if path.exists() and not path.is_file():
+        text = f"{path}: results go to a file that can be read again, not to a device"
         raise UsageError(text)
 
 
 def holds_trajectories(path: Path | None) -> bool:
     """Whether a file of this name has more than the summary."""
-    return path is not None and path.suffix != ".csv"
+    return path is not None and path.suffix.lower() not in TABLE
 
 
 def store_for(
@@ -66,9 +75,6 @@ def store_for(
     if path is None:
         return Store(plan, trajectories)
     path.parent.mkdir(parents=True, exist_ok=True)
-    if path.exists() and (reason := why_unreadable(path)):
-        text = f"{path}: results go to a file; there is {reason}"
-        raise UsageError(text)
     kind = Hdf5Store if holds_trajectories(path) else CsvStore
     return kind(plan, trajectories, path, fresh)
 
@@ -109,6 +115,9 @@ class FileStore(Store):
         """Make a file ours, and make it if it is not there."""
         if fcntl is None:
             return
+        if reason := why_unwritable(path):
+            text = f"{path}: {reason}"
+            raise UsageError(text)
         file = self._locks.enter_context(path.open("ab"))
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -331,14 +331,15 @@ static int say_fighting(hm_text *text, const drawing *d)
             int32_t worst = row;
             double whole;
             if (value(d, row) == 0.0 || !gather(d, row, value, 1, &worst, &whole)) continue;
-            hm_say(text, "%s", problems++ ? ", " : pass ? "the mechanism has no velocities at this place that its joints and drivers allow: "
-                                                        : "the mechanism cannot be closed: joints contradict each other: ");
+            hm_say(text, "%s", problems++ ? ", " : pass ? "the mechanism has no velocities at this place that its joints and drivers allow; these do not fit: "
+                                                        : "the mechanism cannot be closed: joints contradict each other; in the best pose that was "
+                                                          "found these do not fit: ");
             hm_say(text, "%s (%3g%s%s)", d->f->text + d->f->row[worst].name, pass ? whole : missing(d, worst, whole), unit_of(d, worst),
                    !pass ? "" : *unit_of(d, worst) ? "/s" : " per second");
         }
         if (problems)
-            hm_say(text, "%s", pass ? " are missing; draw it beside its dead centre, or let its drivers start from rest"
-                                    : " are missing in the best pose that was found; move a part, or correct a length or a driver");
+            hm_say(text, "%s", pass ? "; draw it beside its dead centre, or let its drivers start from rest"
+                                    : "; move a part, or correct a length or a driver");
     }
     return problems > 0;
 }

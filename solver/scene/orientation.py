@@ -157,6 +157,11 @@ def _quaternion(reader: "Reader", path: Path, part: Any) -> Matrix:
         return IDENTITY
     length = sqrt(dot(given, given))
     w, x, y, z = (number / length for number in given)
+    return rotation_of(w, x, y, z)
+
+
+def rotation_of(w: Number, x: Number, y: Number, z: Number) -> Matrix:
+    """Return the rotation matrix of a unit quaternion, w first."""
     return (
         (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
         (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),

@@ -41,7 +41,7 @@ def apply_overrides(
     places: dict[Path, str] = {}
     for name, override in overrides.items():
         given = override.value if isinstance(override, Given) else override
-        value = _value(given)
+        value = value_of(given)
         text = f"{name}={given if isinstance(given, str) else shown(value)}"
         where = (
             override.where if isinstance(override, Given) else f"overrides[{name!r}]={shown(given)}"
@@ -63,11 +63,11 @@ def apply_overrides(
     return dict(sorted(replaced.items(), key=lambda item: item[1])), places
 
 
-def _value(given: object) -> object:
+def value_of(given: object) -> object:
     """Read a text as a value of the file where it is one; ``2*length`` stays an expression."""
     given = getattr(given, "tolist", lambda: given)()  # numbers and arrays of NumPy
     if isinstance(given, (tuple, list)):
-        return [_value(item) for item in given]
+        return [value_of(item) for item in given]
     if not isinstance(given, str):
         return given
     try:

@@ -19,7 +19,7 @@ Path: TypeAlias = tuple[str | int, ...]
 
 _BLANK = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
 _COMMENT_LINES = re.compile(r"(?:[ \t\r\n,]|#[^\n]*)*")
-_STRING = re.compile(
+STRING = re.compile(
     r'"""(?:\\.|[^\\])*?"{3,5}|"(?:\\.|[^"\\\n])*"'
     r"|'''.*?'{3,5}|'[^'\n]*'",
     re.DOTALL,
@@ -162,9 +162,7 @@ class _Scanner:
         parts = []
         while True:
             self.skip(_BLANK)
-            parts.append(
-                _unquoted(self.skip(_STRING if self.text[self.at] in "\"'" else _BARE_KEY))
-            )
+            parts.append(_unquoted(self.skip(STRING if self.text[self.at] in "\"'" else _BARE_KEY)))
             self.skip(_BLANK)
             if not self.peek("."):
                 return parts
@@ -186,7 +184,7 @@ class _Scanner:
                 self.entry(path, in_brackets=True)
             self.at += 1
         elif self.text[self.at] in "\"'":
-            self.skip(_STRING)
+            self.skip(STRING)
         else:
             self.scalars[path] = self.skip(_SCALAR).strip()
 

@@ -113,9 +113,10 @@ def read_file(path: str, overrides: Mapping[str, object]) -> Scene:
 @collector_paused()
 def read_text(text: str, name: str, notation: str, overrides: Mapping[str, object]) -> Scene:
     """Read the text of a scene; see ``solver.scene.loads``."""
+    line_end = "\r\n" if text.count("\r\n") * 2 > text.count("\n") else "\n"
     text = text.replace("\r\n", "\n")
     data, problems = tables_of(text, name, notation)
-    source = Source(name, text, notation, *apply_overrides(data, overrides, problems))
+    source = Source(name, text, notation, line_end, *apply_overrides(data, overrides, problems))
     draft = Draft(data, source, problems)
     if data.get("bodies") and any(path[0] in _MOVING for path in source.overrides):
         drawn = Draft(tables_of(text, name, notation)[0], Source(name, text, notation), [])

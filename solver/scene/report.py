@@ -72,6 +72,8 @@ class Source:
     text: str = ""
     notation: str = ""
     """"toml" or "json"; empty where no line can be named."""
+    line_end: str = "\n"
+    """Of the lines of the file; the text here has line feeds alone."""
     overrides: Mapping[Path, str] = field(default_factory=dict)
     """Text of the override that replaced a value, ``name=value``, by the path of the value."""
     places: Mapping[Path, str] = field(default_factory=dict)

@@ -138,6 +138,16 @@ def test_a_pipe_that_the_program_was_given_is_read_to_its_end():
     assert answer.stdout == "True\n"
 
 
+@pytest.mark.skipif(not Path("/proc/kmsg").exists(), reason="no such file")
+@pytest.mark.parametrize("name", ["/proc/kmsg", "/proc/self/status"])
+def test_what_the_system_shows_as_files_is_not_read(tmp_path, capsys, name):
+    (tmp_path / "table.csv").symlink_to(name)
+    words = ("info", PENDULUM, "--parameters", tmp_path / "table.csv")
+    code, _, err = run(capsys, *words)
+    assert code == 2
+    assert "of the operating system, and only regular files are read" in err.lower()
+
+
 def test_a_file_is_read_as_it_is(tmp_path):
     (tmp_path / "a").write_bytes(b"a\r\n")
     assert read_whole(tmp_path / "a") == b"a\r\n"
@@ -175,7 +185,54 @@ def test_a_link_and_the_rights_of_a_file_stay(tmp_path):
     assert stat.S_IMODE((tmp_path / "real").stat().st_mode) == 0o600
 
 
-def test_a_device_is_written_into_and_not_replaced():
+@pytest.mark.parametrize("make", KINDS, ids=lambda make: make.__name__)
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("out.csv", ("simulate", PENDULUM, "--csv", "PATH")),
+        ("out.html", ("simulate", PENDULUM, "--report", "PATH")),
+        ("out.html", ("check", PENDULUM, "--report", "PATH")),
+        ("out.png", ("simulate", PENDULUM, "--plot", "PATH")),
+        ("out.json", ("schema", "-o", "PATH")),
+        ("out.toml", ("assemble", PENDULUM, "-o", "PATH")),
+        ("out.html", ("report", PENDULUM, "--results", "none.csv", "-o", "PATH")),
+        ("out.h5", ("sweep", PENDULUM, "--grid", "mass=1", "-o", "PATH")),
+        ("out.csv", ("sweep", PENDULUM, "--grid", "mass=1", "-o", "PATH", "--fresh")),
+        ("out.csv", ("variants", PENDULUM, "--grid", "mass=1", "-o", "v", "--manifest", "PATH")),
+    ],
+)
+def test_what_has_no_end_is_not_written_and_nothing_is_computed_for_it(
+    tmp_path, monkeypatch, capsys, make, name, words
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "v").mkdir()
+    path = tmp_path / "v" / name
+    make(path)
+    words = [name if words[0] == "variants" and x == "PATH" else x for x in words]
+    code, out, err = run(capsys, *(str(path) if x == "PATH" else x for x in words))
+    assert (code, out) == (2, "")
+    assert KINDS[make].replace("read", "written") in err.lower()
+    assert name in err
+    assert [x.name for x in path.parent.iterdir()] == [name]
+
+
+def test_what_the_program_was_given_as_its_output_is_written_into(tmp_path):
+    """Whether it is a pipe or a file, which keeps what it had."""
+    script = "from solver.files import write_whole; write_whole('/dev/stdout', 'a,b\\n')"
+    words = [sys.executable, "-c", script]
+    assert subprocess.run(words, capture_output=True, check=True).stdout == b"a,b\n"
+    with (tmp_path / "a").open("ab") as file:
+        file.write(b"before\n")
+        file.flush()
+        subprocess.run(words, stdout=file, check=True)
+    assert (tmp_path / "a").read_bytes() == b"before\na,b\n"
+
+
+def test_a_device_is_written_into_and_not_replaced(tmp_path):
+    (tmp_path / "link").symlink_to("/dev/null")
+    with written_whole(tmp_path / "link") as file:
+        file.write(b"gone")
+    assert (tmp_path / "link").is_symlink()
     with written_whole("/dev/null") as file:
         file.write(b"gone")
     assert stat.S_ISCHR(Path("/dev/null").stat().st_mode)

@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -244,6 +245,22 @@ def accelerations(mechanism: Mechanism, t: float, q: Array, v: Array) -> Array:
     return np.linalg.solve(M, f)
 
 
+def dop853(
+    rates: Callable[[float, Array], Sequence[float] | Array], span: tuple[float, float],
+    y: Sequence[float] | Array, accuracy: float = ACCURACY, *, least: float | None = None, **more: Any,
+) -> Any:  # fmt: skip
+    """Integrate y' = rates(t, y) over the span; the result of SciPy's `solve_ivp`, with `more`.
+
+    `least` is the error of y that counts as none, if it is not the relative `accuracy`.
+    """
+    found = solve_ivp(
+        rates, span, y, method="DOP853", rtol=accuracy,
+        atol=accuracy if least is None else least, **more,
+    )  # fmt: skip
+    assert found.success, found.message
+    return found
+
+
 def motion(
     mechanism: Mechanism, q0: Sequence[float], v0: Sequence[float], times: Array,
     *, jumps: Sequence[float] = (),
@@ -261,12 +278,10 @@ def motion(
         # Laws are those of the open interval: its ends belong to this side of a jump.
         inside = [t for t in times if begin < t <= end]
         inset = 1e-12 * (end - begin)
-        solution = solve_ivp(
+        solution = dop853(
             lambda t, y, a=begin + inset, b=end - inset: rates(min(max(t, a), b), y),
-            (begin, end), y, method="DOP853", t_eval=sorted({*inside, end}),
-            rtol=ACCURACY, atol=ACCURACY,
+            (begin, end), y, t_eval=sorted({*inside, end}),
         )  # fmt: skip
-        assert solution.success, solution.message
         columns = dict(zip(solution.t, solution.y.T, strict=True))
         found += [columns[t] for t in inside]
         y = columns[end]

@@ -25,6 +25,8 @@ from numpy.typing import NDArray
 
 import solver
 from build_fmu.command_line import main
+from tests.excavator import BODIES, drawn_pose, farthest
+from tests.straight_arm import arm
 from tests.truth.minimal import Body, Number, Parts, cos, motion, sin
 from tests.truth.system import BEYOND_TOLERANCE, BY_DEFAULT
 
@@ -492,19 +494,12 @@ def _arm_closes(distance: float, dimension: int) -> None:
         if np.linalg.norm(target) > 1.99:
             continue
         tried += 1
-        changes = [("[1.2, 0.8]", f"{target.tolist()}")]
-        if dimension == 3:
-            changes += [
-                ("dimension = 2", "dimension = 3"), ("[0, -9.81]", "[0, 0, -9.81]"),
-                ("[0.5, 0]", "[0.5, 0, 0]"), ("[-0.5, 0]", "[-0.5, 0, 0]"),
-                ("[1.5, 0]", "[1.5, 0, 0]"), ("at = [0, 0]", "at = [0, 0, 0]"),
-                ("inertia = 0.1", "inertia = [0.1, 0.1, 0.1]"), ('"revolute"', '"spherical"'),
-            ]  # fmt: skip
+        text = arm("balls", target.tolist())
+        if dimension == 2:
+            text = text_of("straight_arm", ("[1.2, 0.8]", f"{target.tolist()}"))
         names = [f"lower.tip.{axis}" for axis in "xyz"[:dimension]]
         with contextlib.suppress(solver.SceneError, solver.AssemblyError, solver.StepError):
-            found = run(
-                text_of("straight_arm", *changes), 1e-3, 1e-3, [*names, "constraint.position"]
-            )
+            found = run(text, 1e-3, 1e-3, [*names, "constraint.position"])
             hand = np.array([found[name][0] for name in names])
             closed += bool(
                 np.abs(hand - target).max() < 1e-9 and abs(found["constraint.position"][0]) < 1e-9
@@ -519,43 +514,11 @@ def _(distance: float, where: str) -> None:
     _arm_closes(distance, 3 if where == "in space" else 2)
 
 
-def excavator(boom: float, stick: float, bucket: float) -> tuple[float, float, float] | None:
-    """Angles of boom, stick and bucket by triangles; None if they are open.
-
-    Each triangle lies on the side on which it is drawn. The pin of link and bucket is drawn twice,
-    0.96 m apart, but both times left of the way from the tip of the rocker to the bucket's root.
-    """
-
-    def corner(p: NDArray[np.float64], q: NDArray[np.float64], length: float) -> float:
-        a, b = np.linalg.norm(p), np.linalg.norm(q)
-        return math.acos((a * a + b * b - length**2) / (2 * a * b))
-
-    def angle(p: NDArray[np.float64]) -> float:
-        return math.atan2(p[1], p[0])
-
-    def plain(x: float) -> float:
-        return math.remainder(x, 2 * math.pi)
-
-    base, cylinder = np.array([0.4, -0.5]), np.array([2.3, 0.5])
-    eye, tail = np.array([2.6 - 5.7, 1.0]), np.array([-0.9, 0.3])
-    pivot, rod, tip = np.array([2.4, 0.0]), np.array([0.3, 0.6]), np.array([2.9, 0.0])
-    try:
-        first = angle(base) + corner(base, cylinder, 1.75 + boom) - angle(cylinder)
-        second = angle(eye) - corner(eye, tail, 2.40 + stick) - angle(tail)
-        turn = angle(rod - pivot) - corner(rod - pivot, np.array([0.6, 0.0]), 1.65 + bucket)
-        pin = pivot + 0.6 * np.array([math.cos(turn), math.sin(turn)]) - tip
-        spread = corner(pin, np.array([0.45, 0.0]), 0.6)
-    except ValueError:
-        return None
-    third = angle(pin) - spread - math.pi / 2
-    return plain(first), plain(first + second), plain(first + second + third)
-
-
 def _excavator_closes(poses: Iterable[tuple[float, float, float]], count: int) -> None:
     """Assert that so many of the poses close, all on the drawn branch."""
     wrong, closing = [], 0
     for pose in poses:
-        goal = excavator(*pose)
+        goal = drawn_pose(*pose)
         if goal is None:
             continue
         closing += 1
@@ -566,16 +529,13 @@ def _excavator_closes(poses: Iterable[tuple[float, float, float]], count: int) -
                 ("boom", "stick", "bucket"), (1.3, 1.5, 1.1), (0.5, 0.7, 0.5),
                 map(float, pose), strict=True)
         ]  # fmt: skip
-        names = ["boom.angle", "stick.angle", "bucket.angle"]
+        names = [f"{body}.angle" for body in BODIES]
         try:
             found = run(text_of("excavator_by_eye", *changes), 1e-3, 1e-3, names)
         except (solver.SceneError, solver.AssemblyError, solver.StepError):
             wrong.append(pose)
             continue
-        off = [
-            math.remainder(found[x][0] - y, 2 * math.pi) for x, y in zip(names, goal, strict=True)
-        ]
-        if max(map(abs, off)) > 1e-6:
+        if farthest([found[x][0] for x in names], goal) > 1e-6:
             wrong.append(pose)
     assert closing == count
     assert not wrong

@@ -17,7 +17,7 @@ from viewer import plots
 
 PENDULUM = SCENES / "double_pendulum.toml"
 CRANK = SCENES / "slider_crank.toml"
-FIRST_BYTES = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}
+FIRST_BYTES = {".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}
 SHORT = ("--stop", "0.05", "--step", "0.01")
 
 
@@ -83,7 +83,7 @@ def test_more_variables_than_one_tells_apart_are_refused():
 @pytest.mark.parametrize("form", plots.FORMATS)
 def test_the_same_run_gives_the_same_file(capsys, tmp_path, form):
     pytest.importorskip("matplotlib")
-    files = [tmp_path / f"{name}.{form}" for name in "ab"]
+    files = [tmp_path / f"{name}{form}" for name in "ab"]
     for file in files:
         arguments = ("--plot", file, "--plot-of", "energy.*", "--csv", tmp_path / "a.csv")
         code, _, err = run(capsys, "simulate", PENDULUM, *SHORT, *arguments)

@@ -84,11 +84,11 @@ def test_a_scene_with_a_profile_of_a_file_becomes_a_page(command, built, profile
 
 
 def test_a_page_that_cannot_be_written_loses_no_table(profiled, capsys):
-    table, page = profiled.parent / "o.csv", profiled.parent / "a folder"
-    page.mkdir()
+    table, page = profiled.parent / "o.csv", profiled.parent / "a file" / "page.html"
+    page.parent.write_text("no folder")
     command = ["simulate", str(profiled), "--csv", str(table), "--report", str(page)]
     assert main(command) != 0
-    assert "a folder" in capsys.readouterr().err
+    assert "a file" in capsys.readouterr().err
     assert len(table.read_text().splitlines()) == 4
 
 

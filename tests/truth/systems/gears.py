@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from tests.truth.system import TOLERANCES, Array, System, Values
+from tests.truth.tables import hinge
 
 
 def _wheel(inertia: float, x: float, **more: object) -> dict[str, object]:
@@ -14,7 +15,7 @@ def _wheel(inertia: float, x: float, **more: object) -> dict[str, object]:
 
 
 def _axle(body: str, x: float, carrier: str = "ground") -> dict[str, object]:
-    return {"type": "revolute", "bodies": [carrier, body], "position": [x, 0.0]}
+    return hinge(carrier, body, [x, 0.0])
 
 
 def _pair() -> System:
@@ -203,18 +204,8 @@ def _bevel() -> System:
             "b": wheel(J2, [0, 0, 1], [0.1, 0, 0.1]),
         },
         "joints": {
-            "ja": {
-                "type": "revolute",
-                "bodies": ["ground", "a"],
-                "position": [0.05, 0, 0],
-                "axis": [1, 0, 0],
-            },
-            "jb": {
-                "type": "revolute",
-                "bodies": ["ground", "b"],
-                "position": [0.1, 0, 0.05],
-                "axis": [0, 0, 1],
-            },
+            "ja": hinge("ground", "a", [0.05, 0, 0], [1, 0, 0]),
+            "jb": hinge("ground", "b", [0.1, 0, 0.05], [0, 0, 1]),
             "g": {"type": "gear", "joints": ["ja", "jb"], "ratio": ratio},
         },
         "forces": {"m": {"type": "joint_torque", "joint": "ja", "value": torque}},

@@ -6,9 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
-from tests.truth.minimal import ACCURACY
+from tests.truth.minimal import dop853
 from tests.truth.system import Array, System, Values, marked
 
 G = 9.81
@@ -217,9 +216,8 @@ def _stopped_pendulum() -> System:
         hit.terminal, hit.direction = True, -1  # type: ignore[attr-defined]
         begin, y, found = 0.0, np.array([start, 0.0]), np.zeros((len(t), 2))
         while begin < t[-1]:
-            piece = solve_ivp(lambda _, y: [y[1], -rate * math.sin(y[0])], (begin, t[-1] + 1), y,
-                              method="DOP853", events=hit, rtol=ACCURACY, atol=ACCURACY,
-                              dense_output=True)  # fmt: skip
+            piece = dop853(lambda _, y: [y[1], -rate * math.sin(y[0])], (begin, t[-1] + 1), y,
+                           events=hit, dense_output=True)  # fmt: skip
             end = piece.t[-1]
             here = (t >= begin) & (t <= end)
             found[here] = piece.sol(t[here]).T
@@ -291,8 +289,8 @@ def _buffer(name: str, law: str, damping: float, stop: float) -> System:
             return y[0]
 
         leaves.terminal, leaves.direction = True, -1  # type: ignore[attr-defined]
-        piece = solve_ivp(rates, (begin, stop), [0.0, speed], method="DOP853", events=leaves,
-                          rtol=ACCURACY, atol=1e-16, dense_output=True)  # fmt: skip
+        piece = dop853(rates, (begin, stop), [0.0, speed], least=1e-16, events=leaves,
+                       dense_output=True)  # fmt: skip
         end, out = piece.t[-1], piece.y[1, -1]
         inside = piece.sol(np.clip(t, begin, end))
         y = np.where(t < begin, gap - speed * t, np.where(t < end, -inside[0], -out * (t - end)))

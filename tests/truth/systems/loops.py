@@ -23,26 +23,10 @@ from tests.truth.minimal import (
     values,
 )
 from tests.truth.system import Array, System, Values
+from tests.truth.tables import bar, hinge, pinned
 
 DEFAULT = {"default": 46}
 G = 9.81
-
-
-def _bar(a: float, m: float, J: float, x: float, y: float, angle: float, **more: object) -> object:
-    """Bar of length a from (x, y) on; its mass centre is in its middle, its origin at (x, y)."""
-    return {
-        "position": [x, y],
-        "orientation": angle,
-        "mass": m,
-        "inertia": J,
-        "center_of_mass": [a / 2, 0],
-        "points": {"a": [0, 0], "e": [a, 0]},
-        **more,
-    }
-
-
-def _hinge(*points: str, **more: object) -> object:
-    return {"type": "revolute", "points": list(points), **more}
 
 
 def _middle(a: float, x: Number | float, y: Number | float, c: Number, s: Number) -> tuple:
@@ -91,17 +75,17 @@ def _four_bar(
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
-            "crank": _bar(a, masses[0], inertias[0], 0, 0, q0, angular_velocity=rate),
-            "coupler": _bar(
+            "crank": bar(a, masses[0], inertias[0], 0, 0, q0, angular_velocity=rate),
+            "coupler": bar(
                 b, masses[1], inertias[1], *pin, q1, angular_velocity=speeds[1], velocity=at_pin
             ),
-            "rocker": _bar(c, masses[2], inertias[2], ground, 0, q2, angular_velocity=speeds[2]),
+            "rocker": bar(c, masses[2], inertias[2], ground, 0, q2, angular_velocity=speeds[2]),
         },
         "joints": {
-            "A": _hinge("ground", "crank.a", at=[0, 0]),
-            "B": _hinge("crank.e", "coupler.a"),
-            "C": _hinge("coupler.e", "rocker.e"),
-            "D": _hinge("ground", "rocker.a", at=[ground, 0]),
+            "A": pinned("ground", "crank.a", at=[0, 0]),
+            "B": pinned("crank.e", "coupler.a"),
+            "C": pinned("coupler.e", "rocker.e"),
+            "D": pinned("ground", "rocker.a", at=[ground, 0]),
         },
     }
     if spring:
@@ -156,8 +140,8 @@ def _slider_crank(offset: float, name: str, **more: object) -> System:
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
-            "crank": _bar(a, masses[0], inertias[0], 0, 0, start, angular_velocity=rate),
-            "rod": _bar(
+            "crank": bar(a, masses[0], inertias[0], 0, 0, start, angular_velocity=rate),
+            "rod": bar(
                 b, masses[1], inertias[1], *pin, lean,
                 angular_velocity=float(speeds[0, 0]), velocity=[-pin[1] * rate, pin[0] * rate],
             ),
@@ -169,9 +153,9 @@ def _slider_crank(offset: float, name: str, **more: object) -> System:
             },
         },
         "joints": {
-            "A": _hinge("ground", "crank.a", at=[0, 0]),
-            "B": _hinge("crank.e", "rod.a"),
-            "C": _hinge("rod.e", "slider"),
+            "A": pinned("ground", "crank.a", at=[0, 0]),
+            "B": pinned("crank.e", "rod.a"),
+            "C": pinned("rod.e", "slider"),
             "guide": {"type": "prismatic", "bodies": ["ground", "slider"], "axis": [1, 0]},
         },
         "forces": {
@@ -219,8 +203,8 @@ def _parallelogram() -> System:
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
-            "l": _bar(a, m_crank, J, 0, 0, start),
-            "r": _bar(a, m_crank, J, wide, 0, start),
+            "l": bar(a, m_crank, J, 0, 0, start),
+            "r": bar(a, m_crank, J, wide, 0, start),
             "c": {
                 "position": [x, y],
                 "mass": m,
@@ -230,10 +214,10 @@ def _parallelogram() -> System:
             },
         },
         "joints": {
-            "A": _hinge("ground", "l.a", at=[0, 0]),
-            "B": _hinge("ground", "r.a", at=[wide, 0]),
-            "C": _hinge("l.e", "c.a"),
-            "D": _hinge("r.e", "c.e"),
+            "A": pinned("ground", "l.a", at=[0, 0]),
+            "B": pinned("ground", "r.a", at=[wide, 0]),
+            "C": pinned("l.e", "c.a"),
+            "D": pinned("r.e", "c.e"),
         },
     }
 
@@ -330,15 +314,15 @@ def _five_bar() -> System:
         "dimension": 2,
         "gravity": [0, -G],
         "bodies": {
-            "l": _bar(a[0], masses[0], inertias[0], 0, 0, start[0], angular_velocity=rates[0]),
-            "r": _bar(a[1], masses[1], inertias[1], ground, 0, start[1], angular_velocity=rates[1]),
+            "l": bar(a[0], masses[0], inertias[0], 0, 0, start[0], angular_velocity=rates[0]),
+            "r": bar(a[1], masses[1], inertias[1], ground, 0, start[1], angular_velocity=rates[1]),
         },
         "points": {
             "tip": {"position": drawn[0].tolist(), "velocity": speed[0].tolist(), "mass": m_tip}
         },
         "joints": {
-            "A": _hinge("ground", "l.a", at=[0, 0]),
-            "B": _hinge("ground", "r.a", at=[ground, 0]),
+            "A": pinned("ground", "l.a", at=[0, 0]),
+            "B": pinned("ground", "r.a", at=[ground, 0]),
             "p": {"type": "distance", "points": ["l.e", "tip"]},
             "q": {"type": "distance", "points": ["r.e", "tip"]},
         },
@@ -366,11 +350,11 @@ def _spatial_slider_crank() -> System:
     a, rod, tilt, J, m = 0.2, 0.9, 0.5, 0.03, 1.1
     start, rate = 0.4, 5.0
 
-    def pin(q: Number) -> list[Number]:
+    def pinned(q: Number) -> list[Number]:
         return turned(after(about(0, _constant(q, tilt)), about(2, q)), [a, 0.0, 0.0])
 
     def slide(q: Number) -> Number:
-        x, y, z = pin(q)
+        x, y, z = pinned(q)
         return x + sqrt(rod * rod - y * y - z * z)
 
     def mechanism(_: float, q: Sequence[Number]) -> Parts:
@@ -379,7 +363,7 @@ def _spatial_slider_crank() -> System:
         return Parts(bodies, m * 2.0 * x)
 
     drawn, speed = values(
-        lambda n: [*pin(n[0]), slide(n[0])], np.array([[start]]), np.array([[rate]])
+        lambda n: [*pinned(n[0]), slide(n[0])], np.array([[start]]), np.array([[rate]])
     )
     axis = [0.0, -math.sin(tilt), math.cos(tilt)]
     scene = {
@@ -403,12 +387,7 @@ def _spatial_slider_crank() -> System:
             }
         },
         "joints": {
-            "A": {
-                "type": "revolute",
-                "bodies": ["ground", "crank"],
-                "position": [0, 0, 0],
-                "axis": axis,
-            },
+            "A": hinge("ground", "crank", [0, 0, 0], axis),
             "rod": {"type": "distance", "points": ["crank.pin", "S"]},
             "rail": {"type": "point_on_line", "point": "S", "axis": [1, 0, 0]},
         },
@@ -465,18 +444,8 @@ def _cardan_pair() -> System:
             },
         },
         "joints": {
-            "ja": {
-                "type": "revolute",
-                "bodies": ["ground", "a"],
-                "position": [-0.3, 0, 0],
-                "axis": [1, 0, 0],
-            },
-            "jb": {
-                "type": "revolute",
-                "bodies": ["ground", "b"],
-                "position": [0.3 * axis[0], 0.3 * axis[1], 0],
-                "axis": axis,
-            },
+            "ja": hinge("ground", "a", [-0.3, 0, 0], [1, 0, 0]),
+            "jb": hinge("ground", "b", [0.3 * axis[0], 0.3 * axis[1], 0], axis),
             "u": {
                 "type": "universal",
                 "bodies": ["a", "b"],

@@ -22,6 +22,7 @@ from tests.truth.minimal import (
     values,
 )
 from tests.truth.system import TOLERANCES, Array, System, Values
+from tests.truth.tables import hinge
 
 G = 9.81
 
@@ -213,7 +214,7 @@ def _on_cart() -> System:
         },
         "joints": {
             "rail": {"type": "prismatic", "bodies": ["ground", "cart"], "axis": list(along)},
-            "pin": {"type": "revolute", "bodies": ["cart", "bar"], "position": [0, 0]},
+            "pin": hinge("cart", "bar", [0, 0]),
         },
     }
 
@@ -262,18 +263,8 @@ def _furuta() -> System:
             },
         },
         "joints": {
-            "a": {
-                "type": "revolute",
-                "bodies": ["ground", "arm"],
-                "position": [0, 0, 0],
-                "axis": [0, 0, 1],
-            },
-            "b": {
-                "type": "revolute",
-                "bodies": ["arm", "bob"],
-                "position": [arm, 0, 0],
-                "axis": [1, 0, 0],
-            },
+            "a": hinge("ground", "arm", [0, 0, 0], [0, 0, 1]),
+            "b": hinge("arm", "bob", [arm, 0, 0], [1, 0, 0]),
         },
     }
 
@@ -326,12 +317,7 @@ def _arm_in_space() -> System:
             "velocity": (velocity + np.cross(omega, half)).tolist(),
             "angular_velocity": omega.tolist(),
         }
-        joints[f"j{i}"] = {
-            "type": "revolute",
-            "bodies": [before, f"b{i}"],
-            "position": [x, 0, 0],
-            "axis": direction.tolist(),
-        }
+        joints[f"j{i}"] = hinge(before, f"b{i}", [x, 0, 0], direction.tolist())
         velocity = velocity + np.cross(omega, 2 * half)
         before, x = f"b{i}", x + a
     scene = {"name": "arm", "gravity": list(gravity), "bodies": bodies, "joints": joints}

@@ -6,9 +6,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.integrate import solve_ivp
 
-from tests.truth.minimal import ACCURACY, Body, Number, Parts, cos, motion, sin
+from tests.truth.minimal import Body, Number, Parts, cos, dop853, motion, sin
 from tests.truth.system import Array, System, Values, marked
 
 G = 9.81
@@ -197,8 +196,7 @@ def _disc(name: str, lean: float, w: Sequence[float], stop: float, origin: str) 
     """
 
     def right(t: Array) -> Values:
-        found = solve_ivp(lambda _, y: _roll(y, m, R, A, C)[0], (0, t[-1]), start,
-                          method="DOP853", t_eval=t, rtol=ACCURACY, atol=ACCURACY).y.T  # fmt: skip
+        found = dop853(lambda _, y: _roll(y, m, R, A, C)[0], (0, t[-1]), start, t_eval=t).y.T
         spins = np.array([_roll(y, m, R, A, C)[1] for y in found])
         return {"d.x": found[:, 5], "d.y": found[:, 6], "d.z": R * np.sin(found[:, 0]),
                 "d.wx": spins[:, 0], "d.wy": spins[:, 1], "d.wz": spins[:, 2]}  # fmt: skip

@@ -13,6 +13,7 @@ from scipy.special import ellipj
 from tests.truth.minimal import Body, Number, Parts, about, after, cos, motion, sin, sqrt, turned
 from tests.truth.minimal import values as evaluated
 from tests.truth.system import Array, System, Values
+from tests.truth.tables import hinge, pinned
 
 DEFAULT = {"default": 46}
 O = {"position": [0, 0], "fixed": True}  # noqa: E741
@@ -144,14 +145,7 @@ def _torsion_pendulum() -> System:
     scene = {
         "name": "torsion",
         "bodies": {"d": {"position": [0, 0, 0], "mass": 1, "inertia": [0.04, 0.03, J]}},
-        "joints": {
-            "j": {
-                "type": "revolute",
-                "bodies": ["ground", "d"],
-                "position": [0, 0, 0],
-                "axis": [0, 0, 1],
-            }
-        },
+        "joints": {"j": hinge("ground", "d", [0, 0, 0], [0, 0, 1])},
         "forces": {
             "s": {"type": "torsion_spring", "joint": "j", "stiffness": k, "free_angle": free},
             "b": {"type": "torsion_damper", "joint": "j", "damping": c},
@@ -284,7 +278,7 @@ def _bar_with_strut() -> System:
                 "points": {"o": [0, 0], "e": list(end)},
             }
         },
-        "joints": {"h": {"type": "revolute", "points": ["ground", "b.o"], "at": [0, 0]}},
+        "joints": {"h": pinned("ground", "b.o", at=[0, 0])},
         "forces": {
             "s": {
                 "type": "spring",
@@ -387,7 +381,6 @@ def _two_hinges_with_dampers() -> System:
     """Arm of two hinges about y and x with torsion springs and dampers at both, in space."""
     a, m, J1, J2 = 0.5, (1.5, 0.6), (0.01, 0.03, 0.03), (0.002, 0.01, 0.011)
     k, c, free = (20.0, 3.0), (0.3, 0.05), (0.4, -0.6)
-    hinge = {"type": "revolute"}
     scene = {
         "name": "two_hinges",
         "gravity": [0, 0, -9.81],
@@ -396,8 +389,8 @@ def _two_hinges_with_dampers() -> System:
             "v": {"position": [a, 0.2, 0], "mass": m[1], "inertia": list(J2)},
         },
         "joints": {
-            "p": {**hinge, "bodies": ["ground", "u"], "position": [0, 0, 0], "axis": [0, 1, 0]},
-            "q": {**hinge, "bodies": ["u", "v"], "position": [a, 0, 0], "axis": [1, 0, 0]},
+            "p": hinge("ground", "u", [0, 0, 0], [0, 1, 0]),
+            "q": hinge("u", "v", [a, 0, 0], [1, 0, 0]),
         },
         "forces": {
             f"{kind}{i}": {"type": f"torsion_{kind}", "joint": j, field: value[i], **more[i]}

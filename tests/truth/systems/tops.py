@@ -16,6 +16,7 @@ from tests.reduced_models import (
 )
 from tests.truth.minimal import Body, Number, Parts, about, after, motion, turned
 from tests.truth.system import Array, System, Values
+from tests.truth.tables import hinge
 
 
 def _axes(body: str, R: Array, places: dict[str, Sequence[float]]) -> dict[str, Array]:
@@ -187,7 +188,6 @@ def _gimbals() -> System:
     """Wheel in two gimbals: three hinges about z, x and z, a torque on the outer one."""
     outer, inner, wheel = (0.02, 0.03, 0.025), (0.004, 0.006, 0.005), (0.002, 0.002, 0.0035)
     spin, torque = 60.0, 0.15
-    hinge = {"type": "revolute", "position": [0, 0, 0.0]}
     scene = {
         "name": "gimbals",
         "bodies": {
@@ -201,9 +201,9 @@ def _gimbals() -> System:
             },
         },
         "joints": {
-            "a": {**hinge, "bodies": ["ground", "outer"], "axis": [0, 0, 1]},
-            "b": {**hinge, "bodies": ["outer", "inner"], "axis": [1, 0, 0]},
-            "c": {**hinge, "bodies": ["inner", "wheel"], "axis": [0, 0, 1]},
+            "a": hinge("ground", "outer", [0, 0, 0.0], [0, 0, 1]),
+            "b": hinge("outer", "inner", [0, 0, 0.0], [1, 0, 0]),
+            "c": hinge("inner", "wheel", [0, 0, 0.0], [0, 0, 1]),
         },
         "forces": {"m": {"type": "joint_torque", "joint": "b", "value": torque}},
     }
