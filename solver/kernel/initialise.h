@@ -137,6 +137,7 @@ static int32_t close_places(context *c)
     double size;
     follow_angles(c, NULL);
     memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
+    if (c->m->n_signals) wind(c);
     keep_pose(c, c->k.step_backup);
     const int32_t status = seek_step(c, 1.0, 1, &size);
     if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW) return status;
@@ -263,7 +264,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;
     follow_angles(&c, NULL);
-    if (head[S_ASSEMBLE] == 0.0 || head[S_EQUILIBRIUM] != 0.0) /* the first sines have crossed nothing */
+    if (head[S_ASSEMBLE] == 0.0) /* the first sines have crossed nothing */
         memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities);
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);
