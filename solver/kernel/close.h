@@ -188,6 +188,7 @@ static int32_t approach(closing *x, int rounds)
     look_at_gaps(x, damping);
     for (int round = 0; round < rounds && x->largest > 1e-17 && damping < 1e12; round++) {
         const double sum = x->sum, largest = x->largest;
+        if (is_stopped(at)) return HOLONOM_STOPPED;
         const int32_t status = assemble_tangent(at);
         if (status) return status;
         if (!factorise_matrix(at)) {

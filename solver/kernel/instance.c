@@ -366,6 +366,16 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
+void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
+
+/* The watch of a start or a step that begins. */
+static holonom_watch *begin_watch(holonom_instance *i)
+{
+    i->watch.left = HOLONOM_WORK_BETWEEN_LOOKS;
+    i->watch.is_stopped = 0;
+    return i->watch.look ? &i->watch : NULL;
+}
+
 /* The part that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
 static const char *name_at_fault(holonom_instance *i, int32_t status)
 {
@@ -400,7 +410,8 @@ int32_t holonom_assemble(holonom_instance *i)
         hm_take_back(message, end); /* without the line break */
         return HOLONOM_UNASSEMBLED;
     }
-    const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
+    i->phase = HOLONOM_CONFIGURED;
+    const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work, begin_watch(i));
     i->measured = 0;
     hm_map_work(m, i->work, &work);
     memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
@@ -418,8 +429,8 @@ int32_t holonom_assemble(holonom_instance *i)
                hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
         return HOLONOM_UNASSEMBLED;
     }
-    i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
     if (problems) return HOLONOM_UNASSEMBLED;
+    i->phase = HOLONOM_ASSEMBLED;
     if (i->s.head[S_ASSEMBLE] != 0.0 && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
     return done(i);
 }
@@ -445,8 +456,6 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
                   fault, hm_about_step(status));
 }
 
-void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
-
 int32_t holonom_move(holonom_instance *i, double t, double step)
 {
     double *head = i->s.head;
@@ -460,10 +469,8 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
         if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
-    i->watch.left = HOLONOM_WORK_BETWEEN_LOOKS;
-    i->watch.is_stopped = 0;
-    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step,
-                                           i->watch.look ? &i->watch : NULL);
+    const int32_t status =
+        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i));
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;

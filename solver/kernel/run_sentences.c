@@ -66,6 +66,7 @@ const char *hm_about_step(int32_t status)
 
 const char *hm_about_start(int32_t status, int seeks_equilibrium)
 {
+    if (status == HOLONOM_STOPPED) return "it was interrupted; start again";
     if (status == HOLONOM_NEWTON_DIVERGED && seeks_equilibrium)
         return "no static equilibrium was found from the drawn configuration; look for a part that nothing holds, or draw it closer "
                "to where it comes to rest";
