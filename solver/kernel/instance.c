@@ -12,7 +12,7 @@ struct holonom_instance {
     double *before;              /* state and numbers, while a change of inputs is tried                  */
     double *inputs, *parameters; /* those to come                                                         */
     double *phi, *rate;          /* n_rows each                                                           */
-    char at_fault[256];
+    char at_fault[2 * NAME_ROOM];
     char *clipped;               /* of each variable: whether it was said that it is clipped               */
     hm_text message, remarks;
     int64_t state_size;
@@ -376,15 +376,6 @@ static holonom_watch *begin_watch(holonom_instance *i)
     return i->watch.look ? &i->watch : NULL;
 }
 
-/* The part that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
-static const char *name_at_fault(holonom_instance *i, int32_t status)
-{
-    hm_text text = {i->at_fault, sizeof i->at_fault, 0};
-    hm_clear(&text);
-    hm_say_fault(&text, &i->file, i->numbers, i->s.head, status);
-    return i->at_fault;
-}
-
 /* Remarks on what moved far, as a line of its own. */
 static void remark_on_closing(holonom_instance *i)
 {
@@ -416,20 +407,8 @@ int32_t holonom_assemble(holonom_instance *i)
     hm_map_work(m, i->work, &work);
     memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
     holonom_rows(i, i->phi, i->rate);
-    if (!status || status == HOLONOM_AT_DEAD_CENTRE || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
-        problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
-    if (status == HOLONOM_AT_DEAD_CENTRE && !problems) {
-        hm_say_dead_centre(message, &i->file, i->numbers, &i->s, i->before);
-        return HOLONOM_UNASSEMBLED;
-    }
-    if (status && !problems) {
-        const int is_known = status >= HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NOT_FINITE;
-        const char *at_fault = is_known ? name_at_fault(i, status) : "";
-        hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
-               hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
-        return HOLONOM_UNASSEMBLED;
-    }
-    if (problems) return HOLONOM_UNASSEMBLED;
+    const hm_start start = {status, i->phi, i->rate, i->before};
+    if (hm_say_failed_start(message, &i->file, i->numbers, &i->s, &start)) return HOLONOM_UNASSEMBLED;
     i->phase = HOLONOM_ASSEMBLED;
     if (i->s.head[S_ASSEMBLE] != 0.0 && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
     return done(i);
@@ -450,10 +429,12 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
         i->numbers[i->file.model.time_at] = t + step;
         holonom_evaluate(&i->file.model, i->numbers, 1);
     }
-    const char *fault = name_at_fault(i, status);
+    hm_text at_fault = {i->at_fault, sizeof i->at_fault, 0};
+    hm_clear(&at_fault);
+    hm_say_fault(&at_fault, &i->file, i->numbers, head, status);
     evaluate(i);
     return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
-                  fault, hm_about_step(status));
+                  i->at_fault, hm_about_step(status));
 }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)

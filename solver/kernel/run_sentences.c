@@ -45,7 +45,6 @@ const char *hm_about_step(int32_t status)
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
-    case HOLONOM_AT_DEAD_CENTRE: return "its velocities belong to no motion from this dead centre; give those of a part that choose one";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -62,20 +61,6 @@ const char *hm_about_step(int32_t status)
 #endif
     default: return "it ended with an unknown status, a fault of this program; please report it";
     }
-}
-
-const char *hm_about_start(int32_t status, int seeks_equilibrium)
-{
-    if (status == HOLONOM_STOPPED) return "it was interrupted; start again";
-    if (status == HOLONOM_NEWTON_DIVERGED && seeks_equilibrium)
-        return "no static equilibrium was found from the drawn configuration; look for a part that nothing holds, or draw it closer "
-               "to where it comes to rest";
-    if (status == HOLONOM_SINGULAR_TANGENT)
-        return "its equations have no unique solution as drawn; look for a part that nothing holds against its constraints, or use "
-               "a smaller solver.penalty";
-    if (status == HOLONOM_NOT_FINITE)
-        return "a number of it is not finite; look at the expressions of positions, forces and drivers at the start";
-    return hm_about_step(status);
 }
 
 /* Name of the part that the measurement at `place` is of; empty if there is none. */
@@ -98,7 +83,7 @@ static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
 static void say_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
 {
     const holonom_model *m = &f->model;
-    char room[128];
+    char room[NAME_ROOM];
     hm_text name = {room, sizeof room, 0};
     for (int32_t i = m->n_form_rows - m->n_rigidity_rows; m->node_kind[node] && i < m->n_form_rows; i++)
         for (int32_t e = m->form_ptr[m->row_form[i]]; e < m->form_ptr[m->row_form[i] + 1]; e++)
@@ -121,14 +106,14 @@ static int is_no_number(const double *x, int32_t n)
 static void say_broken_law(hm_text *text, const hm_model_file *f, const double *numbers)
 {
     const holonom_model *m = &f->model;
-    const int32_t turning = 2 * DIM - 3, n_moving = m->n_free + m->n_driven;
-    const int32_t first_force = 2 * DIM * n_moving + 2 * DIM * m->n_places + 2 * m->n_quantities; /* element_force, see MEASURED */
+    const hm_measured y = hm_measured_in(f, numbers);
+    const int32_t turning = 2 * DIM - 3, first_force = (int32_t)(y.element_force - y.position);
     static const char FORCE[] = "a force is not a finite number, on ", TORQUE[] = "a torque is not a finite number, on ";
     for (int32_t j = 0; j < m->n_elements && !text->used; j++) {
         const double law[] = {numbers[m->stiffness_at + j], numbers[m->rest_at + j], numbers[m->damping_at + j], numbers[m->drive_at + j]};
         const int is_length = m->quantity_kind[m->leaf[4 * m->leaf_ptr[j] + 1]] == QUANTITY_LENGTH;
         if (!is_no_number(law, 4) && law[0] >= 0.0 && (law[1] >= 0.0 || !is_length) && law[2] >= 0.0) continue;
-        char room[128];
+        char room[NAME_ROOM];
         hm_text name = {room, sizeof room, 0};
         name_of_part(f, first_force + j, &name);
         if (name.used) hm_say(text, "'%s': ", room);
@@ -174,7 +159,7 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    char room[256];
+    char room[NAME_ROOM];
     hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
