@@ -102,21 +102,27 @@ static int is_no_number(const double *x, int32_t n)
     return 0;
 }
 
+/* Says a spring or damper, what it does, and a colon. */
+static void say_element(hm_text *text, const hm_model_file *f, const double *numbers, int32_t j, const char *does)
+{
+    const hm_measured y = hm_measured_in(f, numbers);
+    char room[NAME_ROOM];
+    hm_text name = {room, sizeof room, 0};
+    name_of_part(f, (int32_t)(y.element_force - y.position) + j, &name);
+    if (name.used) hm_say(text, "'%s'%s: ", room, does);
+}
+
 /* Says a load, spring or damper whose law gives no number, or one that it may not give. */
 static void say_broken_law(hm_text *text, const hm_model_file *f, const double *numbers)
 {
     const holonom_model *m = &f->model;
-    const hm_measured y = hm_measured_in(f, numbers);
-    const int32_t turning = 2 * DIM - 3, first_force = (int32_t)(y.element_force - y.position);
+    const int32_t turning = 2 * DIM - 3;
     static const char FORCE[] = "a force is not a finite number, on ", TORQUE[] = "a torque is not a finite number, on ";
     for (int32_t j = 0; j < m->n_elements && !text->used; j++) {
         const double law[] = {numbers[m->stiffness_at + j], numbers[m->rest_at + j], numbers[m->damping_at + j], numbers[m->drive_at + j]};
         const int is_length = m->quantity_kind[m->leaf[4 * m->leaf_ptr[j] + 1]] == QUANTITY_LENGTH;
         if (!is_no_number(law, 4) && law[0] >= 0.0 && (law[1] >= 0.0 || !is_length) && law[2] >= 0.0) continue;
-        char room[NAME_ROOM];
-        hm_text name = {room, sizeof room, 0};
-        name_of_part(f, first_force + j, &name);
-        if (name.used) hm_say(text, "'%s': ", room);
+        say_element(text, f, numbers, j, "");
     }
     for (int32_t j = 0; j < m->n_loads && !text->used; j++)
         if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
@@ -130,12 +136,16 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
 void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, const double *head, int32_t status)
 {
     const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
-    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED;
+    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED ||
+                            status == HOLONOM_DAMPING_REVERSED;
     const int32_t fault = is_sure || is_unsolved ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
     if (is_unsolved || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
     if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
+    else
+        say_element(text, f, numbers, fault - n_rows - f->model.n_free,
+                    " passes through length zero, where the direction of its force jumps; a spring with free_length = 0 does not jump there");
 }
 
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
