@@ -433,8 +433,10 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
     hm_clear(&at_fault);
     hm_say_fault(&at_fault, &i->file, i->numbers, head, status);
     evaluate(i);
-    return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
-                  i->at_fault, hm_about_step(status));
+    answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step, i->at_fault,
+           hm_about_step(status));
+    hm_say_far_apart(&i->message, &i->file, i->numbers, status);
+    return HOLONOM_FAILED;
 }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)

@@ -12,6 +12,7 @@
 #define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, or a larger solver.max_newton usually helps" FAR_APART
 
 static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
+static const double FAR_APART_MASSES = 1e5; /* from here on light parts are told in a step that is not solved */
 static const double LEDGER_LONG = 1e-9; /* error of the ledger that round-off of a long run may come to */
 
 const char *hm_about_step(int32_t status)
@@ -133,19 +134,44 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
         if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_node(text, f, TORQUE, m->body_moment[2 * j]);
 }
 
+static int is_unsolved(int32_t status)
+{
+    return status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED ||
+           status == HOLONOM_DAMPING_REVERSED;
+}
+
 void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, const double *head, int32_t status)
 {
     const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
-    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED ||
-                            status == HOLONOM_DAMPING_REVERSED;
-    const int32_t fault = is_sure || is_unsolved ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
-    if (is_unsolved || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
+    const int32_t fault = is_sure || is_unsolved(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
+    if (is_unsolved(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
     if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
     else
         say_element(text, f, numbers, fault - n_rows - f->model.n_free,
                     " passes through length zero, where the direction of its force jumps; a spring with free_length = 0 does not jump there");
+}
+
+void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbers, int32_t status)
+{
+    const holonom_model *m = &f->model;
+    const double *mass = numbers + m->node_mass_at;
+    int32_t heaviest = -1, lightest = -1;
+    if (!is_unsolved(status)) return;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        if (m->node_kind[a] || !(mass[a] > 0.0)) continue;
+        if (heaviest < 0 || mass[a] > mass[heaviest]) heaviest = a;
+        if (lightest < 0 || mass[a] < mass[lightest]) lightest = a;
+    }
+    if (heaviest < 0 || !(mass[heaviest] > FAR_APART_MASSES * mass[lightest])) return;
+    char heavy_room[NAME_ROOM], light_room[NAME_ROOM];
+    hm_text heavy = {heavy_room, NAME_ROOM, 0}, light = {light_room, NAME_ROOM, 0};
+    name_of_part(f, DIM * heaviest, &heavy);
+    name_of_part(f, DIM * lightest, &light);
+    if (heavy.used && light.used)
+        hm_say(text, "; '%s' has %3g times the mass of '%s', which it throws about where they come into line", heavy_room,
+               mass[heaviest] / mass[lightest], light_room);
 }
 
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */

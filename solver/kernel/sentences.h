@@ -19,6 +19,9 @@ static inline hm_measured hm_measured_in(const hm_model_file *f, const double *n
 /* Says what keeps a step from being solved. */
 const char *hm_about_step(int32_t status);
 
+/* Says which part is far heavier than which, where this may keep a step from being solved; nothing if none is. */
+void hm_say_far_apart(hm_text *text, const hm_model_file *file, const double *numbers, int32_t status);
+
 /* A start that has ended: residuals of rows and their rates in the state, and what rows lack in the core's last try (n_rows each). */
 typedef struct hm_start {
     int32_t status;
