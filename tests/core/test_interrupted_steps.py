@@ -1,4 +1,4 @@
-"""Ctrl-C ends a long start of the core, or a long step, which then is as if it had not been tried."""
+"""Ctrl-C ends a long start of the core, or a long step, which then is as if it was not tried."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Drivers of angles that ask for many turns at the start: the angle is theirs, the pose that of a motion from the drawing."""
+"""Drivers of angles that ask for many turns at the start.
+
+The angle is theirs, and the pose is that of a motion from the drawing.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,7 @@ rod = {{{{ position = [0.3, 0], {_BODY}, points = {{{{ end = [1.0, 0] }}}} }}}}
 [joints]
 a = {{{{ type = "revolute", bodies = ["ground", "crank"], position = [0, 0] }}}}
 b = {{{{ type = "revolute", points = ["crank.tip", "rod"] }}}}
-s = {{{{ type = "point_on_line", point = "rod.end", body = "ground", axis = [1, 0], position = [0, 0] }}}}
+s = {{{{ type = "point_on_line", point = "rod.end", body = "ground", axis = [1, 0] }}}}
 [drivers]
 m = {{{{ type = "angle", joint = "a", value = "{{angle}}" }}}}
 {_SOLVER}"""
@@ -46,7 +49,7 @@ dimension = 2
 cart = {{{{ position = [0, 0.5], {_BODY} }}}}
 wheel = {{{{ position = [0, 0.5], {_BODY} }}}}
 [joints]
-slide = {{{{ type = "prismatic", bodies = ["ground", "cart"], axis = [1, 0], position = [0, 0.5] }}}}
+slide = {{{{ type = "prismatic", bodies = ["ground", "cart"], axis = [1, 0] }}}}
 a = {{{{ type = "revolute", bodies = ["cart", "wheel"], position = [0, 0.5] }}}}
 roll = {{{{ type = "rolling", body = "wheel", radius = 0.5 }}}}
 [drivers]
