@@ -105,7 +105,7 @@ def test_a_handler_that_returns_lets_the_step_go_on():
 
 def test_the_core_says_that_it_was_stopped():
     run = start(PENDULUM, step_size=1e-6)
-    caught: list[Exception] = []
+    caught: list[StepError] = []
 
     def move() -> None:  # without what Python does of it
         result = run._advance(run._instance, run.time, LONG)

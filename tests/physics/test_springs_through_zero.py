@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import pytest
@@ -36,6 +37,11 @@ def through(damping: float, tolerance: float, across: float = 0.0) -> solver.Int
     return solver.Integrator(solver.assemble(solver.loads(text)), log=lambda _: None)
 
 
+def _on_side(side: float, a: float, b: float, w: float, decay: float, t: float) -> float:
+    turning = a * math.cos(w * t) + b * math.sin(w * t)
+    return side * FREE_LENGTH + math.exp(-decay * t) * turning
+
+
 def in_closed_form(t: float, damping: float) -> float:
     """Height y of  y'' + d y' + k (|y| - l) sign(y) = 0, from crossing to crossing [m].
 
@@ -47,10 +53,7 @@ def in_closed_form(t: float, damping: float) -> float:
         side = math.copysign(1.0, y if y else v)
         a, b = y - side * FREE_LENGTH, (v + decay * (y - side * FREE_LENGTH)) / w
 
-        def at(x: float, side: float = side, a: float = a, b: float = b) -> float:
-            fade = math.exp(-decay * x)
-            return side * FREE_LENGTH + fade * (a * math.cos(w * x) + b * math.sin(w * x))
-
+        at = functools.partial(_on_side, side, a, b, w, decay)
         # It leaves with more than a tenth of a period, and is back within one.
         low = 0.1 / w
         while low < left and at(low) * side > 0.0:
