@@ -9,9 +9,10 @@ import math
 
 import pytest
 
+from solver.closing import close
 from solver.mechanics.assembly import assemble_parts
 from solver.runtime import Integrator
-from solver.scene import SceneError, loads
+from solver.scene import Rigid, SceneError, loads
 
 _BODY = "mass = 1, inertia = 0.1"
 _SOLVER = "[solver]\nassemble = true\nstep_size = 0.001\n"
@@ -150,6 +151,18 @@ def test_drivers_of_both_wheels_that_agree_are_closed_and_others_told_in_radians
     assert run["b.angle"] == pytest.approx(600.0, abs=ROUND_OFF)
     with pytest.raises(SceneError, match=r"joint 'g' \([0-9.e-]+ rad\)"):
         closed(GEAR.format(ratio=2, angle=300, more=second.format(602)))
+
+
+def test_a_scene_that_is_written_closed_has_no_turns_left():
+    drawn = CRANK.format(angle="150 + 3*t")
+    text = close(loads(drawn)).text
+    crank = loads(text).bodies["crank"]
+    angle = math.remainder(150.0, 2.0 * math.pi)  # -0.7964 rad
+    assert isinstance(crank, Rigid)
+    assert crank.rotation[1][0] == pytest.approx(math.sin(angle), abs=ROUND_OFF)
+    assert "orientation = -0.796" in text
+    run, _ = closed(text)
+    assert run["a.angle"] == pytest.approx(0.03, abs=ROUND_OFF)
 
 
 def test_an_equilibrium_keeps_the_turns_of_a_driver():
