@@ -39,9 +39,11 @@ class Pose:
         if scene.dimension == 2:
             angle = closed[f"{name}.angle"]
             c, s = math.cos(angle), math.sin(angle)
-            turn, written = ((c, -s), (s, c)), [angle]
-            by = angle - math.atan2(before[1][0], before[0][0])
-            by = math.remainder(by, 2.0 * math.pi)
+            whole = angle - math.atan2(before[1][0], before[0][0])
+            by = math.remainder(whole, 2.0 * math.pi)
+            # Without turns that a driver asks for: the closed scene counts from its own drawing.
+            turns = round((whole - by) / (2.0 * math.pi))
+            turn, written = ((c, -s), (s, c)), [angle - 2.0 * math.pi * turns]
         else:
             q = [closed[f"{name}.q{x}"] for x in "wxyz"]
             turn, written = rotation_of(*q), q

@@ -81,7 +81,7 @@ class Kernel:
 
     def initialise(self) -> int:
         """Take the initial configuration into the state; return a status."""
-        return self._library.holonom_initialise(*self._pointers)
+        return self._library.holonom_initialise(*self._pointers, None)
 
     def advance(self, step: float) -> int:
         """Advance the state by `step` [s]; return a status."""

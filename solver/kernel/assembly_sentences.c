@@ -12,6 +12,7 @@ static const double PRESCRIBED = 1e-6; /* largest relative error of a velocity t
 static const double REST_OF_SOLVING = 1e-13;  /* what solving for velocities leaves, against the size of a row and the fastest motion,
                                                  or in a second: what moves so little has no speed */
 
+#define IS_ZERO "its value%s is %6g as drawn and must be 0; move or turn a part"
 #define ASSEMBLE ", or set [solver] assemble = true"
 
 static const struct { const char *sentence, *unit; } KIND[ROW_KINDS] = { /* detail, gap */
@@ -22,7 +23,8 @@ static const struct { const char *sentence, *unit; } KIND[ROW_KINDS] = { /* deta
     [ROW_TURNED] = {"its axes%s are drawn %6g rad off; turn a body", " rad"},
     [ROW_ANGLE] = {"the cosine of its angle%s is %6g off as drawn; turn a body, or correct the value", ""},
     [ROW_AXES] = {"its axes%s are %6g off perpendicular unit vectors; correct its orientation", ""},
-    [ROW_VALUE] = {"its value%s is %6g as drawn and must be 0; move or turn a part", ""},
+    [ROW_VALUE] = {IS_ZERO, ""},
+    [ROW_COUPLED] = {IS_ZERO, ""},
     [ROW_DRIVER] = {"the drawing%s is %6g off its value at the start; move a part, correct the formula", ""},
     [ROW_VELOCITY] = {"its velocities%s are %6g off", ""},
 };
@@ -309,7 +311,7 @@ static double missing(const drawing *d, int32_t row, double whole)
 static const char *unit_of(const drawing *d, int32_t row)
 {
     const int kind = (int)d->f->row[row].kind, turns = d->m->row_power[row] == 0;
-    if (kind == ROW_DRIVER) return turns ? " rad" : " m";
+    if (kind == ROW_DRIVER || kind == ROW_COUPLED) return turns ? " rad" : " m";
     return kind == ROW_ANGLE ? " rad" : KIND[kind].unit;
 }
 

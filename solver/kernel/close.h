@@ -1,6 +1,7 @@
 /* Closes a mechanism that is drawn inexactly. First the smallest displacement in the mass metric, one step of initialise.h. Where
    that step fails or leads far away, three others follow until one closes the mechanism:
 
+     0. full turns, which drivers ask for at the start: on a path, until the drawing recurs, and then by their number alone,
      1. a path on which the gaps of the drawing shrink to zero, r(q) = (1 - s) r(q_drawn): it keeps the branch that is drawn.
         Gaps of joints come first, while drivers keep those of the drawing: the branch does not depend on what drivers ask for.
         Where joints do not close like that, all gaps shrink together,
@@ -21,26 +22,32 @@
 #include "start.h"
 #include "tangent.h"
 
-enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES_FOR_OTHERS = 6 };
+enum { STAGES = 80, ROUNDS_OF_STAGE = 12, ROUNDS_OF_TRY = 200, TRIES = 20, TRIES_FOR_OTHERS = 6, MOST_LED = 2000 };
 
-#define CLOSED 1e-10          /* gap over its scale that counts as none */
+#define CLOSED 1e-10          /* gap over its scale that counts as none, but for round-off of angles of many turns */
+#define ROUND_OFF_OF_ANGLE 1e-15
+#define FULL_TURN 6.283185307179586
 #define FARTHEST_ROUND 0.5    /* turn of a body in a round [rad]; a point moves by a third of the mechanism at most */
 #define FARTHEST_STAGE 0.6    /* from pose to pose: farther ones may lie on another branch */
-#define SHORTEST_STAGE 1e-3   /* of the path, whose length is 1 */
+#define SHORTEST_STAGE 1e-3   /* of the path, over its longest gap where that is above its scale */
+#define FARTHEST_PATH 2e3     /* gap over its scale that a path is followed along */
 #define FIRST_SHAKE 0.05      /* turns that the first try adds [rad]; each later one takes 1.3 times as much */
 #define LARGEST_SHAKE 1.5
 #define FAR 0.1               /* from the drawing: a pose is told, and others are searched that are as near */
 #define OTHER_POSE 0.02       /* from pose to pose: these are two, where nothing can move */
 #define AS_NEAR 1.5           /* times as far from the drawing as the pose that is taken: a drawing tells them apart no more */
 
-enum { JOINTS, DRIVERS }; /* rows, by whether they follow signals */
+enum { JOINTS, DRIVERS, TURN, LED }; /* rows, by whether they follow signals; a whole turn of one of these */
 
 /* Equations whose unknowns are turns of bodies, at the present state; gaps of the drawing (n_rows), and the part of them that is
-   aimed at, of joints and of drivers. */
+   aimed at, of joints and of drivers; and of `turn` [rad], which row `turned` is led by. */
 typedef struct closing {
     context at;
-    double *drawn, aimed[2];
+    double *drawn, aimed[LED], turn;
+    int32_t turned;
     double sum, largest; /* of squares of the gaps, over their scales; of these alone */
+    double farthest;     /* gap of the drawing, over its scale */
+    double none;         /* gap over its scale that counts as none */
     uint32_t random;
 } closing;
 
@@ -80,7 +87,8 @@ static void look_at_gaps(closing *x, double damping)
     memset(at->k.mu, 0, sizeof(double) * (size_t)m->n_rows);
     EACH_ROW(at, i) {
         double scale, slope;
-        const double aimed = x->aimed[is_driver(at, i)] * x->drawn[i];
+        const double led = i == x->turned ? (1.0 - x->aimed[TURN]) * x->turn : 0.0;
+        const double aimed = x->aimed[is_driver(at, i)] * x->drawn[i] + led;
         const double gap = gap_of_row(at, i, at->k.phi0[i], &scale, &slope) - aimed, part = gap / scale;
         const double usual = hm_square(slope * scale) / (size2 > 0.0 ? size2 : 1.0);
         at->k.phi[i] = slope * gap;
@@ -90,7 +98,7 @@ static void look_at_gaps(closing *x, double damping)
     }
 }
 
-static int is_closed_now(const closing *x) { return x->largest <= CLOSED; }
+static int is_closed_now(const closing *x) { return x->largest <= x->none; }
 
 /* ------------------------------------------------------------------------------------------------------ poses */
 
@@ -180,6 +188,7 @@ static int32_t approach(closing *x, int rounds)
     look_at_gaps(x, damping);
     for (int round = 0; round < rounds && x->largest > 1e-17 && damping < 1e12; round++) {
         const double sum = x->sum, largest = x->largest;
+        if (is_stopped(at)) return HOLONOM_STOPPED;
         const int32_t status = assemble_tangent(at);
         if (status) return status;
         if (!factorise_matrix(at)) {
@@ -197,7 +206,7 @@ static int32_t approach(closing *x, int rounds)
             take_pose(at, before);
         }
         look_at_gaps(x, damping *= 20.0);
-        if (largest <= CLOSED) break; /* round-off */
+        if (largest <= x->none) break; /* round-off */
     }
     return HOLONOM_OK;
 }
@@ -206,8 +215,9 @@ static int32_t approach(closing *x, int rounds)
 static int follow_gaps(closing *x, int first, int last)
 {
     context *at = &x->at;
+    const double way = fmin(fmax(first == TURN ? FULL_TURN : x->farthest, 1.0), FARTHEST_PATH);
     double done = 0.0, length = 0.25, *stage = at->k.finest;
-    for (int i = 0; i < STAGES && length >= SHORTEST_STAGE; i++) {
+    for (int i = 0; i < STAGES * way && length * way >= SHORTEST_STAGE; i++) {
         const double end = fmin(1.0, done + length);
         keep_pose(at, stage);
         for (int k = first; k <= last; k++) x->aimed[k] = 1.0 - end;
@@ -236,17 +246,105 @@ static int32_t lead_gaps(closing *x, int first, int last, int *how)
 /* Equations at the drawing, whose gaps they note; it is kept in step_backup. */
 static void begin_closing(const context *c, closing *x)
 {
+    double turned = 0.0;
+    x->farthest = 0.0;
     x->at = rows_at_state(c, 0.0);
     take_turns(&x->at, c->m->n_reduced_values > 0);
     x->drawn = c->k.row_bias;
-    x->aimed[JOINTS] = x->aimed[DRIVERS] = 0.0;
+    x->aimed[JOINTS] = x->aimed[DRIVERS] = x->aimed[TURN] = 0.0;
+    x->turned = -1;
     x->random = 1;
     memset(x->drawn, 0, sizeof(double) * (size_t)c->m->n_rows);
     look_at_gaps(x, 1.0);
+    for (int32_t j = 0; j < c->m->n_quantities; j++) turned = fmax(turned, FULL_TURN * fabs(c->s.turns[j]));
     EACH_ROW(&x->at, i) {
         double scale, slope;
         x->drawn[i] = gap_of_row(&x->at, i, x->at.k.phi0[i], &scale, &slope);
+        x->farthest = fmax(x->farthest, fabs(x->drawn[i]) / scale);
     }
+    x->none = CLOSED + ROUND_OFF_OF_ANGLE * fmax(turned, x->farthest);
+}
+
+/* Function whose row is i; negative of another row. */
+static int32_t function_of_row(const context *c, int32_t i) { return i - c->m->n_form_rows - DIM * c->m->n_coincidences; }
+
+/* Adds turns to the angles that row i reads; returns how many these are. */
+static int add_turns(const context *c, int32_t i, double count)
+{
+    const holonom_model *m = c->m;
+    const int32_t j = first_function(c) + function_of_row(c, i);
+    int angles = 0;
+    for (int32_t l = m->leaf_ptr[j]; l < m->leaf_ptr[j + 1]; l++) {
+        const int32_t *leaf = m->leaf + 4 * l;
+        if (leaf[0] != LEAF_VALUE || m->quantity_kind[leaf[1]] != QUANTITY_ANGLE) continue;
+        c->s.turns[leaf[1]] += count;
+        angles++;
+    }
+    return angles;
+}
+
+/* Whether row i follows signals and reads an angle, whose full turns count. */
+static int is_driven_angle(const context *c, int32_t i) { return function_of_row(c, i) >= 0 && is_driver(c, i) && add_turns(c, i, 0.0); }
+
+/* Takes the pose `begun` with those turns of angles that are counted at present, if it has the gaps aimed at then; whether it has. */
+static int recurs(closing *x, const double *begun)
+{
+    context *at = &x->at;
+    double *now = at->k.pair_backup;
+    keep_pose(at, now);
+    take_pose(at, begun);
+    memcpy(at->s.turns, now + (at->s.turns - at->s.head), sizeof(double) * (size_t)at->m->n_quantities);
+    look_at_gaps(x, 0.0);
+    if (is_closed_now(x)) return 1;
+    take_pose(at, now);
+    return 0;
+}
+
+/* Leads row i by whole turns towards its signal, all other gaps as drawn, until less than a turn is left. Once the drawing fits again,
+   the turns that are left are only counted, those of all angles. So are those of row i where it cannot be led. */
+static void wind_row(closing *x, int32_t i)
+{
+    context *at = &x->at;
+    double *begun = at->k.step_backup, *turns = begun + (at->s.turns - at->s.head), *gap = x->drawn + i;
+    double left = floor(fabs(*gap) / FULL_TURN + 0.5), led = 0.0;
+    x->turn = *gap < 0.0 ? FULL_TURN : -FULL_TURN;
+    keep_pose(at, begun);
+    for (int turn = 0; turn < MOST_LED && left > 0.0; turn++) {
+        x->turned = i;
+        x->aimed[TURN] = 1.0;
+        const int is_led = follow_gaps(x, TURN, TURN);
+        x->turned = -1;
+        if (!is_led) break;
+        *gap += x->turn;
+        left--, led++;
+        if (!recurs(x, begun)) continue;
+        const double skipped = floor(left / led);
+        for (int32_t j = 0; j < at->m->n_quantities; j++) at->s.turns[j] += skipped * (at->s.turns[j] - turns[j]);
+        *gap += skipped * led * x->turn;
+        left -= skipped * led;
+        led = 0.0;
+        keep_pose(at, begun);
+    }
+    if (left == 0.0) return;
+    take_pose(at, begun);
+    *gap += left * x->turn;
+    add_turns(at, i, x->turn < 0.0 ? -(led + left) : led + left);
+    look_at_gaps(x, 0.0);
+    if (is_closed_now(x)) return;
+    take_pose(at, begun);
+    *gap -= (led + left) * x->turn;
+}
+
+/* Counts the full turns that drivers ask for at the start, so that what is left of each is less than half a turn. */
+HM_SELDOM static void wind(const context *c)
+{
+    closing x;
+    keep_pose(c, c->k.whole_backup);
+    begin_closing(c, &x);
+    take_pose(c, c->k.whole_backup); /* its bodies need not be rigid as drawn */
+    x.aimed[JOINTS] = x.aimed[DRIVERS] = 1.0;
+    for (int32_t i = 0; i < c->m->n_rows && x.sum < INFINITY; i++)
+        if (fabs(x.drawn[i]) > 0.5 * FULL_TURN && is_driven_angle(c, i)) wind_row(&x, i);
 }
 
 /* Whether the closed mechanism can move: whether rows leave something of random velocities. */

@@ -69,10 +69,11 @@ static int find_move(const hm_model_file *f, const double *numbers, const hm_sta
 {
     const holonom_model *m = &f->model;
     const char *name = f->text + v->name, *dot = strchr(name, '.');
-    const int32_t n = DIM * (m->n_free + m->n_driven), first_place = 2 * n; /* driven nodes go where they must */
+    const hm_measured y = hm_measured_in(f, numbers);
+    const int32_t first_place = (int32_t)(y.place - y.position);
     double square = 0.0;
     if (v->kind != KIND_MEASURED || !dot || strcmp(dot, ".x")) return 0;
-    const int is_node = v->place < DIM * m->n_free;
+    const int is_node = v->place < DIM * m->n_free; /* driven nodes go where they must */
     if (!is_node && (v->place < first_place || v->place >= first_place + DIM * m->n_places)) return 0;
     for (int k = 0; k < DIM; k++) {
         const double *drawn = numbers + m->initial_position_at;

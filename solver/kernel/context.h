@@ -71,10 +71,10 @@ typedef struct context {
     int form_rows, rows, composites, all_rows, all_composites;
     int asleep;         /* whether all contacts and frictions of these islands are off, in a step             */
     int left_out;       /* whether rows that are off are not among these pieces, see row_state.h             */
-    holonom_watch *watch; /* who may end the step, or NULL                                                        */
+    holonom_watch *watch; /* who may end the start or the step, or NULL                                           */
 } context;
 
-/* Whether who waits for the step has asked for its end. */
+/* Whether who waits for the start or the step has asked for its end. */
 HM_OFTEN int is_stopped(const context *c)
 {
     holonom_watch *w = c->watch;

@@ -191,7 +191,7 @@ HM_SELDOM static int32_t bound_across(context *c)
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
 HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double step)
 {
-    double *head = c->s.head, done = 0.0, half_steps = 0.0;
+    double *head = c->s.head, done = 0.0, half_steps = 0.0, calm = 0.0; /* half steps before those of the present moment */
     int32_t failed = HOLONOM_OK; /* why the last step could not be solved */
     double tried = 0.0; /* length of the explicit step first tried */
     int repeats = 0;
@@ -206,7 +206,9 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
-        const double ahead = !failed && half_steps < MOMENT ? 0.0 : n * c->halves;
+        const double foretold = n * c->halves;
+        if (half_steps + foretold < MOST_HALF_STEPS) calm = half_steps;
+        const double ahead = !failed && half_steps - calm < MOMENT ? 0.0 : foretold;
         c->t = start + done;
         if (!(half_steps + ahead < MOST_HALF_STEPS)) {
             if (is_unilateral(c->m) && may_step_over(failed)) return step_over(c, failed, start, done, step);

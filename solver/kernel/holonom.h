@@ -52,18 +52,8 @@ HOLONOM_API double holonom_operate(int32_t code, const double *value, int32_t co
 /* Runs tape `segment` on `numbers` (modified): 0 parameters, 1 laws, 2 signals, 3 measurements.               */
 HOLONOM_API void holonom_evaluate(const holonom_model *model, double *numbers, int32_t segment);
 
-/* Takes the initial configuration from `numbers` (modified: derived sections) into `state` (modified), closes the
-   mechanism or seeks its equilibrium if the options say so, finds the first multipliers from M a + G' lambda = Q
-   and Phi'' = 0, and starts the ledger. The state's time, options, parameters and inputs are set beforehand.   */
-HOLONOM_API int32_t holonom_initialise(const holonom_model *model, double *numbers, double *state, double *work);
-
-/* Residuals of the rows and their rates, signals included: phi, phi_dot (n_rows each), both overwritten. Inputs, time
-   and signals among the numbers are modified, `state` is not. */
-HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, double *state,
-                                   double *work, double *phi, double *phi_dot);
-
-/* Asks who waits for a step whether to go on: `look` returns 1 for its end. Of a small mechanism it is asked seldom, since that takes
-   as long as a step: once in so much work, `left` (modified; counted in doubles of the state, an internal step reads each).     */
+/* Asks who waits for a start or a step whether to go on: `look` returns 1 for its end. Of a small mechanism it is asked seldom, since that takes
+   as long as a step: once in so much work, `left` (modified; counted in doubles of the state, an internal step reads each). */
 typedef struct holonom_watch {
     int32_t (*look)(void);
     int64_t left;
@@ -71,6 +61,18 @@ typedef struct holonom_watch {
 } holonom_watch;
 
 enum { HOLONOM_WORK_BETWEEN_LOOKS = 1 << 20 };
+
+/* Takes the initial configuration from `numbers` (modified: derived sections) into `state` (modified), closes the
+   mechanism or seeks its equilibrium if the options say so, finds the first multipliers from M a + G' lambda = Q
+   and Phi'' = 0, and starts the ledger. The state's time, options, parameters and inputs are set beforehand. `watch` (modified)
+   may be NULL; after HOLONOM_STOPPED the state is undefined. */
+HOLONOM_API int32_t holonom_initialise(const holonom_model *model, double *numbers, double *state, double *work,
+                                       holonom_watch *watch);
+
+/* Residuals of the rows and their rates, signals included: phi, phi_dot (n_rows each), both overwritten. Inputs, time
+   and signals among the numbers are modified, `state` is not. */
+HOLONOM_API void holonom_residuals(const holonom_model *model, double *numbers, double *state,
+                                   double *work, double *phi, double *phi_dot);
 
 /* Advances `state` (modified) by `step` [s], divided into equal internal steps of at most the option
    step_size or, with a tolerance, into those that it asks for; on failure the state is as before, but for S_STATUS.

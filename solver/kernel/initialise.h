@@ -66,6 +66,7 @@ HM_SELDOM static int32_t seek_step(const context *begun, double h, int constrain
     int32_t status = evaluate_residual(c);
     for (int iteration = 0; !status && iteration < 60; iteration++) {
         double increment;
+        if (is_stopped(c)) return HOLONOM_STOPPED;
         if ((status = factorise(c))) break;
         if ((status = seek_increment(c, &increment, size))) break;
         status = evaluate_residual(c);
@@ -170,9 +171,10 @@ static int32_t close_places(context *c)
     double size;
     follow_angles(c, NULL);
     memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
+    if (c->m->n_signals) wind(c);
     keep_pose(c, c->k.step_backup);
     const int32_t status = seek_step(c, 1.0, 1, &size);
-    if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW) return status;
+    if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW || status == HOLONOM_STOPPED) return status;
     if (!status) take_over(c), follow_angles(c, NULL);
     const double way = status ? INFINITY : distance_from(c, c->k.step_backup);
     return way <= FAR ? HOLONOM_OK : find_pose(c, way <= FARTHEST_STAGE);
@@ -196,6 +198,7 @@ static int32_t seek_equilibrium(context *c)
     memset(c->s.mu[0], 0, sizeof(double) * (size_t)m->n_rows);
     for (int step = 0; step < 100 && small < 2; step++) {
         const int32_t status = seek_step(c, h, 0, &size);
+        if (status == HOLONOM_STOPPED) return status;
         if (status) {
             failure = status;
             h *= 0.25;
@@ -274,10 +277,12 @@ static int32_t refuse_penetration(context *c)
     return HOLONOM_OK;
 }
 
-HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work)
+HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, double *state, double *work,
+                                     holonom_watch *watch)
 {
     context c;
     open_context(&c, m, number, state, work);
+    c.watch = watch;
     double *head = c.s.head;
     memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
     memset(c.s.islands, 0, sizeof(double) * (size_t)(I_SIZE * m->n_islands));
@@ -294,11 +299,12 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
     else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
+    if (watch && watch->is_stopped) return HOLONOM_STOPPED;
     if (!status) status = first_multipliers(&c);
     if (!status && fastest_rate(&c, c.s.v) > 0.0) status = refuse_dead_centre(&c);
     if (status) return status;
     follow_angles(&c, NULL);
-    if (head[S_ASSEMBLE] == 0.0 || head[S_EQUILIBRIUM] != 0.0) /* the first sines have crossed nothing */
+    if (head[S_ASSEMBLE] == 0.0) /* the first sines have crossed nothing */
         memset(c.s.turns, 0, sizeof(double) * (size_t)m->n_quantities);
     for (int32_t j = 0; j < n_bodies(m); j++) follow_orientation(&c, j);
     open_ledger(&c);

@@ -12,7 +12,7 @@ struct holonom_instance {
     double *before;              /* state and numbers, while a change of inputs is tried                  */
     double *inputs, *parameters; /* those to come                                                         */
     double *phi, *rate;          /* n_rows each                                                           */
-    char at_fault[256];
+    char at_fault[2 * NAME_ROOM];
     char *clipped;               /* of each variable: whether it was said that it is clipped               */
     hm_text message, remarks;
     int64_t state_size;
@@ -366,13 +366,14 @@ static void evaluate(holonom_instance *i)
     holonom_evaluate(m, i->numbers, 1);
 }
 
-/* The part that a step or the start fails at, or near which a step is not solved, and a colon; empty if it is none. */
-static const char *name_at_fault(holonom_instance *i, int32_t status)
+void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
+
+/* The watch of a start or a step that begins. */
+static holonom_watch *begin_watch(holonom_instance *i)
 {
-    hm_text text = {i->at_fault, sizeof i->at_fault, 0};
-    hm_clear(&text);
-    hm_say_fault(&text, &i->file, i->numbers, i->s.head, status);
-    return i->at_fault;
+    i->watch.left = HOLONOM_WORK_BETWEEN_LOOKS;
+    i->watch.is_stopped = 0;
+    return i->watch.look ? &i->watch : NULL;
 }
 
 /* Remarks on what moved far, as a line of its own. */
@@ -400,26 +401,15 @@ int32_t holonom_assemble(holonom_instance *i)
         hm_take_back(message, end); /* without the line break */
         return HOLONOM_UNASSEMBLED;
     }
-    const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work);
+    i->phase = HOLONOM_CONFIGURED;
+    const int32_t status = holonom_initialise(m, i->numbers, i->state, i->work, begin_watch(i));
     i->measured = 0;
     hm_map_work(m, i->work, &work);
     memcpy(i->before, work.phi, sizeof(double) * (size_t)m->n_rows);
     holonom_rows(i, i->phi, i->rate);
-    if (!status || status == HOLONOM_AT_DEAD_CENTRE || (status == HOLONOM_UZAWA_DIVERGED && i->s.head[S_ASSEMBLE] != 0.0))
-        problems = hm_contradicted_rows(message, &i->file, i->numbers, &i->s, i->phi, i->rate);
-    if (status == HOLONOM_AT_DEAD_CENTRE && !problems) {
-        hm_say_dead_centre(message, &i->file, i->numbers, &i->s, i->before);
-        return HOLONOM_UNASSEMBLED;
-    }
-    if (status && !problems) {
-        const int is_known = status >= HOLONOM_CONTACT_UNDECIDED || status == HOLONOM_NOT_FINITE;
-        const char *at_fault = is_known ? name_at_fault(i, status) : "";
-        hm_say(message, "%s%s", *at_fault ? at_fault : "the mechanism cannot be assembled: ",
-               hm_about_start(status, i->s.head[S_EQUILIBRIUM] != 0.0));
-        return HOLONOM_UNASSEMBLED;
-    }
-    i->phase = problems ? HOLONOM_CONFIGURED : HOLONOM_ASSEMBLED;
-    if (problems) return HOLONOM_UNASSEMBLED;
+    const hm_start start = {status, i->phi, i->rate, i->before};
+    if (hm_say_failed_start(message, &i->file, i->numbers, &i->s, &start)) return HOLONOM_UNASSEMBLED;
+    i->phase = HOLONOM_ASSEMBLED;
     if (i->s.head[S_ASSEMBLE] != 0.0 && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
     return done(i);
 }
@@ -439,13 +429,15 @@ static int32_t fail(holonom_instance *i, double t, double step, int32_t status)
         i->numbers[i->file.model.time_at] = t + step;
         holonom_evaluate(&i->file.model, i->numbers, 1);
     }
-    const char *fault = name_at_fault(i, status);
+    hm_text at_fault = {i->at_fault, sizeof i->at_fault, 0};
+    hm_clear(&at_fault);
+    hm_say_fault(&at_fault, &i->file, i->numbers, head, status);
     evaluate(i);
-    return answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step,
-                  fault, hm_about_step(status));
+    answer(i, HOLONOM_FAILED, "step from t = %6g s with h = %6g s: %s%s", t, step > longest ? longest : step, i->at_fault,
+           hm_about_step(status));
+    hm_say_far_apart(&i->message, &i->file, i->numbers, status);
+    return HOLONOM_FAILED;
 }
-
-void holonom_let_look(holonom_instance *i, int32_t (*look)(void)) { i->watch.look = look; }
 
 int32_t holonom_move(holonom_instance *i, double t, double step)
 {
@@ -460,10 +452,8 @@ int32_t holonom_move(holonom_instance *i, double t, double step)
         if (result & ~HOLONOM_REMARKED) return result;
     }
     /* A last digit of t that differs from the own time must not add up over many steps. */
-    i->watch.left = HOLONOM_WORK_BETWEEN_LOOKS;
-    i->watch.is_stopped = 0;
-    const int32_t status = holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step,
-                                           i->watch.look ? &i->watch : NULL);
+    const int32_t status =
+        holonom_advance(&i->file.model, i->numbers, i->state, i->work, (t - head[S_TIME]) + step, begin_watch(i));
     i->measured = 0;
     if (status) return fail(i, t, step, status);
     head[S_TIME] = t + step;

@@ -51,7 +51,7 @@ HOLONOM_API int32_t holonom_assemble(holonom_instance *instance);
 /* Ends the start: what is set from now on is for the step to come, as after a step. */
 HOLONOM_API void holonom_begin(holonom_instance *instance);
 
-/* Lets steps ask now and then whether to go on: `look` returns 1 for their end (HOLONOM_STOPPED); NULL: they do not ask. */
+/* Lets starts and steps ask now and then whether to go on: `look` returns 1 for their end (HOLONOM_STOPPED); NULL: they do not ask. */
 HOLONOM_API void holonom_let_look(holonom_instance *instance, int32_t (*look)(void));
 
 /* Advances from time t, which must be the present time, by `step`, both in s. */

@@ -12,6 +12,7 @@
 #define SMALLER "a smaller solver.step_size, or solver.longest_step with a tolerance, or a larger solver.max_newton usually helps" FAR_APART
 
 static const double LEDGER_OPEN = 1e3;  /* error of the ledger, over newton_tolerance, that no run of solved steps comes to */
+static const double FAR_APART_MASSES = 1e5; /* from here on light parts are told in a step that is not solved */
 static const double LEDGER_LONG = 1e-9; /* error of the ledger that round-off of a long run may come to */
 
 const char *hm_about_step(int32_t status)
@@ -45,7 +46,6 @@ const char *hm_about_step(int32_t status)
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
-    case HOLONOM_AT_DEAD_CENTRE: return "its velocities belong to no motion from this dead centre; give those of a part that choose one";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -62,19 +62,6 @@ const char *hm_about_step(int32_t status)
 #endif
     default: return "it ended with an unknown status, a fault of this program; please report it";
     }
-}
-
-const char *hm_about_start(int32_t status, int seeks_equilibrium)
-{
-    if (status == HOLONOM_NEWTON_DIVERGED && seeks_equilibrium)
-        return "no static equilibrium was found from the drawn configuration; look for a part that nothing holds, or draw it closer "
-               "to where it comes to rest";
-    if (status == HOLONOM_SINGULAR_TANGENT)
-        return "its equations have no unique solution as drawn; look for a part that nothing holds against its constraints, or use "
-               "a smaller solver.penalty";
-    if (status == HOLONOM_NOT_FINITE)
-        return "a number of it is not finite; look at the expressions of positions, forces and drivers at the start";
-    return hm_about_step(status);
 }
 
 /* Name of the part that the measurement at `place` is of; empty if there is none. */
@@ -97,7 +84,7 @@ static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
 static void say_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
 {
     const holonom_model *m = &f->model;
-    char room[128];
+    char room[NAME_ROOM];
     hm_text name = {room, sizeof room, 0};
     for (int32_t i = m->n_form_rows - m->n_rigidity_rows; m->node_kind[node] && i < m->n_form_rows; i++)
         for (int32_t e = m->form_ptr[m->row_form[i]]; e < m->form_ptr[m->row_form[i] + 1]; e++)
@@ -116,21 +103,27 @@ static int is_no_number(const double *x, int32_t n)
     return 0;
 }
 
+/* Says a spring or damper, what it does, and a colon. */
+static void say_element(hm_text *text, const hm_model_file *f, const double *numbers, int32_t j, const char *does)
+{
+    const hm_measured y = hm_measured_in(f, numbers);
+    char room[NAME_ROOM];
+    hm_text name = {room, sizeof room, 0};
+    name_of_part(f, (int32_t)(y.element_force - y.position) + j, &name);
+    if (name.used) hm_say(text, "'%s'%s: ", room, does);
+}
+
 /* Says a load, spring or damper whose law gives no number, or one that it may not give. */
 static void say_broken_law(hm_text *text, const hm_model_file *f, const double *numbers)
 {
     const holonom_model *m = &f->model;
-    const int32_t turning = 2 * DIM - 3, n_moving = m->n_free + m->n_driven;
-    const int32_t first_force = 2 * DIM * n_moving + 2 * DIM * m->n_places + 2 * m->n_quantities; /* element_force, see MEASURED */
+    const int32_t turning = 2 * DIM - 3;
     static const char FORCE[] = "a force is not a finite number, on ", TORQUE[] = "a torque is not a finite number, on ";
     for (int32_t j = 0; j < m->n_elements && !text->used; j++) {
         const double law[] = {numbers[m->stiffness_at + j], numbers[m->rest_at + j], numbers[m->damping_at + j], numbers[m->drive_at + j]};
         const int is_length = m->quantity_kind[m->leaf[4 * m->leaf_ptr[j] + 1]] == QUANTITY_LENGTH;
         if (!is_no_number(law, 4) && law[0] >= 0.0 && (law[1] >= 0.0 || !is_length) && law[2] >= 0.0) continue;
-        char room[128];
-        hm_text name = {room, sizeof room, 0};
-        name_of_part(f, first_force + j, &name);
-        if (name.used) hm_say(text, "'%s': ", room);
+        say_element(text, f, numbers, j, "");
     }
     for (int32_t j = 0; j < m->n_loads && !text->used; j++)
         if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
@@ -141,15 +134,44 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
         if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_node(text, f, TORQUE, m->body_moment[2 * j]);
 }
 
+static int is_unsolved(int32_t status)
+{
+    return status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED ||
+           status == HOLONOM_DAMPING_REVERSED;
+}
+
 void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, const double *head, int32_t status)
 {
     const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
-    const int is_unsolved = status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED;
-    const int32_t fault = is_sure || is_unsolved ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
-    if (is_unsolved || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
+    const int32_t fault = is_sure || is_unsolved(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
+    if (is_unsolved(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
     if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
+    else
+        say_element(text, f, numbers, fault - n_rows - f->model.n_free,
+                    " passes through length zero, where the direction of its force jumps; a spring with free_length = 0 does not jump there");
+}
+
+void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbers, int32_t status)
+{
+    const holonom_model *m = &f->model;
+    const double *mass = numbers + m->node_mass_at;
+    int32_t heaviest = -1, lightest = -1;
+    if (!is_unsolved(status)) return;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        if (m->node_kind[a] || !(mass[a] > 0.0)) continue;
+        if (heaviest < 0 || mass[a] > mass[heaviest]) heaviest = a;
+        if (lightest < 0 || mass[a] < mass[lightest]) lightest = a;
+    }
+    if (heaviest < 0 || !(mass[heaviest] > FAR_APART_MASSES * mass[lightest])) return;
+    char heavy_room[NAME_ROOM], light_room[NAME_ROOM];
+    hm_text heavy = {heavy_room, NAME_ROOM, 0}, light = {light_room, NAME_ROOM, 0};
+    name_of_part(f, DIM * heaviest, &heavy);
+    name_of_part(f, DIM * lightest, &light);
+    if (heavy.used && light.used)
+        hm_say(text, "; '%s' has %3g times the mass of '%s', which it throws about where they come into line", heavy_room,
+               mass[heaviest] / mass[lightest], light_room);
 }
 
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
@@ -173,7 +195,7 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    char room[256];
+    char room[NAME_ROOM];
     hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;

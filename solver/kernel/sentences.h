@@ -6,9 +6,30 @@
 #include "model_file.h"
 #include "text.h"
 
-/* Says what keeps a step from being solved, or a mechanism from being assembled. */
+enum { NAME_ROOM = 256 }; /* of a part of a sentence: names of scenes and parts have at most 200 characters */
+
+/* Where measurements lie among the numbers, which are not modified. */
+static inline hm_measured hm_measured_in(const hm_model_file *f, const double *numbers)
+{
+    hm_measured places;
+    hm_map_measured(&f->model, (double *)(uintptr_t)(numbers + f->model.measured_at), &places);
+    return places;
+}
+
+/* Says what keeps a step from being solved. */
 const char *hm_about_step(int32_t status);
-const char *hm_about_start(int32_t status, int seeks_equilibrium);
+
+/* Says which part is far heavier than which, where this may keep a step from being solved; nothing if none is. */
+void hm_say_far_apart(hm_text *text, const hm_model_file *file, const double *numbers, int32_t status);
+
+/* A start that has ended: residuals of rows and their rates in the state, and what rows lack in the core's last try (n_rows each). */
+typedef struct hm_start {
+    int32_t status;
+    const double *phi, *rate, *lacking;
+} hm_start;
+
+/* Says what keeps a mechanism from being assembled; returns how many sentences, 0 where it is. */
+int hm_say_failed_start(hm_text *text, const hm_model_file *file, const double *numbers, const hm_state *state, const hm_start *start);
 
 /* Says the part that a step or the start fails at, or near which a step is not solved, and a colon; nothing if none is known. */
 void hm_say_fault(hm_text *text, const hm_model_file *file, const double *numbers, const double *head, int32_t status);

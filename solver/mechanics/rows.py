@@ -119,10 +119,11 @@ class Rows:
         return length2
 
     def function(
-        self, formula: Formula, scale: Scale | None = None, kind: str = "value"
+        self, formula: Formula, scale: Scale | None = None, kind: str | None = None
     ) -> RowOf:  # fmt: skip
-        """Hold a formula at zero."""
+        """Hold a formula at zero; its `scale` is given where it is one of m or rad."""
         rows = self.mechanism.function_rows
+        kind = kind or ("coupled" if scale else "value")
         scale = scale or scale_of(self.mechanism, formula)
         rows.append(FunctionRow(formula, scale, self.row(kind)))
         return "function", len(rows) - 1

@@ -104,7 +104,9 @@ class Integrator:
         self.message = "done"
 
     def _end(self, result: int) -> None:
-        """Say what was noticed, and raise what went wrong."""
+        """Say what was noticed, and raise what went wrong, or what a handler of a signal raised."""
+        if self._caught:
+            raise self._caught.pop()
         remarked = RESULTS["remarked"]
         if result & remarked:
             for sentence in self._library.holonom_remarks(self._instance).decode().splitlines():
@@ -225,6 +227,8 @@ class Integrator:
         ------
         AssemblyError
             One sentence for each rule that the parameters break.
+        KeyboardInterrupt
+            At Ctrl-C, or what else a handler of a signal raises; then there is no start yet.
         """
         if start_time is not None:
             self.state.head["time"] = start_time
@@ -250,8 +254,6 @@ class Integrator:
         """
         result = self._advance(self._instance, t, step)
         if result:
-            if self._caught:
-                raise self._caught.pop()
             self._end(result)
         self.message = "done"
 

@@ -476,6 +476,7 @@ RESULTS = {
 
 ROW_KINDS = (
     "length", "apart", "off", "height", "turned", "angle", "axes", "value", "driver", "velocity",
+    "coupled",
 )
 
 CODES = (

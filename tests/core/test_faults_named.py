@@ -71,6 +71,28 @@ def test_what_is_not_finite_is_named_with_its_part(text, value, words, tolerance
     assert words in failure(text, value, tolerance=tolerance)
 
 
+def test_a_load_that_throws_light_links_about_is_named_with_its_ratio():
+    """A load of 1e8 kg falls until its links of 1 kg come into line, within 0.1 s."""
+    links = "".join(
+        f"b{k} = {{ position = [{0.1 + 0.2 * k}, {-0.1 * (k % 2)}], mass = 1, inertia = 0.01 }}\n"
+        for k in range(3)
+    )
+    pins = "".join(
+        f'j{k} = {{ type = "revolute", bodies = ["{f"b{k - 1}" if k else "ground"}", "b{k}"], '
+        f"position = [{0.2 * k}, {-0.1 * (k % 2)}] }}\n"
+        for k in range(3)
+    )
+    text = (
+        'name = "chain"\ndimension = 2\ngravity = [0, -9.81]\n'
+        "[points]\nload = { position = [0.6, -0.1], mass = 1e8 }\n"
+        f"[bodies]\n{links}[joints]\n{pins}"
+        'hook = { type = "revolute", points = ["b2", "load"], at = [0.6, -0.1] }\n'
+    )
+    run = solver.Integrator(solver.assemble(solver.loads(text)), log=lambda _: None)
+    with pytest.raises(StepError, match=r"; 'load' has 1e\+08 times the mass of 'b[0-2]', which"):
+        run.advance(0.0, 1.0)
+
+
 def test_a_driver_that_asks_for_what_cannot_be_is_named_with_what_it_pulls_against():
     text = LOOP.replace("VALUE", "0.3*t")
     run = solver.Integrator(solver.assemble(solver.loads(text)), log=lambda _: None)

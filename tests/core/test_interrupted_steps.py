@@ -1,4 +1,4 @@
-"""Ctrl-C ends a long step of the core, which then is as if it had not been tried."""
+"""Ctrl-C ends a long start of the core, or a long step, which then is as if it was not tried."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from collections.abc import Callable
 import pytest
 
 from build_fmu.run import run_fmu
-from solver.runtime import Integrator, Status, StepError
+from solver.mechanics.assembly import assemble
+from solver.runtime import AssemblyError, Integrator, Status, StepError
+from solver.scene import loads
 from tests.core.test_kernel_status import BALL
 from tests.fmu_instance import pendulum
 from tests.twins import PENDULUM, start
@@ -103,7 +105,7 @@ def test_a_handler_that_returns_lets_the_step_go_on():
 
 def test_the_core_says_that_it_was_stopped():
     run = start(PENDULUM, step_size=1e-6)
-    caught: list[Exception] = []
+    caught: list[StepError] = []
 
     def move() -> None:  # without what Python does of it
         result = run._advance(run._instance, run.time, LONG)
@@ -114,6 +116,37 @@ def test_the_core_says_that_it_was_stopped():
 
     struck_in_c(move)
     assert caught[0].status is Status.STOPPED
+
+
+def chain(reach: float) -> str:
+    """Scene of 300 links of 1 m whose last one is driven to a place so far along them [m]."""
+    links = range(300)
+    bodies = [f"b{i} = {{ position = [{i}, 0], mass = 1, inertia = 0.1 }}" for i in links]
+    joints = [
+        f'j{i} = {{ type = "revolute", bodies = ["{f"b{i - 1}" if i else "ground"}", "b{i}"], '
+        f"position = [{i - 0.5}, 0] }}"
+        for i in links
+    ]
+    hand = 'hand = { type = "position", point = "b299", value = ["299 + reach", 3] }'
+    reach_of = f"reach = {reach}"
+    tables = {"bodies": bodies, "joints": joints, "drivers": [hand], "parameters": [reach_of]}
+    text = "\n".join(f"[{name}]\n" + "\n".join(lines) for name, lines in tables.items())
+    return f'name = "chain"\ndimension = 2\n{text}\n[solver]\nassemble = true\n'
+
+
+def test_an_interrupt_ends_a_long_start_that_may_be_tried_again():
+    # Out of reach the core tries 20 drawings, with up to 200 rounds each of some 1e5 numbers.
+    run = Integrator(assemble(loads(chain(-3.0))), log=lambda _: None)
+    run["reach"] = 50.0
+    with pytest.raises(KeyboardInterrupt):
+        struck_in_c(run.initialise)
+    assert b"it was interrupted; start again" in run._library.holonom_message(run._instance)
+    assert run.phase == 0
+    with pytest.raises(AssemblyError, match="joints contradict each other"):
+        run.initialise()
+    run["reach"] = -3.0
+    run.initialise()
+    assert run.phase == 1
 
 
 def test_an_interrupt_ends_a_long_step_of_an_fmu():
