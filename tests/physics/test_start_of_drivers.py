@@ -109,3 +109,45 @@ def test_a_driver_whose_second_derivative_is_infinite_starts_with_its_rate() -> 
     scene = POINT.format(x=0.0, value="2*t + t**1.5", settings="")
     found = holonom.simulate(holonom.loads(scene), stop_time=1e-3)
     assert found["B.vx"][0] == pytest.approx(2.0, rel=1e-14)
+
+
+PROFILE = """
+[profiles]
+p = {{ x = [-1, 0, 1, 2], y = [-1, 0, 3, 4], interpolation = "{word}" }}
+cam = {{ x = [0, 1, 2, 3], y = [0, 1, 3, 0], interpolation = "{word}", periodic = true }}
+"""
+
+COURSES = {
+    ("linear", "p(t)"): (0.0, 3.0, 0.0),
+    ("linear", "p(-t)"): (0.0, -1.0, 0.0),
+    ("linear", "p(1 + t)"): (3.0, 1.0, 0.0),
+    ("linear", "p(1 - t)"): (3.0, -3.0, 0.0),
+    ("linear", "p(t**2)"): (0.0, 0.0, 6.0),
+    ("linear", "p(-t**2)"): (0.0, 0.0, -2.0),
+    ("linear", "p(-sin(t)) + p(1 - t**3) - 3"): (0.0, -1.0, 0.0),
+    ("linear", "p(cos(t))"): (3.0, 0.0, -3.0),
+    ("linear", "cam(t)"): (0.0, 1.0, 0.0),
+    ("linear", "cam(-t)"): (0.0, 3.0, 0.0),
+    ("linear", "cam(3 - t)"): (0.0, 3.0, 0.0),
+    ("linear", "cam(2 - t)"): (3.0, -2.0, 0.0),
+    ("monotone", "p(t)"): (0.0, 1.5, 9.0),
+    ("monotone", "p(-t)"): (0.0, -1.5, 0.0),
+    ("monotone", "p(1 + t)"): (3.0, 1.5, 0.0),
+    ("monotone", "p(1 - t)"): (3.0, -1.5, -9.0),
+    ("monotone", "p(1 - 2*t + t**2)"): (3.0, -3.0, -33.0),
+    ("monotone", "p(1 - t**2)"): (3.0, 0.0, -3.0),
+}
+"""Place, rate and acceleration at 0, by hand: the slopes of p are 1, 3 and 1, those of the cam 1, 2
+and -3. Monotone, the slopes at the points of p are 0, 1.5, 1.5 and 0 (harmonic means, and ends that
+do not overshoot), so that second derivatives are 6 - 4 d0 - 2 d1 and 2 d0 + 4 d1 - 6 s of its ends.
+"""
+
+
+@pytest.mark.filterwarnings("ignore::solver.SceneWarning")
+@pytest.mark.parametrize(("word", "value"), COURSES)
+def test_a_driver_at_a_point_of_a_profile_moves_in_the_piece_it_comes_to(word, value):
+    x, rate, force = COURSES[word, value]
+    scene = POINT.format(x=x, value=value, settings="") + PROFILE.format(word=word)
+    found = holonom.simulate(holonom.loads(scene), stop_time=1e-3)
+    assert found["B.vx"][0] == pytest.approx(rate, rel=1e-14, abs=1e-14)
+    assert found["hand.force.x"][0] == pytest.approx(force, rel=1e-13, abs=1e-13)
