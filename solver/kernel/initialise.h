@@ -252,6 +252,10 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     derive_extent(&c);
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
+    if (blame_signal(&c, c.t, 2)) {
+        head[S_AT_FAULT] = c.at_fault;
+        return HOLONOM_BAD_DRIVER;
+    }
     if (!all_finite(number, m->measured_at)) return HOLONOM_NOT_FINITE;
     stand_still(&c);
     int32_t status = derive_scales(&c);

@@ -155,11 +155,12 @@ typedef struct hm_jet {
 } hm_jet;
 
 /* The same operation of jets, one with a table (of one or three), and a segment of the tape. Rates and second derivatives of the
-   numbers lie in `jet`, 2 for each; what a segment reads stands still after hm_stop_jets. */
+   numbers lie in `jet`, 2 for each; what a segment reads stands still after hm_stop_jets. hm_run_jets returns how many operations
+   took for granted that arguments whose first two derivatives are 0 stand still. */
 hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c);
 hm_jet hm_look_up_jet(int32_t code, const hm_jet *x, const double *first, const double *last);
 void hm_stop_jets(const holonom_model *model, int32_t segment, double *jet);
-void hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
+int32_t hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
 
 /* Sign that a jet has just after the present: of the first of value, rate and second derivative that is not 0. */
 static inline double hm_sign_after(hm_jet a)

@@ -22,10 +22,12 @@ static hm_jet jet_quotient(hm_jet a, hm_jet b)
 
 static int jet_stands(hm_jet a) { return a.rate == 0.0 && a.bend == 0.0; }
 
-/* Of a function of a with this value and these derivatives, which may be infinite where a stands. */
+/* Of a function of a with this value and these derivatives, which may be infinite where a stands. Where the slope is infinite and
+   the rate is 0, their product may have a limit, as that of sqrt(t^2) does: both rates are NaN. */
 static hm_jet jet_chain(hm_jet a, double value, double slope, double curvature)
 {
     if (jet_stands(a)) return (hm_jet){value, 0.0, 0.0};
+    if (a.rate == 0.0 && !(fabs(slope) < INFINITY)) return (hm_jet){value, NAN, NAN};
     return (hm_jet){value, slope * a.rate, slope * a.bend + (a.rate == 0.0 ? 0.0 : curvature * a.rate * a.rate)};
 }
 
@@ -143,19 +145,37 @@ static hm_jet jet_at(const double *numbers, const double *jet, int32_t place)
     return (hm_jet){numbers[place], jet[2 * place], jet[2 * place + 1]};
 }
 
-void hm_run_jets(const holonom_model *m, double *numbers, int32_t segment, double *jet)
+/* Whether the jet of an operation depends on derivatives beyond the second, unless its arguments stand still: at a tie, or where
+   its slope is infinite. */
+static int is_in_doubt(int32_t code, hm_jet a, hm_jet b)
 {
-    int32_t count;
+    const hm_jet apart = jet_difference(a, b);
+    switch (code) {
+    case T_SQRT: return a.value == 0.0 && jet_stands(a);
+    case T_POW: return a.value == 0.0 && b.value < 2.0 && jet_stands(a);
+    case T_ASIN: case T_ACOS: return fabs(a.value) == 1.0 && jet_stands(a);
+    case T_SIGN: return a.value == 0.0 && jet_stands(a);
+    case T_FLOOR: case T_CEIL: return a.value == floor(a.value) && jet_stands(a);
+    case T_LT: case T_LE: case T_GT: case T_GE: case T_EQ: case T_NE: return apart.value == 0.0 && jet_stands(apart);
+    default: return 0;
+    }
+}
+
+int32_t hm_run_jets(const holonom_model *m, double *numbers, int32_t segment, double *jet)
+{
+    int32_t count, doubts = 0;
     const int32_t *op = operations_of(m, segment, &count), *end = op + 5 * (int64_t)count;
     for (; op < end; op += 5) {
         hm_jet x[3] = {jet_at(numbers, jet, op[2])}, y;
         for (int k = 1; k < 3 && reads_grid(op[0]); k++) x[k] = jet_at(numbers, jet, op[2] + k);
         if (op[0] >= T_SPLINE) y = hm_look_up_jet(op[0], x, numbers + op[3], numbers + op[4]);
         else y = hm_operate_jet(op[0], x[0], jet_at(numbers, jet, op[3]), jet_at(numbers, jet, op[4]));
+        doubts += is_in_doubt(op[0], x[0], jet_at(numbers, jet, op[3]));
         numbers[op[1]] = y.value;
         jet[2 * op[1]] = y.rate;
         jet[2 * op[1] + 1] = y.bend;
     }
+    return doubts;
 }
 
 #include "small.h"
