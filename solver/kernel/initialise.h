@@ -189,6 +189,7 @@ static void take_initial(context *c)
     memset(c->s.inputs_bend, 0, inputs);
     memset(c->s.inputs_third, 0, inputs);
     memset(c->s.inputs_mean, 0, inputs);
+    memset(c->s.inputs_mean_before, 0, inputs);
     memset(c->s.inputs_curve, 0, inputs);
     c->s.head[S_INPUT_STEP] = c->s.head[S_INPUT_STEP_BEFORE] = 0.0;
     signals_at(c, c->t, c->s.signal);
