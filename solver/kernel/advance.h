@@ -70,7 +70,10 @@ static double mean_slope(const context *c, int32_t i, double step) { return (c->
 
 #define FAR_AHEAD 3.0 /* times the step before: a polynomial through that one would enlarge what its values lack */
 
-static int is_far_ahead(double step, double before) { return before != 0.0 && !(step <= FAR_AHEAD * before); }
+#define MUCH_LONGER 1.25 /* likewise: values so unevenly apart tell no third derivative */
+#define LONGER 1.01     /* likewise: steps of a regular run differ by round-off */
+
+static int is_longer(double step, double before, double times) { return before != 0.0 && !(step <= times * before); }
 
 static int stands(const context *c, int32_t i) { return c->s.inputs_slope[i] == 0.0 && c->s.inputs_mean[i] == 0.0; }
 
@@ -86,9 +89,22 @@ HM_SELDOM static double slope_at_end(const context *c, int32_t i, double step)
 {
     const double before = c->s.head[S_INPUT_STEP], earlier = c->s.head[S_INPUT_STEP_BEFORE];
     const double curve = curve_of_input(c, i, step), slope = mean_slope(c, i, step) + step * curve;
-    if (is_far_ahead(step, before)) return mean_slope(c, i, step);
-    if (c->s.inputs_curve[i] == 0.0 || is_far_ahead(before, earlier)) return slope;
+    if (is_longer(step, before, FAR_AHEAD)) return mean_slope(c, i, step);
+    if (c->s.inputs_curve[i] == 0.0 || is_longer(before, earlier, MUCH_LONGER) || is_longer(step, before, MUCH_LONGER)) return slope;
     return slope + step * (step + before) * (curve - c->s.inputs_curve[i]) / (step + before + earlier);
+}
+
+/* Slope of an input in a step, of a smooth one at its beginning: as it came, unless its value jumped in a step before that was
+   shorter. Then the cubic would leave its values far behind, and the slope stays within 3 mean slopes, as that of a monotone
+   cubic does (Fritsch and Carlson 1980): that of the step, or the smaller one of the two before it. Steady accelerations are
+   within. */
+HM_SELDOM static double slope_at_start(const context *c, int32_t i, double step)
+{
+    const double slope = c->s.inputs_slope[i], mean = mean_slope(c, i, step);
+    if (c->m->input_course[i] == INPUT_RAMPS) return mean;
+    if (c->m->input_course[i] == INPUT_HELD || !is_longer(step, c->s.head[S_INPUT_STEP], LONGER)) return slope;
+    const double most = 3.0 * fmax(fabs(mean), fmin(fabs(c->s.inputs_mean[i]), fabs(c->s.inputs_mean_before[i])));
+    return fmin(fmax(slope, -most), most);
 }
 
 /* Cubic of a smooth input in a step, from its slope at present to that at the end. */
@@ -107,6 +123,7 @@ HM_SELDOM static void end_inputs(context *c, double step)
             const double slope = slope_at_end(c, i, step);
             c->s.inputs_curve[i] = curve_of_input(c, i, step);
             c->s.inputs_slope[i] = slope;
+            c->s.inputs_mean_before[i] = c->s.inputs_mean[i];
             c->s.inputs_mean[i] = mean_slope(c, i, step);
             c->s.inputs_bend[i] += 3.0 * step * c->s.inputs_third[i];
             c->s.inputs_third[i] = 0.0;
@@ -117,7 +134,7 @@ HM_SELDOM static void end_inputs(context *c, double step)
     c->s.head[S_INPUT_STEP] = step;
 }
 
-/* Ramped inputs change their slopes at communication points, and with them the rates of signals jump. Velocities jump
+/* Ramped inputs change their slopes at communication points, and smooth ones after a jump; with them the rates of signals jump. Velocities jump
    by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work.                      */
 HM_SELDOM static int32_t start_inputs(context *c, double step)
 {
@@ -125,16 +142,16 @@ HM_SELDOM static int32_t start_inputs(context *c, double step)
     double *slope = c->s.inputs_slope, *before = c->k.signal_before, *jump = c->k.signal_rate;
     int changed = 0;
     for (int32_t i = 0; i < m->n_inputs; i++) {
-        if (m->input_course[i] == INPUT_SMOOTH) {
-            if (stands(c, i) && c->s.inputs[i] != c->s.inputs_before[i]) c->s.head[S_MEAN_TIME] = INFINITY; /* no line to before */
-            bend_input(c, i, step);
-        } else if (m->input_course[i] == INPUT_RAMPS) changed |= mean_slope(c, i, step) != slope[i];
+        const int begins = m->input_course[i] == INPUT_SMOOTH && stands(c, i) && c->s.inputs[i] != c->s.inputs_before[i];
+        if (begins) c->s.head[S_MEAN_TIME] = INFINITY; /* no line to before */
+        changed |= slope_at_start(c, i, step) != slope[i];
     }
-    if (!changed) return HOLONOM_OK;
-    signal_rates_at(c, c->t, before);
-    for (int32_t i = 0; i < m->n_inputs; i++)
-        if (m->input_course[i] == INPUT_RAMPS) slope[i] = mean_slope(c, i, step);
-    if (!m->n_signals) return HOLONOM_OK;
+    if (changed) signal_rates_at(c, c->t, before);
+    for (int32_t i = 0; i < m->n_inputs; i++) {
+        slope[i] = slope_at_start(c, i, step);
+        if (m->input_course[i] == INPUT_SMOOTH) bend_input(c, i, step);
+    }
+    if (!changed || !m->n_signals) return HOLONOM_OK;
     signal_rates_at(c, c->t, jump);
     for (int32_t b = 0; b < m->n_signals; b++) jump[b] -= before[b];
     const double kinetic = kinetic_energy(c, c->k.momentum);
@@ -181,6 +198,8 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
+    if (status && status != HOLONOM_STOPPED && blame_signal(&c, start, 2)) status = HOLONOM_BAD_DRIVER;
+    if (status != HOLONOM_STOPPED && m->n_signals && blame_signal(&c, start + step, status ? 2 : 1)) status = HOLONOM_BAD_DRIVER;
     if (status) {
         if (!c.at_fault) blame_hardest(&c);
         if (!c.at_fault) blame_worst(&c, status);

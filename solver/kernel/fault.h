@@ -4,6 +4,7 @@
 
 #include "composite.h"
 #include "context.h"
+#include "inputs_signals.h"
 
 /* Whether x is larger than the largest so far, or no number: nothing is larger than that. */
 static int exceeds(double x, double largest) { return largest == largest && !(x <= largest); }
@@ -61,6 +62,22 @@ HM_SELDOM static void blame_worst(context *c, int32_t status)
     if (element >= 0) c->at_fault = 1 + c->m->n_rows + c->m->n_free + element;
     else if (row >= 0) c->at_fault = 1 + row;
     else if (node >= 0) c->at_fault = 1 + c->m->n_rows + node;
+}
+
+/* Blames a signal whose value, rate or second derivative at time t is not finite, of those up to an order: by its number thrice,
+   plus that order, behind the nodes. Returns whether there is one; signal1, signal_rate and signal_bend are overwritten. */
+HM_SELDOM static int blame_signal(context *c, double t, int orders)
+{
+    const double *found[] = {c->k.signal1, c->k.signal_rate, c->k.signal_bend};
+    signals_at(c, t, c->k.signal1);
+    signal_jets_at(c, t, c->k.signal_rate, c->k.signal_bend);
+    for (int32_t b = 0; b < c->m->n_signals; b++)
+        for (int order = 0; order <= orders; order++)
+            if (!(fabs(found[order][b]) < INFINITY)) {
+                c->at_fault = 1 + c->m->n_rows + c->n_moving + 3 * b + order;
+                return 1;
+            }
+    return 0;
 }
 
 #endif

@@ -72,6 +72,8 @@ static inline void damp_slopes(const context *c, int32_t j)
     for (int32_t l = 0; l < c->m->leaf_ptr[j + 1] - c->m->leaf_ptr[j]; l++) c->k.r.adjoint[l] *= factor;
 }
 
+#define A_MOMENT 0x1p-100 /* [s]; slopes of powers are those at the state only if the leaves' changes are small against them */
+
 /* Share of a damped potential at the state, and the rate of its energy without damping. */
 HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *power)
 {
@@ -79,11 +81,12 @@ HM_SELDOM static double damping_at_state(const context *c, int32_t j, double *po
     const hm_registers *r = &c->k.r;
     const int32_t *entry = m->leaf + 4 * m->leaf_ptr[j];
     for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++, entry += 4) {
-        r->r0[l] = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, r->dr + l); /* slopes there times rates */
+        r->r0[l] = quantity_at(c, entry[1], c->s.q, c->s.q_low, c->s.v, r->dr + l);
         r->r1[l] = r->r0[l];
+        r->dr[l] *= A_MOMENT;
     }
-    *power = r->dr[run_function(c, j)];
-    return damping_share(c, j, r->dr[m->depth_register[j - first_potential(c)]]);
+    *power = r->dr[run_function(c, j)] / A_MOMENT;
+    return damping_share(c, j, r->dr[m->depth_register[j - first_potential(c)]] / A_MOMENT);
 }
 
 /* ----------------------------- intermediate configuration of eq 8 (theory 2.3), for conserving-al-beta */

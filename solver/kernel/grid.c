@@ -127,6 +127,7 @@ hm_jet hm_grid_jet(int derivative, const hm_jet *x, const double *first, const d
     if (!is_grid(first, last, &g)) return y;
     for (int a = 0; a < AXES; a++) place[a] = x[a].value;
     locate(&g, place, u, cube);
+    for (int a = 0; a < AXES; a++) cube[a] -= cube[a] > 0 && u[a] == cube[a] && hm_falls(x[a]); /* the cube that x comes to */
     const double unit = derivative ? 1.0 / g.spacing : 1.0, per = 1.0 / g.spacing;
     int order[AXES] = {derivative == 1, derivative == 2, derivative == 3};
     y = (hm_jet){unit * partial(&g, order, cube, u), 0.0, 0.0};

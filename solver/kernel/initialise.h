@@ -227,6 +227,7 @@ static void take_initial(context *c)
     memset(c->s.inputs_bend, 0, inputs);
     memset(c->s.inputs_third, 0, inputs);
     memset(c->s.inputs_mean, 0, inputs);
+    memset(c->s.inputs_mean_before, 0, inputs);
     memset(c->s.inputs_curve, 0, inputs);
     c->s.head[S_INPUT_STEP] = c->s.head[S_INPUT_STEP_BEFORE] = 0.0;
     signals_at(c, c->t, c->s.signal);
@@ -292,6 +293,10 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     derive_extent(&c);
     if (m->sensing) sense(&c, 0.0, 0);
     set_laws(&c, head[S_TIME], 0);
+    if (blame_signal(&c, c.t, 2)) {
+        head[S_AT_FAULT] = c.at_fault;
+        return HOLONOM_BAD_DRIVER;
+    }
     if (!all_finite(number, m->measured_at)) return HOLONOM_NOT_FINITE;
     stand_still(&c);
     int32_t status = derive_scales(&c);

@@ -94,27 +94,64 @@ HM_SELDOM static void load_jets(const context *c, double t, int32_t segment)
     }
 }
 
-#define A_LITTLE_LATER 1e-8 /* of the time, or [s] */
+/* Runs the jets of signals at time t; returns how many operations are in doubt, see hm_run_jets. */
+HM_SELDOM static int32_t run_signal_jets(const context *c, double t)
+{
+    const double law_time = c->number[c->m->time_at];
+    load_jets(c, t, 2);
+    memset(c->k.jet + 2 * c->m->signal_at, 0, sizeof(double) * (size_t)(2 * c->m->n_signals)); /* constant ones are not run */
+    const int32_t doubts = hm_run_jets(c->m, c->number, 2, c->k.jet);
+    c->number[c->m->time_at] = law_time;
+    return doubts;
+}
+
+enum { LATER_TIMES = 20 };
+#define FIRST_LATER 0.125   /* [s]; each later time is half as far as the one before */
+#define LIMIT_IS_KNOWN 1e-7 /* error of a limit, over what it is of and changes by in a second */
+
+/* The limit at time t from above of the rate (order 1) or the second derivative (2) of signal b, by Neville's extrapolation from
+   later times as far as round-off lets it converge (Ridders 1982); NaN if it does not. So begins sqrt(2 - 2 cos t), which is
+   2 sin(t/2), though its jet at 0 is 0/0. */
+HM_SELDOM static double limit_of_jet(const context *c, double t, int32_t b, int order)
+{
+    const int32_t place = c->m->signal_at + b;
+    const double *jet = c->k.jet + 2 * (int64_t)place;
+    double later[LATER_TIMES], column[LATER_TIMES], best = NAN, least = INFINITY, size = 0.0;
+    for (int k = 0; k < LATER_TIMES; k++) {
+        later[k] = (t + ldexp(FIRST_LATER, -k)) - t;
+        if (!(later[k] > 0.0)) break; /* t is too large for it */
+        run_signal_jets(c, t + later[k]);
+        double found = jet[order - 1];
+        const double size_here = fabs(found) + fabs(order == 1 ? c->number[place] : jet[0]);
+        for (int j = 0; j <= k; j++) {
+            const double before = column[j]; /* found from j + 1 times, the last of them the one before */
+            column[j] = found;
+            if (j == k) break;
+            const double next = found + (found - before) * later[k] / (later[k - j - 1] - later[k]);
+            const double error = fmax(fabs(next - found), fabs(next - before));
+            if (error < least) best = next, least = error, size = size_here;
+            found = next;
+        }
+    }
+    return least <= LIMIT_IS_KNOWN * size ? best : NAN;
+}
 
 /* Rates and second derivatives of the signals at time t (n_signals each, overwritten), as they are just after it: see jets.c.
-   What a formula such as sqrt(t)^2 lacks of them is taken a little later.                                       */
+   They are infinite where those of a formula such as sqrt(t) are, and NaN where they have no limit. */
 HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, double *bend)
 {
     const holonom_model *m = c->m;
-    const double law_time = c->number[m->time_at];
-    int lacks = m->n_signals > 0;
-    for (int later = 0; later < 2 && lacks; later++) {
-        load_jets(c, t + later * A_LITTLE_LATER * fmax(1.0, fabs(t)), 2);
-        hm_run_jets(m, c->number, 2, c->k.jet);
-        lacks = 0;
-        for (int32_t b = 0; b < m->n_signals; b++) {
-            const double *jet = c->k.jet + 2 * (m->signal_at + b);
-            if (!later || !(fabs(rate[b]) < INFINITY)) rate[b] = jet[0];
-            if (!later || !(fabs(bend[b]) < INFINITY)) bend[b] = jet[1];
-            lacks |= !(fabs(rate[b]) < INFINITY && fabs(bend[b]) < INFINITY);
-        }
+    if (!m->n_signals) return;
+    const int32_t doubts = run_signal_jets(c, t);
+    for (int32_t b = 0; b < m->n_signals; b++) {
+        rate[b] = c->k.jet[2 * (m->signal_at + b)];
+        bend[b] = c->k.jet[2 * (m->signal_at + b) + 1];
     }
-    c->number[m->time_at] = law_time;
+    const int moves = doubts && run_signal_jets(c, t + ldexp(FIRST_LATER, 1 - LATER_TIMES)) != doubts;
+    for (int32_t b = 0; b < m->n_signals; b++) {
+        if (moves || rate[b] != rate[b]) rate[b] = limit_of_jet(c, t, b, 1);
+        if (moves || bend[b] != bend[b]) bend[b] = limit_of_jet(c, t, b, 2);
+    }
 }
 
 static void signal_rates_at(const context *c, double t, double *rate) { signal_jets_at(c, t, rate, c->k.signal_bend); }

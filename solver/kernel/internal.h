@@ -155,15 +155,28 @@ typedef struct hm_jet {
 } hm_jet;
 
 /* The same operation of jets, one with a table (of one or three), and a segment of the tape. Rates and second derivatives of the
-   numbers lie in `jet`, 2 for each; what a segment reads stands still after hm_stop_jets. */
+   numbers lie in `jet`, 2 for each; what a segment reads stands still after hm_stop_jets. hm_run_jets returns how many operations
+   took for granted that arguments whose first two derivatives are 0 stand still. */
 hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c);
 hm_jet hm_look_up_jet(int32_t code, const hm_jet *x, const double *first, const double *last);
 void hm_stop_jets(const holonom_model *model, int32_t segment, double *jet);
-void hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
+int32_t hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
 
-/* A spline, or its derivative of that order, 1 or 2, at x; and its slope (f(x1) - f(x0))/(x1 - x0), without a difference of
+/* Sign that a jet has just after the present: of the first of value, rate and second derivative that is not 0. */
+static inline double hm_sign_after(hm_jet a)
+{
+    const double first = a.value != 0.0 ? a.value : a.rate != 0.0 ? a.rate : a.bend;
+    return (double)((first > 0.0) - (first < 0.0));
+}
+
+/* Whether a jet falls from now on. */
+static inline int hm_falls(hm_jet a) { return hm_sign_after((hm_jet){0.0, a.rate, a.bend}) < 0.0; }
+
+/* A spline, or its derivative of that order, 1 or 2, at x; it and its next two derivatives (3, overwritten), at a knot those of the
+   piece that x comes to if it `falls` or not; and its slope (f(x1) - f(x0))/(x1 - x0), without a difference of
    values. Its table lies from `first` to `last`, one row at least behind its first number; see spline.c.       */
 double hm_spline(int order, double x, const double *first, const double *last);
+void hm_spline_derivatives(int order, double x, int falls, const double *first, const double *last, double *found);
 double hm_spline_slope(int order, double x0, double x1, const double *first, const double *last);
 
 /* A spline of three coordinates x, or one of its three derivatives; NaN if the table is none. And its mean gradient between

@@ -1,16 +1,10 @@
 /* Jets: values with their rates and second derivatives in time, through the operations of tapes and functions (forward mode).
 
-   They look forward: at a kink or a jump, such as that of max(t, 0) at 0, the jet is that of what follows. */
+   They look forward: at a kink or a jump, such as that of max(t, 0) at 0, the jet is that of what follows, and a table is read in
+   the piece that its argument comes to. */
 #include "small.h"
 
 #include "internal.h"
-
-/* Sign that a jet has just after the present: of the first of value, rate and second derivative that is not 0. */
-static double sign_after(hm_jet a)
-{
-    const double first = a.value != 0.0 ? a.value : a.rate != 0.0 ? a.rate : a.bend;
-    return (double)((first > 0.0) - (first < 0.0));
-}
 
 static hm_jet jet_difference(hm_jet a, hm_jet b) { return (hm_jet){a.value - b.value, a.rate - b.rate, a.bend - b.bend}; }
 
@@ -28,10 +22,12 @@ static hm_jet jet_quotient(hm_jet a, hm_jet b)
 
 static int jet_stands(hm_jet a) { return a.rate == 0.0 && a.bend == 0.0; }
 
-/* Of a function of a with this value and these derivatives, which may be infinite where a stands. */
+/* Of a function of a with this value and these derivatives, which may be infinite where a stands. Where the slope is infinite and
+   the rate is 0, their product may have a limit, as that of sqrt(t^2) does: both rates are NaN. */
 static hm_jet jet_chain(hm_jet a, double value, double slope, double curvature)
 {
     if (jet_stands(a)) return (hm_jet){value, 0.0, 0.0};
+    if (a.rate == 0.0 && !(fabs(slope) < INFINITY)) return (hm_jet){value, NAN, NAN};
     return (hm_jet){value, slope * a.rate, slope * a.bend + (a.rate == 0.0 ? 0.0 : curvature * a.rate * a.rate)};
 }
 
@@ -63,7 +59,7 @@ static hm_jet jet_modulus(hm_jet a, hm_jet b)
     if (value == 0.0) {
         hm_jet after = jet_quotient(a, b);
         after.value = 0.0;
-        if (sign_after(after) < 0.0) value = b.value, whole -= 1.0;
+        if (hm_sign_after(after) < 0.0) value = b.value, whole -= 1.0;
     }
     return (hm_jet){value, a.rate - whole * b.rate, a.bend - whole * b.bend};
 }
@@ -71,7 +67,7 @@ static hm_jet jet_modulus(hm_jet a, hm_jet b)
 /* Floor or ceiling: at a whole number, of the side to which a goes. */
 static double rounded_jet(int32_t code, hm_jet a)
 {
-    const double value = hm_operate(code, a.value, 0.0, 0.0), goes = sign_after((hm_jet){0.0, a.rate, a.bend});
+    const double value = hm_operate(code, a.value, 0.0, 0.0), goes = hm_sign_after((hm_jet){0.0, a.rate, a.bend});
     if (value != a.value) return value;
     return code == T_FLOOR ? value - (goes < 0.0) : value + (goes > 0.0);
 }
@@ -80,7 +76,7 @@ static double rounded_jet(int32_t code, hm_jet a)
 static double compared_jets(int32_t code, hm_jet a, hm_jet b)
 {
     if (a.value != b.value) return hm_operate(code, a.value, b.value, 0.0);
-    return hm_operate(code, sign_after((hm_jet){0.0, a.rate - b.rate, a.bend - b.bend}), 0.0, 0.0);
+    return hm_operate(code, hm_sign_after((hm_jet){0.0, a.rate - b.rate, a.bend - b.bend}), 0.0, 0.0);
 }
 
 hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c)
@@ -107,12 +103,12 @@ hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c)
     case T_SINH: return jet_chain(a, f, hm_cosh(x), f);
     case T_COSH: return jet_chain(a, f, hm_sinh(x), f);
     case T_TANH: return jet_chain(a, f, 1.0 - f * f, -2.0 * f * (1.0 - f * f));
-    case T_ABS: return sign_after(a) < 0.0 ? (hm_jet){f, -a.rate, -a.bend} : (hm_jet){f, a.rate, a.bend};
+    case T_ABS: return hm_sign_after(a) < 0.0 ? (hm_jet){f, -a.rate, -a.bend} : (hm_jet){f, a.rate, a.bend};
     case T_MIN: return x != x || (b.value == b.value && compared_jets(T_LE, a, b) != 0.0) ? a : b;
     case T_MAX: return x != x || (b.value == b.value && compared_jets(T_GE, a, b) != 0.0) ? a : b;
     case T_SELECT: return x != 0.0 ? b : c;
     case T_MOD: return jet_modulus(a, b);
-    case T_SIGN: return (hm_jet){x != x ? x : sign_after(a), 0.0, 0.0};
+    case T_SIGN: return (hm_jet){x != x ? x : hm_sign_after(a), 0.0, 0.0};
     case T_FLOOR: case T_CEIL: return (hm_jet){rounded_jet(code, a), 0.0, 0.0};
     case T_LT: case T_LE: case T_GT: case T_GE: case T_EQ: case T_NE: return (hm_jet){compared_jets(code, a, b), 0.0, 0.0};
     default: return (hm_jet){f, 0.0, 0.0};
@@ -121,10 +117,10 @@ hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c)
 
 hm_jet hm_look_up_jet(int32_t code, const hm_jet *x, const double *first, const double *last)
 {
-    const int order = code - T_SPLINE;
+    double f[3];
     if (reads_grid(code)) return hm_grid_jet(code - T_GRID, x, first, last);
-    return jet_chain(*x, hm_spline(order, x->value, first, last), hm_spline(order + 1, x->value, first, last),
-                 hm_spline(order + 2, x->value, first, last));
+    hm_spline_derivatives(code - T_SPLINE, x->value, hm_falls(*x), first, last, f);
+    return jet_chain(*x, f[0], f[1], f[2]);
 }
 
 static const int32_t *operations_of(const holonom_model *m, int32_t segment, int32_t *count)
@@ -149,19 +145,37 @@ static hm_jet jet_at(const double *numbers, const double *jet, int32_t place)
     return (hm_jet){numbers[place], jet[2 * place], jet[2 * place + 1]};
 }
 
-void hm_run_jets(const holonom_model *m, double *numbers, int32_t segment, double *jet)
+/* Whether the jet of an operation depends on derivatives beyond the second, unless its arguments stand still: at a tie, or where
+   its slope is infinite. */
+static int is_in_doubt(int32_t code, hm_jet a, hm_jet b)
 {
-    int32_t count;
+    const hm_jet apart = jet_difference(a, b);
+    switch (code) {
+    case T_SQRT: return a.value == 0.0 && jet_stands(a);
+    case T_POW: return a.value == 0.0 && b.value < 2.0 && jet_stands(a);
+    case T_ASIN: case T_ACOS: return fabs(a.value) == 1.0 && jet_stands(a);
+    case T_SIGN: return a.value == 0.0 && jet_stands(a);
+    case T_FLOOR: case T_CEIL: return a.value == floor(a.value) && jet_stands(a);
+    case T_LT: case T_LE: case T_GT: case T_GE: case T_EQ: case T_NE: return apart.value == 0.0 && jet_stands(apart);
+    default: return 0;
+    }
+}
+
+int32_t hm_run_jets(const holonom_model *m, double *numbers, int32_t segment, double *jet)
+{
+    int32_t count, doubts = 0;
     const int32_t *op = operations_of(m, segment, &count), *end = op + 5 * (int64_t)count;
     for (; op < end; op += 5) {
         hm_jet x[3] = {jet_at(numbers, jet, op[2])}, y;
         for (int k = 1; k < 3 && reads_grid(op[0]); k++) x[k] = jet_at(numbers, jet, op[2] + k);
         if (op[0] >= T_SPLINE) y = hm_look_up_jet(op[0], x, numbers + op[3], numbers + op[4]);
         else y = hm_operate_jet(op[0], x[0], jet_at(numbers, jet, op[3]), jet_at(numbers, jet, op[4]));
+        doubts += is_in_doubt(op[0], x[0], jet_at(numbers, jet, op[3]));
         numbers[op[1]] = y.value;
         jet[2 * op[1]] = y.rate;
         jet[2 * op[1] + 1] = y.bend;
     }
+    return doubts;
 }
 
 #include "small.h"

@@ -46,6 +46,9 @@ const char *hm_about_step(int32_t status)
         return "the internal step collapsed: solver.tolerance asks for more than 1e6 pairs of half steps in this communication "
                "step; take shorter communication steps or a wider solver.tolerance; if neither helps, look for masses or sizes that are many "
                "powers of ten apart";
+    case HOLONOM_BAD_DRIVER:
+        return "it has no finite value at this time, and velocities or forces would be infinite; write a formula that is smooth there, "
+               "as t**2 is and t**1.5 is not, or start at another time";
 #if HM_CONTACTS
     case HOLONOM_CONTACT_UNDECIDED:
         return "no choice of closed contacts and sticking frictions agrees with the forces; there may be several or none where friction "
@@ -94,6 +97,35 @@ static void say_node(hm_text *text, const hm_model_file *f, const char *before, 
             }
     if (!m->node_kind[node]) name_of_part(f, DIM * node, &name);
     if (name.used) hm_say(text, "%s'%s': ", before, room);
+}
+
+/* Says what of a signal is not finite, and its driver or constraint: 3 b + 0, 1 or 2, see blame_signal. */
+static void say_signal(hm_text *text, const hm_model_file *f, int32_t what)
+{
+    static const char *const OF[] = {"the value of ", "the rate of ", "the second derivative of "};
+    const holonom_model *m = &f->model;
+    const int32_t b = what / 3, first = m->n_form_rows + DIM * m->n_coincidences;
+    hm_say(text, "%s", OF[what % 3]);
+    if (b < DIM * m->n_driven) {
+        double *measured = (double *)f->numbers + m->measured_at; /* not modified */
+        char room[128];
+        hm_text name = {room, sizeof room, 0};
+        hm_measured y;
+        hm_map_measured(m, measured, &y);
+        name_of_part(f, (int32_t)(y.driven_force - measured) + b, &name);
+        for (char *p = room; name.used && *p; p++)
+            if (*p == '.') *p = '\0'; /* hand, of hand.force.x */
+        hm_say(text, "driver '%s': ", room);
+        return;
+    }
+    for (int32_t row = first; row < m->n_rows; row++) {
+        const int32_t j = m->n_elements + row - first;
+        for (int32_t at = m->leaf_ptr[j]; at < m->leaf_ptr[j + 1]; at++)
+            if (m->leaf[4 * at] == LEAF_SIGNAL && m->leaf[4 * at + 1] == b) {
+                hm_say(text, "%s: ", f->text + f->row[row].name);
+                return;
+            }
+    }
 }
 
 static int is_no_number(const double *x, int32_t n)
@@ -146,7 +178,8 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     const int32_t fault = is_sure || is_unsolved(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
     if (is_unsolved(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
-    if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
+    if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, fault - n_rows - f->model.n_free - f->model.n_driven);
+    else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
     else
         say_element(text, f, numbers, fault - n_rows - f->model.n_free,

@@ -35,14 +35,36 @@ static void derive(const double *row, int order, double *c)
     }
 }
 
+/* A derivative of a row at x. */
+HM_OFTEN double row_value(const double *row, int order, double x)
+{
+    double c[DEGREE + 1], value = 0.0;
+    derive(row, order, c);
+    for (int j = DEGREE; j >= 0; j--) value = value * (x - row[0]) + c[j];
+    return value;
+}
+
 double hm_spline(int order, double x, const double *first, const double *last)
 {
     const spot at = spot_of(x, first + 1, (int32_t)((last - first) / ROW), *first);
-    const double *row = first + 1 + ROW * at.row, s = at.x - row[0];
-    double c[DEGREE + 1], value = 0.0;
-    derive(row, order, c);
-    for (int j = DEGREE; j >= 0; j--) value = value * s + c[j];
-    return value;
+    return row_value(first + 1 + ROW * at.row, order, at.x);
+}
+
+/* A spot at the beginning of a row becomes the end of the row before; in a period that before the first is the last. */
+static spot spot_before(spot at, const double *row, int32_t count, double period)
+{
+    if (at.row == 0 || at.x != row[ROW * at.row]) return at;
+    if (period > 0.0 && at.row == 1) return (spot){row[ROW * (count - 1)], at.turns - 1.0, count - 2};
+    return (spot){at.x, at.turns, at.row - 1};
+}
+
+void hm_spline_derivatives(int order, double x, int falls, const double *first, const double *last, double *found)
+{
+    const double *row = first + 1, period = *first;
+    const int32_t count = (int32_t)((last - first) / ROW);
+    spot at = spot_of(x, row, count, period);
+    if (falls) at = spot_before(at, row, count, period);
+    for (int k = 0; k < 3; k++) found[k] = row_value(row + ROW * at.row, order + k, at.x);
 }
 
 /* (p(x1) - p(x0))/(x1 - x0) of one row: p = p(x0) + (x - x0) q, and q at x1, both by Horner's rule. */

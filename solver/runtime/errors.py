@@ -74,6 +74,7 @@ class Status(IntEnum):
     PENETRATION = 15  # a gap is negative at the start
     AT_DEAD_CENTRE = 16  # velocities at the start belong to no motion: rows lack accelerations
     STOPPED = 17  # who waits for the step has asked for its end
+    BAD_DRIVER = 18  # the value, rate or second derivative of a signal is not finite
 
 
 def is_double(value: object) -> bool:

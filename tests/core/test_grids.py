@@ -42,6 +42,8 @@ def library() -> ctypes.CDLL:
     loaded = ctypes.CDLL(str(target))
     loaded.hm_grid.restype = ctypes.c_double
     loaded.hm_grid.argtypes = [ctypes.c_int, *[ctypes.c_void_p] * 3]
+    loaded.hm_grid_jet.restype = Jet
+    loaded.hm_grid_jet.argtypes = [ctypes.c_int, *[ctypes.c_void_p] * 3]
     loaded.hm_grid_slopes.restype = None
     loaded.hm_grid_slopes.argtypes = [ctypes.c_int, *[ctypes.c_void_p] * 5]
     return loaded
@@ -140,3 +142,31 @@ def test_a_table_of_another_size_has_no_value(counts):
     numbers = np.array(TABLE.numbers)
     numbers[4:7] = counts
     assert math.isnan(value(0, ORIGIN, numbers))
+
+
+class Jet(ctypes.Structure):
+    """A number that changes with time, `hm_jet` of the core."""
+
+    _fields_ = [(name, ctypes.c_double) for name in ("value", "rate", "bend")]
+
+
+def bend(place: Array, rates: Array) -> float:
+    """Second derivative in time of the slope along x where a place moves at constant rates.
+
+    The grid begins at 0, so that faces of its cubes are known to the last bit.
+    """
+    table = np.array([*np.zeros(3), *TABLE.numbers[3:]])
+    coordinates = (Jet * 3)(*(Jet(x, v, 0.0) for x, v in zip(place, rates, strict=True)))
+    ends = table.ctypes.data, table.ctypes.data + 8 * (len(table) - 1)
+    return library().hm_grid_jet(1, ctypes.addressof(coordinates), *ends).bend
+
+
+@needs_compiler
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_place_between_cubes_moves_in_the_cube_that_it_comes_to(way):
+    """The third derivative along x is constant along x within a cube, and jumps between cubes."""
+    face = SPACING * np.array([3.0, 1.5, 2.25])
+    along = np.array([way, 0.0, 0.0])
+    inside = bend(face + 0.5 * SPACING * along, along)
+    assert bend(face, along) == pytest.approx(inside, rel=1e-12)
+    assert bend(face, along) != pytest.approx(bend(face, -along), rel=0.1)

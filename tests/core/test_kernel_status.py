@@ -134,6 +134,7 @@ FAILURES = {
     Status.STEP_COLLAPSED: (PENDULUM, {"tolerance": 1e-14, "order": 2.0}, {}, 1e3),
     Status.TURN_TOO_LARGE: (SPINNING, {"step_size": 0.1}, {}, 0.1),
     Status.IMPACT_UNSOLVED: (STOPPED, {}, {}, 0.1),
+    Status.BAD_DRIVER: (STOPPED.replace('"t"', '"sqrt(0.1 - t) - sqrt(0.1)"'), {}, {}, 0.1),
     Status.TOO_MANY_EVENTS: (BOUNCING_AND_STOPPED, {"max_events": 2}, {}, 0.1),
 }
 """What provokes each status: scene, settings, inputs, communication step."""
@@ -151,6 +152,7 @@ SENTENCES = {
     Status.DAMPING_REVERSED: "dampers fed energy, " + HALVED,
     Status.STEP_COLLAPSED: "the internal step collapsed: solver.tolerance asks for more than 1e6",
     Status.TURN_TOO_LARGE: "a body turns by more than 2.5 rad within a half step",
+    Status.BAD_DRIVER: "the rate of driver 'motor': it has no finite value at this time",
     Status.IMPACT_UNSOLVED: "contact 'end': no impulses were found that obey the law of impact",
     Status.TOO_MANY_EVENTS: "contact 'floor': contacts change more often than solver.max_events",
 }

@@ -67,6 +67,20 @@ def test_what_hunt_and_crossley_take_is_what_the_motion_lost():
     assert lost > 0.1
 
 
+@pytest.mark.parametrize("speed", [1.0, -1.0, 30.0])
+@pytest.mark.parametrize("exponent", [1.0, 1.5, 2.0, 2.2])
+def test_a_piece_of_a_nanosecond_dissipates_its_power_times_its_length(exponent, speed):
+    """K depth^n (0.3 s/m) v^2 of the law. A rigid contact elsewhere lets steps be cut into pieces."""
+    law = HUNT_CROSSLEY | {"exponent": exponent, "damping": 0.01}
+    content = falling(law, -0.01, speed)
+    content["points"]["q"] = {"mass": 1.0, "position": [5.0, 5.0]}
+    content["contacts"]["far"] = {"type": "plane", "point": "q", "axis": [0, 1]}
+    integrator = begin(content, 0.01)
+    integrator.advance(0.0, 1e-9)
+    power = 1e6 * 0.01**exponent * 0.01 * speed**2
+    assert integrator["energy.dissipated"] == pytest.approx(1e-9 * power, rel=1e-12, abs=0.0)
+
+
 @pytest.mark.parametrize("damping", [3.0, 100.0])
 def test_a_strongly_damped_contact_never_pulls_and_only_takes_energy(damping):
     # The damping would pull while it opens faster than 1/damping.

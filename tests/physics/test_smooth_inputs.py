@@ -132,3 +132,59 @@ def test_a_short_step_does_not_enlarge_what_its_value_lacks():
     driven(integrator, lambda t: 0.5 * t * t - 1e-5, [1e-4])
     rate = driven(integrator, lambda t: 0.5 * t * t, [0.01])[-1, 2]
     assert rate == pytest.approx(integrator.time, abs=0.01)
+
+
+MASS = """
+name = "mass"
+dimension = 2
+[inputs]
+push = { unit = "N", interpolation = "smooth" }
+[points]
+P = { position = [0, 0], mass = 1 }
+[forces]
+force = { type = "force", point = "P", value = ["push", 0] }
+[solver]
+step_size = 1e-3
+"""
+"""Its velocity is the integral of its force."""
+
+
+@pytest.mark.parametrize("growth", [1.2, 1.5, 2.0, 2.5, 3.0, 10.0])
+@pytest.mark.parametrize("short", [1e-4, 1e-3, 0.02, 0.05, 0.099])
+def test_a_smooth_input_that_jumps_in_a_short_step_stays_near_its_values(short, growth):
+    """From 0 to 4 N: the mean force of no later step is farther than 1 N from 4 N, at any lengths.
+
+    So far is the mean of a cubic that begins with the bound of its slope, 3 times 4 N over its
+    step; 4/short, which the slope is at the end of the short step, may be as much as 40 kN/s.
+    """
+    after = [min(0.1, short * growth**k) for k in range(1, 8)]
+    integrator = Integrator(solver.assemble(solver.loads(MASS)))
+    integrator.initialise()
+    for step, force in [(0.1, 0.0), (0.1 - short, 0.0), (short, 4.0), *((h, 4.0) for h in after)]:
+        integrator["push"] = force
+        before = integrator["P.vx"]
+        integrator.advance(integrator.time, step)
+        mean = (integrator["P.vx"] - before) / step
+        assert 0.0 <= mean < 4.0 if step == short else abs(mean - force) <= 1.0
+
+
+def test_a_smooth_input_is_constant_in_a_long_step_after_a_jump_in_a_short_one():
+    """As an importer leaves it that takes a jump within its step: 40 kN/s for the values of 4 N."""
+    integrator = Integrator(solver.assemble(solver.loads(MASS)))
+    integrator.initialise()
+    for step, force in [(0.1, 0.0), (1e-4, 4.0), (0.1, 4.0), (0.1, 4.0)]:
+        integrator["push"] = force
+        before = integrator["P.vx"]
+        integrator.advance(integrator.time, step)
+    assert (integrator["P.vx"] - before) / step == pytest.approx(4.0, abs=1e-9)
+
+
+def test_a_driver_follows_a_smooth_input_whose_slope_is_bounded_after_a_jump():
+    """Its rate jumps then as that of a ramp does, by an impulse."""
+    integrator = begun(1e-8)
+    for step, angle in [(0.1, 0.0), (1e-3, 0.1), (0.05, 0.1), (0.05, 0.1)]:
+        integrator["u"] = angle
+        integrator.advance(integrator.time, step)
+        assert integrator["constraint.velocity"] < 1e-10
+    assert integrator["A.angular_velocity"] == pytest.approx(0.0, abs=1e-9)
+    assert integrator["motor.torque"] == pytest.approx(torque(np.array(0.1), 0.0), rel=1e-6)
