@@ -169,3 +169,43 @@ def test_an_fmu_closes_it_with_its_inputs():
 @pytest.mark.long
 def test_an_fmu_closes_56_poses_of_56():
     assert max(fmu_poses(STROKES)) < 1e-9
+
+
+CRANKS = """
+name = "cranks"
+dimension = 2
+gravity = [0, -9.81]
+[bodies]
+coupler = { position = [0.764842, 0.644218], mass = 2, inertia = 0.5, points = { p0 = [0, 0], p1 = [1, 0], p2 = [2, 0] } }
+c0 = { position = [0, 0], orientation = 0.7, mass = 1, inertia = 0.1, points = { tip = [1, 0] } }
+c1 = { position = [1, 0], orientation = ANGLE, mass = 1, inertia = 0.1, points = { tip = [1, 0] } }
+c2 = { position = [2, 0], orientation = 0.7, mass = 1, inertia = 0.1, points = { tip = [1, 0] } }
+[joints]
+a0 = { type = "revolute", points = ["ground", "c0"], at = [0, 0] }
+a1 = { type = "revolute", points = ["ground", "c1"], at = [1, 0] }
+a2 = { type = "revolute", points = ["ground", "c2"], at = [2, 0] }
+b0 = { type = "revolute", points = ["c0.tip", "coupler.p0"] }
+b1 = { type = "revolute", points = ["c1.tip", "coupler.p1"] }
+b2 = { type = "revolute", points = ["c2.tip", "coupler.p2"] }
+[solver]
+assemble = true
+step_size = 0.001
+"""  # noqa: E501 - one body a line
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 1e-8])
+@pytest.mark.parametrize("error", [1e-4, 0.01, 0.02, -0.02])
+def test_three_parallel_cranks_are_closed_and_move_as_one(error, tolerance):
+    """One of three is redundant. All turn alike: I w^2/2 + m g sin(a) is kept, I = 3 J + m."""
+    text = CRANKS.replace("ANGLE", str(0.7 + error))
+    integrator, _ = start(text)
+    integrator["solver.tolerance"] = tolerance
+    drawn = float(integrator["c0.angle"])
+    assert drawn == pytest.approx(0.7, abs=abs(error))
+    for _ in range(20):
+        integrator.advance(integrator.time, 0.01)
+    angles = [float(integrator[f"c{k}.angle"]) for k in range(3)]
+    assert angles == pytest.approx([angles[0]] * 3, abs=ROUND_OFF)
+    fallen = 2.0 * 9.81 * (math.sin(drawn) - math.sin(angles[0]))
+    speed = float(integrator["c0.angular_velocity"])
+    assert 0.5 * 2.3 * speed**2 == pytest.approx(fallen, rel=1e-9)
