@@ -91,7 +91,7 @@ def model_description(
         element("DefaultExperiment", **experiment),
         element(
             "VendorAnnotations",
-            *(element("Tool", each, name=name) for name, each in vendor_annotations(source)),
+            *(element("Tool", each, name=name) for name, each in vendor_annotations(model, source)),
         ),
         element("ModelVariables", *variables),
         _structure(model, ports),
@@ -139,13 +139,17 @@ def _type(unit: str, name: str, nominal: Mapping[str, float]) -> Element:
     return element("SimpleType", real, name=name)
 
 
-def vendor_annotations(source: Source | None) -> list[tuple[str, Element]]:
-    """Names and content of annotations: the scene, and where its drawing is.
+def vendor_annotations(model: Model, source: Source | None) -> list[tuple[str, Element]]:
+    """Names and content of annotations: the scene, where its drawing is, and inputs that move.
 
-    From the scene an FMU can be built again; the drawing is for tools without holonom. FMI 2 has
-    room for one element in each.
+    From the scene an FMU can be built again; the drawing is for tools without holonom. Inputs that
+    move within a communication step are to be set to their values at its end. FMI 2 has room for
+    one element in each.
     """
     found = [("holonom.drawing", element("Drawing", file=DRAWING))]
+    if moving := model.moving_inputs.items():
+        inputs = (element("Input", name=name, interpolation=word) for name, word in moving)
+        found.append(("holonom.inputs", element("Inputs", *inputs)))
     if source is None or not source.text:
         return found
     scene = element("Scene", format=source.notation)

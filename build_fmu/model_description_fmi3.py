@@ -75,7 +75,7 @@ def model_description_fmi3(
         _structure(model, ports),
         element(
             "Annotations",
-            *(element("Annotation", each, type=name) for name, each in vendor_annotations(source)),
+            *(element("Annotation", each, type=name) for name, each in vendor_annotations(model, source)),
         ),
     )  # fmt: skip
 

@@ -20,7 +20,7 @@ from build_fmu.fmu_runner import FmuRunner
 from build_fmu.instance import start_time_of
 from build_fmu.motion import Poses, largest_by_unit
 from build_fmu.reference import Reference
-from build_fmu.signals import inputs_of
+from build_fmu.signals import inputs_of, interpolations_in
 from build_fmu.study.settings import Source, entries_of, fmu_settings
 from solver.runtime import OptionError
 from solver.signals import communication_points
@@ -100,8 +100,7 @@ def run_fmu(
         name numbers, functions of the time in s, and arrays, with their times as "time". Between
         the times inputs go in straight lines, before and after them they stay; a time that stands
         twice is a jump, where a step ends too. A held input gets its value at the beginning of each
-        communication step, a ramped or smooth one, as its description in the FMU says, that at its
-        end: hence a short `step_size`.
+        communication step, a ramped or smooth one, by the FMU's annotation, that at its end: hence a short `step_size`.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
     with_local
@@ -122,7 +121,7 @@ def run_fmu(
         entries = {**entries_of(given.held, "inputs"), **entries_of(settings, "settings")}
         start_values = fmu_settings(description, [entries])[0]
         times = communication_times(description, stop_time, step_size)
-        signals = given.courses(description, start_values, times)
+        signals = given.courses(description, interpolations_in(path), start_values, times)
         recorded = (*RECORDED, "local") if with_local else RECORDED
         variables = [v for v in description.modelVariables if v.causality in recorded]
         names = [v.name for v in variables if v.type != "String"]

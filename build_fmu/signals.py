@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree
 
 from build_fmu.reference import Reference, name_of, read_columns
 from build_fmu.study.values import Mistake, nearest, refuse
 from solver.signals import Courses, Problem, changes, courses, moving_inputs
 
 if TYPE_CHECKING:
+    from os import PathLike
+
     from fmpy.model_description import ModelDescription
+
+
+def interpolations_in(path: str | PathLike[str]) -> dict[str, str]:
+    """Inputs of an FMU that move within a communication step, by its annotation: ramp or smooth."""
+    with zipfile.ZipFile(path) as archive:
+        root = ElementTree.fromstring(archive.read("modelDescription.xml"))
+    found = root.iterfind(".//Inputs/Input")
+    return {each.get("name", ""): each.get("interpolation", "") for each in found}
 
 
 @dataclass(frozen=True)
@@ -26,9 +38,15 @@ class Inputs:
     """Where the rows are in the file."""
 
     def courses(
-        self, description: ModelDescription, values: Mapping[str, object], times: Sequence[float]
+        self,
+        description: ModelDescription,
+        interpolations: Mapping[str, str],
+        values: Mapping[str, object],
+        times: Sequence[float],
     ) -> Courses:
         """Inputs that change, over the communication points `times` [s]; `values` has the others.
+
+        `interpolations` tells those that move within a step.
 
         Raises
         ------
@@ -51,7 +69,7 @@ class Inputs:
             mistakes.append(Mistake(self.where, "has no column of an input", nearest("", known)))
         refuse(mistakes)
         problems: list[Problem] = []
-        moving = moving_inputs(description.modelVariables)
+        moving = moving_inputs(interpolations, description.modelVariables)
         found = courses(self.changing, times, moving, problems, self.places)
         refuse(Mistake(self.where, *problem) for problem in problems)
         return found

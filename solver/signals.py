@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from solver.runtime.errors import OptionError, is_double, shown
-from solver.scene.parameters import interpolation_told
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -85,11 +84,10 @@ class Moving:
     unit: str
 
 
-def moving_inputs(variables: Iterable[Any]) -> dict[str, Moving]:
-    """Inputs among the variables of a model or an FMU that move within a step, by name."""
-    inputs = [v for v in variables if v.causality == "input"]
-    told = {v.name: Moving(interpolation_told(v.description or ""), v.unit or "") for v in inputs}
-    return {name: moving for name, moving in told.items() if moving.interpolation != "hold"}
+def moving_inputs(interpolations: Mapping[str, str], variables: Iterable[Any]) -> dict[str, Moving]:
+    """Inputs that move within a step, with their units, which the variables tell."""
+    units = {v.name: v.unit or "" for v in variables if v.name in interpolations}
+    return {name: Moving(interpolations[name], unit) for name, unit in units.items()}
 
 
 @dataclass(frozen=True, slots=True)

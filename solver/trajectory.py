@@ -242,7 +242,8 @@ def _courses(
     """Inputs that change, over the communication points."""
     problems: list[Problem] = []
     changing = {name: signal for name, signal in inputs.items() if name not in held}
-    found = courses(changing, times, moving_inputs(model.variables), problems)
+    moving = moving_inputs(model.moving_inputs, model.variables)
+    found = courses(changing, times, moving, problems)
     if problems:
         raise OptionError("\n".join(f"inputs: {message}; {help}" for message, help in problems))
     return found

@@ -20,9 +20,7 @@ from solver.runtime import AssemblyError, Experiment, Integrator, Model, OptionE
 from solver.runtime.layout import (
     FACTORS,
     FORM_TURNED,
-    INPUT_HELD,
-    INPUT_RAMPS,
-    INPUT_SMOOTH,
+    INPUT_COURSES,
     SIZES,
     TABLES,
     measured_size,
@@ -36,8 +34,6 @@ SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 """Half steps whose misses a state keeps, by the order: all of two internal steps. A tolerance may
 choose any order, and has those of two steps of order 6. An order that is set after the assembly
 works with fewer slots, and takes up to a third longer."""
-INPUT_COURSES = {"hold": INPUT_HELD, "ramp": INPUT_RAMPS, "smooth": INPUT_SMOOTH}
-"""By the word of a scene."""
 
 
 def assemble(scene: Scene) -> Model:
@@ -102,7 +98,7 @@ def unchecked_model(scene: Scene) -> tuple[Parts, Model]:
     tables = structure.tables() | eliminations(structure) | _functions(structure, numbers)
     places = map(numbers.place, mechanism.rule_numbers)
     rules = tuple(Rule(x, *rule[1:]) for x, rule in zip(places, mechanism.rules, strict=True))
-    courses = (INPUT_COURSES[x.interpolation] for x in scene.inputs.values())
+    courses = (INPUT_COURSES.index(x.interpolation) for x in scene.inputs.values())
     tables["input_course"] = array("i", courses)
     variables = tuple(variables_of(scene, table, structure, numbers))
     tables["tape"] = array("i", (x for s in Segment for x in numbers.tape.operations[s]))

@@ -234,6 +234,7 @@ FORM_AXES = 8  # u turns with one body; w with another, or is constant
 FORM_AXES_OF_W = 16  # of these: w is that of the body that comes first
 QUANTITY_FORM, QUANTITY_LENGTH, QUANTITY_ANGLE = 0, 1, 2
 INPUT_HELD, INPUT_RAMPS, INPUT_SMOOTH = 0, 1, 2
+INPUT_COURSES = ("hold", "ramp", "smooth")  # by the word of a scene
 LEAF_VALUE, LEAF_RATE, LEAF_SIGNAL = 0, 1, 2
 SAMPLED_LOAD, SAMPLED_MOMENT, SAMPLED_BODY_MOMENT, SAMPLED_DRIVE = 0, 1, 2, 3  # see sampling.h
 REACTION_COINCIDENCE, REACTION_FORCE, REACTION_TORQUE = 0, 1, 2

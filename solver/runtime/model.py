@@ -19,6 +19,7 @@ from collections import namedtuple
 from functools import cached_property
 
 from .errors import OptionError, UnknownNameError
+from .layout import INPUT_COURSES
 from .model_file import fingerprint, from_bytes
 
 
@@ -142,6 +143,15 @@ class Model(
     def fingerprint(self) -> str:
         """Hash of all that a run depends on."""
         return fingerprint(self.file)
+
+    @property
+    def moving_inputs(self) -> dict[str, str]:
+        """How inputs go that move within a communication step, "ramp" or "smooth", by name."""
+        courses = self.tables["input_course"]
+        words = {
+            v.name: INPUT_COURSES[courses[v.place]] for v in self.variables if v.kind == "input"
+        }
+        return {name: word for name, word in words.items() if word != "hold"}
 
     @cached_property
     def _places(self) -> dict[str, int]:

@@ -127,12 +127,6 @@ _MOVES = {
 """What is said of inputs that are not held, by interpolation."""
 
 
-def interpolation_told(description: str) -> str:
-    """Interpolation of an input by its description in an FMU."""
-    told = (word for word, moves in _MOVES.items() if description.rstrip(")").endswith(moves))
-    return next(told, "hold")
-
-
 def _within_limits(
     reader: "Reader", path: Path, part: "Parameter | Input", value: float | None
 ) -> bool:

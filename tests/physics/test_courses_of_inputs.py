@@ -102,6 +102,26 @@ def test_the_command_follows_the_file_of_a_course_without_a_lag(capsys, tmp_path
         assert found["A.angle"] == pytest.approx(np.sin(found["time"]) ** 2, abs=1e-12)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "moves (a ramp: before each step set it)",
+        "smooth: before each step set its value at the end of the step",
+    ],
+)
+@pytest.mark.parametrize("word", ["hold", "ramp", "smooth"])
+@EVERYWHERE
+def test_how_an_input_moves_does_not_hang_on_words_of_its_description(moved, word, text):
+    """The integral of t over a step: held at its beginning, t H; else in the middle, by the line."""
+    scene = MASS.replace('"N"', f'"N", interpolation = "{word}", description = "{text}"')
+    found = moved(scene, {"push": lambda t: t}, 0.4, 0.1)
+    held = 0.1 * np.cumsum([0.0, 0.0, 0.1, 0.2, 0.3]) / 2.0
+    line = found["time"] ** 2 / 4.0
+    late = np.abs(found["A.vx"] - (held if word == "hold" else line)).max()
+    assert late < (1e-3 if word == "smooth" else 1e-12)  # a smooth one begins from rest
+
+
 @pytest.mark.parametrize("word", ["hold", "ramp", "smooth"])
 def test_the_description_of_an_input_says_what_to_set_before_a_step(word):
     """In every kind of FMU, where importers show it, and on its page."""
