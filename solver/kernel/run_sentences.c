@@ -112,6 +112,12 @@ static void say_node(hm_text *text, const hm_model_file *f, const char *before, 
     if (name.used) hm_say(text, "%s'%s': ", before, room);
 }
 
+/* Place of the first of element_force among the measurements, see MEASURED. */
+static int32_t first_element_force(const holonom_model *m)
+{
+    return 2 * DIM * (m->n_free + m->n_driven + m->n_places) + 2 * m->n_quantities;
+}
+
 /* Says what of a signal is not finite, and its driver or constraint: 3 b + 0, 1 or 2, see blame_signal. */
 static void say_signal(hm_text *text, const hm_model_file *f, int32_t what)
 {
@@ -120,12 +126,11 @@ static void say_signal(hm_text *text, const hm_model_file *f, int32_t what)
     const int32_t b = what / 3, first = m->n_form_rows + DIM * m->n_coincidences;
     hm_say(text, "%s", OF[what % 3]);
     if (b < DIM * m->n_driven) {
-        double *measured = (double *)f->numbers + m->measured_at; /* not modified */
+        const int32_t first_driven_force = first_element_force(m) + m->n_elements + m->n_form_rows + m->n_rows +
+                                           7 * (DIM - 2) * m->n_bodies + (3 * DIM - 3) * m->n_reactions;
         char room[128];
         hm_text name = {room, sizeof room, 0};
-        hm_measured y;
-        hm_map_measured(m, measured, &y);
-        name_of_part(f, (int32_t)(y.driven_force - measured) + b, &name);
+        name_of_part(f, first_driven_force + b, &name);
         for (char *p = room; name.used && *p; p++)
             if (*p == '.') *p = '\0'; /* hand, of hand.force.x */
         hm_say(text, "driver '%s': ", room);
@@ -152,8 +157,7 @@ static int is_no_number(const double *x, int32_t n)
 static void say_broken_law(hm_text *text, const hm_model_file *f, const double *numbers)
 {
     const holonom_model *m = &f->model;
-    const int32_t turning = 2 * DIM - 3, n_moving = m->n_free + m->n_driven;
-    const int32_t first_force = 2 * DIM * n_moving + 2 * DIM * m->n_places + 2 * m->n_quantities; /* element_force, see MEASURED */
+    const int32_t turning = 2 * DIM - 3;
     static const char FORCE[] = "a force is not a finite number, on ", TORQUE[] = "a torque is not a finite number, on ";
     for (int32_t j = 0; j < m->n_elements && !text->used; j++) {
         const double law[] = {numbers[m->stiffness_at + j], numbers[m->rest_at + j], numbers[m->damping_at + j], numbers[m->drive_at + j]};
@@ -161,7 +165,7 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
         if (!is_no_number(law, 4) && law[0] >= 0.0 && (law[1] >= 0.0 || !is_length) && law[2] >= 0.0) continue;
         char room[128];
         hm_text name = {room, sizeof room, 0};
-        name_of_part(f, first_force + j, &name);
+        name_of_part(f, first_element_force(m) + j, &name);
         if (name.used) hm_say(text, "'%s': ", room);
     }
     for (int32_t j = 0; j < m->n_loads && !text->used; j++)
