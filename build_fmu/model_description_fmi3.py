@@ -75,7 +75,10 @@ def model_description_fmi3(
         _structure(model, ports),
         element(
             "Annotations",
-            *(element("Annotation", each, type=name) for name, each in vendor_annotations(model, source)),
+            *(
+                element("Annotation", each, type=name)
+                for name, each in vendor_annotations(model, source)
+            ),
         ),
     )  # fmt: skip
 

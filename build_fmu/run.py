@@ -100,7 +100,8 @@ def run_fmu(
         name numbers, functions of the time in s, and arrays, with their times as "time". Between
         the times inputs go in straight lines, before and after them they stay; a time that stands
         twice is a jump, where a step ends too. A held input gets its value at the beginning of each
-        communication step, a ramped or smooth one, by the FMU's annotation, that at its end: hence a short `step_size`.
+        communication step, a ramped or smooth one, which the FMU's annotations name, that at its
+        end: hence a short `step_size`.
     progress
         Called after every communication step with the part of the run that is done, 0 to 1.
     with_local

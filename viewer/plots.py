@@ -162,7 +162,7 @@ def over_values(
     for name, plot in zip(shown, axes, strict=False):
         cells = np.full((len(up.values), len(across.values)), np.nan)
         cells[up.at, across.at] = results[name][0]
-        mesh = plot.pcolormesh(across.places, up.places, cells, shading="nearest")
+        mesh = plot.pcolormesh(across.edges, up.edges, cells)
         figure.colorbar(mesh, ax=plot, label=f"{_label(name, units)} at the end")
         for axis, scale in (("x", across), ("y", up)):
             scale.label(plot, axis)
@@ -242,6 +242,18 @@ class _Scale:
         if len(self.places) < 3 or not (self.places > 0).all():
             return False
         return bool(np.ptp(np.diff(np.log(self.places))) < 1e-6) and self.words is None
+
+    @property
+    def edges(self) -> np.ndarray:
+        """Edges of a cell about each value, in the middle between two, shape (len(values) + 1,).
+
+        Of a geometric scale they are geometric means: edges at 0 and below have no logarithm.
+        """
+        x = np.log(self.places) if self.is_geometric else self.places
+        between = (x[1:] + x[:-1]) / 2.0
+        half = np.diff(x)[[0, -1]] / 2.0 if len(x) > 1 else np.array([0.5, 0.5])
+        edges = np.array([x[0] - half[0], *between, x[-1] + half[1]])
+        return np.exp(edges) if self.is_geometric else edges
 
     def label(self, plot: Any, axis: str) -> None:
         """Write name, unit and words at the "x" or "y" axis, whose scale is that of the values."""

@@ -198,8 +198,9 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
-    if (status && status != HOLONOM_STOPPED && blame_signal(&c, start, 2)) status = HOLONOM_BAD_DRIVER;
-    if (status != HOLONOM_STOPPED && m->n_signals && blame_signal(&c, start + step, status ? 2 : 1)) status = HOLONOM_BAD_DRIVER;
+    const int is_tame = !status && (!m->n_signals || !hm_may_be_steep(m, 2));
+    if (!is_tame && status != HOLONOM_STOPPED && (blame_signal(&c, start + step, status ? 2 : 1) || blame_signal(&c, start, 2)))
+        status = HOLONOM_BAD_DRIVER;
     if (status) {
         if (!c.at_fault) blame_hardest(&c);
         if (!c.at_fault) blame_worst(&c, status);

@@ -100,19 +100,17 @@ static void say_node(hm_text *text, const hm_model_file *f, const char *before, 
 }
 
 /* Says what of a signal is not finite, and its driver or constraint: 3 b + 0, 1 or 2, see blame_signal. */
-static void say_signal(hm_text *text, const hm_model_file *f, int32_t what)
+static void say_signal(hm_text *text, const hm_model_file *f, const double *numbers, int32_t what)
 {
     static const char *const OF[] = {"the value of ", "the rate of ", "the second derivative of "};
     const holonom_model *m = &f->model;
     const int32_t b = what / 3, first = m->n_form_rows + DIM * m->n_coincidences;
     hm_say(text, "%s", OF[what % 3]);
     if (b < DIM * m->n_driven) {
-        double *measured = (double *)f->numbers + m->measured_at; /* not modified */
-        char room[128];
+        const hm_measured y = hm_measured_in(f, numbers);
+        char room[NAME_ROOM];
         hm_text name = {room, sizeof room, 0};
-        hm_measured y;
-        hm_map_measured(m, measured, &y);
-        name_of_part(f, (int32_t)(y.driven_force - measured) + b, &name);
+        name_of_part(f, (int32_t)(y.driven_force - y.position) + b, &name);
         for (char *p = room; name.used && *p; p++)
             if (*p == '.') *p = '\0'; /* hand, of hand.force.x */
         hm_say(text, "driver '%s': ", room);
@@ -178,7 +176,7 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     const int32_t fault = is_sure || is_unsolved(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
     if (is_unsolved(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
-    if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, fault - n_rows - f->model.n_free - f->model.n_driven);
+    if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
     else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
     else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
     else

@@ -70,7 +70,7 @@ def test_what_hunt_and_crossley_take_is_what_the_motion_lost():
 @pytest.mark.parametrize("speed", [1.0, -1.0, 30.0])
 @pytest.mark.parametrize("exponent", [1.0, 1.5, 2.0, 2.2])
 def test_a_piece_of_a_nanosecond_dissipates_its_power_times_its_length(exponent, speed):
-    """K depth^n (0.3 s/m) v^2 of the law. A rigid contact elsewhere lets steps be cut into pieces."""
+    """K depth^n a v^2, by the law. A rigid contact elsewhere lets steps be cut into pieces."""
     law = HUNT_CROSSLEY | {"exponent": exponent, "damping": 0.01}
     content = falling(law, -0.01, speed)
     content["points"]["q"] = {"mass": 1.0, "position": [5.0, 5.0]}

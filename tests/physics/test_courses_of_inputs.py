@@ -113,7 +113,7 @@ def test_the_command_follows_the_file_of_a_course_without_a_lag(capsys, tmp_path
 @pytest.mark.parametrize("word", ["hold", "ramp", "smooth"])
 @EVERYWHERE
 def test_how_an_input_moves_does_not_hang_on_words_of_its_description(moved, word, text):
-    """The integral of t over a step: held at its beginning, t H; else in the middle, by the line."""
+    """The impulse of t in a step: held, H times its value at the beginning; else that of a line."""
     scene = MASS.replace('"N"', f'"N", interpolation = "{word}", description = "{text}"')
     found = moved(scene, {"push": lambda t: t}, 0.4, 0.1)
     held = 0.1 * np.cumsum([0.0, 0.0, 0.1, 0.2, 0.3]) / 2.0

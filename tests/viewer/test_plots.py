@@ -172,6 +172,18 @@ def test_ranges_with_log_have_a_logarithmic_axis_and_words_stand_side_by_side():
     assert [label.get_text() for label in plot.get_yticklabels()] == ["a", "b"]
 
 
+def test_cells_of_a_heat_map_on_a_logarithmic_axis_are_whole_and_of_one_size():
+    """From 1e-3/sqrt 10 to sqrt 10; half way between 1e-3 and 0 there is no logarithm."""
+    pytest.importorskip("matplotlib")
+    values = [1e-3, 1e-2, 1e-1, 1.0]
+    varied = {"mass": values * 2, "length": [1.0] * 4 + [2.0] * 4}
+    plot = plots.over_values(varied, summary(*range(8)), UNITS).axes[0]
+    mesh = np.asarray(plot.collections[0].get_coordinates())
+    assert mesh[0, :, 0] == pytest.approx(10.0 ** np.arange(-3.5, 1.0))
+    assert mesh[:, 0, 1] == pytest.approx([0.5, 1.5, 2.5])
+    assert plot.get_xlim() == pytest.approx((10.0**-3.5, 10.0**0.5))
+
+
 def test_a_heat_map_needs_a_full_grid():
     pytest.importorskip("matplotlib")
     varied = {"mass": [1.0, 2.0], "length": [3.0, 4.0]}
