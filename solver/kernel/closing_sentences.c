@@ -10,6 +10,7 @@
 enum { MOST_TOLD = 5 };
 static const double TENTH = 0.1;      /* of the size of the mechanism, or of a full turn */
 static const double ROUND_OFF = 1e-9; /* of a way over that size, and of a turn */
+static const double SLOW = 1e-3;      /* of the fastest motion: what is slower counts as at rest */
 
 /* Way of a part from its drawing [m], and the angle it turned by [rad]. */
 typedef struct move {
@@ -177,8 +178,8 @@ static void say_changed_velocity(hm_text *text, int others, const hm_model_file 
         const double size = rate_of(m, a, numbers + m->initial_position_at, numbers + m->initial_velocity_at, given);
         const double own = rate_of(m, a, s->q, s->v, now);
         for (int k = 0; k < (m->node_kind[a] ? TURNING : DIM); k++) square += hm_square(now[k] - given[k]);
-        const double least = ROUND_OFF * fastest * (m->node_kind[a] ? 1.0 : numbers[m->extent_at]);
-        const double change = sqrt(square) / fmax(fmax(size, own), least);
+        const double least = SLOW * fastest * (m->node_kind[a] ? 1.0 : numbers[m->extent_at]);
+        const double change = sqrt(square) / fmax(fmax(size, own), least / TENTH);
         if (change > most) worst = a, far = sqrt(square), most = change;
     }
     if (worst < 0) return;

@@ -308,7 +308,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;
         c->unweighted = 0;
-        status = step_halving(c, h, 0);
+        status = step_halving(c, h, UNDIVIDED);
     }
     if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return status;

@@ -184,7 +184,7 @@ HM_SELDOM static double root_between(const context *c, int32_t k, double h, even
 /* A piece of length h. */
 static int32_t step_piece(context *c, double h)
 {
-    return is_short(c, h) ? short_piece(c, h) : step_halving(c, h, 0);
+    return is_short(c, h) ? short_piece(c, h) : step_halving(c, h, UNDIVIDED);
 }
 
 /* Goes back to the state `backup` of time t, with laws of law_time. What the step has cost stays counted. */

@@ -29,7 +29,8 @@ enum { MOST_PASSES = 8 };
 HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
-    return c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
+    const double mass = c->number[m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
+    return mass > 0.0 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
            !(m->variable_potential && (m->time_dependent || m->sensing));
 }
 

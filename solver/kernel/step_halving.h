@@ -49,12 +49,13 @@ static double embedded(int order, int i, int stages)
 /* -------------------------------------------------------------------------------------- internal steps */
 
 /* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short for a moment. Rows that may
-   contradict each other get no better by that, nor do contacts. */
+   contradict each other get no better by that, nor do contacts; what turns by more than FEW_HALVINGS of them would bear keeps turning. */
 enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6 };
 
-static int most_halvings(const context *c)
+static int most_halvings(const context *c, double h, int32_t status)
 {
-    int few = is_unilateral(c->m);
+    const double longest = LARGEST_TURN * (2 << FEW_HALVINGS);
+    int few = is_unilateral(c->m) || (status == HOLONOM_TURN_TOO_LARGE && fabs(h) * fastest_turn(c) > longest);
     for (int32_t island = 0; island < c->m->n_islands; island++) few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
     return few ? FEW_HALVINGS : MOST_HALVINGS;
 }
@@ -165,11 +166,14 @@ static void keep_start(context *c)
     c->divided = 1;
 }
 
-static int32_t step_halving(context *c, double h, int halvings)
+/* A step of length h, divided until it can be taken; `left` halvings may follow, UNDIVIDED where none has been. */
+enum { UNDIVIDED = -1 };
+
+static int32_t step_halving(context *c, double h, int left)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     if (is_stopped(c)) return HOLONOM_STOPPED;
-    if (halvings == 0) c->divided = 0;
+    if (left == UNDIVIDED) c->divided = 0;
     int32_t status = internal_step(c, h);
     c->careful = status != HOLONOM_OK;
     if (!status) return HOLONOM_OK;
@@ -177,12 +181,13 @@ static int32_t step_halving(context *c, double h, int halvings)
     lower_penalties(c);
     if (known_misses(c)) { /* Newton's iteration may only have begun too far away: polynomials miss what turns fast */
         forget_halves(c);
-        return step_halving(c, h, halvings);
+        return step_halving(c, h, left);
     }
-    if (halvings == most_halvings(c) || slides_in_space(c)) return status; /* a slip may stop in it: the piece is cut instead */
+    if (left == UNDIVIDED) left = most_halvings(c, h, status);
+    if (left == 0 || slides_in_space(c)) return status; /* a slip may stop in it: the piece is cut instead */
     if (is_unilateral(c->m) && !c->divided) keep_start(c);
-    status = step_halving(c, 0.5 * h, halvings + 1);
-    return status ? status : step_halving(c, 0.5 * h, halvings + 1);
+    status = step_halving(c, 0.5 * h, left - 1);
+    return status ? status : step_halving(c, 0.5 * h, left - 1);
 }
 
 #endif

@@ -23,6 +23,8 @@ from tests.problems import Array, double_pendulum, observed_order
 from tests.problems import scene as scene_of
 from tests.twins import PENDULUM
 
+pytestmark = pytest.mark.filterwarnings("ignore:joints do not allow the velocity")  # flying
+
 ORDERS = (4, 6, 8)
 QUIET = ["energy.error", "constraint.position"]
 MANIPULATOR = """

@@ -212,7 +212,8 @@ P = {{ position = [0.3, 0.1, -0.4], velocity = {velocity}, mass = 2.0 }}
 [solver]
 assemble = true
 """
-    run = solver.simulate(solver.loads(text), stop_time=0.01, step_size=0.01)
+    with pytest.warns(RuntimeWarning, match="the velocity that is given for point 'P': it starts"):
+        run = solver.simulate(solver.loads(text), stop_time=0.01, step_size=0.01)
     return float(run["constraint.velocity"][0])
 
 

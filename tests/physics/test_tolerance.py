@@ -24,6 +24,8 @@ from tests.physics.test_high_orders import DRIVEN, FLYING, OSCILLATOR, RESTLESS
 from tests.problems import Array, assemble, double_pendulum
 from tests.twins import block, vector
 
+pytestmark = pytest.mark.filterwarnings("ignore:joints do not allow the velocity")  # flying
+
 SWING = double_pendulum(math.pi / 6)
 POINTS = [f"{point}.{part}" for part in "xy" for point in "AB"]
 RELATIVE = math.sqrt(2.0 * (2.0 * math.sin(math.pi / 6)) ** 2)
