@@ -133,7 +133,7 @@ static int say_moves(hm_text *text, const hm_model_file *f, const double *number
 }
 
 /* Says the part that node a belongs to: a body by its rows, whose centre stands before its directors, or a point. */
-static void say_part(hm_text *text, const hm_model_file *f, int32_t a)
+static void say_part_of_node(hm_text *text, const hm_model_file *f, int32_t a)
 {
     const holonom_model *m = &f->model;
     for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
@@ -184,7 +184,7 @@ static void say_changed_velocity(hm_text *text, int others, const hm_model_file 
     }
     if (worst < 0) return;
     hm_say(text, "%sjoints do not allow the velocity that is given for ", others ? "; " : "");
-    say_part(text, f, worst);
+    say_part_of_node(text, f, worst);
     hm_say(text, ": it starts %3g %s away from it", far, m->node_kind[worst] ? "rad/s" : "m/s");
     hm_say(text, "; give velocities that belong to one motion, or one alone");
 }

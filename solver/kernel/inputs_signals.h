@@ -118,7 +118,7 @@ HM_SELDOM static double limit_of_jet(const context *c, double t, int32_t b, int 
     const double *jet = c->k.jet + 2 * (int64_t)place;
     double later[LATER_TIMES], column[LATER_TIMES], best = NAN, least = INFINITY, size = 0.0;
     for (int k = 0; k < LATER_TIMES; k++) {
-        later[k] = (t + ldexp(FIRST_LATER, -k)) - t;
+        later[k] = (t + FIRST_LATER / (1 << k)) - t;
         if (!(later[k] > 0.0)) break; /* t is too large for it */
         run_signal_jets(c, t + later[k]);
         double found = jet[order - 1];
@@ -147,7 +147,7 @@ HM_SELDOM static void signal_jets_at(const context *c, double t, double *rate, d
         rate[b] = c->k.jet[2 * (m->signal_at + b)];
         bend[b] = c->k.jet[2 * (m->signal_at + b) + 1];
     }
-    const int moves = doubts && run_signal_jets(c, t + ldexp(FIRST_LATER, 1 - LATER_TIMES)) != doubts;
+    const int moves = doubts && run_signal_jets(c, t + FIRST_LATER / (1 << (LATER_TIMES - 1))) != doubts;
     for (int32_t b = 0; b < m->n_signals; b++) {
         if (moves || rate[b] != rate[b]) rate[b] = limit_of_jet(c, t, b, 1);
         if (moves || bend[b] != bend[b]) bend[b] = limit_of_jet(c, t, b, 2);

@@ -164,7 +164,7 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
         if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_node(text, f, TORQUE, m->body_moment[2 * j]);
 }
 
-static int is_unsolved(int32_t status)
+static int lacks_solution(int32_t status)
 {
     return status <= HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE || status == HOLONOM_STEP_COLLAPSED ||
            status == HOLONOM_DAMPING_REVERSED;
@@ -173,8 +173,8 @@ static int is_unsolved(int32_t status)
 void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, const double *head, int32_t status)
 {
     const int is_sure = status >= HOLONOM_CONTACT_UNDECIDED;
-    const int32_t fault = is_sure || is_unsolved(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
-    if (is_unsolved(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
+    const int32_t fault = is_sure || lacks_solution(status) ? (int32_t)head[S_AT_FAULT] - 1 : -1, n_rows = (int32_t)f->header->n_rows;
+    if (lacks_solution(status) || status == HOLONOM_BAD_LAW) say_broken_law(text, f, numbers);
     if (text->used || fault < 0) return;
     if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
     else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
@@ -189,7 +189,7 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
     const holonom_model *m = &f->model;
     const double *mass = numbers + m->node_mass_at;
     int32_t heaviest = -1, lightest = -1;
-    if (!is_unsolved(status)) return;
+    if (!lacks_solution(status)) return;
     for (int32_t a = 0; a < m->n_free; a++) {
         if (m->node_kind[a] || !(mass[a] > 0.0)) continue;
         if (heaviest < 0 || mass[a] > mass[heaviest]) heaviest = a;

@@ -36,7 +36,7 @@ static void derive(const double *row, int order, double *c)
 }
 
 /* A derivative of a row at x. */
-HM_OFTEN double row_value(const double *row, int order, double x)
+HM_OFTEN double value_in_row(const double *row, int order, double x)
 {
     double c[DEGREE + 1], value = 0.0;
     derive(row, order, c);
@@ -47,7 +47,7 @@ HM_OFTEN double row_value(const double *row, int order, double x)
 double hm_spline(int order, double x, const double *first, const double *last)
 {
     const spot at = spot_of(x, first + 1, (int32_t)((last - first) / ROW), *first);
-    return row_value(first + 1 + ROW * at.row, order, at.x);
+    return value_in_row(first + 1 + ROW * at.row, order, at.x);
 }
 
 /* A spot at the beginning of a row becomes the end of the row before; in a period that before the first is the last. */
@@ -64,7 +64,7 @@ void hm_spline_derivatives(int order, double x, int falls, const double *first, 
     const int32_t count = (int32_t)((last - first) / ROW);
     spot at = spot_of(x, row, count, period);
     if (falls) at = spot_before(at, row, count, period);
-    for (int k = 0; k < 3; k++) found[k] = row_value(row + ROW * at.row, order + k, at.x);
+    for (int k = 0; k < 3; k++) found[k] = value_in_row(row + ROW * at.row, order + k, at.x);
 }
 
 /* (p(x1) - p(x0))/(x1 - x0) of one row: p = p(x0) + (x - x0) q, and q at x1, both by Horner's rule. */

@@ -55,14 +55,14 @@ static void rows_at_start(context *c, int exact)
     for IN_ISLAND(c, j, ISLAND_VELOCITY) c->k.phi0[row_of(c, j)] = c->stepping ? -c->k.stop[row_of(c, j)] : 0.0;
 }
 
-#define LARGEST_TURN 2.5 /* rad */
+#define MOST_TURNED 2.5 /* rad */
 
 /* Whether no direction is about to turn by more: a step would take the shorter way round, with an exact ledger and the wrong
    motion. */
 static int turns_little(const context *c)
 {
     EACH_NODE(c, a)
-        if (c->m->node_kind[a] && !(dot(c->k.hv + DIM * a, c->k.hv + DIM * a) <= LARGEST_TURN * LARGEST_TURN)) return 0;
+        if (c->m->node_kind[a] && !(dot(c->k.hv + DIM * a, c->k.hv + DIM * a) <= MOST_TURNED * MOST_TURNED)) return 0;
     return 1;
 }
 

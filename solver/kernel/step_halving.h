@@ -54,7 +54,7 @@ enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6 };
 
 static int most_halvings(const context *c, double h, int32_t status)
 {
-    const double longest = LARGEST_TURN * (2 << FEW_HALVINGS);
+    const double longest = MOST_TURNED * (2 << FEW_HALVINGS);
     int few = is_unilateral(c->m) || (status == HOLONOM_TURN_TOO_LARGE && fabs(h) * fastest_turn(c) > longest);
     for (int32_t island = 0; island < c->m->n_islands; island++) few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
     return few ? FEW_HALVINGS : MOST_HALVINGS;
@@ -77,7 +77,7 @@ static double longest_of(const context *c, int order) { return method_of_order(o
 /* Likewise at the present angular velocities, which may grow in the step. */
 static double longest_now(const context *c, int order)
 {
-    return fmin(longest_of(c, order), 0.9 * LARGEST_TURN / fmax(fastest_turn(c), fastest_angle(c)));
+    return fmin(longest_of(c, order), 0.9 * MOST_TURNED / fmax(fastest_turn(c), fastest_angle(c)));
 }
 
 /* How steps of an order and length are taken, with dampers or without; explicit ones are shortened to the longest. */
