@@ -224,7 +224,9 @@ static slave_answer move_on(slave *s, double t, double step)
     }
     hm_clear(&s->text);
     slave_say_message(s);
-    if ((result & ~HOLONOM_REMARKED) != HOLONOM_FAILED || !(t + step > t)) return end_by_error(s);
+    const double *head = slave_head(s);
+    const int is_too_short = !(t + step > t) || (head[S_STATUS] == HOLONOM_BAD_STEP && step < head[S_STEP_SIZE]);
+    if ((result & ~HOLONOM_REMARKED) != HOLONOM_FAILED || is_too_short) return end_by_error(s);
     s->memory.status = 0; /* the core knows more */
     say_remedy(s, t, step);
     return slave_tell_text(s, ANSWER_DISCARD);

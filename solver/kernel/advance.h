@@ -176,7 +176,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     c.watch = watch;
     double *head = c.s.head;
     head[S_STATUS] = HOLONOM_BAD_STEP;
-    if (!(step > 0.0 && step < 1e300)) return HOLONOM_BAD_STEP;
+    if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
     memcpy(c.k.step_backup, head, sizeof(double) * (size_t)c.state_size);
     head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = 0.0;
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;

@@ -301,7 +301,7 @@ static int32_t cover_evenly(context *c, double start, double step)
 {
     double *head = c->s.head;
     const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
-    int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
+    int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
     if (is_dissipative(c) && !may_put_back(c)) head[S_ORDER_IN_USE] = 2.0;
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);

@@ -30,7 +30,7 @@ const char *hm_about_step(int32_t status)
         return "a spring, damper, torque, driver or formula acts along two points that coincide, or by an angle of a vector of "
                "length zero, so that its direction is undefined; move the points apart, or use a spring with free_length = 0";
     case HOLONOM_BAD_STEP:
-        return "the step must be a finite number > 0 s and at most 1e9 internal steps long; use a shorter communication step or a "
+        return "the step must be a finite number > 1e-100 s and at most 1e9 internal steps long; use a shorter communication step or a "
                "larger solver.step_size";
     case HOLONOM_BAD_LAW:
         return "a stiffness, free length or damping became negative, or a spring, damper or potential not a number; look at their "

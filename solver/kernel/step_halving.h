@@ -55,7 +55,8 @@ enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6 };
 static int most_halvings(const context *c, double h, int32_t status)
 {
     const double longest = MOST_TURNED * (2 << FEW_HALVINGS);
-    int few = is_unilateral(c->m) || (status == HOLONOM_TURN_TOO_LARGE && fabs(h) * fastest_turn(c) > longest);
+    const int is_whipped = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE;
+    int few = is_unilateral(c->m) || !is_whipped || fabs(h) * fastest_turn(c) > longest;
     for (int32_t island = 0; island < c->m->n_islands; island++) few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
     return few ? FEW_HALVINGS : MOST_HALVINGS;
 }

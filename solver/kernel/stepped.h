@@ -102,7 +102,7 @@ HM_SELDOM static int32_t cover_stepped(context *c, double start, double done, do
     double *head = c->s.head;
     const double rest = step - done, longest = fmin(head[S_STEP_SIZE], head[S_LONGEST_STEP]);
     const double n = fmax(1.0, ceil(rest / longest * (1.0 - 1e-10))), h = rest / n;
-    int32_t status = n < 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
+    int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_STEPPED] = 1.0;
     head[S_ORDER_IN_USE] = 2.0;
     c->stepping = 1;

@@ -144,7 +144,10 @@ def test_help_waits_for_nothing_heavy():
     process = subprocess.run(command, capture_output=True, text=True, check=True, cwd=ROOT)
     assert process.stdout.startswith("usage: holonom")
     modules = {line.split("|")[-1].strip() for line in process.stderr.splitlines()}
-    modules -= {"solver", "solver.files"}  # which file names a command may write; reads nothing else
+    modules -= {
+        "solver",
+        "solver.files",
+    }  # which file names a command may write; reads nothing else
     heavy = {"numpy", "scipy", "rich", "fmpy", "pythonfmu", "solver", "zipfile"}
     assert not {name.split(".")[0] for name in modules} & heavy
 

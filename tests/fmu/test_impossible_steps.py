@@ -196,3 +196,12 @@ def test_a_step_that_fails_and_leaves_the_time_as_it_is_cannot_be_shorter(kind):
         begun(fmu)
         fmu.set(push=-4.0)
         assert answer(fmu, H, 1e-20) == KINDS[kind]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_step_whose_square_is_no_number_is_impossible(kind):
+    """1e-300 s moves the time from 0, but accelerations act over h^2: no shorter step helps."""
+    with instance(fmu_of(kind)) as fmu:
+        fmu.initialise()
+        assert answer(fmu, 0.0, 1e-300) == KINDS[kind]
+        assert "must be a finite number > 1e-100 s" in fmu.log[-1][2]

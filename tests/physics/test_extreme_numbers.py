@@ -361,7 +361,7 @@ def test_a_load_of_1e8_kg_is_thrown_back_where_its_chain_of_light_bars_is_straig
     run = solver.simulate(
         solver.loads(bent_links(links, bend, 1e8)), step_size=0.02, stop_time=1.0, internal_step=h
     )
-    # A step at the end of each of the six falls is a time of h/2 at 3.4 m/s; links take some energy.
+    # A step at the end of each of the six falls is h/2 at 3.4 m/s; links take some energy.
     bound = 6 * 3.4 * h / 2 + 0.005 * links
     assert run["load.y"][-1] == pytest.approx(thrown_back(links, bend, 1.0), abs=bound)
     assert run["energy.error"].max() < 1e-12
