@@ -48,15 +48,16 @@ static double embedded(int order, int i, int stages)
 
 /* -------------------------------------------------------------------------------------- internal steps */
 
-/* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short for a moment. Rows that may
-   contradict each other get no better by that, nor do contacts; what turns by more than FEW_HALVINGS of them would bear keeps turning. */
-enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6 };
+/* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short for a moment. Shorter steps do
+   not help rows that may contradict each other, contacts, what turns all the time too fast even for a step with FEW_HALVINGS, and an
+   iteration that is allowed few increments. */
+enum { MOST_HALVINGS = 16, FEW_HALVINGS = 6, FEW_INCREMENTS = 10 };
 
 static int most_halvings(const context *c, double h, int32_t status)
 {
     const double longest = MOST_TURNED * (2 << FEW_HALVINGS);
     const int is_whipped = status == HOLONOM_NEWTON_DIVERGED || status == HOLONOM_NOT_FINITE || status == HOLONOM_TURN_TOO_LARGE;
-    int few = is_unilateral(c->m) || !is_whipped || fabs(h) * fastest_turn(c) > longest;
+    int few = is_unilateral(c->m) || !is_whipped || c->s.head[S_MAX_NEWTON] < FEW_INCREMENTS || fabs(h) * fastest_turn(c) > longest;
     for (int32_t island = 0; island < c->m->n_islands; island++) few |= c->s.islands[I_SIZE * island + I_DEPENDENT] != ROWS_ARE_INDEPENDENT;
     return few ? FEW_HALVINGS : MOST_HALVINGS;
 }
