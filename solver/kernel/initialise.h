@@ -173,11 +173,13 @@ static int32_t close_places(context *c)
     memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
     if (c->m->n_signals) wind(c);
     keep_pose(c, c->k.step_backup);
-    const int32_t status = seek_step(c, 1.0, 1, &size);
+    int32_t status = seek_step(c, 1.0, 1, &size);
     if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW || status == HOLONOM_STOPPED) return status;
     if (!status) take_over(c), follow_angles(c, NULL);
     const double way = status ? INFINITY : distance_from(c, c->k.step_backup);
-    return way <= FAR ? HOLONOM_OK : find_pose(c, way <= FARTHEST_STAGE);
+    if (way <= FAR) return HOLONOM_OK;
+    status = find_pose(c, way <= FARTHEST_STAGE);
+    return status == HOLONOM_UZAWA_DIVERGED ? find_pose_of_even_masses(c) : status;
 }
 
 static int32_t close_mechanism(context *c)
