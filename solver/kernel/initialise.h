@@ -304,7 +304,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     int32_t status = derive_scales(&c);
     memcpy(c.s.derived, number + m->extent_at, derived_bytes(m));
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
-    else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
+    else if (!status && (m->n_signals || m->fits_velocities)) status = make_velocities_consistent(&c, 1); /* those not given follow */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (watch && watch->is_stopped) return HOLONOM_STOPPED;
     if (!status) status = first_multipliers(&c);
