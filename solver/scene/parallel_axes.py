@@ -18,7 +18,8 @@ from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint
 
 ROUNDED, WRITTEN = 1e-12, 2e-6
-"""Angle in rad between parallel axes, or lacking to a right one, that round-off leaves, and that six digits of a file leave."""
+"""Angle in rad between parallel axes, or missing to a right one, that round-off leaves, and that
+six digits of a file leave."""
 
 
 class Groups:

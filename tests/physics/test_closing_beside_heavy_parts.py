@@ -31,7 +31,9 @@ assemble = true
 
 @pytest.mark.parametrize("mass", [1e-4, 1.0, 1e4, 1e8])
 def test_an_arm_closes_and_keeps_its_velocity_beside_a_load(mass):
-    """w along the way d from ball to anchor moves the tip r across the rod: (d - r) . (w x r) = 0.
+    """Turning about the way d from ball to anchor keeps the tip r as far from it.
+
+    (d - r) . (d x r) = 0 allows w = 3 d.
 
     Given velocities are kept but for 1e-9 of the fastest motion, which is 3 a times a few metres.
     """

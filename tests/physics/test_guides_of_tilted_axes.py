@@ -1,7 +1,7 @@
 """A slider-crank in space, whose guide lies in the plane of its hinges but for digits of a file.
 
-The mass centre of the crank is at its bearing, that of the rod at the crank pin. The reference is the
-Lagrangian of one freedom, the angle q of the crank, with DOP853 at 1e-12.
+The mass centre of the crank is at its bearing, that of the rod at the crank pin. The reference is
+the Lagrangian of one freedom, the angle q of the crank, with DOP853 at 1e-12.
 """
 
 from __future__ import annotations
