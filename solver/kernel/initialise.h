@@ -89,14 +89,38 @@ enum { ROUNDS = 8 };
 
 static int is_given(const context *c, int32_t a) { return c->number[c->m->velocity_weight_at + a] > 1.0; }
 
+#define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
+#define GIVEN_HOLD 1e-9  /* changes of given velocities, likewise */
+#define GIVEN_HEAVIER 1e8 /* weight of given velocities where all parts weigh the same */
+
+/* Largest change of a given velocity, over the fastest motion. */
+static double lost_of_given(const context *c, const double *given)
+{
+    const holonom_model *m = c->m;
+    const double fastest = fmax(fastest_rate(c, c->s.v), fastest_rate(c, given));
+    double lost = 0.0;
+    for (int32_t a = 0; a < m->n_free; a++) {
+        double change[DIM];
+        EACH(k) change[k] = is_given(c, a) ? c->s.v[DIM * a + k] - given[DIM * a + k] : 0.0;
+        lost = fmax(lost, sqrt(dot(change, change)) / (m->node_kind[a] ? 1.0 : c->number[m->extent_at]));
+    }
+    return fastest > 0.0 ? lost / fastest : 0.0;
+}
+
 /* Velocities next to those given (n), in the mass metric times node weights, that the rows allow. The first three rounds keep given
-   velocities by large weights, each beginning with them again; the others, with weights `rest` or none, let the rows hold to
-   round-off. What rows still ask for, over their scales, becomes `defect`. */
+   velocities by large weights, each beginning with them again, and more follow where that brings them nearer: gears may make what
+   is not given heavier yet. The others, with weights `rest` or none, let the rows hold to round-off. What rows still ask for, over
+   their scales, becomes `defect`. */
 HM_SELDOM static int32_t project_initial_velocities(context *c, const double *given, const double *weight, const double *rest, double *defect)
 {
     const holonom_model *m = c->m;
-    double last = INFINITY;
+    double last = INFINITY, lost = INFINITY;
     for (int round = weight ? 0 : 3; round <= ROUNDS; round++) {
+        if (round == 3 && weight) {
+            const double before = lost;
+            lost = lost_of_given(c, given);
+            if (lost > GIVEN_HOLD && lost < 0.9 * before) round = 2;
+        }
         for (int32_t k = 0; k < DIM * m->n_free && round < 3; k++)
             if (is_given(c, k / DIM)) c->s.v[k] = given[k];
         stand_still(c);
@@ -113,24 +137,6 @@ HM_SELDOM static int32_t project_initial_velocities(context *c, const double *gi
     return HOLONOM_OK;
 }
 
-#define RATES_HOLD 1e-10 /* rates of rows over the fastest motion */
-#define GIVEN_HOLD 1e-9  /* changes of given velocities, likewise */
-#define GIVEN_HEAVIER 1e4 /* weight of given velocities where all parts weigh the same */
-
-/* Largest change of a given velocity, over the fastest motion. */
-static double lost_of_given(const context *c, const double *given)
-{
-    const holonom_model *m = c->m;
-    const double fastest = fmax(fastest_rate(c, c->s.v), fastest_rate(c, given));
-    double lost = 0.0;
-    for (int32_t a = 0; a < m->n_free; a++) {
-        double change[DIM];
-        EACH(k) change[k] = is_given(c, a) ? c->s.v[DIM * a + k] - given[DIM * a + k] : 0.0;
-        lost = fmax(lost, sqrt(dot(change, change)) / (m->node_kind[a] ? 1.0 : c->number[m->extent_at]));
-    }
-    return fastest > 0.0 ? lost / fastest : 0.0;
-}
-
 /* Velocities that the rows allow. Where light parts cost all digits, or heavy ones keep light ones from what is given, once more in an
    even metric; a contradiction of those given is shared out by masses. */
 HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
@@ -143,14 +149,15 @@ HM_SELDOM static int32_t make_velocities_consistent(context *c, int keep_given)
     int32_t status = project_initial_velocities(c, given, keep_given ? c->number + m->velocity_weight_at : NULL, NULL, &defect);
     if (status) return status;
     const int holds = defect <= RATES_HOLD * fastest_rate(c, c->s.v);
-    if (holds && !(keep_given && lost_of_given(c, given) > GIVEN_HOLD)) return HOLONOM_OK;
+    const double lost = keep_given ? lost_of_given(c, given) : 0.0;
+    if (holds && !(lost > GIVEN_HOLD)) return HOLONOM_OK;
     memcpy(by_masses, c->s.v, bytes);
     status = take_even_metric(c, &metric);
     for (int32_t a = 0; a < m->n_free; a++) weight[a] = metric.weight[a] * (is_given(c, a) ? GIVEN_HEAVIER : 1.0);
     memcpy(c->s.v, given, bytes);
     if (!status) status = project_initial_velocities(c, given, keep_given ? weight : NULL, metric.weight, &defect);
     leave_even_metric(c, &metric);
-    if (holds && (status || lost_of_given(c, given) > GIVEN_HOLD)) memcpy(c->s.v, by_masses, bytes);
+    if (holds && (status || !(lost_of_given(c, given) < 0.5 * lost))) memcpy(c->s.v, by_masses, bytes);
     return holds ? HOLONOM_OK : status;
 }
 
@@ -173,11 +180,13 @@ static int32_t close_places(context *c)
     memset(c->s.turns, 0, sizeof(double) * (size_t)c->m->n_quantities);
     if (c->m->n_signals) wind(c);
     keep_pose(c, c->k.step_backup);
-    const int32_t status = seek_step(c, 1.0, 1, &size);
+    int32_t status = seek_step(c, 1.0, 1, &size);
     if (status == HOLONOM_ZERO_LENGTH || status == HOLONOM_BAD_LAW || status == HOLONOM_STOPPED) return status;
     if (!status) take_over(c), follow_angles(c, NULL);
     const double way = status ? INFINITY : distance_from(c, c->k.step_backup);
-    return way <= FAR ? HOLONOM_OK : find_pose(c, way <= FARTHEST_STAGE);
+    if (way <= FAR) return HOLONOM_OK;
+    status = find_pose(c, way <= FARTHEST_STAGE);
+    return status == HOLONOM_UZAWA_DIVERGED ? find_pose_of_even_masses(c) : status;
 }
 
 static int32_t close_mechanism(context *c)
@@ -302,7 +311,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     int32_t status = derive_scales(&c);
     memcpy(c.s.derived, number + m->extent_at, derived_bytes(m));
     if (!status && head[S_ASSEMBLE] != 0.0) status = close_mechanism(&c);
-    else if (!status && m->n_signals) status = make_velocities_consistent(&c, 1); /* those not given follow the drivers */
+    else if (!status && (m->n_signals || m->fits_velocities)) status = make_velocities_consistent(&c, 1); /* those not given follow */
     if (!status && head[S_EQUILIBRIUM] != 0.0) status = seek_equilibrium(&c);
     if (watch && watch->is_stopped) return HOLONOM_STOPPED;
     if (!status) status = first_multipliers(&c);

@@ -111,29 +111,36 @@ enum { LATER_TIMES = 20 };
 
 /* The limit at time t from above of the rate (order 1) or the second derivative (2) of signal b, by Neville's extrapolation from
    later times as far as round-off lets it converge (Ridders 1982); NaN if it does not. So begins sqrt(2 - 2 cos t), which is
-   2 sin(t/2), though its jet at 0 is 0/0. */
-HM_SELDOM static double limit_of_jet(const context *c, double t, int32_t b, int order)
+   2 sin(t/2), though its jet at 0 is 0/0. It is one in powers of the time or, for formulas such as sqrt(t^7), of its root. */
+HM_SELDOM static double limit_in_powers(const context *c, double t, int32_t b, int order, int of_root)
 {
     const int32_t place = c->m->signal_at + b;
     const double *jet = c->k.jet + 2 * (int64_t)place;
-    double later[LATER_TIMES], column[LATER_TIMES], best = NAN, least = INFINITY, size = 0.0;
+    double power[LATER_TIMES], column[LATER_TIMES], best = NAN, least = INFINITY, size = 0.0;
     for (int k = 0; k < LATER_TIMES; k++) {
-        later[k] = (t + FIRST_LATER / (1 << k)) - t;
-        if (!(later[k] > 0.0)) break; /* t is too large for it */
-        run_signal_jets(c, t + later[k]);
+        const double later = (t + FIRST_LATER / (1 << k)) - t;
+        if (!(later > 0.0)) break; /* t is too large for it */
+        run_signal_jets(c, t + later);
+        power[k] = of_root ? sqrt(later) : later;
         double found = jet[order - 1];
         const double size_here = fabs(found) + fabs(order == 1 ? c->number[place] : jet[0]);
         for (int j = 0; j <= k; j++) {
             const double before = column[j]; /* found from j + 1 times, the last of them the one before */
             column[j] = found;
             if (j == k) break;
-            const double next = found + (found - before) * later[k] / (later[k - j - 1] - later[k]);
+            const double next = found + (found - before) * power[k] / (power[k - j - 1] - power[k]);
             const double error = fmax(fabs(next - found), fabs(next - before));
             if (error < least) best = next, least = error, size = size_here;
             found = next;
         }
     }
     return least <= LIMIT_IS_KNOWN * size ? best : NAN;
+}
+
+static double limit_of_jet(const context *c, double t, int32_t b, int order)
+{
+    const double limit = limit_in_powers(c, t, b, order, 0);
+    return limit == limit ? limit : limit_in_powers(c, t, b, order, 1);
 }
 
 /* Rates and second derivatives of the signals at time t (n_signals each, overwritten), as they are just after it: see jets.c.

@@ -231,6 +231,7 @@ def sizes_of(
         "n_inputs": len(scene.inputs),
         "n_numbers": tape.end,
         "time_dependent": int(bool(tape.used[Segment.LAWS] & {"t", *moving})),
+        "fits_velocities": int(scene.fits_velocities),
         "variable_potential": int(Segment.LAWS in stored or numbers.formulas_vary),
         "n_registers": max([1, *registers]),
         "n_lu_values": tables["lu_ptr"][-1],

@@ -77,6 +77,7 @@ SIZES = (
     "time_dependent",  # 1: the laws change within a communication step
     "variable_potential",  # 1: the laws write springs or potentials, so stored energy may jump
     "sensing",  # 1: the laws read quantities
+    "fits_velocities",  # 1: velocities are made to fit joints, whose axes are not quite as written
     "n_registers",  # most leaves and operations of a function
     "n_local_forms",  # most forms of a composite
     "n_local_nodes",  # most free nodes of a composite

@@ -1,12 +1,14 @@
-"""Axes of joints that are parallel but for the digits they are written with are made parallel.
+"""Axes that are parallel or perpendicular but for the digits they are written with are made so.
 
-A loop whose hinges are parallel moves as in a plane, with redundant rows. Tilted by as little as
-1e-9 rad its rows contradict each other a little further on: the loop is locked there.
+A loop whose hinges are parallel, and guides perpendicular to them, moves as in a plane, with
+redundant rows. Tilted by as little as 1e-9 rad its rows contradict each other a little further on:
+the loop is locked there.
 """
 
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -16,7 +18,8 @@ from solver.scene.fields import Part
 from solver.scene.joints import BodyJoint
 
 ROUNDED, WRITTEN = 1e-12, 2e-6
-"""Angle in rad between parallel axes that round-off leaves, and that six digits of a file leave."""
+"""Angle in rad between parallel axes, or missing to a right one, that round-off leaves, and that
+six digits of a file leave."""
 
 
 class Groups:
@@ -59,14 +62,31 @@ def align_axes(draft: Draft, joints: Mapping[str, Part]) -> dict[str, Any]:
              for like, axis in axes.items() for side in (1.0, -1.0)),
             default=(math.inf, 1.0, ""),
         )  # fmt: skip
+        word = "parallel"
         if tilt > WRITTEN:
-            axes[name] = own
-        elif tilt > ROUNDED:
-            aligned[name] = replace(joint, axis=tuple(side * x for x in axes[like]))
-            message = f"is parallel to that of joint '{like}' but for {tilt:.3g} rad, and taken as "
-            message += "parallel: that tilt would lock a loop; velocities are made to fit"
+            word, tilt, like, axes[name] = _square(own, axes)
+            new = axes[name]
+        else:
+            new = [side * x for x in axes[like]]
+        if tilt > ROUNDED:
+            aligned[name] = replace(joint, axis=tuple(new))
+            message = f"is {word} to that of joint '{like}' but for {tilt:.3g} rad, and taken as "
+            message += f"{word}: that tilt would lock a loop; velocities are made to fit"
             draft.warn(("joints", name, "axis"), message, "write both axes alike, with all digits")
     return aligned
+
+
+def _square(
+    own: list[float], axes: Mapping[str, list[float]]
+) -> tuple[str, float, str, list[float]]:
+    """Return an axis without what it lacks to right angles, with the largest part and its joint."""
+    largest, of = 0.0, ""
+    for name, axis in axes.items():
+        along = sum(map(operator.mul, own, axis))
+        if abs(along) <= WRITTEN:
+            own = [x - along * y for x, y in zip(own, axis, strict=True)]
+            largest, of = max((largest, of), (abs(along), name))
+    return "perpendicular", largest, of, own
 
 
 def _have_loop(joints: Mapping[str, BodyJoint]) -> bool:

@@ -154,10 +154,7 @@ def _build(draft: Draft) -> Scene:
     solver, experiment = read_settings(reader)
     check_settings(reader, solver)
     aligned = {} if draft.problems else align_axes(draft, reader.parts["joints"])
-    if aligned:
-        reader.parts["joints"] |= aligned
-        if _have_velocities(reader.parts):  # those of the axes as they were written
-            solver = replace(solver, assemble=True)
+    reader.parts["joints"] |= aligned
     if not draft.problems:
         advise(reader, profiles, reader.parts)
     return Scene(
@@ -169,6 +166,7 @@ def _build(draft: Draft) -> Scene:
         **reader.parts,
         solver=solver,
         experiment=experiment,
+        fits_velocities=bool(aligned) and _have_velocities(reader.parts),
         fmu=read_ports(reader),
         view=read_view(reader),
         source=_without_files(draft.source, profiles, reader.parts["contacts"]),

@@ -106,6 +106,8 @@ class Scene(Part):
     fmu: Annotated[Ports, _table("", Ports)] = field(default_factory=Ports)
     looks: Annotated[dict[str, Part], _table("look", LOOKS)] = field(default_factory=dict)
     view: Annotated[View, _table("", View)] = field(default_factory=View)
+    fits_velocities: bool = field(default=False, repr=False)
+    """Whether velocities are made to fit joints, whose axes are not quite as written."""
     source: Source = field(default_factory=Source, repr=False, compare=False)
     """The text it was read from, so that later findings can name file and line."""
     warnings: tuple[Problem, ...] = field(default=(), repr=False, compare=False)

@@ -209,3 +209,28 @@ def test_a_given_velocity_that_joints_do_not_allow_is_told():
     assert abs(float(run["slider.vx"])) < 1e-12
     told = "joints do not allow the velocity that is given for body 'slider': it starts 1 m/s away"
     assert said == [f"{told} from it; give velocities that belong to one motion, or one alone"]
+
+
+GEARED = """
+name = "geared"
+dimension = 2
+[bodies]
+arm = {{ position = [0, 0], mass = 1, inertia = {arm}, angular_velocity = 5 }}
+rotor = {{ position = [3, 0], mass = 1, inertia = {rotor} }}
+[joints]
+P = {{ type = "revolute", bodies = ["ground", "arm"], position = [0, 0] }}
+Q = {{ type = "revolute", bodies = ["ground", "rotor"], position = [3, 0] }}
+gear = {{ type = "gear", joints = ["P", "Q"], ratio = {ratio} }}
+[solver]
+assemble = true
+"""
+
+
+@pytest.mark.parametrize("ratio", [-10, 100, 1000, 10000])
+@pytest.mark.parametrize(("arm", "rotor"), [(1.0, 1.0), (1.0, 100.0), (1e-9, 1.0), (1e-9, 1e9)])
+def test_a_given_velocity_is_kept_where_a_gear_makes_the_other_side_heavier(arm, rotor, ratio):
+    """The rotor counts as ratio^2 rotor; what changes is 1e-9 of the fastest motion at most."""
+    run = start(GEARED.format(arm=arm, rotor=rotor, ratio=ratio))
+    assert float(run["arm.angular_velocity"]) == pytest.approx(5.0, abs=1e-9 * 5.0 * abs(ratio))
+    turns = float(run["rotor.angular_velocity"])
+    assert turns == pytest.approx(ratio * float(run["arm.angular_velocity"]), rel=1e-12)

@@ -121,6 +121,9 @@ LIMITS = {
     "t + t**2 if t**3 > 0 else 0": (0.0, 1.0, 2.0),
     "t**2*sign(t**5) + floor(-t**3) + ceil(t**3)": (0.0, 0.0, 2.0),
     "sqrt(max(0*t, 0)) + t**2": (0.0, 0.0, 2.0),
+    "sqrt(t**7) + t**2": (0.0, 0.0, 2.0),
+    "t**2*sqrt(t) + t": (0.0, 1.0, 0.0),
+    "2*(t**5)**0.5": (0.0, 0.0, 0.0),
 }
 """Of formulas whose derivatives at 0 are 0/0: place, rate and acceleration there, by hand.
 
@@ -145,6 +148,7 @@ def test_a_driver_starts_with_the_limits_of_its_derivatives(value: str) -> None:
         ("t**0.9 + t", "rate"),
         ("asin(1 - t) - pi/2", "rate"),
         ("2*t + t**1.5", "second derivative"),
+        ("t + sqrt(t**3)", "second derivative"),
         ("t**2*log(t + 1e-320)/t", "value"),
         ("sin(t)/t", "value"),
     ],
