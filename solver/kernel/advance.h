@@ -198,7 +198,8 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
-    const int is_tame = !status && (!m->n_signals || !hm_may_be_steep(m, 2));
+    if (!status) signals_at(&c, start + step, c.k.signal1);
+    const int is_tame = !status && (!m->n_signals || !hm_may_be_steep(m, c.number, 2));
     if (!is_tame && status != HOLONOM_STOPPED && (blame_signal(&c, start + step, status ? 2 : 1) || blame_signal(&c, start, 2)))
         status = HOLONOM_BAD_DRIVER;
     if (status) {

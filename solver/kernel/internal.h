@@ -159,8 +159,8 @@ typedef struct hm_jet {
    took for granted that arguments whose first two derivatives are 0 stand still. */
 hm_jet hm_operate_jet(int32_t code, hm_jet a, hm_jet b, hm_jet c);
 hm_jet hm_look_up_jet(int32_t code, const hm_jet *x, const double *first, const double *last);
-/* Whether a segment of the tape has operations whose slopes are infinite where their values are finite. */
-int hm_may_be_steep(const holonom_model *model, int32_t segment);
+/* Whether a segment of the tape, as it was last run, has an operation where its slope is infinite though its value is finite. */
+int hm_may_be_steep(const holonom_model *model, const double *numbers, int32_t segment);
 void hm_stop_jets(const holonom_model *model, int32_t segment, double *jet);
 int32_t hm_run_jets(const holonom_model *model, double *numbers, int32_t segment, double *jet);
 

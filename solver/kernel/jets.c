@@ -140,12 +140,15 @@ void hm_stop_jets(const holonom_model *m, int32_t segment, double *jet)
             jet[2 * op[2] + k] = jet[2 * op[3] + k % 2] = jet[2 * op[4] + k % 2] = 0.0;
 }
 
-int hm_may_be_steep(const holonom_model *m, int32_t segment)
+int hm_may_be_steep(const holonom_model *m, const double *numbers, int32_t segment)
 {
     int32_t count;
     const int32_t *op = operations_of(m, segment, &count), *end = op + 5 * (int64_t)count;
-    for (; op < end; op += 5)
-        if (op[0] == T_SQRT || op[0] == T_POW || op[0] == T_ASIN || op[0] == T_ACOS) return 1;
+    for (; op < end; op += 5) {
+        const double x = numbers[op[2]];
+        if ((op[0] == T_SQRT || op[0] == T_POW) && x == 0.0) return 1;
+        if ((op[0] == T_ASIN || op[0] == T_ACOS) && fabs(x) == 1.0) return 1;
+    }
     return 0;
 }
 
