@@ -183,7 +183,7 @@ static void say_changed_velocity(hm_text *text, int others, const hm_model_file 
         if (change > most) worst = a, far = sqrt(square), most = change;
     }
     if (worst < 0) return;
-    hm_say(text, "%sjoints do not allow the velocity that is given for ", others ? "; " : "");
+    hm_say(text, "%sjoints%s do not allow the velocity that is given for ", others ? "; " : "", m->n_signals ? " and drivers" : "");
     say_part_of_node(text, f, worst);
     hm_say(text, ": it starts %3g %s away from it", far, m->node_kind[worst] ? "rad/s" : "m/s");
     hm_say(text, "; give velocities that belong to one motion, or one alone");

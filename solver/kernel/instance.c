@@ -410,7 +410,8 @@ int32_t holonom_assemble(holonom_instance *i)
     const hm_start start = {status, i->phi, i->rate, i->before};
     if (hm_say_failed_start(message, &i->file, i->numbers, &i->s, &start)) return HOLONOM_UNASSEMBLED;
     i->phase = HOLONOM_ASSEMBLED;
-    if (i->s.head[S_ASSEMBLE] != 0.0 && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
+    const int has_moved = i->s.head[S_ASSEMBLE] != 0.0 || m->n_signals > 0; /* drivers change velocities, at least */
+    if (has_moved && i->s.head[S_EQUILIBRIUM] == 0.0) remark_on_closing(i);
     return done(i);
 }
 

@@ -234,3 +234,26 @@ def test_a_given_velocity_is_kept_where_a_gear_makes_the_other_side_heavier(arm,
     assert float(run["arm.angular_velocity"]) == pytest.approx(5.0, abs=1e-9 * 5.0 * abs(ratio))
     turns = float(run["rotor.angular_velocity"])
     assert turns == pytest.approx(ratio * float(run["arm.angular_velocity"]), rel=1e-12)
+
+
+def test_a_given_velocity_that_a_driver_contradicts_is_told_without_assemble_too():
+    """The rod passes on what moves along it: B goes at 3 m/s, and A has been given 1 m/s."""
+    text = """
+name = "pushed"
+dimension = 2
+[points]
+A = { position = [0, 0], mass = 1, velocity = [1, 2] }
+B = { position = [1, 0], mass = 1 }
+[joints]
+rod = { type = "distance", points = ["A", "B"] }
+[drivers]
+hand = { type = "position", point = "B", value = ["1 + 3*t", 0] }
+"""
+    said: list[str] = []
+    run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)
+    run.initialise()
+    assert float(run["A.vx"]) == pytest.approx(3.0, rel=1e-9)
+    told = (
+        "joints and drivers do not allow the velocity that is given for point 'A': it starts 2 m/s"
+    )
+    assert said[0].startswith(told)
