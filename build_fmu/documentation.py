@@ -139,12 +139,7 @@ def solved(model: Model) -> str:
     rows = counted(sizes["n_rows"], "constraint row")
     text = f"{coordinates} and {rows}{apart}, solved by {settings['formulation']}, in"
     if settings["tolerance"]:
-        text = f"{text} steps chosen for a relative error of the run of {settings['tolerance']:g}"
-        return (
-            f"{text}, which energies have part in."
-            if settings["energy"] == "tolerance"
-            else f"{text}."
-        )
+        return f"{text} steps chosen for a relative error of the run of {settings['tolerance']:g}."
     order = float(settings["order"]) or 2.0
     return f"{text} internal steps of at most {settings['step_size']:g} s, of order {order:g}."
 

@@ -1,3 +1,3 @@
 """Version of the tool: of the package and, as generating tool, in its FMUs."""
 
-VERSION = "1.1.0"
+VERSION = "2.0.0"

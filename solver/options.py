@@ -118,10 +118,6 @@ _TABLE = (
            low=0.0, high=0.1, least=1e-14),
     Option("absolute_tolerance", 0.0, "allowed absolute error, added to the relative one",
            low=0.0, high=1e6, unit="m"),
-    Option("energy", "exact",
-           "compositions are solved to newton_tolerance (exact), or to a tenth of the tolerance "
-           "and at most 1e-7 (tolerance)",
-           words=("exact", "tolerance"), place="loose_energy"),
     Option("longest_step", 1e6, "longest internal step with a tolerance", high=1e6, unit="s"),
     Option("assemble", False,
            "close a mechanism that is drawn inexactly, and make its velocities consistent"),
@@ -149,5 +145,19 @@ OPTIONS: dict[str, Option] = {option.name: option for option in _TABLE}
 
 CHOICES = {name: option.words for name, option in OPTIONS.items() if option.words}
 """Words of the settings that choose one."""
+
+REMOVED = {
+    "energy": "steps are solved to newton_tolerance; explicit steps, which a tolerance takes "
+    "wherever it can, have no use for another",
+}
+"""Settings of before, by name, and where what they did has gone."""
+
+
+def removed(name: str) -> str:
+    """Sentence on a setting of before, such as ``solver.energy``; empty for any other name."""
+    setting = name.removeprefix("solver.")
+    there = REMOVED.get(setting)
+    return f"the setting '{setting}' left in version 2.0: {there}" if there else ""
+
 
 DEFAULTS = {name: option.default for name, option in OPTIONS.items()}

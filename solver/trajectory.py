@@ -13,6 +13,7 @@ import numpy as np
 
 from solver.extras import imported
 from solver.mechanics import assemble
+from solver.options import removed
 from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.errors import UnknownNameError, tell
 from solver.scene import Scene, load
@@ -196,6 +197,8 @@ def simulate(
     integrator = Integrator(model)
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
+    if gone := [text for name in options if (text := removed(name))]:
+        raise OptionError("; ".join(gone))
     settings = {f"solver.{name}": value for name, value in options.items()}
     held = {name: value for name, value in (inputs or {}).items() if not changes(value)}
     for name, value in {**(parameters or {}), **held, **settings}.items():

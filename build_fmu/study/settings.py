@@ -23,7 +23,7 @@ from build_fmu.study.values import (
     wanted_instead,
 )
 from build_fmu.version import VERSION
-from solver.options import OPTIONS
+from solver.options import OPTIONS, removed
 from solver.scene.units import base_unit, offset_of
 from solver.scene.words import listed
 
@@ -258,6 +258,8 @@ def _not_settable(where: str, name: str, description: ModelDescription) -> Mista
         help = f"settable: {listed(settable)}" if settable else "it has no parameters and inputs"
         return Mistake(where, f"{name}: is {kind} and cannot be set", help)
     message = f"{description.modelName} has no parameter or input {name!r}"
+    if gone := removed(str(name)) if str(name).startswith("solver.") else "":
+        return Mistake(where, f"{message}: {gone}", "leave it out")
     table, dot, part = str(name).partition(".")
     if table in ("parameters", "inputs"):
         return Mistake(where, message, nearest(part.partition(".")[0], settable))

@@ -207,12 +207,4 @@ int64_t hm_map_state(const holonom_model *model, double *block, hm_state *state)
 int64_t hm_map_work(const holonom_model *model, double *block, hm_work *work);
 int64_t hm_map_measured(const holonom_model *model, double *block, hm_measured *measured);
 
-/* Error of a step's solution that is asked for. A tenth of the tolerance, where the energy may have it: margins below this
-   are such that the motion's own error does not show it. From 1e-7 on larger ones save no iterations.           */
-static inline double newton_tolerance(const double *head)
-{
-    const double asked = head[S_NEWTON_TOLERANCE];
-    return head[S_LOOSE_ENERGY] != 0.0 ? fmax(asked, fmin(0.1 * head[S_TOLERANCE], 1e-7)) : asked;
-}
-
 #endif

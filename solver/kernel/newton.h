@@ -184,7 +184,7 @@ static int32_t newton_update(context *c, newton_record *r)
     const double reference = c->s.head[S_ENERGY_REFERENCE], h2 = c->h * c->h;
     r->eta = sqrt(increment2);
     r->size = sqrt(size2);
-    r->target = newton_tolerance(c->s.head) * sqrt(size2 + 2.0 * h2 * reference);
+    r->target = c->s.head[S_NEWTON_TOLERANCE] * sqrt(size2 + 2.0 * h2 * reference);
     r->energy = 0.5 * size2 / h2 + reference;
     r->noise = 0.5 * r->floor * r->floor / h2;
     r->increments++;

@@ -77,13 +77,13 @@ static inline double increments_left(const context *c, const newton_record *r)
 
 static inline double allowed_defect(const context *c, const newton_record *r)
 {
-    return r->increments > 1 ? fmax(CONSTRAINT_MARGIN * newton_tolerance(c->s.head), QUARTER_ULP) : ROWS_AFTER_ONE;
+    return r->increments > 1 ? fmax(CONSTRAINT_MARGIN * c->s.head[S_NEWTON_TOLERANCE], QUARTER_ULP) : ROWS_AFTER_ONE;
 }
 
 /* Energy that what is left may add. */
 static inline double allowed_energy(const context *c, const newton_record *r)
 {
-    return ENERGY_MARGIN * (newton_tolerance(c->s.head) * r->energy + r->noise);
+    return ENERGY_MARGIN * (c->s.head[S_NEWTON_TOLERANCE] * r->energy + r->noise);
 }
 
 /* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
@@ -91,7 +91,7 @@ static inline double allowed_energy(const context *c, const newton_record *r)
    rows_hold.                                                                                                    */
 static int has_converged(const context *c, const newton_record *r)
 {
-    const double tolerance = newton_tolerance(c->s.head), added = residual_energy(c);
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], added = residual_energy(c);
     const int stalled = r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
     const int follows = c->s.head[S_SIMULTANEOUS] != 0.0 && !is_penalty(c);
     const double margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
@@ -104,7 +104,7 @@ static int has_converged(const context *c, const newton_record *r)
 /* Status of an iteration that has taken as many increments as it may. */
 static int32_t outcome_at_limit(const context *c, const newton_record *r)
 {
-    const double tolerance = newton_tolerance(c->s.head);
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
     if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
         return HOLONOM_NEWTON_DIVERGED;
     return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
@@ -121,7 +121,7 @@ static inline int rows_within(const context *c, const newton_record *r, double d
    that margin below round-off.                                                                                  */
 static int rows_hold(const context *c, const newton_record *r, double defect, double last)
 {
-    const double tolerance = newton_tolerance(c->s.head);
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
     if (rows_within(c, r, defect, 1.0)) return 1;
     return defect > 0.5 * last && defect <= tolerance && constraint_energy(c) <= CONSTRAINT_MARGIN * tolerance * r->energy;
 }
@@ -135,14 +135,14 @@ static int rows_are_round_off(const context *c, const newton_record *r, double d
 /* Whether the contraction of the rows has ended, and what is left is round-off. */
 static int is_stalled_round_off(const context *c, const newton_record *r, double defect, double last)
 {
-    const double tolerance = newton_tolerance(c->s.head), round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], round_off = ENERGY_LIMIT * tolerance * r->energy + r->noise;
     return defect > 0.9 * last && defect <= tolerance && constraint_energy(c) <= round_off;
 }
 
 /* Status after as many updates of the multipliers as may be. */
 static int32_t outcome_of_updates(const context *c, const newton_record *r, double defect)
 {
-    const double tolerance = newton_tolerance(c->s.head);
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
     const int holds = defect <= tolerance && constraint_energy(c) <= tolerance * r->energy + r->noise;
     return holds ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
 }

@@ -253,7 +253,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
 /* Says that energies are off the ledger though steps are solved. */
 static void say_open_ledger(hm_text *text, const double *head)
 {
-    const double limit = fmax(LEDGER_OPEN * newton_tolerance(head), LEDGER_LONG);
+    const double limit = fmax(LEDGER_OPEN * head[S_NEWTON_TOLERANCE], LEDGER_LONG);
     if (head[S_LEDGER_ERROR] <= limit || !hm_conserves_all((int)head[S_FORMULATION])) return;
     hm_say(text, "the energy is off by %1e of the reference energy at t = %6g s though steps are solved: round-off is too large for this "
                  "mechanism; draw it closer to the origin, with sizes, masses and stiffnesses less far apart, or take longer steps",

@@ -295,7 +295,7 @@ HEAD = (
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
     "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
     "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
-    "tolerance", "absolute_tolerance", "loose_energy", "longest_step", "rest_speed", "rest_time",
+    "tolerance", "absolute_tolerance", "longest_step", "rest_speed", "rest_time",
     "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
     "input_step", "input_step_before",  # lengths of the last two communication steps

@@ -12,6 +12,7 @@ from dataclasses import replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from solver.options import removed
 from solver.scene.expression import Curve
 from solver.scene.fields import BROKEN, Part, fields_of, shown
 from solver.scene.report import Path, Problem, SceneError, Source
@@ -187,7 +188,8 @@ class Draft:
                 self.error(path, f"'{name}' is missing", how)
         for name in unknown:
             help = did_you_mean(name, fields, "known fields", "fields")
-            self.error((*path, name), "unknown field", help)
+            gone = removed(name) if path == ("solver",) else ""
+            self.error((*path, name), gone or "unknown field", "leave it out" if gone else help)
         return SimpleNamespace(**given)
 
     def example(self, path: Path, example: Any) -> str | None:

@@ -262,8 +262,7 @@ def test_what_answers_at_the_start_is_listed(name, settings):
 def test_what_answers_to_a_setting_at_the_start_is_listed(name):
     model, before = model_of(name), start_values(name)
     others = {"formulation": "conserving-al-beta", "algorithm": "simultaneous", "order": 4.0,
-              "multiplier_update": "paper", "start": "equilibrium",
-              "energy": "tolerance"}  # fmt: skip
+              "multiplier_update": "paper", "start": "equilibrium"}  # fmt: skip
     for index, variable in enumerate(model.variables):
         if variable.kind != "option":
             continue

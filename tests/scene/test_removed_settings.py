@@ -1,0 +1,35 @@
+"""Settings of before are refused with a sentence that says where they went."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import solver
+from build_fmu.errors import UsageError
+from build_fmu.run import run_fmu
+from solver.options import OPTIONS, REMOVED
+from solver.scene import SceneError
+from tests.fmu_instance import scene_fmu
+
+SCENE = Path(__file__).resolve().parents[2] / "scenes" / "double_pendulum.toml"
+LEFT = "the setting '{}' left in version 2.0: "
+
+
+@pytest.mark.parametrize("name", REMOVED)
+def test_a_setting_of_before_says_where_it_went(name):
+    told = LEFT.format(name) + REMOVED[name]
+    text = SCENE.read_text().replace("[solver]", f'[solver]\n{name} = "exact"')
+    with pytest.raises(SceneError, match=told):
+        solver.loads(text)
+    with pytest.raises(SceneError, match=told):
+        solver.load(SCENE, {f"solver.{name}": "exact"})
+    with pytest.raises(solver.OptionError, match=told):
+        solver.simulate(SCENE, **{name: "exact"})
+    with pytest.raises(UsageError, match=told):
+        run_fmu(scene_fmu("double_pendulum"), settings={f"solver.{name}": "exact"})
+
+
+def test_no_setting_is_both_there_and_gone():
+    assert not OPTIONS.keys() & REMOVED.keys()
