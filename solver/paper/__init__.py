@@ -8,8 +8,8 @@ energies. `motion` moves a `Problem` that one writes down, `simulate` a scene.
 from __future__ import annotations
 
 from .energies import Iteration
-from .problem import FORMULATIONS, Functions, Method, Problem, penalties
+from .problem import Functions, Method, Problem, penalties
 from .step import Moment, motion, step
 
-__all__ = ["FORMULATIONS", "Functions", "Iteration", "Method", "Moment", "Problem", "Run"]
+__all__ = ["Functions", "Iteration", "Method", "Moment", "Problem", "Run"]
 __all__ += ["motion", "penalties", "problem_of", "simulate", "step"]

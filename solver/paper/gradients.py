@@ -9,9 +9,7 @@ import numpy as np
 from .problem import Array, Functions
 
 ROUND_OFF = 1e-15
-"""Error of eq 8 at the midpoint, relative to the terms of the function, that rounding explains."""
-PLACES = np.arange(1, 17) / 32.0
-"""Distances from 1/2 where a change of sign is looked for."""
+"""What eq 8 may miss at the midpoint, relative to the terms of the function."""
 CLOSE = 1e-5
 """Relative change of a square below which the mean of both derivatives is nearer than a quotient."""
 
@@ -22,71 +20,59 @@ def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
 
 
 def intermediate(f: Functions, q_n: Array, q_n1: Array) -> Array:
-    """Gradients at q_n + beta d with Phi_q d = Phi_n1 - Phi_n: each function has its own beta.
+    """Gradients at q_n + beta d, so that Phi_q d = Phi_n1 - Phi_n (eq 8), with d = q_n1 - q_n.
 
-    One beta for all, as eq 8 may be read, does not exist in general; for one function the mean
-    value theorem gives it. Of several the one next to 1/2 is taken; quadratic functions have 1/2.
+    Each function has its own beta: the mean value theorem gives none for several at once. The one
+    next to 1/2 is taken, and 1/2 itself where the function is quadratic.
     """
     G, d, change = midpoint(f, q_n, q_n1), q_n1 - q_n, f.value(q_n1) - f.value(q_n)
-    size = np.abs(G) @ (np.abs(q_n) + np.abs(q_n1))
-    for row in np.flatnonzero(np.abs(G @ d - change) > ROUND_OFF * size):
+    terms = np.abs(G) @ (np.abs(q_n) + np.abs(q_n1))
+    for row in np.flatnonzero(np.abs(G @ d - change) > ROUND_OFF * terms):
 
         def missed(beta: float, row: int = row) -> float:
             return float(f.gradient(q_n + beta * d)[row] @ d - change[row])
 
-        G[row] = f.gradient(q_n + next_to_half(missed) * d)[row]
+        G[row] = f.gradient(q_n + root_next_to_half(missed) * d)[row]
     return G
 
 
-def next_to_half(f: Callable[[float], float]) -> float:
-    """Root of f in [0, 1] next to 1/2; 1/2 where rounding hides its change of sign."""
-    inner = {1.0: (0.5, f(0.5))}
-    inner[-1.0] = inner[1.0]
-    for place in PLACES:
-        for side, (a, f_a) in inner.items():
-            b = 0.5 + side * place
-            f_b = f(b)
-            if f_a * f_b <= 0.0:
-                return bracketed_root(f, a, f_a, b, f_b)
-            inner[side] = b, f_b
+def root_next_to_half(f: Callable[[float], float]) -> float:
+    """Root in [0, 1] by regula falsi (Illinois); 1/2 where rounding hides the change of sign."""
+    for inner in np.arange(16) / 32.0:
+        for side in (1.0, -1.0):
+            a, b = 0.5 + side * inner, 0.5 + side * (inner + 1.0 / 32.0)
+            f_a, f_b = f(a), f(b)
+            if f_a * f_b > 0.0:
+                continue
+            while f_b != 0.0 and abs(b - a) > 1e-16 and f_a != f_b:
+                c = b - f_b * (b - a) / (f_b - f_a)
+                if abs(c - b) <= 1e-16:
+                    break
+                f_c = f(c)
+                a, f_a = (b, f_b) if f_b * f_c <= 0.0 else (a, 0.5 * f_a)
+                b, f_b = c, f_c
+            return b
     return 0.5
 
 
-def bracketed_root(f: Callable[[float], float], a: float, f_a: float, b: float, f_b: float) -> float:
-    """Root between a and b, by regula falsi (Illinois)."""
-    for _ in range(100):
-        c = b - f_b * (b - a) / (f_b - f_a) if f_b != f_a else b
-        if f_b == 0.0 or abs(c - b) <= 1e-16:
-            return c
-        f_c = f(c)
-        a, f_a = (b, f_b) if f_b * f_c < 0.0 else (a, 0.5 * f_a)
-        b, f_b = c, f_c
-    return b
-
-
 def scalar(f: Functions, q_n: Array, q_n1: Array) -> Array:
-    """Gradients of functions of a scalar (eqs 11 and 25), of others those of eq 8.
+    """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q at the midpoint, s a scalar's square (eqs 11, 25).
 
-    With the scalar's square s: (Phi_n1 - Phi_n)/(s_n1 - s_n) grad s at the midpoint.
+    Functions without such a scalar have those of eq 8.
     """
     if f.square is None or f.square_gradient is None:
         return intermediate(f, q_n, q_n1)
-    s_n, s_n1 = f.square(q_n), f.square(q_n1)
+    s_n, s_n1, ends = f.square(q_n), f.square(q_n1), (q_n, q_n1)
     close = np.abs(s_n1 - s_n) <= CLOSE * np.maximum(np.abs(s_n), np.abs(s_n1))
-    ends = [(f.gradient(q), f.square_gradient(q)) for q in (q_n, q_n1)]
-    with np.errstate(all="ignore"):
-        derivative = 0.5 * sum(np.sum(G * g, axis=1) / np.sum(g * g, axis=1) for G, g in ends)
-        quotient = (f.value(q_n1) - f.value(q_n)) / (s_n1 - s_n)
-    slope = np.where(close, derivative, quotient)
-    return slope[:, None] * f.square_gradient(0.5 * (q_n + q_n1))
+    at_ends = [np.sum(f.gradient(q) * f.square_gradient(q), axis=1) for q in ends]
+    norms = [np.sum(f.square_gradient(q) ** 2, axis=1) for q in ends]
+    quotient = (f.value(q_n1) - f.value(q_n)) / np.where(close, 1.0, s_n1 - s_n)
+    mean = 0.5 * (at_ends[0] / norms[0] + at_ends[1] / norms[1])
+    return np.where(close, mean, quotient)[:, None] * f.square_gradient(0.5 * (q_n + q_n1))
 
 
 GRADIENTS = {
-    "conserving-al": scalar,
-    "conserving-al-beta": intermediate,
-    "conserving-penalty": scalar,
-    "midpoint-al": midpoint,
-    "midpoint-penalty": midpoint,
-    "penalty-velocity": midpoint,
-}
-"""Gradient of each formulation."""
+    "conserving-al": scalar, "conserving-al-beta": intermediate, "conserving-penalty": scalar,
+    "midpoint-al": midpoint, "midpoint-penalty": midpoint, "penalty-velocity": midpoint,
+}  # fmt: skip
+"""Gradients of each formulation."""
