@@ -11,7 +11,7 @@ from .problem import Array, Functions
 ROUND_OFF = 1e-15
 """What eq 8 may miss at the midpoint, relative to the terms of the function."""
 CLOSE = 1e-5
-"""Relative change of a square below which the mean of both derivatives is nearer than a quotient."""
+"""Relative change of a square below which the mean of both slopes is nearer than a quotient."""
 
 
 def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
@@ -19,15 +19,15 @@ def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
     return f.gradient(0.5 * (q_n + q_n1))
 
 
-def intermediate(f: Functions, q_n: Array, q_n1: Array) -> Array:
+def intermediate(f: Functions, q_n: Array, q_n1: Array, where: Array | bool = True) -> Array:
     """Gradients at q_n + beta d, so that Phi_q d = Phi_n1 - Phi_n (eq 8), with d = q_n1 - q_n.
 
     Each function has its own beta: the mean value theorem gives none for several at once. The one
-    next to 1/2 is taken, and 1/2 itself where the function is quadratic.
+    next to 1/2 is taken, and 1/2 itself where the function is quadratic, or not `where`.
     """
     G, d, change = midpoint(f, q_n, q_n1), q_n1 - q_n, f.value(q_n1) - f.value(q_n)
     terms = np.abs(G) @ (np.abs(q_n) + np.abs(q_n1))
-    for row in np.flatnonzero(np.abs(G @ d - change) > ROUND_OFF * terms):
+    for row in map(int, np.flatnonzero(where & (np.abs(G @ d - change) > ROUND_OFF * terms))):
 
         def missed(beta: float, row: int = row) -> float:
             return float(f.gradient(q_n + beta * d)[row] @ d - change[row])
@@ -56,19 +56,20 @@ def root_next_to_half(f: Callable[[float], float]) -> float:
 
 
 def scalar(f: Functions, q_n: Array, q_n1: Array) -> Array:
-    """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q at the midpoint, s a scalar's square (eqs 11, 25).
+    """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q at the midpoint, s the square (eqs 11 and 25).
 
     Functions without such a scalar have those of eq 8.
     """
     if f.square is None or f.square_gradient is None:
         return intermediate(f, q_n, q_n1)
-    s_n, s_n1, ends = f.square(q_n), f.square(q_n1), (q_n, q_n1)
+    s_n, s_n1 = f.square(q_n), f.square(q_n1)
     close = np.abs(s_n1 - s_n) <= CLOSE * np.maximum(np.abs(s_n), np.abs(s_n1))
-    at_ends = [np.sum(f.gradient(q) * f.square_gradient(q), axis=1) for q in ends]
-    norms = [np.sum(f.square_gradient(q) ** 2, axis=1) for q in ends]
+    pairs = [(f.gradient(q), f.square_gradient(q)) for q in (q_n, q_n1)]
+    slope = np.mean([np.sum(G * s_q, axis=1) / np.sum(s_q**2, axis=1) for G, s_q in pairs], axis=0)
     quotient = (f.value(q_n1) - f.value(q_n)) / np.where(close, 1.0, s_n1 - s_n)
-    mean = 0.5 * (at_ends[0] / norms[0] + at_ends[1] / norms[1])
-    return np.where(close, mean, quotient)[:, None] * f.square_gradient(0.5 * (q_n + q_n1))
+    G = np.where(close, slope, quotient)[:, None] * f.square_gradient(0.5 * (q_n + q_n1))
+    lacks = np.isnan(s_n)
+    return np.where(lacks[:, None], intermediate(f, q_n, q_n1, lacks), G) if any(lacks) else G
 
 
 GRADIENTS = {

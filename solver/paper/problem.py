@@ -17,7 +17,7 @@ class Functions:
     """Functions of the coordinates q (n,), such as all constraints Phi(q): values and gradients.
 
     Each may depend on a scalar whose square is quadratic in q, such as a distance. Where `square`
-    tells that, eqs 11 and 26 serve in the place of eq 8.
+    tells that, and is not NaN, eqs 11 and 26 serve in the place of eq 8.
     """
 
     value: Vector  # (r,)
@@ -60,9 +60,3 @@ class Method:
     update: str = "paper"
     xi: float = 1.0
     omega: float = 10.0
-
-
-def penalties(problem: Problem, chi: float, h: float) -> Array:
-    """Penalties (r,) at which an update divides what is missed by 1 + chi (theory 3.3)."""
-    G = problem.phi.gradient(problem.q)
-    return 4.0 * chi / (h**2 * np.sum(G.T * np.linalg.solve(problem.M, G.T), axis=0))

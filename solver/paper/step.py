@@ -17,7 +17,7 @@ import numpy as np
 from solver.runtime import StepError
 
 from .energies import Iteration, Trial, iteration
-from .gradients import GRADIENTS, midpoint
+from .gradients import GRADIENTS, midpoint, scalar
 from .problem import Array, Method, Problem
 
 MOST = 500
@@ -35,7 +35,7 @@ class Moment(NamedTuple):
 
 
 def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -> Array:
-    """What the penalty multiplies: the mean of Phi (eqs 9, 15), Phi at the midpoint (5, 7), eq 3."""
+    """What the penalty multiplies: mean of Phi (eqs 9, 15), Phi at the midpoint (5, 7), or eq 3."""
     phi, end, twice = problem.phi, at.q + d, 2.0 * method.xi * method.omega
     if method.formulation.startswith("conserving"):
         return 0.5 * (phi.value(at.q) + phi.value(end))
@@ -51,14 +51,13 @@ def trial(problem: Problem, method: Method, at: Moment, h: float, w: Array) -> T
     d, gradient = h * at.v + w, GRADIENTS[method.formulation]
     end = at.q + d
     force = problem.Q(at.q + 0.5 * d, d / h, at.t + 0.5 * h)
-    force = force - gradient(problem.potentials, at.q, end).sum(axis=0)
+    of_potentials = midpoint if gradient is midpoint else scalar
+    force = force - of_potentials(problem.potentials, at.q, end).sum(axis=0)
     C = measured(problem, method, at, h, d)
     return Trial(d, gradient(problem.phi, at.q, end), force, C, problem.phi.value(end))
 
 
-def tangent(
-    problem: Problem, method: Method, at: Moment, h: float, w: Array, mu: Array
-) -> Array:
+def tangent(problem: Problem, method: Method, at: Moment, h: float, w: Array, mu: Array) -> Array:
     """Derivative of momentum balance and rows in (w, mu), by central differences in w."""
     n, delta = len(w), 1e-5 * (np.ptp(at.q) or 1.0)
     K = np.zeros((n + len(mu), n + len(mu)))
@@ -72,7 +71,7 @@ def tangent(
     return K
 
 
-@np.errstate(over="ignore", invalid="ignore")
+@np.errstate(over="ignore", invalid="ignore", divide="ignore")
 def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
     """Take a step of length h: two nested loops, or one in which the multipliers follow.
 
