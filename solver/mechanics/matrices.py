@@ -139,7 +139,8 @@ class Matrices:
     def quantities(self, q: Array) -> tuple[Array, Array]:
         """Likewise, with the angles next to those that `follow` was told."""
         values, gradients = self._principal(q)
-        return values + TURN * np.round(self._is_angle * (self._angles - values) / TURN), gradients
+        turns = np.round((self._angles - values) / TURN)
+        return np.where(self._is_angle, values + TURN * turns, values), gradients
 
     def follow(self, q: Array) -> None:
         """Let angles go on from those at q beyond half a turn."""
@@ -182,10 +183,18 @@ class Matrices:
         G = self.quantities(q)[1][self._elements]
         return self._loads + G.T @ (self._section["drive"] - self._section["damping"] * (G @ v))
 
-    def put(self, integrator: Integrator, t: float, q: Array, v: Array) -> None:
-        """Put an integrator at a place that it did not go to itself, so that it tells outputs."""
-        state = {name: np.asarray(vector) for name, vector in integrator.state.vectors.items()}
-        integrator.state.head["time"], state["q"][:], state["v"][:] = t, q, v
+    def put(self, integrator: Integrator, t: float, q: Array, v: Array, mu: Array) -> None:
+        """Put an integrator at the end of a step that it did not take, so that it tells outputs."""
+        head, vectors = integrator.state.head, integrator.state.vectors
+        state = {name: np.asarray(vector) for name, vector in vectors.items()}
+        head["mean_time_before"], head["mean_time"], head["time"] = (
+            head["mean_time"],
+            head["time"],
+            t,
+        )
+        state["mean_before"][:] = state["mean"]
+        state["mean"][:] = 0.5 * (state["mu_first"] + mu)
+        state["q"][:], state["v"][:], state["mu_first"][:] = q, v, mu
         state["q_low"][:], state["v_low"][:] = 0.0, 0.0
         turned = self.quantities(q)[0] - self._principal(q)[0]
         state["turns"][:] = np.round(turned / TURN)

@@ -6,12 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .problem import Array, Functions
+from .problem import Array, Functions, Mask
 
-ROUND_OFF = 1e-15
-"""What eq 8 may miss at the midpoint, relative to the terms of the function."""
-CLOSE = 1e-5
-"""Relative change of a square below which the mean of both slopes is nearer than a quotient."""
+ROUND_OFF = 1e-15  # what eq 8 may miss at the midpoint, relative to the terms of the function
+CLOSE = 1e-5  # change of a square below which a mean of slopes is nearer than their quotient
 
 
 def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
@@ -19,7 +17,7 @@ def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
     return f.gradient(0.5 * (q_n + q_n1))
 
 
-def intermediate(f: Functions, q_n: Array, q_n1: Array, where: Array | bool = True) -> Array:
+def intermediate(f: Functions, q_n: Array, q_n1: Array, where: Mask | bool = True) -> Array:
     """Gradients at q_n + beta d, so that Phi_q d = Phi_n1 - Phi_n (eq 8), with d = q_n1 - q_n.
 
     Each function has its own beta: the mean value theorem gives none for several at once. The one

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 Vector = Callable[[Array], Array]
 
 
@@ -31,7 +32,11 @@ NOTHING = Functions(lambda _: np.zeros(0), lambda q: np.zeros((0, len(q))))
 
 @dataclass(frozen=True, kw_only=True)
 class Problem:
-    """A mechanism in coordinates with a constant mass matrix M (n, n), and its start q, v (n,)."""
+    """A mechanism in coordinates with a constant mass matrix M (n, n), from q, v (n,) on.
+
+    Q(q, v, t) (n,) are applied forces besides those of the potentials, taken at the midpoint (eq 5).
+    `begin_step` is told q_n before each step, so that angles may go on beyond half a turn.
+    """
 
     M: Array
     q: Array
@@ -39,9 +44,7 @@ class Problem:
     phi: Functions = NOTHING  # constraints
     potentials: Functions = NOTHING  # energies V of springs and weights [J]
     Q: Callable[[Array, Array, float], Array] = lambda q, v, t: np.zeros_like(q)  # noqa: ARG005
-    """Other applied forces (n,) of q, v and t, taken at the midpoint (eq 5)."""
     begin_step: Callable[[Array], None] = lambda q: None  # noqa: ARG005
-    """Is told q_n before each step, so that angles may go on from there beyond half a turn."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -15,7 +15,7 @@ from solver.runtime import Integrator, Model
 from solver.scene import Scene, load
 from solver.signals import communication_points
 
-from .problem import Array, Functions, Method, Problem, Vector
+from .problem import Array, Functions, Method, Problem
 from .step import Moment, step
 
 TAKEN = "formulation", "algorithm", "xi", "omega", "penalty", "multiplier_update", "step_size"
@@ -31,13 +31,11 @@ class Run(NamedTuple):
 
 def problem_of(x: Matrices) -> Problem:
     """Return a model as a problem, from where its integrator stood."""
-
-    def both(f: Callable[[Array], tuple[Array, Array]]) -> tuple[Vector, Vector]:
-        return lambda q: f(q)[0], lambda q: f(q)[1]
-
-    energies = Functions(*both(x.energies), *both(x.squares))
+    f, e, s = x.rows, x.energies, x.squares
+    phi = Functions(lambda q: f(q)[0], lambda q: f(q)[1])
+    V = Functions(lambda q: e(q)[0], lambda q: e(q)[1], lambda q: s(q)[0], lambda q: s(q)[1])
     parts = {"M": x.M, "q": x.q, "v": x.v, "Q": lambda q, v, _: x.forces(q, v)}
-    return Problem(phi=Functions(*both(x.rows)), potentials=energies, begin_step=x.follow, **parts)
+    return Problem(phi=phi, potentials=V, begin_step=x.follow, **parts)
 
 
 def simulate(
@@ -74,11 +72,10 @@ def simulate(
     scene = mechanism if isinstance(mechanism, Scene | Model) else load(mechanism)
     model = scene if isinstance(scene, Model) else assemble(scene)
     integrator = Integrator(model)
-    given = options if update is None else options | {"multiplier_update": update}
-    for name, value in {
-        **(parameters or {}),
-        **{f"solver.{k}": x for k, x in given.items()},
-    }.items():
+    if update is not None:
+        options["multiplier_update"] = update
+    given = {f"solver.{name}": value for name, value in options.items()}
+    for name, value in {**(parameters or {}), **given}.items():
         integrator[name] = value
     setting: dict[str, Any] = {name: integrator[f"solver.{name}"] for name in TAKEN}
     integrator["solver.formulation"] = "conserving-al"  # which takes every scene
@@ -89,23 +86,22 @@ def simulate(
     stop = model.experiment.stop_time if stop_time is None else stop_time
     times = communication_points(start, stop, h, step_is_chosen=True)
     per_step = 1.0 if setting["formulation"] == "penalty-velocity" else 4.0 / h**2
-    alpha, update = per_step * setting.pop("penalty") / x.sigma, setting.pop("multiplier_update")
-    method = Method(alpha=alpha, update=update, **setting)
+    setting["update"] = setting.pop("multiplier_update")
+    method = Method(alpha=per_step * setting.pop("penalty") / x.sigma, **setting)
     names = outputs or [v.name for v in model.variables if v.causality in ("input", "output")]
     places = [model.index(name) for name in names]
     moments, table = [Moment(start, x.q, x.v, 0.0 * x.sigma)], [integrator.get(places)]
     for before, after in pairwise(times):
         moments.append(step(problem, method, moments[-1], after - before))
-        _show(integrator, x, method, moments[-2:])
+        _show(integrator, x, method, *moments[-2:])
         table.append(integrator.get(places))
     columns = zip(names, np.array(table, dtype=float).T, strict=True)
     return Run(np.array(times), dict(columns), moments)
 
 
-def _show(integrator: Integrator, x: Matrices, method: Method, ends: list[Moment]) -> None:
-    """Put an integrator at the end of a step, with work and multipliers booked."""
-    (n, n1), head, vectors = ends, integrator.state.head, integrator.state.vectors
-    d, middle, mu, before = n1.q - n.q, 0.5 * (n.q + n1.q), n1.iterations[-1].mu, n.iterations
+def _show(integrator: Integrator, x: Matrices, method: Method, n: Moment, n1: Moment) -> None:
+    """Put an integrator at the end of a step, with the work of forces booked."""
+    head, d, middle = integrator.state.head, n1.q - n.q, 0.5 * (n.q + n1.q)
     driven, damped = (float(x.forces(middle, v) @ d) for v in (0.0 * d, d / (n1.t - n.t)))
     head["work"] += driven
     head["dissipated"] += driven - damped
@@ -113,8 +109,4 @@ def _show(integrator: Integrator, x: Matrices, method: Method, ends: list[Moment
         stored = [0.5 * float(method.alpha @ x.rows(q)[0] ** 2) for q in (n.q, n1.q)]
         head["stored_start"] -= stored[1] - stored[0]
     head["energy_reference"] = max(head["energy_reference"], 0.5 * float(n1.v @ x.M @ n1.v))
-    head["mean_time_before"], mean = head["mean_time"], np.asarray(vectors["mean"])
-    np.asarray(vectors["mean_before"])[:] = mean
-    head["mean_time"] = n.t if before else 0.5 * (n.t + n1.t)
-    mean[:] = 0.5 * (before[-1].mu + mu) if before else mu
-    x.put(integrator, n1.t, n1.q, n1.v)
+    x.put(integrator, n1.t, n1.q, n1.v, n1.iterations[-1].mu)

@@ -20,8 +20,7 @@ from .energies import Iteration, Trial, iteration
 from .gradients import GRADIENTS, midpoint, scalar
 from .problem import Array, Method, Problem
 
-MOST = 500
-"""Newton's iterations in a step."""
+MOST = 500  # solutions of the linear system in a step
 
 
 class Moment(NamedTuple):
