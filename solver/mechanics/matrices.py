@@ -66,7 +66,7 @@ class Matrices:
         state = {name: np.array(x) for name, x in integrator.state.vectors.items()}
         self.q, self.v = state["q"], state["v"]
         self.sigma = state["derived"][2 + len(model.rows) :]
-        self._is_angle = np.equal(model.tables["quantity_kind"], QUANTITY_ANGLE)
+        self._is_angle = np.array(model.tables["quantity_kind"]) == QUANTITY_ANGLE
         self._angles = TURN * state["turns"]
         self._read_forms(model.sizes["n_free"])
         pieces = [self._rows_of("leaf", 4)[a:b] for a, b in pairwise(self._tables["leaf_ptr"])]
@@ -77,6 +77,7 @@ class Matrices:
         operations = [self._rows_of("operation", 4)[a:b] for a, b in ends]
         functions = list(zip(leaves[count:], operations, strict=True))
         self._function_rows, self._potentials = functions[:rows], functions[rows:]
+        self._stored_start = integrator.state.head["stored_start"]
         self.follow(self.q)
 
     def _refuse(self, sizes: dict[str, int]) -> None:
@@ -183,10 +184,23 @@ class Matrices:
         G = self.quantities(q)[1][self._elements]
         return self._loads + G.T @ (self._section["drive"] - self._section["damping"] * (G @ v))
 
-    def put(self, integrator: Integrator, t: float, q: Array, v: Array, mu: Array) -> None:
-        """Put an integrator at the end of a step that it did not take, so that it tells outputs."""
+    def put(
+        self, integrator: Integrator, t: float, q: Array, v: Array, mu: Array, stored: float
+    ) -> None:
+        """Put an integrator at the end of a step that it did not take, so that it tells outputs.
+
+        `stored` [J] is the energy at q in penalties. Work since the last place is booked.
+        """
         head, vectors = integrator.state.head, integrator.state.vectors
         state = {name: np.asarray(vector) for name, vector in vectors.items()}
+        d, middle = q - state["q"], 0.5 * (q + state["q"])
+        driven = float(self.forces(middle, 0.0 * d) @ d)
+        head["work"] += driven
+        head["dissipated"] += driven - float(self.forces(middle, d / (t - head["time"])) @ d)
+        head["stored_start"] = self._stored_start - stored
+        change = self.energies(q)[0].sum() - self.energies(self.q)[0].sum() + stored
+        sizes = head["energy_reference"], 0.5 * float(v @ self.M @ v), abs(float(change))
+        head["energy_reference"] = max(sizes)
         head["mean_time_before"], head["mean_time"], head["time"] = (
             head["mean_time"],
             head["time"],

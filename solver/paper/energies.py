@@ -22,9 +22,8 @@ class Trial(NamedTuple):
 class Iteration(NamedTuple):
     """One iteration on the multipliers (nested), or one of Newton's (simultaneous); energies in J.
 
-    With a conserving formulation `kinetic` = `applied` + any of the last three once the momentum
-    balance is solved, for any multipliers; these three vanish with Phi_n1 - Phi_n. With a midpoint
-    formulation `eq17` alone is the work of the constraints, and it does not vanish.
+    A conserving formulation has `kinetic` = `applied` + any of the last three, which vanish with
+    Phi_n1 - Phi_n. With a midpoint formulation `eq17` alone is the work, and does not vanish.
     """
 
     newton: int  # solutions of Newton's linear system in this step so far

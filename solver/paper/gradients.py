@@ -20,8 +20,8 @@ def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
 def intermediate(f: Functions, q_n: Array, q_n1: Array, where: Mask | bool = True) -> Array:
     """Gradients at q_n + beta d, so that Phi_q d = Phi_n1 - Phi_n (eq 8), with d = q_n1 - q_n.
 
-    Each function has its own beta: the mean value theorem gives none for several at once. The one
-    next to 1/2 is taken, and 1/2 itself where the function is quadratic, or not `where`.
+    Each function has its own beta, that next to 1/2; no one beta serves several. It is 1/2 itself
+    where a function is quadratic, or not `where`.
     """
     G, d, change = midpoint(f, q_n, q_n1), q_n1 - q_n, f.value(q_n1) - f.value(q_n)
     terms = np.abs(G) @ (np.abs(q_n) + np.abs(q_n1))
@@ -42,13 +42,12 @@ def root_next_to_half(f: Callable[[float], float]) -> float:
             f_a, f_b = f(a), f(b)
             if f_a * f_b > 0.0:
                 continue
-            while f_b != 0.0 and abs(b - a) > 1e-16 and f_a != f_b:
+            while f_b != 0.0 and f_a != f_b:
                 c = b - f_b * (b - a) / (f_b - f_a)
                 if abs(c - b) <= 1e-16:
                     break
-                f_c = f(c)
-                a, f_a = (b, f_b) if f_b * f_c <= 0.0 else (a, 0.5 * f_a)
-                b, f_b = c, f_c
+                a, f_a = (a, 0.5 * f_a) if f_b * f(c) > 0.0 else (b, f_b)
+                b, f_b = c, f(c)
             return b
     return 0.5
 

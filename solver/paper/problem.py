@@ -15,10 +15,10 @@ Vector = Callable[[Array], Array]
 
 @dataclass(frozen=True)
 class Functions:
-    """Functions of the coordinates q (n,), such as all constraints Phi(q): values and gradients.
+    """Functions of the coordinates q (n,), such as all constraints Phi(q), with their gradients.
 
-    Each may depend on a scalar whose square is quadratic in q, such as a distance. Where `square`
-    tells that, and is not NaN, eqs 11 and 26 serve in the place of eq 8.
+    `square` is that of the scalar that each depends on alone (eqs 11, 26), such as a distance; it
+    is quadratic in q, and NaN where there is none.
     """
 
     value: Vector  # (r,)
@@ -34,7 +34,7 @@ NOTHING = Functions(lambda _: np.zeros(0), lambda q: np.zeros((0, len(q))))
 class Problem:
     """A mechanism in coordinates with a constant mass matrix M (n, n), from q, v (n,) on.
 
-    Q(q, v, t) (n,) are applied forces besides those of the potentials, taken at the midpoint (eq 5).
+    Q(q, v, t) (n,) are other applied forces than those of potentials, at the midpoint (eq 5).
     `begin_step` is told q_n before each step, so that angles may go on beyond half a turn.
     """
 
@@ -49,11 +49,10 @@ class Problem:
 
 @dataclass(frozen=True, kw_only=True)
 class Method:
-    """A formulation of `solver.options`, and how its multipliers follow.
+    """A formulation of `solver.options`, with penalties `alpha`, one or (r,).
 
-    `alpha` are the penalties, one or (r,). Newton's iteration has fixed multipliers (algorithm
-    "nested"), or they follow each increment ("simultaneous"). An update adds alpha times the mean
-    of Phi ("paper", eqs 16 and 27), or half of alpha Phi_n1 ("end"), so that Phi_n is forgotten.
+    Multipliers are fixed in Newton's iteration ("nested") or follow it ("simultaneous"). An update
+    adds alpha times the mean of Phi ("paper", eqs 16, 27) or Phi_n1/2 ("end"), which forgets Phi_n.
     Damping ratio `xi` and frequency `omega` [rad/s] are those of eq 3.
     """
 

@@ -51,13 +51,9 @@ def simulate(
 
     Parameters
     ----------
-    mechanism : Scene, Model or path of a scene
-    stop_time : float, optional
-        End [s].
-    parameters : mapping of str to float, optional
-        Parameters and inputs, kept for the whole run.
-    outputs : sequence of str, optional
-        Variables to collect after each step; all outputs where left out.
+    mechanism, stop_time, parameters, outputs
+        As those of ``holonom.simulate``; inputs are constant, among the parameters. Outputs are
+        collected after each step.
     update : {"paper", "end"}, optional
         The setting `multiplier_update`.
     **options
@@ -66,8 +62,7 @@ def simulate(
     Raises
     ------
     SceneError, AssemblyError, OptionError, StepError
-        What is wrong with the scene, what it has that this method does not take, or which step
-        cannot be solved.
+        What is wrong, what a scene has that this method does not take, or which step fails.
     """
     scene = mechanism if isinstance(mechanism, Scene | Model) else load(mechanism)
     model = scene if isinstance(scene, Model) else assemble(scene)
@@ -88,25 +83,14 @@ def simulate(
     per_step = 1.0 if setting["formulation"] == "penalty-velocity" else 4.0 / h**2
     setting["update"] = setting.pop("multiplier_update")
     method = Method(alpha=per_step * setting.pop("penalty") / x.sigma, **setting)
+    pure = setting["formulation"].endswith("-penalty")
     names = outputs or [v.name for v in model.variables if v.causality in ("input", "output")]
     places = [model.index(name) for name in names]
     moments, table = [Moment(start, x.q, x.v, 0.0 * x.sigma)], [integrator.get(places)]
     for before, after in pairwise(times):
-        moments.append(step(problem, method, moments[-1], after - before))
-        _show(integrator, x, method, *moments[-2:])
+        moments.append(n1 := step(problem, method, moments[-1], after - before))
+        stored = 0.5 * float(method.alpha @ x.rows(n1.q)[0] ** 2) if pure else 0.0
+        x.put(integrator, n1.t, n1.q, n1.v, n1.iterations[-1].mu, stored)
         table.append(integrator.get(places))
     columns = zip(names, np.array(table, dtype=float).T, strict=True)
     return Run(np.array(times), dict(columns), moments)
-
-
-def _show(integrator: Integrator, x: Matrices, method: Method, n: Moment, n1: Moment) -> None:
-    """Put an integrator at the end of a step, with the work of forces booked."""
-    head, d, middle = integrator.state.head, n1.q - n.q, 0.5 * (n.q + n1.q)
-    driven, damped = (float(x.forces(middle, v) @ d) for v in (0.0 * d, d / (n1.t - n.t)))
-    head["work"] += driven
-    head["dissipated"] += driven - damped
-    if method.formulation.endswith("-penalty"):  # whose energy is in no spring of the scene
-        stored = [0.5 * float(method.alpha @ x.rows(q)[0] ** 2) for q in (n.q, n1.q)]
-        head["stored_start"] -= stored[1] - stored[0]
-    head["energy_reference"] = max(head["energy_reference"], 0.5 * float(n1.v @ x.M @ n1.v))
-    x.put(integrator, n1.t, n1.q, n1.v, n1.iterations[-1].mu)

@@ -50,8 +50,8 @@ def trial(problem: Problem, method: Method, at: Moment, h: float, w: Array) -> T
     d, gradient = h * at.v + w, GRADIENTS[method.formulation]
     end = at.q + d
     force = problem.Q(at.q + 0.5 * d, d / h, at.t + 0.5 * h)
-    of_potentials = midpoint if gradient is midpoint else scalar
-    force = force - of_potentials(problem.potentials, at.q, end).sum(axis=0)
+    of_V = midpoint if gradient is midpoint else scalar
+    force = force - of_V(problem.potentials, at.q, end).sum(axis=0)
     C = measured(problem, method, at, h, d)
     return Trial(d, gradient(problem.phi, at.q, end), force, C, problem.phi.value(end))
 
@@ -72,13 +72,7 @@ def tangent(problem: Problem, method: Method, at: Moment, h: float, w: Array, mu
 
 @np.errstate(over="ignore", invalid="ignore", divide="ignore")
 def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
-    """Take a step of length h: two nested loops, or one in which the multipliers follow.
-
-    Raises
-    ------
-    StepError
-        Where the iterations do not converge.
-    """
+    """Take a step of length h; `StepError` where the iterations do not converge."""
     problem.begin_step(at.q)
     nested, updates = method.algorithm == "nested", "-al" in method.formulation
     ends = method.update == "end" and method.formulation.startswith("conserving")
