@@ -66,7 +66,8 @@ class Matrices:
         state = {name: np.array(x) for name, x in integrator.state.vectors.items()}
         self.q, self.v = state["q"], state["v"]
         self.sigma = state["derived"][2 + len(model.rows) :]
-        self._is_angle = np.array(model.tables["quantity_kind"]) == QUANTITY_ANGLE
+        kinds = np.array(model.tables["quantity_kind"], dtype=np.int64)
+        self._is_angle = kinds == QUANTITY_ANGLE
         self._angles = TURN * state["turns"]
         self._read_forms(model.sizes["n_free"])
         pieces = [self._rows_of("leaf", 4)[a:b] for a, b in pairwise(self._tables["leaf_ptr"])]

@@ -42,6 +42,6 @@ def iteration(
 ) -> Iteration:
     """Return what an iteration held and where it came to."""
     change, size = now.phi - phi_n, float(np.max(np.abs(now.phi), initial=0.0))
-    eq17, eq28, applied = -float(now.G @ now.d @ mu), -float(change @ mu), float(now.force @ now.d)
     eq18 = -0.5 * float(alpha @ (now.phi**2 - phi_n**2)) - float(change @ lam)
-    return Iteration(newton, lam, mu, size, kinetic, applied, eq17, eq18, eq28)
+    works = float(now.force @ now.d), -float(now.G @ now.d @ mu), eq18, -float(change @ mu)
+    return Iteration(newton, lam, mu, size, kinetic, *works)

@@ -42,21 +42,17 @@ def root_next_to_half(f: Callable[[float], float]) -> float:
             f_a, f_b = f(a), f(b)
             if f_a * f_b > 0.0:
                 continue
-            while f_b != 0.0 and f_a != f_b:
+            while abs(b - a) > 1e-15 and f_b != 0.0 and f_a != f_b:
                 c = b - f_b * (b - a) / (f_b - f_a)
-                if abs(c - b) <= 1e-16:
-                    break
-                a, f_a = (a, 0.5 * f_a) if f_b * f(c) > 0.0 else (b, f_b)
-                b, f_b = c, f(c)
+                f_c, done = f(c), abs(c - b) <= 1e-15
+                a, f_a = (a, 0.5 * f_a) if f_b * f_c > 0.0 else (b, f_b)
+                b, f_b = c, 0.0 if done else f_c
             return b
     return 0.5
 
 
 def scalar(f: Functions, q_n: Array, q_n1: Array) -> Array:
-    """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q at the midpoint, s the square (eqs 11 and 25).
-
-    Functions without such a scalar have those of eq 8.
-    """
+    """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q, s_q in the middle (eqs 11, 25); else of eq 8."""
     if f.square is None or f.square_gradient is None:
         return intermediate(f, q_n, q_n1)
     s_n, s_n1 = f.square(q_n), f.square(q_n1)

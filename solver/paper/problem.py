@@ -49,11 +49,10 @@ class Problem:
 
 @dataclass(frozen=True, kw_only=True)
 class Method:
-    """A formulation of `solver.options`, with penalties `alpha`, one or (r,).
+    """A formulation of `solver.options`: its penalties alpha, one or (r,), and how lambda follows.
 
-    Multipliers are fixed in Newton's iteration ("nested") or follow it ("simultaneous"). An update
-    adds alpha times the mean of Phi ("paper", eqs 16, 27) or Phi_n1/2 ("end"), which forgets Phi_n.
-    Damping ratio `xi` and frequency `omega` [rad/s] are those of eq 3.
+    An update adds alpha times the mean of Phi ("paper", eqs 16, 27) or Phi_n1/2 ("end"), after
+    Newton's iteration ("nested") or in it ("simultaneous"). xi and omega [rad/s] are those of eq 3.
     """
 
     alpha: float | Array

@@ -52,12 +52,11 @@ def simulate(
     Parameters
     ----------
     mechanism, stop_time, parameters, outputs
-        As those of ``holonom.simulate``; inputs are constant, among the parameters. Outputs are
-        collected after each step.
+        Those of ``holonom.simulate``; inputs are parameters. Outputs are told after each step.
     update : {"paper", "end"}, optional
         The setting `multiplier_update`.
     **options
-        Settings `formulation`, `algorithm`, `penalty`, `step_size` [s], `xi` and `omega` [rad/s].
+        Settings `formulation`, `algorithm`, `penalty`, `step_size` [s], `xi`, `omega` [rad/s].
 
     Raises
     ------
@@ -67,8 +66,7 @@ def simulate(
     scene = mechanism if isinstance(mechanism, Scene | Model) else load(mechanism)
     model = scene if isinstance(scene, Model) else assemble(scene)
     integrator = Integrator(model)
-    if update is not None:
-        options["multiplier_update"] = update
+    options |= {} if update is None else {"multiplier_update": update}
     given = {f"solver.{name}": value for name, value in options.items()}
     for name, value in {**(parameters or {}), **given}.items():
         integrator[name] = value
@@ -83,13 +81,13 @@ def simulate(
     per_step = 1.0 if setting["formulation"] == "penalty-velocity" else 4.0 / h**2
     setting["update"] = setting.pop("multiplier_update")
     method = Method(alpha=per_step * setting.pop("penalty") / x.sigma, **setting)
-    pure = setting["formulation"].endswith("-penalty")
     names = outputs or [v.name for v in model.variables if v.causality in ("input", "output")]
     places = [model.index(name) for name in names]
     moments, table = [Moment(start, x.q, x.v, 0.0 * x.sigma)], [integrator.get(places)]
     for before, after in pairwise(times):
         moments.append(n1 := step(problem, method, moments[-1], after - before))
-        stored = 0.5 * float(method.alpha @ x.rows(n1.q)[0] ** 2) if pure else 0.0
+        stored = 0.5 * float(method.alpha @ x.rows(n1.q)[0] ** 2)
+        stored *= method.formulation.endswith("-penalty")
         x.put(integrator, n1.t, n1.q, n1.v, n1.iterations[-1].mu, stored)
         table.append(integrator.get(places))
     columns = zip(names, np.array(table, dtype=float).T, strict=True)

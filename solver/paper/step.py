@@ -2,9 +2,8 @@
 
     M (v_n1 - v_n) + h [ Phi_q' mu + V_q - Q ] = 0,     (v_n + v_n1)/2 = (q_n1 - q_n)/h
 
-The paper's alpha Phi + lambda is here a second unknown mu with the row Phi - (mu - lambda)/alpha
-= 0. So no digits are lost to a large penalty. The first unknown is w = q_n1 - q_n - h v_n, which
-makes v_n1 = v_n + 2 w/h.
+The unknowns are w = q_n1 - q_n - h v_n, so that v_n1 = v_n + 2 w/h, and the paper's alpha Phi +
+lambda as mu with the row Phi - (mu - lambda)/alpha = 0: no digits are lost to a large penalty.
 """
 
 from __future__ import annotations
@@ -38,9 +37,9 @@ def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -
     phi, end, twice = problem.phi, at.q + d, 2.0 * method.xi * method.omega
     if method.formulation.startswith("conserving"):
         return 0.5 * (phi.value(at.q) + phi.value(end))
-    middle = phi.value(at.q + 0.5 * d)
     if method.formulation != "penalty-velocity":
-        return middle
+        return phi.value(at.q + 0.5 * d)
+    middle = phi.value(at.q + 0.5 * d)
     jump = phi.gradient(end) @ (2.0 * d / h - at.v) - phi.gradient(at.q) @ at.v
     return jump / h + twice * midpoint(phi, at.q, end) @ d / h + method.omega**2 * middle
 
@@ -48,9 +47,8 @@ def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -
 def trial(problem: Problem, method: Method, at: Moment, h: float, w: Array) -> Trial:
     """Evaluate the step by w."""
     d, gradient = h * at.v + w, GRADIENTS[method.formulation]
-    end = at.q + d
+    end, of_V = at.q + d, midpoint if gradient is midpoint else scalar
     force = problem.Q(at.q + 0.5 * d, d / h, at.t + 0.5 * h)
-    of_V = midpoint if gradient is midpoint else scalar
     force = force - of_V(problem.potentials, at.q, end).sum(axis=0)
     C = measured(problem, method, at, h, d)
     return Trial(d, gradient(problem.phi, at.q, end), force, C, problem.phi.value(end))
@@ -66,7 +64,7 @@ def tangent(problem: Problem, method: Method, at: Moment, h: float, w: Array, mu
         K[:, k] = np.concatenate([h * force, b.C - a.C]) / (2.0 * delta)
     K[:n, :n] += 2.0 / h * problem.M
     K[:n, n:] = h * trial(problem, method, at, h, w).G.T
-    K[n:, n:] = -np.diag(1.0 / (method.alpha + np.zeros(len(mu))))
+    K[n:, n:] = -np.diag(1.0 / (method.alpha + 0.0 * mu))
     return K
 
 
@@ -106,11 +104,10 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
             return Moment(at.t + h, at.q + now.d, v, mu if updates else lam, tuple(found))
         if updates:  # eqs 16, 27
             lam = lam + alpha * (0.5 * held if ends else held)
-    message = (
-        f"step from t = {at.t:g} s with h = {h:g} s: Newton's iteration did not converge; "
-        f"a smaller step_size usually helps (rows missed by {defect:.1e} of their size)"
+    text = (
+        f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows missed by {defect:.1e})"
     )
-    raise StepError(message)
+    raise StepError(text + "; a smaller step_size usually helps")
 
 
 def motion(problem: Problem, method: Method, h: float, t: float = 0.0) -> Iterator[Moment]:
