@@ -19,7 +19,7 @@ from .energies import Iteration, Trial, iteration
 from .gradients import GRADIENTS, midpoint, scalar
 from .problem import Array, Method, Problem
 
-MOST = 500  # solutions of the linear system in a step
+MOST = 2000  # solutions of the linear system in a step
 
 
 class Moment(NamedTuple):
@@ -34,14 +34,14 @@ class Moment(NamedTuple):
 
 def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -> Array:
     """What the penalty multiplies: mean of Phi (eqs 9, 15), Phi at the midpoint (5, 7), or eq 3."""
-    phi, end, twice = problem.phi, at.q + d, 2.0 * method.xi * method.omega
+    phi, q, twice = problem.phi, at.q + 0.5 * d, 2.0 * method.xi * method.omega
     if method.formulation.startswith("conserving"):
-        return 0.5 * (phi.value(at.q) + phi.value(end))
+        return 0.5 * (phi.value(at.q) + phi.value(at.q + d))
     if method.formulation != "penalty-velocity":
-        return phi.value(at.q + 0.5 * d)
-    middle = phi.value(at.q + 0.5 * d)
-    jump = phi.gradient(end) @ (2.0 * d / h - at.v) - phi.gradient(at.q) @ at.v
-    return jump / h + twice * midpoint(phi, at.q, end) @ d / h + method.omega**2 * middle
+        return phi.value(q)
+    bend = (phi.gradient(q + 0.01 * d) - phi.gradient(q - 0.01 * d)) @ d / 0.02  # d' Phi_qq d
+    second = (2.0 * phi.gradient(q) @ (d - h * at.v) + bend) / h**2
+    return second + twice * phi.gradient(q) @ d / h + method.omega**2 * phi.value(q)
 
 
 def trial(problem: Problem, method: Method, at: Moment, h: float, w: Array) -> Trial:
@@ -88,8 +88,8 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
             break
         now = trial(problem, method, at, h, w)
         increment, moved = (np.linalg.norm(mass * y) for y in (x[: len(w)], now.d))
-        limit = 1e-10 * moved + 1e-13 * extent * np.linalg.norm(mass)
-        solved = increment <= 1e-6 * limit or 0.5 * last < increment <= limit
+        limit = 1e-12 * moved + 1e-15 * extent * np.linalg.norm(mass)
+        solved = increment <= 1e-4 * limit or 0.5 * last < increment <= limit
         K = None if limit < increment and increment > 0.1 * last else K
         last = np.inf if solved and nested else increment
         if nested and not solved:
