@@ -76,7 +76,7 @@ def on_a_sphere(square: bool) -> Problem:
     shell = Functions(
         lambda q: np.array([np.exp(r(q)) - math.e]), lambda q: (np.exp(r(q)) / r(q) * q)[None], *told
     )
-    q, v = np.array([0.6, 0.0, 0.8]), np.array([0.4, 1.5, -0.3])
+    q, v = np.array([0.6, 0.0, 0.8]), np.array([1.2, 1.5, 0.6])
     return Problem(M=1.5 * np.eye(3), q=q, v=v, phi=shell)
 
 
@@ -116,10 +116,11 @@ def impulse(problem: Problem, method: Method, h: float, n: Moment, n1: Moment) -
     if method.formulation.startswith("conserving"):  # 9, 15
         return h * beta_of_eq_8(phi, n.q, d).T @ (method.alpha * mean + lam)
     if method.formulation == "penalty-velocity":  # 3, by differences of Phi along the midpoint's line
-        e, v, a = 1e-4, d / h, (n1.v - n.v) / h
-        at = [phi.value(middle + s * e * v + 0.5 * (s * e) ** 2 * a) for s in (-1.0, 0.0, 1.0)]
-        rate, second = (at[2] - at[0]) / (2 * e), (at[2] - 2 * at[1] + at[0]) / e**2
-        force = second + 2 * method.xi * method.omega * rate + method.omega**2 * at[1]
+        e, v, a = 2e-3, d / h, (n1.v - n.v) / h
+        at = [phi.value(middle + s * v + 0.5 * s**2 * a) for s in e * np.arange(-2, 3)]
+        rate = np.array([1, -8, 0, 8, -1]) @ at / (12 * e)
+        second = np.array([-1, 16, -30, 16, -1]) @ at / (12 * e**2)
+        force = second + 2 * method.xi * method.omega * rate + method.omega**2 * at[2]
         return h * phi.gradient(middle).T @ (method.alpha * force)
     return h * phi.gradient(middle).T @ (method.alpha * phi.value(middle) + lam)  # 5, 7
 
@@ -127,11 +128,11 @@ def impulse(problem: Problem, method: Method, h: float, n: Moment, n1: Moment) -
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("algorithm", ["nested", "simultaneous"])
 def test_each_step_meets_its_equation_as_printed(formulation: str, algorithm: str):
-    # M (v_n1 - v_n) + impulse = 0 and the midpoint relation. The second differences of eq 3 and
-    # the 2001 places of eq 8 leave 1e-6 of the impulses, which are some 0.05 N s.
+    # M (v_n1 - v_n) + impulse = 0 and the midpoint relation. The differences of eq 3 and the 2001
+    # places of eq 8 leave 1e-6 of the impulses, which are some 0.05 N s.
     problem, h = two_on_curves(), 0.02
     method = Method(alpha=4e4, formulation=formulation, algorithm=algorithm)
-    path = [*islice(motion(problem, method, h), 21)]
+    path = [*islice(motion(problem, method, h), 9)]
     for n, n1 in pairwise(path):
         left = problem.M @ (n1.v - n.v) + impulse(problem, method, h, n, n1)
         assert np.abs(left).max() < 2e-6
@@ -198,27 +199,26 @@ def test_the_energy_of_every_iteration_is_that_of_eqs_17_18_and_28(formulation, 
 
 def test_the_change_of_energy_falls_with_the_iterations_below_the_bound_of_eq_20():
     # |dT| <= |dV| + |dPhi| |lambda|, and both sides go to 0 as multipliers converge (eqs 20 to 22).
-    path = moments(two_on_curves(), 0.02, 10, alpha=3e4, formulation="conserving-al-beta")
+    path = moments(two_on_curves(), 0.02, 4, alpha=3e4, formulation="conserving-al-beta")
     for at in path[1:]:
-        assert len(at.iterations) >= 4
-        changes = [abs(k.kinetic) for k in at.iterations]
-        assert all(later < 0.5 * change for change, later in pairwise(changes[:4]))
-        assert changes[-1] < 1e-13
-        assert [k.phi for k in at.iterations[:4]] == sorted(
-            (k.phi for k in at.iterations[:4]), reverse=True
-        )
+        assert len(at.iterations) >= 10
+        for k in at.iterations:
+            bound = 3 * (0.5 * 3e4 * k.phi**2 + k.phi * np.abs(k.lam).max())  # of three rows
+            assert abs(k.kinetic) <= bound + 1e-14
+        assert at.iterations[9].phi < 0.1 * at.iterations[0].phi
+        assert abs(at.iterations[-1].kinetic) < 1e-13
 
 
 @pytest.mark.parametrize("algorithm", ["nested", "simultaneous"])
 @pytest.mark.parametrize("formulation", ["conserving-al", "conserving-al-beta"])
 def test_a_bead_on_a_cubic_keeps_its_energy_with_large_steps(formulation: str, algorithm: str):
-    # 1000 steps of 50 ms, some 20 of which make a swing; its 6 J are kept to round-off.
+    # 300 steps of 50 ms, some 20 of which make a swing; its 6 J are kept to round-off.
     problem = bead_on_a_cubic()
     path = moments(
-        problem, 0.05, 1000, alpha=1e8, formulation=formulation, algorithm=algorithm, update="end"
+        problem, 0.05, 300, alpha=1e8, formulation=formulation, algorithm=algorithm, update="end"
     )
     energies = np.array([energy(problem, at) for at in path])
-    assert np.abs(energies - energies[0]).max() < 1e-11
+    assert np.abs(energies - energies[0]).max() < 1e-12
     assert max(np.abs(problem.phi.value(at.q)).max() for at in path) < 1e-13
     assert np.ptp([at.q[0] for at in path]) > 1.0
 
@@ -227,7 +227,7 @@ def test_a_bead_on_a_cubic_keeps_its_energy_with_large_steps(formulation: str, a
 def test_the_conserving_penalty_keeps_the_energy_with_that_of_the_penalty(problem: Problem):
     # E = T + V + alpha Phi^2/2 (eq 9 and what follows it); the rows are seen to give way.
     alpha = 2e3
-    path = moments(problem, 0.05, 200, alpha=alpha, formulation="conserving-penalty")
+    path = moments(problem, 0.05, 100, alpha=alpha, formulation="conserving-penalty")
     phi = np.array([problem.phi.value(at.q) for at in path])
     energies = [energy(problem, at) for at in path] + 0.5 * alpha * np.sum(phi**2, axis=1)
     assert np.abs(energies - energies[0]).max() < 1e-11
@@ -236,16 +236,14 @@ def test_the_conserving_penalty_keeps_the_energy_with_that_of_the_penalty(proble
 
 def test_a_function_of_a_distance_keeps_angular_momentum_and_eq_8_does_not():
     # The force of eq 26 acts along q at the midpoint; that of eq 8 for beta off 1/2 does not.
-    lost = []
+    lost, alpha = [], 10.0
     for square in (True, False):
-        problem = on_a_sphere(square)
-        path = moments(
-            problem, 0.2, 100, alpha=300.0, formulation="conserving-penalty"
-        )  # a constraint that holds would have beta = 1/2 by symmetry
+        problem = on_a_sphere(square)  # on which, if it held, beta would be 1/2 by symmetry
+        path = moments(problem, 0.1, 100, alpha=alpha, formulation="conserving-penalty")
         momentum = np.array([np.cross(at.q, problem.M @ at.v) for at in path])
         lost.append(np.abs(momentum - momentum[0]).max())
         phi = np.array([problem.phi.value(at.q)[0] for at in path])
-        energies = [energy(problem, at) for at in path] + 150.0 * phi**2
+        energies = [energy(problem, at) for at in path] + 0.5 * alpha * phi**2
         assert np.abs(energies - energies[0]).max() < 1e-11
     assert lost[0] < 1e-12
     assert lost[1] > 1e-4
@@ -287,7 +285,7 @@ def test_a_bead_on_a_cubic_moves_as_its_equation_in_one_coordinate(formulation: 
         return [dx, -slope * (bend * dx**2 + GRAVITY) / (1.0 + slope**2)]
 
     exact = solve_ivp(rates, (0.0, 1.0), [1.1, 0.0], method="DOP853", rtol=1e-12, atol=1e-12)
-    errors, steps = [], [0.01, 0.005, 0.0025]
+    errors, steps = [], [0.02, 0.01, 0.005]
     for h in steps:
         at = moments(bead_on_a_cubic(), h, round(1.0 / h), alpha=1e8, formulation=formulation)[-1]
         errors.append(abs(at.q[0] - exact.y[0, -1]))
@@ -307,9 +305,9 @@ def test_each_update_divides_what_is_missed_by_one_plus_chi(chi: float):
 
 def test_the_converged_step_is_that_of_any_penalty_and_either_algorithm():
     problem, ends = bead_on_a_cubic(1.0), []
-    for alpha in (3e3, 1e6, 1e9):
+    for alpha in (3e4, 1e9):
         for algorithm in ("nested", "simultaneous"):
-            ends.append(moments(problem, 0.02, 50, alpha=alpha, algorithm=algorithm)[-1].q)
+            ends.append(moments(problem, 0.02, 30, alpha=alpha, algorithm=algorithm)[-1].q)
     assert np.ptp(ends, axis=0).max() < 1e-11
 
 
