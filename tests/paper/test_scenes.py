@@ -58,12 +58,13 @@ def test_a_pendulum_of_a_scene_swings_as_elliptic_functions_tell():
 
 
 TIED = """
+name = "tied"
 dimension = 2
 gravity = [0, -9.81]
 [points]
 O = { position = [0, 0], fixed = true }
 A = { position = [1.1, 0.0], velocity = [0.1, 1.0], mass = 2.0 }
-B = { position = [1.9, 0.3], velocity = [0.0, 0.4], mass = 1.0 }
+B = { position = [1.9, 0.3], mass = 1.0 }
 [constraints]
 curve = { value = "exp(A.x)*cos(A.y) + 0.2*distance(O, B)**3 - exp(1.1) - 0.2*3.70**1.5" }
 [forces]
@@ -76,8 +77,8 @@ step_size = 0.02
 
 @pytest.mark.parametrize("formulation", ["conserving-al", "conserving-al-beta"])
 def test_a_formula_of_places_and_a_spring_keep_their_energy(formulation: str):
-    # T + m g y + k (l - l_0)^2/2 from the outputs alone, some 10 J, in 100 large steps.
-    run = paper.simulate(solver.loads(TIED), stop_time=2.0, formulation=formulation)
+    # T + m g y + k (l - l_0)^2/2 from the outputs alone, some 10 J, in 50 large steps.
+    run = paper.simulate(solver.loads(TIED), stop_time=1.0, formulation=formulation)
     x = run.values
     kinetic = x["A.vx"] ** 2 + x["A.vy"] ** 2 + 0.5 * (x["B.vx"] ** 2 + x["B.vy"] ** 2)
     length = np.hypot(x["A.x"] - x["B.x"], x["A.y"] - x["B.y"])
@@ -91,20 +92,21 @@ def test_a_formula_of_places_and_a_spring_keep_their_energy(formulation: str):
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_every_formulation_takes_a_formula(formulation: str):
-    # They agree on the first 0.1 s up to what their steps of 2 ms and their penalties leave.
+    # The core's motion of order 8 on the first 0.1 s, up to what steps of 5 ms and penalties leave.
     run = paper.simulate(
-        solver.loads(TIED), stop_time=0.1, step_size=0.002, formulation=formulation, penalty=1e5
+        solver.loads(TIED), stop_time=0.1, step_size=0.005, formulation=formulation, penalty=1e5
     )
-    exact = paper.simulate(solver.loads(TIED), stop_time=0.1, step_size=0.001)
+    exact = solver.simulate(solver.loads(TIED), stop_time=0.1, step_size=0.1, tolerance=1e-10)
     for name in ("A.x", "A.y", "B.x", "B.y"):
-        assert run.values[name][-1] == pytest.approx(exact.values[name][-1], abs=2e-5)
+        assert run.values[name][-1] == pytest.approx(exact[name][-1], abs=2e-4)
 
 
 GEARS = """
+name = "gears"
 dimension = 2
 [bodies]
-wheel = { position = [0, 0], mass = 1.0, inertia = 0.5, angular_velocity = 20.0 }
-pinion = { position = [1, 0], mass = 1.0, inertia = 0.1 }
+wheel = { position = [0, 0], mass = 1.0, inertia = 0.5, angular_velocity = 3.0 }
+pinion = { position = [1, 0], mass = 1.0, inertia = 0.1, angular_velocity = -9.0 }
 [joints]
 first = { type = "revolute", bodies = ["ground", "wheel"], position = [0, 0] }
 second = { type = "revolute", bodies = ["ground", "pinion"], position = [1, 0] }
@@ -117,15 +119,16 @@ step_size = 0.02
 
 
 def test_gears_turn_on_beyond_half_a_turn_and_a_damper_slows_them():
-    # J = 0.5 + 9 * 0.1 about the first axis is slowed by 9 * 0.02: w = w_0 exp(-t 0.18/1.4).
-    run = paper.simulate(solver.loads(GEARS), stop_time=1.0)
-    rate = run.values["wheel.angular_velocity"]
-    assert rate == pytest.approx(rate[0] * np.exp(-run.t * 0.18 / 1.4), rel=1e-3)
-    turned = rate[0] * 1.4 / 0.18 * (1.0 - np.exp(-0.18 / 1.4))
-    assert turned > 2.0 * np.pi
-    assert run.values["first.angle"][-1] == pytest.approx(turned, rel=1e-3)
-    lost = 0.5 * 1.4 * (rate[0] ** 2 - rate[-1] ** 2)
-    assert run.values["energy.dissipated"][-1] == pytest.approx(lost, rel=1e-3)
+    # J = 0.5 + 9 * 0.1 about the first axis is slowed by c = 9 * 0.02: it turns by
+    # w_0 J/c (1 - exp(-c t/J)). Steps turn the pinion by 0.18 rad, whose square over 12 is 3e-3.
+    run = paper.simulate(solver.loads(GEARS), stop_time=0.5)
+    turned = 3.0 * 1.4 / 0.18 * (1.0 - np.exp(-0.5 * 0.18 / 1.4))
+    assert 3.0 * turned > np.pi
+    assert run.values["first.angle"][-1] == pytest.approx(turned, rel=3e-3)
+    assert run.values["second.angle"][-1] == pytest.approx(-3.0 * turned, rel=3e-3)
+    lost = 0.5 * 1.4 * 9.0 * (1.0 - np.exp(-2.0 * 0.5 * 0.18 / 1.4))
+    assert run.values["energy.dissipated"][-1] == pytest.approx(lost, rel=1e-2)
+    assert np.abs(run.values["energy.balance"]).max() < 1e-12
 
 
 @pytest.mark.parametrize(

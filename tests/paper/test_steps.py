@@ -74,7 +74,9 @@ def on_a_sphere(square: bool) -> Problem:
     r = np.linalg.norm
     told = (lambda q: np.array([q @ q]), lambda q: 2.0 * q[None]) if square else ()
     shell = Functions(
-        lambda q: np.array([np.exp(r(q)) - math.e]), lambda q: (np.exp(r(q)) / r(q) * q)[None], *told
+        lambda q: np.array([np.exp(r(q)) - math.e]),
+        lambda q: (np.exp(r(q)) / r(q) * q)[None],
+        *told,
     )
     q, v = np.array([0.6, 0.0, 0.8]), np.array([1.2, 1.5, 0.6])
     return Problem(M=1.5 * np.eye(3), q=q, v=v, phi=shell)
@@ -115,7 +117,9 @@ def impulse(problem: Problem, method: Method, h: float, n: Moment, n1: Moment) -
     mean, middle = 0.5 * (phi.value(n.q) + phi.value(n1.q)), n.q + 0.5 * d
     if method.formulation.startswith("conserving"):  # 9, 15
         return h * beta_of_eq_8(phi, n.q, d).T @ (method.alpha * mean + lam)
-    if method.formulation == "penalty-velocity":  # 3, by differences of Phi along the midpoint's line
+    if (
+        method.formulation == "penalty-velocity"
+    ):  # 3, by differences of Phi along the midpoint's line
         e, v, a = 2e-3, d / h, (n1.v - n.v) / h
         at = [phi.value(middle + s * v + 0.5 * s**2 * a) for s in e * np.arange(-2, 3)]
         rate = np.array([1, -8, 0, 8, -1]) @ at / (12 * e)
@@ -257,7 +261,9 @@ def test_a_pendulum_swings_as_elliptic_functions_tell_to_second_order(formulatio
     # Penalties grow as h^-2, so that what they give way is of second order, too.
     errors, steps = [], [0.02, 0.01, 0.005]
     for h in steps:
-        path = moments(pendulum(1.0), h, round(0.6 / h), alpha=100.0 / h**2, formulation=formulation)
+        path = moments(
+            pendulum(1.0), h, round(0.6 / h), alpha=100.0 / h**2, formulation=formulation
+        )
         exact = np.sin(pendulum_angle(np.array([at.t for at in path]), 1.0))
         errors.append(np.abs(exact - [at.q[0] for at in path]).max())
     assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.15)
@@ -333,7 +339,10 @@ def test_penalty_velocity_lets_a_defect_die_out_as_a_damped_oscillator():
 
 def energy_of_six_seconds(problem: Problem, formulation: str, alpha: float) -> float:
     """Largest change of the energy over six seconds in steps of 10 ms, or until a step fails."""
-    found, run = [], motion(problem, Method(alpha=alpha, formulation=formulation, update="end"), 0.01)
+    found, run = (
+        [],
+        motion(problem, Method(alpha=alpha, formulation=formulation, update="end"), 0.01),
+    )
     try:
         found.extend(energy(problem, at) for at in islice(run, 601))
     except StepError:
