@@ -1,7 +1,7 @@
 """The method of García Orden and Ortega (2006), sections 2 and 3, as printed: dense NumPy.
 
-All six formulations take any constraints Phi(q), and each iteration's multipliers, constraints and
-energies are kept. `motion` moves a `Problem` that one writes down, `simulate` a scene.
+All six formulations take any Phi(q), and tell what each iteration did. `motion` moves a `Problem`
+that one writes down, `simulate` a scene.
 """
 
 from .energies import Iteration

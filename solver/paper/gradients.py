@@ -65,8 +65,7 @@ def scalar(f: Functions, q_n: Array, q_n1: Array) -> Array:
     return np.where(lacks[:, None], intermediate(f, q_n, q_n1, lacks), G) if any(lacks) else G
 
 
-GRADIENTS = {
+GRADIENTS = {  # of each formulation
     "conserving-al": scalar, "conserving-al-beta": intermediate, "conserving-penalty": scalar,
     "midpoint-al": midpoint, "midpoint-penalty": midpoint, "penalty-velocity": midpoint,
 }  # fmt: skip
-"""Gradients of each formulation."""

@@ -18,8 +18,6 @@ from solver.signals import communication_points
 from .problem import Array, Functions, Method, Problem
 from .step import Moment, step
 
-TAKEN = "formulation", "algorithm", "xi", "omega", "penalty", "multiplier_update", "step_size"
-
 
 class Run(NamedTuple):
     """Times t (n,), `values` (n,) of outputs by name, and moments with each step's iterations."""
@@ -70,7 +68,8 @@ def simulate(
     given = {f"solver.{name}": value for name, value in options.items()}
     for name, value in {**(parameters or {}), **given}.items():
         integrator[name] = value
-    setting: dict[str, Any] = {name: integrator[f"solver.{name}"] for name in TAKEN}
+    taken = "formulation", "algorithm", "xi", "omega", "penalty", "multiplier_update", "step_size"
+    setting: dict[str, Any] = {name: integrator[f"solver.{name}"] for name in taken}
     integrator["solver.formulation"] = "conserving-al"  # which takes every scene
     integrator.initialise()
     integrator.begin()

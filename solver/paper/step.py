@@ -19,8 +19,6 @@ from .energies import Iteration, Trial, iteration
 from .gradients import GRADIENTS, midpoint, scalar
 from .problem import Array, Method, Problem
 
-MOST = 2000  # solutions of the linear system in a step
-
 
 class Moment(NamedTuple):
     """Where a motion is, and the iterations of the step that led there."""
@@ -79,7 +77,7 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
     size = extent * np.abs(problem.phi.gradient(at.q)).sum(axis=1)
     mass, last, defect, K = np.sqrt(np.diag(problem.M)), np.inf, np.inf, None
     now = trial(problem, method, at, h, w)
-    for newton in range(1, MOST + 1):
+    for newton in range(1, 2001):  # most are needed where updates contract slowly
         K = tangent(problem, method, at, h, w, mu) if K is None else K
         R = 2.0 / h * problem.M @ w + h * (now.G.T @ mu - now.force)
         x = np.linalg.solve(K, -np.concatenate([R, now.C - (mu - lam) / alpha]))

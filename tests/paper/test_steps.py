@@ -334,7 +334,7 @@ def test_penalty_velocity_lets_a_defect_die_out_as_a_damped_oscillator():
     assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.15)
 
 
-# ------------------------------------------------------------- what the midpoint rule does, section 2
+# ----------------------------------------------------------- what the midpoint rule does, section 2
 
 
 def energy_of_six_seconds(problem: Problem, formulation: str, alpha: float) -> float:
