@@ -112,7 +112,7 @@ class Matrices:
         masses = np.zeros((n_free, n_free))
         np.add.at(masses, tuple(np.reshape(tables["mass_node"], (-1, 2)).T), section["mass"])
         self.M = np.kron(masses, np.eye(dim)).astype(np.float64)
-        self._weights: Array = np.kron(section["node_weight"], section["gravity"])
+        self._weights = np.multiply.outer(section["node_weight"], section["gravity"]).ravel()
         self._loads = np.zeros(n)
         for form, load in zip(tables["load_form"], section["load"].reshape(-1, dim), strict=True):
             self._loads += self._U[form].T @ load
