@@ -17,8 +17,7 @@ Vector = Callable[[Array], Array]
 class Functions:
     """Functions of the coordinates q (n,), such as all constraints Phi(q), with their gradients.
 
-    `square` is that of the scalar that each depends on alone (eqs 11, 26), such as a distance; it
-    is quadratic in q, and NaN where there is none.
+    `square`, quadratic or NaN, is that of the distance on which each depends alone (eqs 11, 26).
     """
 
     value: Vector  # (r,)

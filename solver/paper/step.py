@@ -102,9 +102,7 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
             return Moment(at.t + h, at.q + now.d, v, mu if updates else lam, tuple(found))
         if updates:  # eqs 16, 27
             lam = lam + alpha * (0.5 * held if ends else held)
-    text = (
-        f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows missed by {defect:.1e})"
-    )
+    text = f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows off by {defect:.1e})"
     raise StepError(text + "; a smaller step_size usually helps")
 
 
