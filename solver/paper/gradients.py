@@ -1,0 +1,71 @@
+"""Gradients of functions over a step from q_n to q_n1 (eqs 5, 8, 11 and 25), shape (r, n)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from .problem import Array, Functions, Mask
+
+ROUND_OFF = 1e-15  # what eq 8 may miss at the midpoint, relative to the terms of the function
+CLOSE = 1e-5  # change of a square below which a mean of slopes is nearer than their quotient
+
+
+def midpoint(f: Functions, q_n: Array, q_n1: Array) -> Array:
+    """Gradients at the midpoint (eqs 5 and 7)."""
+    return f.gradient(0.5 * (q_n + q_n1))
+
+
+def intermediate(f: Functions, q_n: Array, q_n1: Array, where: Mask | bool = True) -> Array:
+    """Gradients at q_n + beta d, so that Phi_q d = Phi_n1 - Phi_n (eq 8), with d = q_n1 - q_n.
+
+    Each function has its own beta, that next to 1/2; no one beta serves several. It is 1/2 itself
+    where a function is quadratic, or not `where`.
+    """
+    G, d, change = midpoint(f, q_n, q_n1), q_n1 - q_n, f.value(q_n1) - f.value(q_n)
+    terms = np.abs(G) @ (np.abs(q_n) + np.abs(q_n1))
+    for row in map(int, np.flatnonzero(where & (np.abs(G @ d - change) > ROUND_OFF * terms))):
+
+        def missed(beta: float, row: int = row) -> float:
+            return float(f.gradient(q_n + beta * d)[row] @ d - change[row])
+
+        G[row] = f.gradient(q_n + root_next_to_half(missed) * d)[row]
+    return G
+
+
+def root_next_to_half(f: Callable[[float], float]) -> float:
+    """Root in [0, 1] by regula falsi (Illinois); 1/2 where rounding hides the change of sign."""
+    for inner in np.arange(16) / 32.0:
+        for side in (1.0, -1.0):
+            a, b = 0.5 + side * inner, 0.5 + side * (inner + 1.0 / 32.0)
+            f_a, f_b = f(a), f(b)
+            if f_a * f_b > 0.0:
+                continue
+            while abs(b - a) > 1e-15 and f_b != 0.0 and f_a != f_b:
+                c = b - f_b * (b - a) / (f_b - f_a)
+                f_c, done = f(c), abs(c - b) <= 1e-15
+                a, f_a = (a, 0.5 * f_a) if f_b * f_c > 0.0 else (b, f_b)
+                b, f_b = c, 0.0 if done else f_c
+            return b
+    return 0.5
+
+
+def scalar(f: Functions, q_n: Array, q_n1: Array) -> Array:
+    """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q, s_q in the middle (eqs 11, 25); else of eq 8."""
+    if f.square is None or f.square_gradient is None:
+        return intermediate(f, q_n, q_n1)
+    s_n, s_n1 = f.square(q_n), f.square(q_n1)
+    close = np.abs(s_n1 - s_n) <= CLOSE * np.maximum(np.abs(s_n), np.abs(s_n1))
+    pairs = [(f.gradient(q), f.square_gradient(q)) for q in (q_n, q_n1)]
+    slope = np.mean([np.sum(G * s_q, axis=1) / np.sum(s_q**2, axis=1) for G, s_q in pairs], axis=0)
+    quotient = (f.value(q_n1) - f.value(q_n)) / np.where(close, 1.0, s_n1 - s_n)
+    G = np.where(close, slope, quotient)[:, None] * f.square_gradient(0.5 * (q_n + q_n1))
+    lacks = np.isnan(s_n)
+    return np.where(lacks[:, None], intermediate(f, q_n, q_n1, lacks), G) if any(lacks) else G
+
+
+GRADIENTS = {  # of each formulation
+    "conserving-al": scalar, "conserving-al-beta": intermediate, "conserving-penalty": scalar,
+    "midpoint-al": midpoint, "midpoint-penalty": midpoint, "penalty-velocity": midpoint,
+}  # fmt: skip

@@ -1,0 +1,114 @@
+"""One step of eqs 3, 5, 7, 9, 15 or 26, with Uzawa's update of the multipliers (eqs 16, 27).
+
+    M (v_n1 - v_n) + h [ Phi_q' mu + V_q - Q ] = 0,     (v_n + v_n1)/2 = (q_n1 - q_n)/h
+
+The unknowns are w = q_n1 - q_n - h v_n, so that v_n1 = v_n + 2 w/h, and the paper's alpha Phi +
+lambda as mu with the row Phi - (mu - lambda)/alpha = 0: no digits are lost to a large penalty.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from solver.runtime import StepError
+
+from .energies import Iteration, Trial, iteration
+from .gradients import GRADIENTS, midpoint, scalar
+from .problem import Array, Method, Problem
+
+
+class Moment(NamedTuple):
+    """Where a motion is, and the iterations of the step that led there."""
+
+    t: float
+    q: Array
+    v: Array
+    lam: Array
+    iterations: tuple[Iteration, ...] = ()
+
+
+def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -> Array:
+    """What the penalty multiplies: mean of Phi (eqs 9, 15), Phi at the midpoint (5, 7), or eq 3."""
+    phi, q, twice = problem.phi, at.q + 0.5 * d, 2.0 * method.xi * method.omega
+    if method.formulation.startswith("conserving"):
+        return 0.5 * (phi.value(at.q) + phi.value(at.q + d))
+    if method.formulation != "penalty-velocity":
+        return phi.value(q)
+    bend = (phi.gradient(q + 0.01 * d) - phi.gradient(q - 0.01 * d)) @ d / 0.02  # d' Phi_qq d
+    second = (2.0 * phi.gradient(q) @ (d - h * at.v) + bend) / h**2
+    return second + twice * phi.gradient(q) @ d / h + method.omega**2 * phi.value(q)
+
+
+def trial(problem: Problem, method: Method, at: Moment, h: float, w: Array) -> Trial:
+    """Evaluate the step by w."""
+    d, gradient = h * at.v + w, GRADIENTS[method.formulation]
+    end, of_V = at.q + d, midpoint if gradient is midpoint else scalar
+    force = problem.Q(at.q + 0.5 * d, d / h, at.t + 0.5 * h)
+    force = force - of_V(problem.potentials, at.q, end).sum(axis=0)
+    C = measured(problem, method, at, h, d)
+    return Trial(d, gradient(problem.phi, at.q, end), force, C, problem.phi.value(end))
+
+
+def tangent(problem: Problem, method: Method, at: Moment, h: float, w: Array, mu: Array) -> Array:
+    """Derivative of momentum balance and rows in (w, mu), by central differences in w."""
+    n, delta = len(w), 1e-5 * (np.ptp(at.q) or 1.0)
+    K = np.zeros((n + len(mu), n + len(mu)))
+    for k, e in enumerate(delta * np.eye(n)):
+        a, b = (trial(problem, method, at, h, w + x) for x in (-e, e))
+        force = (b.G - a.G).T @ mu - (b.force - a.force)
+        K[:, k] = np.concatenate([h * force, b.C - a.C]) / (2.0 * delta)
+    K[:n, :n] += 2.0 / h * problem.M
+    K[:n, n:] = h * trial(problem, method, at, h, w).G.T
+    K[n:, n:] = -np.diag(1.0 / (method.alpha + 0.0 * mu))
+    return K
+
+
+@np.errstate(over="ignore", invalid="ignore", divide="ignore")
+def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
+    """Take a step of length h; `StepError` where the iterations do not converge."""
+    problem.begin_step(at.q)
+    nested, updates = method.algorithm == "nested", "-al" in method.formulation
+    ends = method.update == "end" and method.formulation.startswith("conserving")
+    lam, mu, w, extent = at.lam, at.lam, np.zeros_like(at.q), np.ptp(at.q) or 1.0
+    alpha, phi_n, found = method.alpha + 0.0 * lam, problem.phi.value(at.q), list[Iteration]()
+    size = extent * np.abs(problem.phi.gradient(at.q)).sum(axis=1)
+    mass, last, defect, K = np.sqrt(np.diag(problem.M)), np.inf, np.inf, None
+    now = trial(problem, method, at, h, w)
+    for newton in range(1, 2001):  # most are needed where updates contract slowly
+        K = tangent(problem, method, at, h, w, mu) if K is None else K
+        R = 2.0 / h * problem.M @ w + h * (now.G.T @ mu - now.force)
+        x = np.linalg.solve(K, -np.concatenate([R, now.C - (mu - lam) / alpha]))
+        w, mu = w + x[: len(w)], mu + x[len(w) :]
+        if not np.all(np.isfinite(w)):
+            break
+        now = trial(problem, method, at, h, w)
+        increment, moved = (np.linalg.norm(mass * y) for y in (x[: len(w)], now.d))
+        limit = 1e-12 * moved + 1e-15 * extent * np.linalg.norm(mass)
+        solved = increment <= 1e-4 * limit or 0.5 * last < increment <= limit
+        K = None if limit < increment and increment > 0.1 * last else K
+        last = np.inf if solved and nested else increment
+        if nested and not solved:
+            continue
+        kinetic = float(now.d / h @ problem.M @ (2.0 * w / h))
+        found.append(iteration(newton, lam, mu, alpha, phi_n, now, kinetic))
+        held, before = now.phi if ends else now.C, defect
+        defect = np.max(np.abs(held) / size, initial=0.0)
+        met = not updates or defect <= 1e-16 or 0.9 * before < defect <= 1e-12
+        if solved and met:
+            v = at.v + 2.0 * w / h
+            return Moment(at.t + h, at.q + now.d, v, mu if updates else lam, tuple(found))
+        if updates:  # eqs 16, 27
+            lam = lam + alpha * (0.5 * held if ends else held)
+    text = f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows off by {defect:.1e})"
+    raise StepError(text + "; a smaller step_size usually helps")
+
+
+def motion(problem: Problem, method: Method, h: float, t: float = 0.0) -> Iterator[Moment]:
+    """Yield the start at time t [s], and then the end of one step of length h after the other."""
+    at = Moment(t, problem.q, problem.v, np.zeros(len(problem.phi.value(problem.q))))
+    while True:
+        yield at
+        at = step(problem, method, at, h)
