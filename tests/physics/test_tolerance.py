@@ -462,35 +462,20 @@ def test_a_spring_that_spins_a_thin_rod_is_followed_in_explicit_steps():
     assert np.abs(np.array(places(1e-3)) - places(1e-10)).max() < 1e-3
 
 
-def solved_with(name, energy):
-    """Newton iterations of a run of a scene at 1e-6, and the error of its energy [J]."""
-    run = prepared(name, tolerance=1e-6, energy=energy)
-    iterations = sum(run.state.head["newton_iterations"] for _ in parts_of(run))
-    return iterations, float(run["energy.error"])
-
-
 @pytest.mark.parametrize("name", ["dzhanibekov", "falling_rod", "bowling_disc"])
-def test_energy_within_the_tolerance_saves_iterations_and_leaves_the_path(name):
-    """Scenes of compositions, by their contacts and as they fly."""
+def test_contacts_and_what_flies_keep_a_tolerance(name):
+    """Their steps are compositions: against a run at 1e-10."""
     exact = course_of(name, tolerance=1e-10)
-    for energy in ("exact", "tolerance"):
-        assert course_of(name, tolerance=1e-6, energy=energy).error(exact) < 3e-6
-    (more, round_off), (fewer, loose) = (solved_with(name, e) for e in ("exact", "tolerance"))
-    assert 1.1 * fewer < more
-    assert 10.0 * round_off < loose < 1e-9
+    assert course_of(name, tolerance=1e-6).error(exact) < 3e-6
 
 
 @pytest.mark.parametrize("name", ["andrews", "bricard", "double_pendulum"])
-def test_explicit_steps_keep_the_energy_at_no_cost_that_a_looser_one_would_save(name):
+def test_explicit_steps_keep_the_energy(name):
     """They are put back onto it after every step."""
-    (exact, round_off), (loose, energy) = (solved_with(name, e) for e in ("exact", "tolerance"))
-    assert loose > 0.98 * exact
-    assert max(round_off, energy) < 2e-14
-
-
-def test_energy_within_the_tolerance_changes_nothing_without_one():
-    first, second = (swinging(0.0, energy=energy) for energy in ("exact", "tolerance"))
-    assert error_at_the_end(first, 0.1) == error_at_the_end(second, 0.1)
+    run = prepared(name, tolerance=1e-6)
+    for _ in parts_of(run):
+        pass
+    assert float(run["energy.error"]) < 2e-14
 
 
 def test_a_stiff_damper_that_has_settled_does_not_hold_steps_down():
