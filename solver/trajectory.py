@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure  # pyright: ignore[reportMissingImports]
     from numpy.typing import NDArray
 
+    from solver.paper import Moment
+
+PAPER = ("formulation", "algorithm", "multiplier_update", "xi", "omega")
+"""Arguments of `simulate` that ask for the method of `solver.paper`."""
 SHOWN = 4
 """Variables that a line about a trajectory names."""
 
@@ -53,6 +57,8 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
     """Parameters, inputs and settings that were given for the whole run."""
     wall_time: float | None = None
     """Of the run [s]."""
+    moments: Sequence[Moment] = ()
+    """Start and end of each step by the method of `solver.paper`, with what every iteration did."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Return the values of one variable."""
@@ -180,8 +186,11 @@ def simulate(
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
     **options
-        Settings of the solver, such as ``formulation="midpoint-al"``; the internal step is
-        ``internal_step``.
+        Settings of the solver, such as ``tolerance=1e-6``; the internal step is ``internal_step``.
+        One of `formulation`, `algorithm`, `multiplier_update`, `xi` and `omega` [rad/s] asks for
+        the method of `solver.paper` (the fields of its `Method`), in equal steps of
+        ``internal_step`` whatever tolerance and order the scene has, with any ``penalty``; inputs
+        are numbers then, and the trajectory has `moments`.
 
     Raises
     ------
@@ -195,6 +204,7 @@ def simulate(
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
+    method = _method(model, options, inputs or {}) if {*PAPER} & options.keys() else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
     if gone := [text for name in options if (text := removed(name))]:
@@ -207,17 +217,39 @@ def simulate(
     start, stop, step, _ = model.experiment
     stop, step = (x if y is None else y for x, y in ((stop, stop_time), (step, step_size)))
     times = communication_points(start, stop, step, step_is_chosen=step_size is not None)
-    begin = perf_counter()
+    begin, places = perf_counter(), [model.index(name) for name in names]
     integrator.state.head["horizon"] = stop - start
+    given: dict[str, Any] = {**(parameters or {}), **held, **settings, **method}
+    if method:
+        from solver.paper_scenes import run
+
+        rows, moments = run(integrator, times, places, **method)
+        table, spent = np.array(rows, dtype=float), perf_counter() - begin
+        return Trajectory(np.array(times), names, table, model, given, spent, moments)
     signals = _courses(model, inputs or {}, held, times)
     for remark in signals.remarks:
         tell(None, remark)
-    rows = _rows(integrator, signals, [model.index(name) for name in names])
-    table = np.array(rows, dtype=float)
+    table = np.array(_rows(integrator, signals, places), dtype=float)
     for name in signals.values.keys() & set(names):
         table[:, names.index(name)] = signals.values[name]
-    given = {**(parameters or {}), **held, **settings}
     return Trajectory(np.array(times), names, table, model, given, perf_counter() - begin)
+
+
+def _method(model: Model, options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any]:
+    """Take the arguments of the paper's method out of the options."""
+    method = {name: options.pop(name) for name in (*PAPER, "penalty") if name in options}
+    problems = [
+        f"{name}: the paper's method takes no inputs that change; give a number"
+        for name, value in inputs.items()
+        if changes(value)
+    ]
+    problems += [
+        f"{name}: the paper's method has no such setting; leave out it, or {', '.join(method)}"
+        for name in options.keys() - {"internal_step", "assemble", "start"}
+    ]
+    if problems:
+        raise OptionError("; ".join(problems))
+    return {"penalty": model.settings["penalty"], **method}
 
 
 def _rows(

@@ -96,6 +96,7 @@ FUNCTIONS = {
     "numbers_of": (_POINTER, [_POINTER]),
     "state_of": (_POINTER, [_POINTER]),
     "work_of": (_POINTER, [_POINTER]),
+    "evaluate": (None, [_POINTER, _POINTER, _INTEGER]),
     "operate": (_REAL, [_INTEGER, _POINTER, _INTEGER]),
     "run_fmu": (_INTEGER, [_POINTER, _POINTER, _INTEGER, _POINTER]),
 }

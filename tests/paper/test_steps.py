@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from solver.options import FORMULATIONS
-from solver.paper import Functions, Method, Moment, Problem, motion
+from solver.paper import FORMULATIONS, Functions, Method, Moment, Problem, motion
 from solver.runtime import StepError
 from tests.exact_motions import pendulum_angle, pendulum_multiplier
 from tests.problems import GRAVITY, Array, observed_order
@@ -72,11 +71,11 @@ def two_on_curves() -> Problem:
 def on_a_sphere(square: bool) -> Problem:
     """Free point held by exp(|q|) = e, a function of the scalar |q|, which eqs 11 and 26 take."""
     r = np.linalg.norm
-    told = (lambda q: np.array([q @ q]), lambda q: 2.0 * q[None]) if square else ()
+    told = Functions(lambda q: np.array([q @ q]), lambda q: 2.0 * q[None]) if square else None
     shell = Functions(
         lambda q: np.array([np.exp(r(q)) - math.e]),
         lambda q: (np.exp(r(q)) / r(q) * q)[None],
-        *told,
+        square=told,
     )
     q, v = np.array([0.6, 0.0, 0.8]), np.array([1.2, 1.5, 0.6])
     return Problem(M=1.5 * np.eye(3), q=q, v=v, phi=shell)
@@ -169,7 +168,13 @@ def test_updates_add_alpha_times_the_constraint(formulation: str, update: str, a
     # Eqs 16 and 27. Where the rows held at the start of the step both updates are the same.
     problem = two_on_curves()
     path = moments(
-        problem, 0.02, 2, alpha=1e5, formulation=formulation, update=update, algorithm=algorithm
+        problem,
+        0.02,
+        2,
+        alpha=1e5,
+        formulation=formulation,
+        multiplier_update=update,
+        algorithm=algorithm,
     )
     conserving = formulation.startswith("conserving")
     for at in path[1:]:
@@ -219,7 +224,13 @@ def test_a_bead_on_a_cubic_keeps_its_energy_with_large_steps(formulation: str, a
     # 300 steps of 50 ms, some 20 of which make a swing; its 6 J are kept to round-off.
     problem = bead_on_a_cubic()
     path = moments(
-        problem, 0.05, 300, alpha=1e8, formulation=formulation, algorithm=algorithm, update="end"
+        problem,
+        0.05,
+        300,
+        alpha=1e8,
+        formulation=formulation,
+        algorithm=algorithm,
+        multiplier_update="end",
     )
     energies = np.array([energy(problem, at) for at in path])
     assert np.abs(energies - energies[0]).max() < 1e-12
@@ -274,7 +285,7 @@ def test_the_multiplier_is_the_tension_of_the_rod():
     # 2 L mu is the tension; a step's multiplier is of first order, that of two in a row of second.
     errors, steps = [], [0.02, 0.01, 0.005]
     for h in steps:
-        path = moments(pendulum(1.0, 2.0), h, round(1.0 / h), alpha=1e8, update="end")
+        path = moments(pendulum(1.0, 2.0), h, round(1.0 / h), alpha=1e8, multiplier_update="end")
         mu = np.array([at.iterations[-1].mu[0] for at in path[1:]])
         between = np.array([at.t for at in path[1:-1]])
         error = 0.5 * (mu[1:] + mu[:-1]) - pendulum_multiplier(between, 1.0, 2.0)
@@ -341,7 +352,9 @@ def energy_of_six_seconds(problem: Problem, formulation: str, alpha: float) -> f
     """Largest change of the energy over six seconds in steps of 10 ms, or until a step fails."""
     found, run = (
         [],
-        motion(problem, Method(alpha=alpha, formulation=formulation, update="end"), 0.01),
+        motion(
+            problem, Method(alpha=alpha, formulation=formulation, multiplier_update="end"), 0.01
+        ),
     )
     try:
         found.extend(energy(problem, at) for at in islice(run, 601))
