@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -18,7 +18,8 @@ def problem_of(x: Matrices) -> Problem:
     f, e, s = x.rows, x.energies, x.squares
     phi = Functions(lambda q: f(q)[0], lambda q: f(q)[1], x.row_hessians)
     square = Functions(lambda q: s(q)[0], lambda q: s(q)[1], x.square_hessians)
-    V = Functions(lambda q: e(q)[0], lambda q: e(q)[1], x.energy_hessians, square)
+    springs = square if x.has_springs else None
+    V = Functions(lambda q: e(q)[0], lambda q: e(q)[1], x.energy_hessians, springs)
     moved = {"Q": x.forces if x.has_forces else None, "u": x.signals, "begin_step": x.follow}
     return Problem(M=x.M, q=x.q, v=x.v, phi=phi, potentials=V, **moved)
 
@@ -27,17 +28,22 @@ def run(
     integrator: Integrator,
     times: Sequence[float],
     places: Sequence[int],
-    penalty: float,
+    moments: list[Moment],
+    *,
+    penalty: float | None = None,
     **method: Any,
-) -> tuple[list[list], list[Moment]]:
-    """Start a mechanism, and move it from time to time [s] in steps of its setting `step_size`.
+) -> Iterator[list]:
+    """Yield the values of the variables at `places` for each time [s].
 
-    Returns the values of the variables at `places` for each time, and the end of each step.
+    The mechanism is started and moves from time to time in steps of its setting `step_size`.
 
     Parameters
     ----------
-    penalty : float
-        Dimensionless, alpha h^2 sigma/4 of each row; of penalty-velocity alpha sigma.
+    moments : list of Moment
+        Gets the start and the end of each step.
+    penalty : float, optional
+        Dimensionless, alpha h^2 sigma/4 of each row; of penalty-velocity alpha sigma. The
+        mechanism's setting where left out.
     **method
         Of `Method`, without `alpha`.
 
@@ -46,13 +52,15 @@ def run(
     AssemblyError, OptionError, StepError
         What does not fit together, what this method does not take, or which step fails.
     """
+    penalty = float(integrator["solver.penalty"]) if penalty is None else penalty
     check("penalty", penalty, "> 0")
     integrator.initialise()
     integrator.begin()
     x, h = Matrices(integrator), float(integrator["solver.step_size"])
     per_step = 1.0 if method.get("formulation") == "penalty-velocity" else 4.0 / h**2
     problem, how = problem_of(x), Method(alpha=per_step * penalty / x.sigma, **method)
-    moments, rows = [Moment(times[0], x.q, x.v, 0.0 * x.sigma)], [integrator.get(places)]
+    moments.append(Moment(times[0], x.q, x.v, 0.0 * x.sigma))
+    yield integrator.get(places)
     for before, after in pairwise(times):
         count = math.ceil((after - before) / h - 1e-9)
         for _ in range(count):
@@ -60,5 +68,4 @@ def run(
             stored = 0.5 * float(how.alpha @ (x.rows(at.q)[0] - x.signals(at.t)) ** 2)
             stored *= how.formulation.endswith("-penalty")
             x.put(integrator, at.t, at.q, at.v, at.iterations[-1].mu, stored)
-        rows.append(integrator.get(places))
-    return rows, moments
+        yield integrator.get(places)

@@ -14,7 +14,7 @@ import numpy as np
 from solver.extras import imported
 from solver.mechanics import assemble
 from solver.options import removed
-from solver.runtime import Integrator, Model, OptionError
+from solver.runtime import Integrator, Model, OptionError, StepError
 from solver.runtime.errors import UnknownNameError, tell
 from solver.scene import Scene, load
 from solver.signals import (
@@ -195,7 +195,8 @@ def simulate(
     Raises
     ------
     SceneError, AssemblyError, OptionError, StepError
-        What is wrong with the scene, the parameters, a value or name, or a step.
+        What is wrong with the scene, the parameters, a value or name, or a step. A StepError has
+        what the run came to before that step as its `trajectory`.
 
     Warns
     -----
@@ -204,7 +205,8 @@ def simulate(
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
-    method = _method(model, options, inputs or {}) if {*PAPER} & options.keys() else {}
+    by_paper = bool({*PAPER} & options.keys())
+    method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
     if gone := [text for name in options if (text := removed(name))]:
@@ -220,22 +222,34 @@ def simulate(
     begin, places = perf_counter(), [model.index(name) for name in names]
     integrator.state.head["horizon"] = stop - start
     given: dict[str, Any] = {**(parameters or {}), **held, **settings, **method}
-    if method:
-        from solver.paper_scenes import run
-
-        rows, moments = run(integrator, times, places, **method)
-        table, spent = np.array(rows, dtype=float), perf_counter() - begin
-        return Trajectory(np.array(times), names, table, model, given, spent, moments)
     signals = _courses(model, inputs or {}, held, times)
     for remark in signals.remarks:
         tell(None, remark)
-    table = np.array(_rows(integrator, signals, places), dtype=float)
-    for name in signals.values.keys() & set(names):
-        table[:, names.index(name)] = signals.values[name]
-    return Trajectory(np.array(times), names, table, model, given, perf_counter() - begin)
+    rows: list[list[float | str | bool]] = []
+    moments: list[Moment] = []
+
+    def reached() -> Trajectory:
+        table = np.array(rows, dtype=float).reshape(len(rows), len(names))
+        for name in signals.values.keys() & set(names):
+            table[:, names.index(name)] = signals.values[name][: len(rows)]
+        spent = perf_counter() - begin
+        return Trajectory(np.array(times)[: len(rows)], names, table, model, given, spent, moments)
+
+    motion = _rows(integrator, signals, places)
+    if by_paper:
+        from solver.paper_scenes import run
+
+        motion = run(integrator, times, places, moments, **method)
+    try:
+        for row in motion:
+            rows.append(row)  # one by one: those before a step that fails stay
+    except StepError as error:
+        error.trajectory = reached()
+        raise
+    return reached()
 
 
-def _method(model: Model, options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any]:
+def _method(options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any]:
     """Take the arguments of the paper's method out of the options."""
     method = {name: options.pop(name) for name in (*PAPER, "penalty") if name in options}
     problems = [
@@ -249,26 +263,25 @@ def _method(model: Model, options: dict[str, Any], inputs: Mapping[str, Any]) ->
     ]
     if problems:
         raise OptionError("; ".join(problems))
-    return {"penalty": model.settings["penalty"], **method}
+    return method
 
 
 def _rows(
     integrator: Integrator, signals: Courses, indices: Sequence[int]
-) -> list[list[float | str | bool]]:
-    """Values at all communication points; before each step inputs are set to what it needs."""
+) -> Iterator[list[float | str | bool]]:
+    """Values at each communication point; before each step inputs are set to what it needs."""
     driven = [integrator.model.index(name) for name in signals.sent]
     sent = np.array([*signals.sent.values()]).T.tolist()
-    rows, times, shown = [], signals.times, {*signals.rows}
+    times, shown = signals.times, {*signals.rows}
     for k, time in enumerate(times):
         if driven:
             integrator.set(driven, sent[k])
         if k:
             integrator.advance(times[k - 1], time - times[k - 1])
         if k in shown:
-            rows.append(integrator.get(indices))
+            yield integrator.get(indices)
     if driven:  # checks the last values too, which move nothing
         integrator.set(driven, [float(values[-1]) for values in signals.values.values()])
-    return rows
 
 
 def _courses(

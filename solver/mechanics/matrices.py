@@ -242,6 +242,8 @@ class Matrices:
         return self._once(self._energies, q)
 
     def _energies(self, q: Array) -> tuple[Array, Array]:
+        if not self._elements and not self._potentials:
+            return np.array([-self._weights @ q]), -self._weights[None]
         sigma, G = self.quantities(q)
         G, k = G[self._elements], self._section["stiffness"]
         stretch = sigma[self._elements] - self._section["rest"]
@@ -263,20 +265,24 @@ class Matrices:
 
     def squares(self, q: Array) -> tuple[Array, Array]:
         """Form on which each of the energies depends alone, and its gradient; else NaN."""
-        return self._of_energies(*self._forms(q))
+        s, G = self._forms(q)
+        return self._of_energies(s), self._of_energies(G)
 
     def square_hessians(self, q: Array) -> Array:  # noqa: ARG002 - they are constant
         """Second derivatives of these forms, else NaN."""
-        return self._of_energies(self._form_hessians)[0]
+        return self._of_energies(self._form_hessians)
 
-    def _of_energies(self, *parts: Array) -> tuple[Array, ...]:
+    def _of_energies(self, part: Array) -> Array:
         first = np.reshape(self._tables["quantity_form"], (-1, 2))[self._elements, 0]
         alone = np.flatnonzero(~self._is_angle[self._elements])
-        count = 1 + len(first) + len(self._potentials)
-        found = tuple(np.full((count, *part.shape[1:]), np.nan) for part in parts)
-        for values, part in zip(found, parts, strict=True):
-            values[1 + alone] = part[first[alone]]
+        found = np.full((1 + len(first) + len(self._potentials), *part.shape[1:]), np.nan)
+        found[1 + alone] = part[first[alone]]
         return found
+
+    @property
+    def has_springs(self) -> bool:
+        """Whether any of the energies depends on one form alone."""
+        return bool(np.any(self._section["stiffness"]))
 
     @property
     def has_forces(self) -> bool:

@@ -10,7 +10,7 @@ import pytest
 
 import solver
 from solver.paper import FORMULATIONS
-from solver.runtime import OptionError
+from solver.runtime import OptionError, StepError
 from tests.exact_motions import pendulum_angle
 from tests.problems import double_pendulum, pendulum, scene
 
@@ -185,7 +185,7 @@ def test_what_the_method_does_not_take_is_refused_with_part_and_remedy(name: str
         ({"algorithm": "nested", "tolerance": 1e-6}, "tolerance: .* no such setting"),
         ({"xi": 1.0, "inputs": {"pull": lambda t: t}}, "pull: .* no inputs that change"),
     ],
-    ids=str,
+    ids=["formulation", "penalty", "xi", "tolerance", "inputs"],
 )
 def test_a_wrong_argument_is_refused_with_its_rule(given: dict[str, Any], words: str):
     with pytest.raises(OptionError, match=words):
@@ -201,3 +201,14 @@ def test_a_trajectory_has_every_step_with_what_its_iterations_did():
     assert [at.t for at in run.moments[::5]] == pytest.approx(run.t)
     missed = [k.phi for k in run.moments[-1].iterations]
     assert missed[0] > 1e-8 > 1e-14 > missed[-1]
+
+
+def test_a_run_that_fails_leaves_what_it_came_to():
+    # The four-bar's midpoint rule breaks where all bars are in one line, at 0.7 s.
+    with pytest.raises(StepError, match="smaller step_size") as caught:
+        solver.simulate(SCENES / "four_bar.toml", formulation="midpoint-al", internal_step=2e-3)
+    run = caught.value.trajectory
+    assert isinstance(run, solver.Trajectory)
+    assert run.t[-1] == pytest.approx(0.7)
+    change = np.abs(run["energy.total"] / run["energy.total"][0] - 1.0)
+    assert 0.01 < change.max() < 0.5
