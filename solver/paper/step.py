@@ -94,14 +94,14 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
     phi_n = phi_n - problem.u(at.t)
     size = extent * np.abs(problem.phi.gradient(at.q)).sum(axis=1)
     mass, last, defect, K = np.sqrt(np.diag(problem.M)), np.inf, np.inf, None
-    now = trial(problem, method, at, h, w)
+    now, updated = trial(problem, method, at, h, w), 0
     for newton in range(1, 2001):  # most are needed where updates contract slowly
         if K is None:
             K = np.linalg.inv(tangent(problem, method, at, h, now, mu))
         R = 2.0 / h * problem.M @ w + h * (now.G.T @ mu - now.force)
         x = -K @ np.concatenate([R, now.C - (mu - lam) / alpha])
         w, mu = w + x[: len(w)], mu + x[len(w) :]
-        if not np.all(np.isfinite(w)):
+        if not np.all(np.isfinite(w)) or (nested and newton > updated + 50):
             break
         now = trial(problem, method, at, h, w)
         increment, moved = (np.linalg.norm(mass * y) for y in (x[: len(w)], now.d))
@@ -120,7 +120,7 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
             v = at.v + 2.0 * w / h
             return Moment(at.t + h, at.q + now.d, v, mu if updates else lam, tuple(found))
         if updates:  # eqs 16, 27
-            lam = lam + alpha * (0.5 * held if ends else held)
+            lam, updated = lam + alpha * (0.5 * held if ends else held), newton
     text = f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows off by {defect:.1e})"
     raise StepError(text + "; a smaller step_size usually helps")
 

@@ -74,10 +74,10 @@ def test_without_valgrind_a_sentence_stands_for_the_counts(monkeypatch):
 
 
 def test_what_valgrind_watches_takes_the_steps_it_says(tmp_path):
-    model = assemble(scene(hanging_chain(2), step_size=1e-3, paired=False))
+    model = assemble(scene(hanging_chain(2), step_size=1e-3))
     path = tmp_path / "model.bin"
     path.write_bytes(model.to_bytes())
-    assert kernel_run.run(str(path), 7) == 7
+    assert kernel_run.run(str(path), 7) == 14  # half steps
 
 
 def test_entries_take_turns_and_the_minimum_counts():
