@@ -101,7 +101,7 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
         R = 2.0 / h * problem.M @ w + h * (now.G.T @ mu - now.force)
         x = -K @ np.concatenate([R, now.C - (mu - lam) / alpha])
         w, mu = w + x[: len(w)], mu + x[len(w) :]
-        if not np.all(np.isfinite(w)) or (nested and newton > updated + 50):
+        if not np.all(np.isfinite(w)) or (nested and newton > updated + 200):
             break
         now = trial(problem, method, at, h, w)
         increment, moved = (np.linalg.norm(mass * y) for y in (x[: len(w)], now.d))
