@@ -137,7 +137,7 @@ def test_gears_turn_on_beyond_half_a_turn_and_a_damper_slows_them():
 def test_drivers_and_loads_of_the_time_do_the_work_that_the_mechanism_takes():
     # J = 1 kg m2 about its pin, turned by a driver to t^2 and pushed at 1 m by 3 t N along x. Its
     # kinetic energy is all that motor and push give; the motor's torque is 2 + 3 t sin t^2 N m.
-    # Steps of 5 ms leave 1e-4, and means of forces half a step, times their rates of 10 N m/s.
+    # Steps of 20 ms leave 1e-3, and means of forces half a step, times their rates of 10 N m/s.
     text = """
 name = "driven"
 dimension = 2
@@ -150,14 +150,12 @@ push = { type = "force", point = "rod.tip", value = ["3*t", 0] }
 [drivers]
 motor = { type = "angle", joint = "pin", value = "t**2" }
 """
-    run = by_paper(solver.loads(text), 1.0, 0.005)
+    run = by_paper(solver.loads(text), 1.0, 0.02)
     t = run.t
     assert run["pin.angle"] == pytest.approx(t**2, abs=1e-12)
-    assert run["energy.kinetic"][-1] == pytest.approx(2.0, abs=1e-4)
-    assert run["energy.work"][-1] == pytest.approx(2.0, abs=1e-4)
-    assert run["motor.torque"][2:] == pytest.approx(
-        2.0 + 3.0 * t[2:] * np.sin(t[2:] ** 2), abs=0.025
-    )
+    assert run["energy.kinetic"][-1] == pytest.approx(2.0, abs=1e-3)
+    assert run["energy.work"][-1] == pytest.approx(2.0, abs=1e-3)
+    assert run["motor.torque"][2:] == pytest.approx(2.0 + 3.0 * t[2:] * np.sin(t[2:] ** 2), abs=0.1)
     assert np.abs(run["energy.balance"]).max() < 1e-12
 
 
