@@ -51,10 +51,11 @@ def measure(effort: Effort) -> Section:
         title="Formulation against step",
         method=(
             "Unit rods and masses from rest in the horizontal, by `solver.paper`: nested, updates "
-            "with the end of the step, penalty 1e8. Energy and constraints are calculated from positions and "
-            "velocities after every step; *with penalties* is the balance of all energies, which "
-            "counts what violated constraints store in their penalties. A run has failed when a "
-            f"step cannot be solved, or when its energy error exceeds {BLOW_UP:g} N m g L."
+            "with the end of the step, penalty 1e8. Energy and constraints are calculated from "
+            "positions and velocities after every step; *with penalties* is the balance of all "
+            "energies, which counts what violated constraints store in their penalties. A run has "
+            "failed when a step cannot be solved, or when its energy error exceeds "
+            f"{BLOW_UP:g} N m g L."
         ),
         tables=tables,
     )
