@@ -320,6 +320,24 @@ def test_each_update_divides_what_is_missed_by_one_plus_chi(chi: float):
     assert rates[-3:] == pytest.approx([1.0 / (1.0 + chi)] * 3, rel=0.03)
 
 
+def test_updates_with_the_mean_turn_a_defect_round_for_ever_and_pump_energy():
+    # lambda + alpha (Phi_n + Phi_1)/2 rests where Phi_1 = -Phi_n (eq 16): a fixed point that is no
+    # solution. With the end of the step the defect is gone after one.
+    start = pendulum(1.0, 2.0)
+    problem = Problem(
+        M=start.M, q=1.0001 * start.q, v=start.v, phi=start.phi, potentials=start.potentials
+    )
+    phi_0, phi, energies = 1.0001**2 - 1.0, {}, {}
+    for update in ("paper", "end"):
+        path = moments(problem, 0.01, 8, alpha=1e12, multiplier_update=update)
+        phi[update] = [problem.phi.value(at.q)[0] for at in path]
+        energies[update] = [energy(problem, at) for at in path]
+    assert phi["paper"] == pytest.approx(phi_0 * (-1.0) ** np.arange(9), rel=1e-9)
+    assert phi["end"][1:] == pytest.approx(np.zeros(8), abs=1e-15)
+    change = np.abs(np.array(energies["paper"]) - energies["paper"][0])
+    assert change[-1] > 10.0 * change[1]
+
+
 def test_the_converged_step_is_that_of_any_penalty_and_either_algorithm():
     problem, ends = bead_on_a_cubic(1.0), []
     for alpha in (3e4, 1e9):
