@@ -104,6 +104,25 @@ def test_every_formulation_takes_a_formula(formulation: str):
         assert run[name][-1] == pytest.approx(exact[name][-1], abs=2e-4)
 
 
+def test_the_intermediate_configuration_keeps_energy_and_loses_angular_momentum():
+    # A product of two distances is invariant, but its gradient off the middle is not (theory 2.4).
+    text = """
+name = "triple"
+dimension = 2
+[points]
+A = { position = [0.9, 0.1], velocity = [0.3, 1.1], mass = 1.0 }
+B = { position = [-0.7, 0.2], velocity = [0.1, -0.6], mass = 3.0 }
+C = { position = [0.2, 1.1], velocity = [-1.0, 0.3], mass = 2.0 }
+[constraints]
+tie = { value = "distance(A, C)*distance(B, C) - 1.5" }
+[solver]
+assemble = true
+"""
+    run = by_paper(solver.loads(text), 5.0, 0.05, "conserving-al-beta")
+    assert np.ptp(run["energy.total"]) < 1e-11
+    assert np.ptp(run["angular_momentum.z"]) > 1e-4
+
+
 GEARS = """
 name = "gears"
 dimension = 2
