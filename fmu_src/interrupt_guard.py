@@ -1,7 +1,7 @@
-"""The one place where an interrupt from the keyboard ends: no KeyboardInterrupt leaves a call.
+"""The one place where exceptions end: no fault and no interrupt from the keyboard leaves a call.
 
-pythonfmu's library would make it fmi2Fatal and free the instance, while the host goes on. Python
-gives an interrupt to the next line that it runs. Three places can be that line: one within a call,
+pythonfmu's library would make it fmi2Fatal and free the instance, while the host goes on. The slave
+hears of it by its method `broken`. Python gives an interrupt to the next line that it runs. Three places can be that line: one within a call,
 where `try` catches it; the first of a call, outside of any `try`; and, where the library still
 prepares the call, this first one again, by far most often. So the library gets each method through
 a door: a generator that waits within `try`, and so takes in what is pending when the library asks
@@ -19,14 +19,12 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from typing import Any
 
+CAUGHT = KeyboardInterrupt, Exception
 DOOR, BEHIND = "_door_of_", "_behind_door_of_"
 
 
 def shielded(instead: Callable[..., Any] = lambda *_: None) -> Callable[[Callable], Any]:
-    """Shield a method: after an interrupt it answers `instead(self, *arguments)`.
-
-    The slave hears of it first, by its method `interrupted`.
-    """
+    """Shield a method: where an exception breaks it, it answers `instead(self, *arguments)`."""
     return functools.partial(_Shielded, instead)
 
 
@@ -38,8 +36,8 @@ class _Shielded(property):
         def shielded_call(slave: Any, *arguments: Any) -> Any:
             try:
                 return call(slave, *arguments)
-            except KeyboardInterrupt:
-                slave.interrupted()
+            except CAUGHT as error:
+                slave.broken(error)
                 return instead(slave, *arguments)
 
         self._call = shielded_call
@@ -64,5 +62,32 @@ def _door(slave: Any, name: str) -> Iterator[Callable]:
         try:
             while True:  # within, as Python looks for interrupts where a loop turns
                 yield getattr(slave, name)
-        except KeyboardInterrupt:
-            slave.interrupted()
+        except CAUGHT as error:
+            slave.broken(error)
+
+
+def takes_signals(slave: Any) -> Iterator[int]:
+    """Let Python answer signals within a call of C, as it does between two lines.
+
+    The library asks this for the next value: 1 where a handler has raised something in this call.
+    """
+    while True:
+        try:
+            while True:  # within, as Python looks for signals where a loop turns
+                yield slave.struck
+        except GeneratorExit:
+            return
+        except BaseException as error:  # which could not pass through the library
+            slave.broken(error)
+
+
+def guarded(slave: Any, call: Callable) -> Callable:
+    """Return a function for the library to call, through which no exception could pass."""
+
+    def guarded_call(*arguments: Any) -> None:
+        try:
+            call(*arguments)
+        except BaseException as error:
+            slave.broken(error)
+
+    return guarded_call

@@ -1,4 +1,4 @@
-"""The base of the slave: who it is, a log that takes any text, and the sentence for an error.
+"""The base of the slave: who it is, and a log that takes any text.
 
 pythonfmu hands nothing on to an importer that has not switched the log on, and many end a run at a
 discarded step without a word. So warnings, and what is refused or discarded, also go to Python's
@@ -7,10 +7,6 @@ own logging, which writes to stderr where the host has not said otherwise.
 
 from __future__ import annotations
 
-from solver.runtime import AssemblyError, OptionError, StepError
-from solver.runtime.errors import in_one_line
-
-from .snapshot import SnapshotError
 from .status import DISCARD, ERROR, LOG_CATEGORIES, LOGGER, OK, WARNING
 
 MOST_TOLD = 20
@@ -36,7 +32,7 @@ class Fmi2Slave:
     def __init__(self, *, instance_name: str, resources: str | None = None, **_: object) -> None:
         self.instance_name, self.resources = instance_name, resources
         self.log_queue: list[LogMsg] = []
-        self._told: set[str] = set()
+        self._aloud: set[str] = set()
 
     def _get_log_queue(self) -> list[LogMsg]:
         return self.log_queue
@@ -48,27 +44,27 @@ class Fmi2Slave:
     def warn(self, text: str) -> None:
         """Log what works, but not as one might expect, aloud."""
         self._log(text, WARNING)
-        self._tell(text, text, "warning")
+        self._say_aloud(text, text, "warning")
 
     def discard(self, text: str, what: str) -> None:
         """Log why a step was discarded; aloud the first time of each kind, as importers retry."""
         self._log(text, DISCARD)
-        self._tell(f"{what} step", text)
+        self._say_aloud(f"{what} step", text)
 
     def error(self, text: str) -> None:
         """Log what was refused, aloud."""
         self._log(text, ERROR)
-        self._tell(text, text)
+        self._say_aloud(text, text)
 
     def _log(self, text: str, level: int) -> None:
         # pythonfmu hands the text to a C function as its printf format, encoded strictly.
         self.log_queue.append(LogMsg(level, CATEGORIES[level], _encodable(text).replace("%", "%%")))
 
-    def _tell(self, what: str, text: str, level: str = "error") -> None:
+    def _say_aloud(self, what: str, text: str, level: str = "error") -> None:
         """Say a sentence to Python's logging, once for each `what`."""
-        if what in self._told or len(self._told) >= MOST_TOLD:
+        if what in self._aloud or len(self._aloud) >= MOST_TOLD:
             return
-        self._told.add(what)
+        self._aloud.add(what)
         try:
             import logging  # takes as long as to import all this, and few runs need it
 
@@ -81,10 +77,3 @@ class Fmi2Slave:
 def _encodable(text: str) -> str:
     """Text without surrogates, which no stream takes."""
     return text.encode("utf-8", "replace").decode()
-
-
-def sentence(error: BaseException) -> str:
-    """One line for an expected error; for an unexpected one also its type, for the report."""
-    if isinstance(error, AssemblyError | OptionError | StepError | SnapshotError):
-        return in_one_line(error)
-    return f"fault of this program, please report it: {type(error).__name__}: {error}"

@@ -17,6 +17,7 @@ struct slave_kept {
 };
 
 static const char KEPT[8] = "holslv1"; /* the digit is the version of the format */
+#define OF_ANOTHER "the saved state belongs to another model or version; restore it where it was saved"
 
 static uint32_t checksum_of_kept(const slave_kept *kept)
 {
@@ -47,7 +48,7 @@ slave_answer slave_return_to(slave *s, const slave_kept *kept)
     const int is_own = kept && kept->size == size_of(s) && slave_hears(s, holonom_return_to(s->instance, kept + 1));
     if (is_own) s->memory = kept->memory;
     fp_leave(host);
-    return is_own ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, "the saved state belongs to another model or version; restore it where it was saved");
+    return is_own ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, OF_ANOTHER);
 }
 
 void slave_free_kept(slave_kept *kept) { slave_release(kept); }
@@ -72,9 +73,10 @@ slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept 
     if (!bytes || size < sizeof head || memcmp(bytes, KEPT, sizeof KEPT))
         return slave_tell(s, ANSWER_ERROR, "the bytes are no FMU state of this version; save the state again with this FMU");
     memcpy(&head, bytes, sizeof head);
-    const int is_damaged = head.checksum != checksum_of_kept(&head) || head.size != size || size != size_of(s) ||
+    const int is_damaged = head.checksum != checksum_of_kept(&head) || head.size != size ||
                            head.memory.phase < INSTANTIATED || head.memory.phase > FAILED || !(fabs(head.memory.start_time) < INFINITY);
     if (is_damaged) return slave_tell(s, ANSWER_ERROR, "the bytes of the FMU state are damaged; save the state again");
+    if (size != size_of(s)) return slave_tell(s, ANSWER_ERROR, OF_ANOTHER);
     const fp_environment host = fp_enter();
     const int is_good = slave_hears(s, holonom_check_saved(s->instance, (const char *)bytes + sizeof head, (int64_t)(size - sizeof head)));
     fp_leave(host);

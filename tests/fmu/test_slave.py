@@ -7,7 +7,15 @@ import math
 import pytest
 
 from fmu_src import status
-from tests.fmu_instance import instance, pendulum, slave_of, stepping_slave, text_fmu
+from tests.fmu_instance import (
+    instance,
+    of_pendulum,
+    pendulum,
+    slave_of,
+    status_of,
+    stepping_slave,
+    text_fmu,
+)
 
 DISCARD, ERROR = 2, 3
 
@@ -207,10 +215,10 @@ def test_calls_at_the_wrong_time_are_refused():
         assert not fmu.step(0.0, 0.1)
         assert "before" in fmu.log[-1][2]
         fmu.fmu.exitInitializationMode()
-        assert "ignored" in fmu.log[-1][2]
+        assert "enterInitializationMode comes first" in fmu.log[-1][2]
         fmu.initialise()
         fmu.fmu.enterInitializationMode()
-        assert "ignored" in fmu.log[-1][2]
+        assert "after the initialization" in fmu.log[-1][2]
         assert fmu.step(0.0, 0.1)
         fmu.fmu.terminate()
         assert not fmu.step(0.1, 0.1)
@@ -229,30 +237,24 @@ def test_without_logging_a_failure_still_shows_in_the_status():
 # ------------------------------------------------------------------------- a fault of our own
 
 
-class Broken:
-    """An integrator that fails in every call, as no integrator should."""
-
-    status = 0
-
-    def __getattr__(self, name):
-        message = f"{name}: 100% broken \udcff"
-        raise RuntimeError(message)
+def broken(name, *_):
+    """Stand in for calls of the library."""
+    message = f"{name}: 100% broken \udcff"
+    raise RuntimeError(message)
 
 
 def test_no_exception_leaves_the_slave_whatever_breaks():
     with instance(pendulum()) as fmu:
         slave = slave_of(fmu)
-    slave._integrator = Broken()
+    slave._call = broken
     slave.setup_experiment(0.0, None, 1e-6)
     slave.enter_initialization_mode()
-    reals = sorted(slave._of_type["Real"])
-    assert slave.get_real(reals) == [
-        float(slave._status) if i == slave._status_index else 0.0 for i in reals
-    ]
+    reals, words = ([*of_pendulum(kind).values()] for kind in ("Real", "String"))
+    assert slave.get_real(reals) == [0.0] * len(reals)
     slave.set_real(reals[:1], [1.0])
     slave.exit_initialization_mode()
     assert slave.do_step(0.0, 0.1) is False
-    assert slave.get_string(sorted(slave._of_type["String"]))
+    assert slave.get_string(words) == [""] * len(words)
     state = slave._get_fmu_state()
     slave._set_fmu_state(state)
     slave.terminate()
@@ -270,9 +272,9 @@ def test_after_a_step_that_breaks_in_its_midst_only_a_saved_state_helps(monkeypa
     slave = stepping_slave()
     state = slave._get_fmu_state()
     with monkeypatch.context() as context:
-        context.setattr(slave._integrator, "advance", break_off)
+        context.setattr(slave, "_call", break_off)
         assert not slave.do_step(0.0, 0.1)
-    assert slave.get_real([slave._status_index]) == [code]
+    assert status_of(slave) == code
     assert not slave.do_step(0.0, 0.1)
     slave._set_fmu_state(state)
     assert slave.do_step(0.0, 0.1)
