@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import functools
 import operator
+from weakref import ref
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
 if TYPE_CHECKING:
@@ -48,25 +49,25 @@ class _Shielded(property):
 
 
 def hang_doors(slave: Any) -> None:
-    """Give a slave the doors of its shielded methods."""
+    """Give a slave the doors of its shielded methods, which do not keep it alive."""
     for kind in type(slave).__mro__:
         for name, call in vars(kind).items():
             if isinstance(call, _Shielded):
-                door = _door(slave, BEHIND + name)
+                door = _door(ref(slave), BEHIND + name)
                 next(door)  # from here on it waits within `try`
                 setattr(slave, DOOR + name, door.__next__)
 
 
-def _door(slave: Any, name: str) -> Iterator[Callable]:
+def _door(slave: ref, name: str) -> Iterator[Callable]:
     while True:
         try:
             while True:  # within, as Python looks for interrupts where a loop turns
-                yield getattr(slave, name)
+                yield getattr(slave(), name)
         except CAUGHT as error:
-            slave.broken(error)
+            slave().broken(error)
 
 
-def takes_signals(slave: Any) -> Iterator[int]:
+def takes_signals(slave: ref) -> Iterator[int]:
     """Let Python answer signals within a call of C, as it does between two lines.
 
     The library asks this for the next value: 1 where a handler has raised something in this call.
@@ -74,20 +75,20 @@ def takes_signals(slave: Any) -> Iterator[int]:
     while True:
         try:
             while True:  # within, as Python looks for signals where a loop turns
-                yield slave.struck
+                yield slave().struck
         except GeneratorExit:
             return
         except BaseException as error:  # which could not pass through the library
-            slave.broken(error)
+            slave().broken(error)
 
 
-def guarded(slave: Any, call: Callable) -> Callable:
-    """Return a function for the library to call, through which no exception could pass."""
+def guarded(slave: ref, name: str) -> Callable:
+    """Return a method for the library to call, through which no exception could pass."""
 
     def guarded_call(*arguments: Any) -> None:
         try:
-            call(*arguments)
+            getattr(slave(), name)(*arguments)
         except BaseException as error:
-            slave.broken(error)
+            slave().broken(error)
 
     return guarded_call

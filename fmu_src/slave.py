@@ -17,6 +17,7 @@ import sys
 import zlib
 from collections.abc import Sequence
 from ctypes import c_char_p, c_double, c_int, c_int32, c_size_t, c_uint32, c_void_p
+from weakref import ref
 
 from . import status
 from .interrupt_guard import guarded, hang_doors, shielded, takes_signals
@@ -61,25 +62,25 @@ class _Front(ctypes.Structure):
 @functools.cache
 def _library() -> ctypes.CDLL:
     """Library for this machine, which lies beside this file under the name of its platform."""
-    folder, failures = os.path.dirname(__file__), []
+    folder, found = os.path.dirname(__file__), []
     suffix = {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
-    names = sorted(name for name in os.listdir(folder) if name.endswith((".so", ".dll", ".dylib")))
-    for name in names:
-        if name.endswith(suffix):
-            try:
-                library = ctypes.CDLL(os.path.join(folder, name))
-            except OSError as error:  # of another processor
-                failures.append(str(error))
-                continue
-            for function, arguments in FUNCTIONS.items():
-                getattr(library, f"fmi2{function}").argtypes = arguments
-            library.fmi2Instantiate.restype = c_void_p
-            return library
+    for name in sorted(os.listdir(folder)):
+        if not name.endswith(suffix):
+            continue
+        try:
+            library = ctypes.CDLL(os.path.join(folder, name))
+        except OSError as error:  # of another processor
+            found.append(f"{name} ({error})")
+            continue
+        for function, arguments in FUNCTIONS.items():
+            getattr(library, f"fmi2{function}").argtypes = arguments
+        library.fmi2Instantiate.restype = c_void_p
+        return library
     import sysconfig  # only here: it would take a tenth of the time to import all this
 
     message = (
-        f"no library for this platform, {sysconfig.get_platform()}: {folder} has "
-        f"{', '.join(names) or 'none'} {'; '.join(failures)}; build the FMU on this platform"
+        f"no library for this platform, {sysconfig.get_platform()}: the folder {folder} has "
+        f"{', '.join(found) or f'none that ends with {suffix}'}; build the FMU on this platform"
     )
     raise RuntimeError(message)
 
@@ -121,7 +122,7 @@ class Slave(Fmi2Slave):
         self._said: list[str] = []  # why the library refused the last call
         self.struck = 0  # whether an interrupt came during that call
         self._library = _library()
-        self._logger = LOGGER(guarded(self, self._hear))
+        self._logger = LOGGER(guarded(ref(self), "_hear"))
         self._callbacks = (c_void_p * 5)(ctypes.cast(self._logger, c_void_p))  # and no others
         folder = os.path.abspath(self.resources or ".")
         try:
@@ -137,7 +138,7 @@ class Slave(Fmi2Slave):
         if not made:
             raise RuntimeError("; ".join(self._said))
         self._instance, self._front = made, _Front.from_address(made)
-        watch = takes_signals(self)
+        watch = takes_signals(ref(self))
         next(watch)  # from here on it waits within `try`
         self._front.look = self._look = LOOK(watch.__next__)
         hang_doors(self)

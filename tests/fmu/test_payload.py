@@ -6,31 +6,13 @@ import ast
 import io
 import sys
 import tokenize
-from pathlib import PurePosixPath
 
 import pytest
 
-from build_fmu.payload import bare, package_folder, payload, relative_imports
+from build_fmu.payload import bare, package_folder, payload
+from build_fmu.platforms import library_path
 
-SOURCES = {
-    path.relative_to(package_folder(name).parent).as_posix(): path
-    for name in ("fmu_src", "solver")
-    for path in package_folder(name).rglob("*.py")
-    if name == "fmu_src" or "runtime" in path.parts
-}
-
-
-@pytest.mark.parametrize(
-    ("path", "line", "expected"),
-    [
-        ("slave.py", "from solver.runtime import Model", "from .runtime import Model"),
-        ("runtime/a.py", "    from solver.runtime.b import c", "    from ..runtime.b import c"),
-        ("slave.py", "from solver import runtime", "from solver import runtime"),
-        ("slave.py", "import json", "import json"),
-    ],
-)
-def test_imports_become_relative(path, line, expected):
-    assert relative_imports(line, PurePosixPath(path)) == expected
+SOURCES = {path.name: path for path in package_folder("fmu_src").glob("*.py")}
 
 
 def imported(source: bytes) -> set[str]:
@@ -46,12 +28,29 @@ def imported(source: bytes) -> set[str]:
 
 def test_what_travels_imports_the_standard_library_and_itself_alone():
     allowed = set(sys.stdlib_module_names)
+    code = payload(2, "points")
     strangers = {
-        path: imported(data) - allowed - {payload(2).slave_module.removesuffix("_slave")}
-        for path, data in payload(2).files.items()
+        path: imported(data) - allowed - {code.slave_module.removesuffix("_slave")}
+        for path, data in code.files.items()
         if path.endswith(".py")
     }
     assert not {path: names for path, names in strangers.items() if names}
+
+
+@pytest.mark.parametrize("own", ["linux64", "darwin64", "linux-arm64"])
+def test_the_libraries_that_are_compiled_for_this_platform_and_pythonfmus_travel(
+    own, tmp_path, monkeypatch
+):
+    for name in ("linux64", "linux-arm64", "win64", "darwin64"):
+        path = library_path(tmp_path, name, 2, "points")
+        path.parent.mkdir(parents=True)
+        path.write_bytes(name.encode())
+    monkeypatch.setattr("build_fmu.payload.own_platform", lambda: own)
+    monkeypatch.setattr("build_fmu.payload.library_path", lambda _, *of: library_path(tmp_path, *of))
+    found = payload.__wrapped__(2, "points").files
+    libraries = {p.partition("/")[2]: data for p, data in found.items() if not p.endswith(".py")}
+    assert set(libraries.values()) == {b"linux64", b"win64", own.encode()}
+    assert all(name.startswith(data.decode() + ".") for name, data in libraries.items())
 
 
 def without_docstrings(source: str) -> str:

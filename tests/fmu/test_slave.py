@@ -139,6 +139,27 @@ def test_value_references_that_do_not_exist_are_refused():
         assert not fmu.step(0.1, 0.1)
 
 
+@pytest.mark.parametrize(
+    "word", ["nonsense", "it's", 'a "word"', "'both\"", "50 %", "Grün\n\t\\", "\x1b", ""]
+)
+def test_a_refused_word_is_shown_as_python_shows_it(word):
+    with instance(pendulum()) as fmu:
+        fmu.set(solver__start=word)
+        assert fmu.log[-1][2].endswith(f"got {word!r}")
+
+
+def test_a_start_that_breaks_several_rules_is_told_in_one_line_with_each_remedy_once():
+    two = FIXED_ENDS.replace("[joints]", "B = { position = [-1, 1], mass = 1 }\n[joints]")
+    two += 'third = { type = "distance", points = ["B", "O"], length = "length - 1" }\n'
+    with instance(text_fmu(two)) as fmu:
+        fmu.initialise(length=0.5)
+        ((_, _, text),) = [line for line in fmu.log if line[0] == ERROR]
+        assert "right" in text
+        assert "third" in text
+        remedies = text.split("; ")
+        assert len(remedies) == len({*remedies})
+
+
 # ------------------------------------------------------------------------------------ steps
 
 
