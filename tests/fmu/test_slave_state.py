@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 
 import pytest
+from fmpy.fmi1 import FMICallException
 
 from fmu_src import status
 from tests.fmu_instance import instance, pendulum, scene_fmu, status_of, stepping_slave
@@ -26,15 +28,22 @@ def test_bytes_that_are_no_state_are_refused(data):
         assert fmu.step(0.0, 0.1)
 
 
-def test_the_state_of_another_model_is_refused():
-    with instance(pendulum()) as fmu, instance(scene_fmu("four_bar")) as other:
+@pytest.mark.parametrize("native", [False, True])
+@pytest.mark.parametrize("other", [scene_fmu, lambda _, native: pendulum(2.0, native=native)])
+def test_the_state_of_another_model_is_refused(other, native):
+    """One of another length, and one of the same."""
+    with (
+        instance(pendulum(native=native)) as fmu,
+        instance(other("four_bar", native=native)) as stranger,
+    ):
         fmu.initialise()
-        other.initialise()
-        data = other.fmu.serializeFMUState(other.fmu.getFMUState())
-        fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
+        stranger.initialise()
+        data = stranger.fmu.serializeFMUState(stranger.fmu.getFMUState())
+        with contextlib.suppress(FMICallException):  # of a native one
+            fmu.fmu.setFMUState(fmu.fmu.deserializeFMUState(data))
         assert "another model" in fmu.log[-1][2]
-        assert not fmu.step(0.0, 0.1)
-        assert fmu.get("solver.status") == status.STATE_REFUSED
+        assert fmu.step(0.0, 0.1) == native
+        assert fmu.get("solver.status") == (0.0 if native else status.STATE_REFUSED)
 
 
 def test_a_good_state_ends_a_refusal():
