@@ -29,7 +29,7 @@ from build_fmu.platforms import PLATFORMS, library_path, own_platform
 SLAVE_NAME = "slavemodule.txt"
 """File below `resources/` in which pythonfmu's library looks for the name of the slave module."""
 PYTHONFMU_PLATFORMS = ("linux64", "win64")
-"""Those for which pythonfmu has a library; an FMU carries ours for both, where they are compiled."""
+"""Those for which pythonfmu has a library; an FMU carries ours for both if they are compiled."""
 SUFFIXES = (".so", ".dll", ".dylib")
 _TEXT_OR_COMMENT = re.compile(
     r"""(?P<text>"{3}(?:.|\n)*?"{3}|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')|[ \t]*#.*"""

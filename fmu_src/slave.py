@@ -51,7 +51,7 @@ MODEL_FILE, GUID = "model.bin", slice(44, 84)
 
 
 class _Front(ctypes.Structure):
-    """How ``struct slave`` in native/slave.h begins: its memory, and what steps ask now and then."""
+    """How ``struct slave`` in native/slave.h begins: its memory, and what its steps ask."""
 
     _fields_ = (
         *((name, c_int32) for name in ("phase", "is_assembled", "status", "refusal")),

@@ -225,7 +225,7 @@ def test_a_damaged_archive_is_not_instantiated_and_harms_nothing(tmp_path):
     with instance(pendulum()) as fmu:
         fmu.initialise()
         assert fmu.step(0.0, 0.1)
-    with pytest.raises(UsageError, match="the model cannot be used"):  # what the log says of the reason
+    with pytest.raises(UsageError, match="the model cannot be used"):  # so says the log
         run_fmu(damaged)
 
 

@@ -46,7 +46,9 @@ def test_the_libraries_that_are_compiled_for_this_platform_and_pythonfmus_travel
         path.parent.mkdir(parents=True)
         path.write_bytes(name.encode())
     monkeypatch.setattr("build_fmu.payload.own_platform", lambda: own)
-    monkeypatch.setattr("build_fmu.payload.library_path", lambda _, *of: library_path(tmp_path, *of))
+    monkeypatch.setattr(
+        "build_fmu.payload.library_path", lambda _, *of: library_path(tmp_path, *of)
+    )
     found = payload.__wrapped__(2, "points").files
     libraries = {p.partition("/")[2]: data for p, data in found.items() if not p.endswith(".py")}
     assert set(libraries.values()) == {b"linux64", b"win64", own.encode()}
