@@ -126,8 +126,7 @@ def chosen_package(
 
 def _python_entries(name: str, sizes: Mapping[str, int]) -> dict[str, bytes]:
     code = payload(sizes["dim"], library_scope(sizes))
-    entries = {f"resources/{file}": data for file, data in code.files.items()}
-    entries[f"resources/{SLAVE_NAME}"] = f"{code.slave_module}\n".encode()
+    entries = {f"resources/{file}": data for file, data in code.items()}
     for library, data in wrapper_libraries().items():
         platform, suffix = library.split("/")
         entries[f"binaries/{platform}/{name}{suffix}"] = data

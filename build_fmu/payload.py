@@ -7,20 +7,14 @@
 All FMUs of a process share Python's table of modules, and pythonfmu imports an FMU's code by plain
 name. The digits are a hash of the code, so two FMUs of different versions never run each other's
 code, and many FMUs of one version share it. Imports among its modules are relative for that.
-
-Comments and docstrings stay at home, a third of the archive otherwise; blank lines stand in for
-them, so that the line numbers of a traceback are those of the sources.
 """
 
 from __future__ import annotations
 
-import ast
 import functools
 import hashlib
 import importlib.util
-import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 from build_fmu.errors import EnvironmentLackError
@@ -31,9 +25,6 @@ SLAVE_NAME = "slavemodule.txt"
 PYTHONFMU_PLATFORMS = ("linux64", "win64")
 """Those for which pythonfmu has a library; an FMU carries ours for both if they are compiled."""
 SUFFIXES = (".so", ".dll", ".dylib")
-_TEXT_OR_COMMENT = re.compile(
-    r"""(?P<text>"{3}(?:.|\n)*?"{3}|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')|[ \t]*#.*"""
-)
 _SLAVE_MODULE = """import ctypes
 import sys
 
@@ -48,22 +39,14 @@ ctypes.pythonapi.Py_IncRef(ctypes.py_object(globals()))
 """
 
 
-@dataclass(frozen=True)
-class Payload:
-    """Files below `resources/`, by path, and the module that pythonfmu's library imports."""
-
-    slave_module: str
-    files: dict[str, bytes]
-
-
 @functools.cache
-def payload(dimension: int, scope: str) -> Payload:
-    """Code of this installation, ready to travel with mechanisms that these libraries serve.
+def payload(dimension: int, scope: str) -> dict[str, bytes]:
+    """Files of the code below `resources/`, by path, for mechanisms that these libraries serve.
 
     `dimension` is 2 or 3, `scope` one of `platforms.SCOPES`.
     """
     paths = sorted(package_folder("fmu_src").glob("*.py"))
-    sources = {path.name: bare(path.read_text(encoding="utf-8")).encode() for path in paths}
+    sources = {path.name: path.read_text(encoding="utf-8").encode() for path in paths}
     own = own_platform() or PYTHONFMU_PLATFORMS[0]
     for platform in {own, *PYTHONFMU_PLATFORMS}:
         path = library_path(package_folder("fmu_src"), platform, dimension, scope)
@@ -73,7 +56,8 @@ def payload(dimension: int, scope: str) -> Payload:
     package = package_name(sources)
     files = {f"{package}/{path}": data for path, data in sources.items()}
     files[f"{package}_slave.py"] = _SLAVE_MODULE.format(package=package).encode()
-    return Payload(f"{package}_slave", files)
+    files[SLAVE_NAME] = f"{package}_slave\n".encode()
+    return files
 
 
 def package_name(sources: Mapping[str, bytes]) -> str:
@@ -134,23 +118,3 @@ def native_library(platform: str, dimension: int, scope: str) -> bytes:
         remedy = "in a clone of holonom: pip install ziglang, then python -m build_kernel --all"
     text = f"the library of FMUs for {platform} is missing ({path}); compile it: {remedy}"
     raise EnvironmentLackError(text)
-
-
-def bare(source: str) -> str:
-    """Source text without comments and docstrings, all else at its line and column.
-
-    >>> bare("x = 1  # why")
-    'x = 1'
-    """
-    lines = source.split("\n")
-    for node in ast.walk(ast.parse(source)):
-        if not isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
-            continue
-        for text in node.body:
-            value = text.value if isinstance(text, ast.Expr) else None
-            if isinstance(value, ast.Constant) and isinstance(value.value, str):
-                first, last = text.lineno - 1, text.end_lineno or text.lineno
-                lines[first:last] = [""] * (last - first)
-                if len(node.body) == 1:
-                    lines[first] = " " * text.col_offset + "..."
-    return _TEXT_OR_COMMENT.sub(lambda match: match["text"] or "", "\n".join(lines))

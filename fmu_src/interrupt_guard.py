@@ -24,22 +24,23 @@ if TYPE_CHECKING:
 DOOR, BEHIND = "_door_of_", "_behind_door_of_"
 
 
-def shielded(instead: Callable[..., Any] = lambda *_: None) -> Callable[[Callable], Any]:
-    """Shield a method: where an exception breaks it, it answers `instead(self, *arguments)`."""
+def shielded(*instead: Callable[..., Any]) -> Callable[[Callable], Any]:
+    """Shield a method: where an exception breaks it, these are called in its stead, in turn."""
     return functools.partial(_Shielded, instead)
 
 
 class _Shielded(property):
     """A method behind a door. On the way to it no line of Python runs but those of the door."""
 
-    def __init__(self, instead: Callable[..., Any], call: Callable) -> None:
+    def __init__(self, instead: tuple[Callable[..., Any], ...], call: Callable) -> None:
         @functools.wraps(call)
         def shielded_call(slave: Any, *arguments: Any) -> Any:
-            try:
-                return call(slave, *arguments)
-            except (KeyboardInterrupt, Exception) as error:
-                slave.broken(error)
-                return instead(slave, *arguments)
+            for each in (call, *instead):
+                try:
+                    return each(slave, *arguments)
+                except (KeyboardInterrupt, Exception) as error:
+                    slave.broken(error)
+            return None
 
         self._call = shielded_call
 

@@ -16,7 +16,7 @@ import os  # not pathlib, which would take a tenth of the time to import all thi
 import sys
 import zlib
 from collections.abc import Sequence
-from ctypes import c_char_p, c_double, c_int, c_int32, c_size_t, c_uint32, c_void_p
+from ctypes import byref, c_char_p, c_double, c_int, c_int32, c_size_t, c_uint32, c_void_p
 from weakref import ref
 
 from . import status
@@ -29,25 +29,11 @@ if TYPE_CHECKING:
     from typing import Any
 
 TYPES = {"Real": c_double, "Integer": c_int, "Boolean": c_int, "String": c_char_p}
-ZERO = {"Real": 0.0, "Integer": 0, "Boolean": False, "String": ""}
-FUNCTIONS = {
-    "Instantiate": (c_char_p, c_int, c_char_p, c_char_p, c_void_p, c_int, c_int),
-    "SetupExperiment": (c_void_p, c_int, c_double, c_double, c_int, c_double),
-    "DoStep": (c_void_p, c_double, c_double, c_int),
-    **{f"{way}{kind}": (c_void_p, c_void_p, c_size_t, c_void_p)
-       for way in ("Get", "Set") for kind in TYPES},
-    **dict.fromkeys(("FreeInstance", "EnterInitializationMode", "ExitInitializationMode",
-                     "Terminate"), (c_void_p,)),
-    **dict.fromkeys(("GetFMUstate", "SetFMUstate", "FreeFMUstate"), (c_void_p, c_void_p)),
-    "SerializedFMUstateSize": (c_void_p, c_void_p, c_void_p),
-    "SerializeFMUstate": (c_void_p, c_void_p, c_void_p, c_size_t),
-    "DeSerializeFMUstate": (c_void_p, c_char_p, c_size_t, c_void_p),
-}  # fmt: skip
-"""Arguments of the functions ``fmi2...`` that are called here."""
 LOGGER = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p)
 LOOK = ctypes.CFUNCTYPE(c_int32)
-MODEL_FILE, GUID = "model.bin", slice(44, 84)
-"""Where the model is, and in it the GUID (``hm_header`` in model_tables.h)."""
+SUFFIX = {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
+GUID = slice(44, 84)
+"""Where the file of the model has it (``hm_header`` in model_tables.h)."""
 
 
 class _Front(ctypes.Structure):
@@ -62,82 +48,53 @@ class _Front(ctypes.Structure):
 @functools.cache
 def _library() -> ctypes.CDLL:
     """Library for this machine, which lies beside this file under the name of its platform."""
-    folder, found = os.path.dirname(__file__), []
-    suffix = {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
+    folder, others = os.path.dirname(__file__), []
     for name in sorted(os.listdir(folder)):
-        if not name.endswith(suffix):
-            continue
-        try:
-            library = ctypes.CDLL(os.path.join(folder, name))
-        except OSError as error:  # of another processor
-            found.append(f"{name} ({error})")
-            continue
-        for function, arguments in FUNCTIONS.items():
-            getattr(library, f"fmi2{function}").argtypes = arguments
-        library.fmi2Instantiate.restype = c_void_p
-        return library
+        if name.endswith(SUFFIX):
+            try:
+                return ctypes.CDLL(os.path.join(folder, name))
+            except OSError as error:  # of another processor
+                others.append(f"{name} ({error})")
     import sysconfig  # only here: it would take a tenth of the time to import all this
 
     message = (
         f"no library for this platform, {sysconfig.get_platform()}: the folder {folder} has "
-        f"{', '.join(found) or f'none that ends with {suffix}'}; build the FMU on this platform"
+        f"{', '.join(others) or f'none that ends with {SUFFIX}'}; build the FMU on this platform"
     )
     raise RuntimeError(message)
 
 
+def _in_python(kind: str, values: Any) -> list:
+    if kind == "String":
+        return [(value or b"").decode() for value in values]
+    return [value != 0 for value in values] if kind == "Boolean" else values[:]
+
+
 def _getter(kind: str) -> Any:
-    """Method that reads variables of a type by their value references."""
-
-    def once_more(self: Slave, vrs: list[int]) -> list:
-        try:
-            return self._get(kind, vrs)  # an interrupt spoils no value
-        except Exception:  # none may leave the slave: it would end the host
-            return [ZERO[kind]] * len(vrs)
-
-    @shielded(once_more)
     def get(self: Slave, vrs: list[int]) -> list:
         return self._get(kind, vrs)
 
-    return get
+    # After an interrupt, which spoils no value, once more.
+    return shielded(get, lambda _, vrs: _in_python(kind, (TYPES[kind] * len(vrs))()))(get)
 
 
 def _setter(kind: str) -> Any:
-    """Method that sets variables of a type by their value references."""
-
-    @shielded()
-    def set(self: Slave, vrs: list[int], values: Sequence) -> None:
-        self._set(kind, vrs, values)
-
-    return set
+    return shielded()(lambda self, vrs, values: self._set(kind, vrs, values))
 
 
 class Slave(Fmi2Slave):
     """One instance of the FMU. fmi2Reset is a new object of this class."""
 
-    _instance = None
+    _instance = c_void_p()
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
         self._refusals: dict[int | str, str] = {}
         self._said: list[str] = []  # why the library refused the last call
-        self.struck = 0  # whether an interrupt came during that call
+        self.struck = 0  # whether an exception struck during that call
         self._library = _library()
         self._logger = LOGGER(guarded(ref(self), "_hear"))
-        self._callbacks = (c_void_p * 5)(ctypes.cast(self._logger, c_void_p))  # and no others
-        folder = os.path.abspath(self.resources or ".")
-        try:
-            with open(os.path.join(folder, MODEL_FILE), "rb") as file:
-                guid = file.read(GUID.stop)[GUID].rstrip(b"\0")
-        except OSError as error:
-            message = f"instantiate: {error.filename} cannot be read: {error.strerror}"
-            raise RuntimeError(message) from None
-        path = folder.replace(os.sep, "/").replace("%", "%25")
-        uri = f"file:{'' if path.startswith('/') else '/'}{path}".encode("utf-8", "surrogateescape")
-        name = self.instance_name.encode("utf-8", "replace")
-        made = self._library.fmi2Instantiate(name, 1, guid, uri, self._callbacks, 0, 1)
-        if not made:
-            raise RuntimeError("; ".join(self._said))
-        self._instance, self._front = made, _Front.from_address(made)
+        self._make(os.path.abspath(self.resources or "."))
         watch = takes_signals(ref(self))
         next(watch)  # from here on it waits within `try`
         self._front.look = self._look = LOOK(watch.__next__)
@@ -145,50 +102,62 @@ class Slave(Fmi2Slave):
         if self.resources in sys.path:  # pythonfmu puts it there for every instance and leaves it
             sys.path.remove(self.resources)
 
+    def _make(self, folder: str) -> None:
+        try:
+            with open(os.path.join(folder, "model.bin"), "rb") as file:
+                guid = file.read(GUID.stop)[GUID].rstrip(b"\0")
+        except OSError as error:
+            message = f"instantiate: {error.filename} cannot be read: {error.strerror}"
+            raise RuntimeError(message) from None
+        path = folder.replace(os.sep, "/").replace("%", "%25")
+        uri = f"file:{'' if path.startswith('/') else '/'}{path}".encode("utf-8", "surrogateescape")
+        name = self.instance_name.encode("utf-8", "replace")
+        self._callbacks = (c_void_p * 5)(ctypes.cast(self._logger, c_void_p))  # and no others
+        self._library.fmi2Instantiate.restype = c_void_p
+        made = self._library.fmi2Instantiate(name, 1, guid, uri, self._callbacks, 0, 1)
+        if not made:
+            raise RuntimeError("; ".join(self._said))
+        self._instance, self._front = c_void_p(made), _Front.from_address(made)
+
     def __del__(self) -> None:
         """Give back the memory of the instance."""
         if self._instance:
             self._library.fmi2FreeInstance(self._instance)
 
-    # --------------------------------------------------------------------- what the library says
-
     def _hear(self, _environment: Any, _name: bytes, level: int, _kind: bytes, said: bytes) -> None:
         text = said.decode("utf-8", "replace").replace("%%", "%")
-        if level == status.OK:
-            self.note(text)
-        elif level == status.WARNING:
-            self.warn(text)
+        if level in (status.OK, status.WARNING):
+            (self.warn if level else self.note)(text)
         else:
             self._said.append(text)
 
     def _call(self, name: str, *arguments: object) -> int:
-        """Call a function; its status."""
+        """Call a function of the library; its status."""
         self._said.clear()
         self.struck = 0
-        return getattr(self._library, name)(self._instance, *arguments)
+        answer = getattr(self._library, name)(self._instance, *arguments)
+        if self.struck:  # which is told and remembered already
+            self._said.clear()
+        return answer
 
     def _tell(self) -> None:
-        """Log why the last call was refused."""
-        for text in () if self.struck else self._said:
+        """Log why the last call was refused, if it was."""
+        for text in self._said:
             self.error(text)
 
-    def _refuse(self, what: Sequence[int | str], code: int) -> None:
-        """Remember that the last call was refused: no step is taken while this stands."""
-        if not self.struck:
-            self._remember(what, code, "; ".join(self._said))
-
-    def _remember(self, what: Sequence[int | str], code: int, text: str) -> None:
-        self._front.refusal = code
-        self._refusals.update(dict.fromkeys(what, text))
-        self.error(text)
+    def _refuse(self, what: Sequence[int | str], code: int, text: str = "") -> None:
+        """Remember what was refused, and why: no step is taken while this stands."""
+        if text := text or "; ".join(self._said):
+            self._front.refusal = code
+            self._refusals.update(dict.fromkeys(what, text))
+            self.error(text)
 
     def _accept(self, what: Sequence[int | str]) -> None:
         """Forget what was refused of this, as it is well now."""
-        if self._refusals:
-            for each in what:
-                self._refusals.pop(each, None)
-            if not self._refusals:
-                self._front.refusal = 0
+        for each in what if self._refusals else ():
+            self._refusals.pop(each, None)
+        if not self._refusals:
+            self._front.refusal = 0
 
     def broken(self, error: BaseException) -> None:
         """Refuse all steps after a call that an exception broke: nobody knows where it left things.
@@ -199,7 +168,7 @@ class Slave(Fmi2Slave):
         if not isinstance(error, KeyboardInterrupt):
             code, what = status.INTERNAL_FAULT, "fault of this program, please report it"
             text = f"{what}: {type(error).__name__}: {error}"
-        self._remember(["break"], code, f"{text}; restore a saved state, or reset the instance")
+        self._refuse(["break"], code, f"{text}; restore a saved state, or reset the instance")
 
     # ------------------------------------------------------------------------ initialisation
 
@@ -207,9 +176,9 @@ class Slave(Fmi2Slave):
     def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
         """Take start and stop time and, where the scene asks for a tolerance, this one."""
         is_early = self._front.phase == INSTANTIATED
-        limit = tolerance is not None, tolerance or 0.0
-        end = stop_time is not None, stop_time or 0.0
-        if not self._call("fmi2SetupExperiment", *limit, start_time, *end):
+        times = c_double(start_time), stop_time is not None, c_double(stop_time or 0.0)
+        limit = tolerance is not None, c_double(tolerance or 0.0)
+        if not self._call("fmi2SetupExperiment", *limit, *times):
             self._accept(["experiment"])
         elif is_early:
             self._refuse(["experiment"], status.VALUE_REFUSED)
@@ -219,20 +188,20 @@ class Slave(Fmi2Slave):
     @shielded()
     def enter_initialization_mode(self) -> None:
         """Begin initialisation; outputs may be read from now on."""
-        if self._call("fmi2EnterInitializationMode"):
-            self._tell()
+        self._call("fmi2EnterInitializationMode")
+        self._tell()
 
     @shielded()
     def exit_initialization_mode(self) -> None:
         """Assemble the mechanism with the parameters that have arrived."""
         is_early = self._front.phase == INITIALIZING
-        if not self._call("fmi2ExitInitializationMode"):
-            return
-        if is_early:  # the importer hears of no error, and goes on
-            self._front.phase = STEPPING
-            self._refuse(["assembly"], status.ASSEMBLY_FAILED)
-        else:
+        refused = self._call("fmi2ExitInitializationMode")
+        if not is_early:
             self._tell()
+            return
+        self._front.phase = STEPPING  # the importer hears of no error, and goes on
+        if refused:
+            self._refuse(["assembly"], status.ASSEMBLY_FAILED)
 
     # --------------------------------------------------------------------------------- values
 
@@ -243,19 +212,17 @@ class Slave(Fmi2Slave):
     def _get(self, kind: str, vrs: list[int]) -> list:
         count = len(vrs)
         values = (TYPES[kind] * count)()
-        refused = self._call(f"fmi2Get{kind}", (c_uint32 * count)(*vrs), count, values)
-        if refused and "assembly" not in self._refusals:
+        self._call(f"fmi2Get{kind}", (c_uint32 * count)(*vrs), c_size_t(count), values)
+        if "assembly" not in self._refusals:
             self._tell()
-        if kind == "String":
-            return [(value or b"").decode() for value in values]
-        return [bool(value) for value in values] if kind == "Boolean" else values[:]
+        return _in_python(kind, values)
 
     def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
         count = len(vrs)
         if kind == "String":
             values = [None if v is None else v.encode("utf-8", "surrogateescape") for v in values]
         given = (TYPES[kind] * count)(*values)
-        if self._call(f"fmi2Set{kind}", (c_uint32 * count)(*vrs), count, given):
+        if self._call(f"fmi2Set{kind}", (c_uint32 * count)(*vrs), c_size_t(count), given):
             self._refuse(vrs, status.VALUE_REFUSED)
         else:
             self._accept(vrs)
@@ -270,18 +237,18 @@ class Slave(Fmi2Slave):
             self.discard(f"no step is taken: {reasons}", "discarded")
             return False
         phase = self._front.phase
-        if not self._call("fmi2DoStep", current_time, step_size, 1):
+        if not self._call("fmi2DoStep", c_double(current_time), c_double(step_size), 1):
             return True
-        self._front.phase = phase  # after an error, too, which the importer takes for a discard
-        for text in () if self.struck else self._said:
+        self._front.phase = phase  # an error ended the run, which the importer sees discarded
+        for text in self._said:
             self.discard(text, "repeated" if " steps in a row failed " in text else "discarded")
         return False
 
     @shielded()
     def terminate(self) -> None:
         """End the run; values can still be read."""
-        if self._call("fmi2Terminate"):
-            self._tell()
+        self._call("fmi2Terminate")
+        self._tell()
 
     # ---------------------------------------------------------------------------------- state
 
@@ -289,30 +256,28 @@ class Slave(Fmi2Slave):
     def _get_fmu_state(self) -> Any:
         """Return the state of the library, and in a last line what was refused, with a checksum."""
         kept, size = c_void_p(), c_size_t()
-        if self._call("fmi2GetFMUstate", ctypes.byref(kept)):
+        if self._call("fmi2GetFMUstate", byref(kept)):
             self._tell()
             return b""
-        self._call("fmi2SerializedFMUstateSize", kept, ctypes.byref(size))
+        self._call("fmi2SerializedFMUstateSize", kept, byref(size))
         data = ctypes.create_string_buffer(size.value)
         self._call("fmi2SerializeFMUstate", kept, data, size)
-        self._call("fmi2FreeFMUstate", ctypes.byref(kept))
+        self._call("fmi2FreeFMUstate", byref(kept))
         refused = json.dumps([*self._refusals.items()]).encode()
         return b"%b\n%08x%b" % (data.raw, zlib.crc32(refused), refused)
 
     @shielded()
     def _set_fmu_state(self, state: Any) -> None:
         kept = c_void_p()
-        data, _, memory = state.rpartition(b"\n")
-        if not self._call("fmi2DeSerializeFMUstate", data, len(data), ctypes.byref(kept)):
-            if memory[:8] != b"%08x" % zlib.crc32(memory[8:]):
-                self._said.append("the bytes of the FMU state are damaged; save the state again")
-            elif not self._call("fmi2SetFMUstate", kept):
-                self._refusals = dict(json.loads(memory[8:]))
-            said = [*self._said]
-            self._call("fmi2FreeFMUstate", ctypes.byref(kept))
-            self._said += said
-        if self._said:
+        data, _, refused = state.rpartition(b"\n")
+        if refused[:8] != b"%08x" % zlib.crc32(refused[8:]):
+            data = b""  # which is no state
+        given = data, c_size_t(len(data)), byref(kept)
+        if self._call("fmi2DeSerializeFMUstate", *given) or self._call("fmi2SetFMUstate", kept):
             self._refuse(["state"], status.STATE_REFUSED)
+        else:
+            self._refusals = dict(json.loads(refused[8:]))
+        self._call("fmi2FreeFMUstate", byref(kept))
 
     # A state is bytes already. The library asks the class, where nobody could shield a method.
     _fmu_state_to_bytes = _fmu_state_from_bytes = bytes  # type: ignore[assignment]

@@ -106,29 +106,16 @@ static const struct {
 } allowed[] = {
 #include "allowed_calls.def"
 };
-#undef ALLOWED
 
 int slave_allows(const slave *s, slave_call call) { return allowed[call].states >> s->memory.phase & 1; }
 
-slave_answer slave_refuses(slave *s, slave_call call)
+slave_answer slave_check(slave *s, slave_call call)
 {
-    static const struct {
-        const char *when, *remedy;
-    } in[N_PHASES] = {
-        [INSTANTIATED] = {"before the initialization mode", NULL}, [INITIALIZING] = {"in the initialization mode", NULL},
-        [STEPPING] = {"after the initialization", RESET_FIRST}, [TERMINATED] = {"after terminate", RESET_FIRST},
-        [FAILED] = {"after an error in doStep", "restore a saved state or reset the instance first"},
-    };
-    const char *remedy = in[s->memory.phase].remedy;
-    if (slave_allows(s, call)) return ANSWER_OK;
-    hm_say(&s->text, "%s is refused %s; %s", allowed[call].name, in[s->memory.phase].when, remedy ? remedy : allowed[call].early);
-    return slave_tell_text(s, ANSWER_ERROR);
-}
-
-static slave_answer check_state(slave *s, slave_call call)
-{
-    hm_clear(&s->text);
-    return slave_refuses(s, call);
+    static const char *const when[] = {"before the initialization mode", "in the initialization mode", "after the initialization",
+                                       "after terminate", "after an error in doStep"};
+    const int32_t phase = s->memory.phase;
+    const char *remedy = phase < STEPPING ? allowed[call].early : phase == FAILED ? "restore a saved state or " RESET_FIRST : RESET_FIRST;
+    return slave_allows(s, call) ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, "%s is refused %s; %s", allowed[call].name, when[phase], remedy);
 }
 
 /* ---------------------------------------------------------------------------------------------------- initialization */
@@ -146,7 +133,7 @@ static void take_tolerance(slave *s, double tolerance)
 
 slave_answer slave_set_up(slave *s, double start, const double *stop, const double *tolerance)
 {
-    const slave_answer answer = check_state(s, CALL_SET_UP);
+    const slave_answer answer = slave_check(s, CALL_SET_UP);
     if (answer) return answer;
     if (!(fabs(start) < INFINITY))
         return slave_tell(s, ANSWER_ERROR, "setupExperiment: the start time must be a finite number, got %r s", start);
@@ -164,7 +151,7 @@ slave_answer slave_set_up(slave *s, double start, const double *stop, const doub
 
 slave_answer slave_begin_initialization(slave *s)
 {
-    const slave_answer answer = check_state(s, CALL_BEGIN_INITIALIZATION);
+    const slave_answer answer = slave_check(s, CALL_BEGIN_INITIALIZATION);
     if (!answer) s->memory.phase = INITIALIZING;
     return answer;
 }
@@ -180,7 +167,7 @@ slave_answer slave_assemble(slave *s)
 
 slave_answer slave_end_initialization(slave *s)
 {
-    slave_answer answer = check_state(s, CALL_END_INITIALIZATION);
+    slave_answer answer = slave_check(s, CALL_END_INITIALIZATION);
     if (answer) return answer;
     const fp_environment host = fp_enter();
     answer = slave_assemble(s);
@@ -193,7 +180,7 @@ slave_answer slave_end_initialization(slave *s)
 
 slave_answer slave_terminate(slave *s)
 {
-    const slave_answer answer = check_state(s, CALL_TERMINATE);
+    const slave_answer answer = slave_check(s, CALL_TERMINATE);
     if (!answer) s->memory.phase = TERMINATED;
     return answer;
 }
@@ -268,7 +255,7 @@ static slave_answer move_on(slave *s, double t, double step)
 
 slave_answer slave_step(slave *s, double t, double step)
 {
-    slave_answer answer = check_state(s, CALL_STEP);
+    slave_answer answer = slave_check(s, CALL_STEP);
     if (answer) {
         s->memory.status = STEP_REFUSED;
         return answer;

@@ -97,9 +97,9 @@ slave_answer slave_set_truths(slave *s, const uint32_t *index, size_t count, con
 typedef struct slave_kept slave_kept;
 slave_answer slave_keep(slave *s, slave_kept **kept);
 slave_answer slave_return_to(slave *s, const slave_kept *kept);
-void slave_free_kept(slave_kept *kept);
+slave_answer slave_free_kept(slave_kept **kept);
+slave_answer slave_size_of_bytes(slave *s, const slave_kept *kept, size_t *size);
 slave_answer slave_bytes_of(slave *s, const slave_kept *kept, void *bytes, size_t size);
 slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept **kept);
-size_t slave_size_of_kept(const slave_kept *kept);
 
 #endif

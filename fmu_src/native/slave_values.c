@@ -83,8 +83,7 @@ slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count
     if (!order || !value) return slave_tell(s, ANSWER_ERROR, "the orders of derivatives or the place for these are missing");
     for (size_t k = 0; k < count; k++)
         if (order[k] != 1) return slave_tell(s, ANSWER_ERROR, "outputs have derivatives of order 1, not of order %d", (int)order[k]);
-    hm_clear(&s->text);
-    if ((answer = slave_refuses(s, CALL_GET_DERIVATIVES))) return answer;
+    if ((answer = slave_check(s, CALL_GET_DERIVATIVES))) return answer;
     const fp_environment host = fp_enter();
     if (!slave_hears(s, holonom_get_rates(s->instance, (const int32_t *)index, (int32_t)count, value))) answer = slave_tell_message(s, ANSWER_ERROR);
     fp_leave(host);
@@ -94,17 +93,17 @@ slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count
 /* Says in one refusal which of the variables are fixed. */
 static slave_answer check_settable(slave *s, const uint32_t *index, size_t count)
 {
-    hm_clear(&s->text);
-    const slave_answer answer = slave_refuses(s, CALL_SET);
+    const slave_answer answer = slave_check(s, CALL_SET);
     if (answer || slave_allows(s, CALL_SET_FIXED)) return answer;
+    hm_clear(&s->text);
     for (size_t k = 0; k < count; k++) {
         const hm_variable *v = variable(s, index[k]);
         if (v->causality <= CAUSALITY_INPUT && v->variability == VARIABILITY_FIXED)
             hm_say(&s->text, "%s%s", s->text.used ? ", " : "", s->file->text + v->name);
     }
     if (!s->text.used) return ANSWER_OK;
-    hm_say(&s->text, ": ");
-    return slave_refuses(s, CALL_SET_FIXED);
+    hm_say(&s->text, ": a fixed parameter cannot be set after the initialization; reset first");
+    return slave_tell_text(s, ANSWER_ERROR);
 }
 
 slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown)

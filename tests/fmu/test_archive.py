@@ -21,7 +21,7 @@ from build_fmu.archive import archive as archive_bytes
 from build_fmu.errors import UsageError
 from build_fmu.export import identifier
 from build_fmu.instance import Log, instantiated
-from build_fmu.payload import payload
+from build_fmu.payload import SLAVE_NAME, payload
 from build_fmu.run import run_fmu
 from fmu_src.log import CATEGORIES, Fmi2Slave
 from fmu_src.status import LOG_CATEGORIES
@@ -40,7 +40,7 @@ def repack(source: Path, target: Path, change) -> Path:
 
 
 def private_package() -> str:
-    return payload(2, "points").slave_module.removesuffix("_slave")
+    return payload(2, "points")[SLAVE_NAME].decode().removesuffix("_slave\n")
 
 
 def renamed(path: str, data: bytes, name: str) -> tuple[str, bytes]:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from build_fmu.payload import payload
+from build_fmu.payload import SLAVE_NAME, payload
 from fmu_src import status
 from fmu_src.slave import Slave
 from tests.fmu_instance import instance, of_pendulum, pendulum, slave_of, status_of
@@ -52,7 +52,7 @@ def fresh():
 
 def package() -> str:
     """Name of the code that travels."""
-    return payload(2, "points").slave_module.removesuffix("_slave")
+    return payload(2, "points")[SLAVE_NAME].decode().removesuffix("_slave\n")
 
 
 def struck(call: Callable[[], object], at: int) -> tuple[object, bool]:
