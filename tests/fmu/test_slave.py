@@ -163,28 +163,6 @@ def test_a_start_that_breaks_several_rules_is_told_in_one_line_with_each_remedy_
 # ------------------------------------------------------------------------------------ steps
 
 
-@pytest.mark.parametrize(
-    ("start", "size", "words"),
-    [
-        (0.0, 0.0, "must be > 0 s"),
-        (0.0, -0.1, "must be > 0 s"),
-        (0.0, math.nan, "must be > 0 s"),
-        (0.0, math.inf, "stop time"),
-        (0.0, 1.1, "stop time"),
-        (0.5, 0.1, "the mechanism is at 0.0 s"),
-        (math.nan, 0.1, "t = nan"),
-    ],
-)
-def test_an_impossible_step_is_discarded_with_a_message(start, size, words):
-    with instance(pendulum()) as fmu, instance(pendulum()) as straight:
-        for each in (fmu, straight):
-            each.initialise(stop=1.0)
-        assert not fmu.step(start, size)
-        assert words in fmu.log[-1][2]
-        assert fmu.get("solver.status") == status.STEP_REFUSED
-        assert fmu.run(0.0, 0.1, 10) == straight.run(0.0, 0.1, 10)
-
-
 def test_a_step_refused_after_one_that_failed_has_its_own_code():
     with instance(pendulum(push="sqrt(0.15 - t)")) as fmu:
         fmu.initialise()
@@ -193,14 +171,6 @@ def test_a_step_refused_after_one_that_failed_has_its_own_code():
         assert 0 < fmu.get("solver.status") < 100
         assert not fmu.step(0.5, 0.1)
         assert fmu.get("solver.status") == status.STEP_REFUSED
-
-
-def test_a_step_without_end_is_discarded_where_no_stop_time_is_defined():
-    with instance(pendulum()) as fmu:
-        fmu.initialise()
-        assert not fmu.step(0.0, math.inf)
-        assert not fmu.step(0.0, 1e300)
-        assert fmu.step(0.0, 0.1)
 
 
 def test_a_step_that_begins_or_ends_elsewhere_is_discarded_at_a_late_time_too():
@@ -213,38 +183,12 @@ def test_a_step_that_begins_or_ends_elsewhere_is_discarded_at_a_late_time_too():
         assert fmu.step(1e6, 1e-3)
 
 
-def test_communication_points_with_round_off_reach_the_stop_time():
-    with instance(pendulum()) as fmu:
-        fmu.initialise(stop=1.0)
-        t = 0.0
-        for _ in range(10):
-            assert fmu.step(t, 0.1)
-            t += 0.1
-        assert t != 1.0
-
-
 def test_the_start_time_is_where_the_first_step_begins():
     with instance(pendulum()) as fmu:
         fmu.initialise(start=-3.0)
         assert not fmu.step(0.0, 0.1)
         assert fmu.step(-3.0, 0.5)
         assert fmu.get("clock") == -2.5
-
-
-def test_calls_at_the_wrong_time_are_refused():
-    with instance(pendulum()) as fmu:
-        assert not fmu.step(0.0, 0.1)
-        assert "before" in fmu.log[-1][2]
-        fmu.fmu.exitInitializationMode()
-        assert "enterInitializationMode comes first" in fmu.log[-1][2]
-        fmu.initialise()
-        fmu.fmu.enterInitializationMode()
-        assert "after the initialization" in fmu.log[-1][2]
-        assert fmu.step(0.0, 0.1)
-        fmu.fmu.terminate()
-        assert not fmu.step(0.1, 0.1)
-        assert "after terminate" in fmu.log[-1][2]
-        assert_finite(fmu)
 
 
 def test_without_logging_a_failure_still_shows_in_the_status():
