@@ -126,10 +126,10 @@ class Slave(Fmi2Slave):
 
     def _hear(self, _environment: Any, _name: bytes, level: int, _kind: bytes, said: bytes) -> None:
         text = said.decode("utf-8", "replace").replace("%%", "%")
-        if level in (status.OK, status.WARNING):
-            (self.warn if level else self.note)(text)
-        else:
+        if level in (status.DISCARD, status.ERROR):
             self._said.append(text)
+        else:
+            self.say(text, level)
 
     def _call(self, name: str, *arguments: object) -> int:
         """Call a function of the library; its status."""
@@ -143,14 +143,14 @@ class Slave(Fmi2Slave):
     def _tell(self) -> None:
         """Log why the last call was refused, if it was."""
         for text in self._said:
-            self.error(text)
+            self.say(text, status.ERROR)
 
     def _refuse(self, what: Sequence[int | str], code: int, text: str = "") -> None:
         """Remember what was refused, and why: no step is taken while this stands."""
         if text := text or "; ".join(self._said):
             self._front.refusal = code
             self._refusals.update(dict.fromkeys(what, text))
-            self.error(text)
+            self.say(text, status.ERROR)
 
     def _accept(self, what: Sequence[int | str]) -> None:
         """Forget what was refused of this, as it is well now."""
@@ -234,14 +234,15 @@ class Slave(Fmi2Slave):
         """Advance to `current_time + step_size`; False (fmi2Discard) leaves all as it was."""
         if self._refusals:
             reasons = "; ".join(dict.fromkeys(self._refusals.values()))
-            self.discard(f"no step is taken: {reasons}", "discarded")
+            self.say(f"no step is taken: {reasons}", status.DISCARD, "discarded")
             return False
         phase = self._front.phase
         if not self._call("fmi2DoStep", c_double(current_time), c_double(step_size), 1):
             return True
         self._front.phase = phase  # an error ended the run, which the importer sees discarded
         for text in self._said:
-            self.discard(text, "repeated" if " steps in a row failed " in text else "discarded")
+            what = "repeated" if " steps in a row failed " in text else "discarded"
+            self.say(text, status.DISCARD, what)
         return False
 
     @shielded()

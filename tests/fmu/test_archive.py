@@ -234,7 +234,7 @@ def test_the_log_hands_over_the_levels_and_categories_of_pythonfmus_own():
     whole = type("Whole", (theirs,), {"do_step": None, "log_categories": LOG_CATEGORIES})
     whole = whole(instance_name="a")
     for level in CATEGORIES:
-        slave._log("text", level)
+        slave.say("text", level)
         whole.log("text", fmi2slave.Fmi2Status(level))
     ours = slave._get_log_queue()
     assert [vars(message) for message in ours] == [vars(m) for m in whole._get_log_queue()]
