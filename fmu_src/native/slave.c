@@ -106,6 +106,8 @@ static const struct {
 } allowed[] = {
 #include "allowed_calls.def"
 };
+#undef ALLOWED
+#undef AT
 
 int slave_allows(const slave *s, slave_call call) { return allowed[call].states >> s->memory.phase & 1; }
 
