@@ -29,7 +29,7 @@ typedef struct kept_momenta {
 /* Ledger and momenta are those of the whole: put back, separate islands would exchange energy and momentum. */
 static int may_put_back(const context *c)
 {
-    return (c->m->n_islands == 1 || !c->m->n_free) && hm_conserves_all(c->formulation);
+    return (c->m->n_islands == 1 || !c->m->n_free);
 }
 
 /* Momenta at the state, of which all may be kept. */

@@ -57,7 +57,7 @@ const char *hm_about_step(int32_t status)
         return "no impulses were found that obey the law of impact; look for a driver that pushes against the contact, for contacts "
                "that hold the same thing twice, or for masses that are many powers of ten apart";
     case HOLONOM_CONTACT_SETTINGS:
-        return "contacts and friction need solver.formulation conserving-al, solver.paired true and solver.start drawn";
+        return "contacts and friction need solver.start drawn";
     case HOLONOM_PENETRATION: return "its gap is negative at the start; draw its parts apart";
     case HOLONOM_TOO_MANY_EVENTS:
         return "contacts change more often than solver.max_events in a communication step; take shorter ones, or larger "
@@ -227,13 +227,10 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
 }
 
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
-static void say_lasting_reason(hm_text *text, const hm_model_file *f, const double *head)
+static void say_lasting_reason(hm_text *text, const hm_model_file *f)
 {
     if (f->model.n_islands > 1)
         hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
-    else if (!hm_conserves_all((int)head[S_FORMULATION]))
-        hm_say(text, "solver.formulation %s has no higher order; %s has", hm_formulation_word(f, head[S_FORMULATION]),
-               hm_formulation_word(f, HOLONOM_CONSERVING_AL));
 }
 
 static int has_dampers(const hm_model_file *f, const double *numbers)
@@ -257,7 +254,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
         return head[S_CONTACT_MODE] != 0.0;
     }
     hm_clear(&reason);
-    say_lasting_reason(&reason, f, head);
+    say_lasting_reason(&reason, f);
     if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
     /* Order 2 may be the choice of the tolerance, unless it has none. */
     if (chosen && (!reason.used || !has_dampers(f, numbers))) return 0;
@@ -275,7 +272,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
 static void say_open_ledger(hm_text *text, const double *head)
 {
     const double limit = fmax(LEDGER_OPEN * head[S_NEWTON_TOLERANCE], LEDGER_LONG);
-    if (head[S_LEDGER_ERROR] <= limit || !hm_conserves_all((int)head[S_FORMULATION])) return;
+    if (head[S_LEDGER_ERROR] <= limit) return;
     hm_say(text, "the energy is off by %1e of the reference energy at t = %6g s though steps are solved: round-off is too large for this "
                  "mechanism; draw it closer to the origin, with sizes, masses and stiffnesses less far apart, or take longer steps",
            head[S_LEDGER_ERROR], head[S_TIME]);

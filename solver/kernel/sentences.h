@@ -50,9 +50,6 @@ double hm_limit_before(const hm_variable *variable, double value);
 /* Word number `value` of a String option, or NULL. */
 const char *hm_word(const hm_model_file *file, const hm_variable *variable, double value);
 
-/* Word number `value` of the setting formulation. */
-const char *hm_formulation_word(const hm_model_file *file, double value);
-
 /* Says a sentence for each rule that the numbers break, and returns how many. */
 int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
 
@@ -63,7 +60,7 @@ void hm_noted_rules(hm_text *text, const hm_model_file *file, const double *numb
    sentences before. */
 void hm_say_pressed(hm_text *text, const hm_model_file *file, int32_t row, double gap, int others);
 
-/* Says what the formulation or the search for an equilibrium does not know of this mechanism; returns how many sentences. */
+/* Says what the search for an equilibrium does not know of this mechanism; returns how many sentences. */
 int hm_unknown_to_method(hm_text *text, const hm_model_file *file, const double *head);
 
 /* Says a sentence for each part whose rows the drawn mechanism contradicts, by their residuals phi and rates (n_rows each), and

@@ -25,10 +25,8 @@ SEQUENCE: dict[str, Callable[[Slave], object]] = {
     "get_real before": lambda slave: slave.get_real(reals(slave)),
     "set_real": lambda slave: slave.set_real([slave._model.index("push")], [1.0]),
     "set_integer": lambda slave: slave.set_integer([], []),
-    "set_boolean": lambda slave: slave.set_boolean([slave._model.index("solver.paired")], [False]),
-    "set_string": lambda slave: slave.set_string(
-        [slave._model.index("solver.algorithm")], ["simultaneous"]
-    ),
+    "set_boolean": lambda slave: slave.set_boolean([slave._model.index("solver.assemble")], [True]),
+    "set_string": lambda slave: slave.set_string([slave._model.index("solver.start")], ["drawn"]),
     "enter_initialization_mode": lambda slave: slave.enter_initialization_mode(),
     "exit_initialization_mode": lambda slave: slave.exit_initialization_mode(),
     "get_real": lambda slave: slave.get_real(reals(slave)),

@@ -37,8 +37,8 @@ def test_a_refused_call_is_told_in_the_same_words(name):
 VALUES = {
     "four_bar": {
         "solver__order": [3.0, -2.0, 1e9],
-        "solver__formulation": [
-            "midpoint",
+        "solver__start": [
+            "drawing",
             "nonsense",
             "it's",
             'a "word"',

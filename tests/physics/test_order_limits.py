@@ -72,11 +72,6 @@ def test_a_tolerance_that_has_no_choice_of_the_order_says_so():
     assert "takes many steps" in sentence
 
 
-def test_a_formulation_that_knows_no_higher_order_is_named():
-    (sentence,) = said('order = 4\nformulation = "midpoint-al"', parts=1)
-    assert "solver.formulation midpoint-al" in sentence
-
-
 @pytest.mark.parametrize(
     ("setting", "options"),
     [
