@@ -226,13 +226,6 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
                mass[heaviest] / mass[lightest], light_room);
 }
 
-/* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
-static void say_lasting_reason(hm_text *text, const hm_model_file *f)
-{
-    if (f->model.n_islands > 1)
-        hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
-}
-
 static int has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
@@ -254,7 +247,6 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
         return head[S_CONTACT_MODE] != 0.0;
     }
     hm_clear(&reason);
-    say_lasting_reason(&reason, f);
     if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
     /* Order 2 may be the choice of the tolerance, unless it has none. */
     if (chosen && (!reason.used || !has_dampers(f, numbers))) return 0;
