@@ -30,7 +30,7 @@ class Ready:
 def prepare(case: Case, stop: float) -> Ready:
     """Assemble a case and take its reference energy from a run with short steps of the default."""
     model = solver.assemble(case.drawn)
-    integrator = _started(model, {"step_size": FINE, "paired": True})
+    integrator = _started(model, {"step_size": FINE})
     kinetic = float(integrator["energy.kinetic"])
     for _ in range(max(1, round(stop / (10 * FINE)))):
         integrator.advance(integrator.time, 10 * FINE)
@@ -49,7 +49,6 @@ def _started(model: Model, settings: dict[str, Any]) -> Integrator:
 def run(ready: Ready, h: float, settings: dict[str, Any]) -> Outcome:
     """Steps of h [s] with settings of the solver until the end, or until one is lost or divided."""
     integrator = _started(ready.model, settings | {"step_size": h})
-    solves = 2 if integrator["solver.paired"] else 1
     places = [ready.model.index(name) for name in LEDGER]
     outcome, count, taken, iterations = Outcome(), steps(ready.stop, h), 0, 0.0
     before = sum(map(float, integrator.get(places[:2])))
@@ -64,7 +63,7 @@ def run(ready: Ready, h: float, settings: dict[str, Any]) -> Outcome:
         kinetic, potential, work, constraint, substeps, newton = values
         taken, iterations = taken + more, iterations + newton
         energy = (kinetic + potential - work - before) / ready.reference
-        if outcome.see(energy, constraint, integrator.time) and substeps != more * solves:
+        if outcome.see(energy, constraint, integrator.time) and substeps != 2 * more:
             outcome.end = f"a step was divided before {integrator.time:.3g} s"
-    outcome.newton = iterations / (max(taken, 1) * solves)
+    outcome.newton = iterations / (2 * max(taken, 1))
     return outcome

@@ -23,7 +23,6 @@ typedef struct context {
     hm_state s;
     hm_work k;
     int64_t state_size;
-    int formulation;
     double h, t;
     double start;       /* of the communication step, for inputs that move                                    */
     int32_t n_moving;
@@ -32,7 +31,6 @@ typedef struct context {
     double theta;
     double weight[4], parabola[4]; /* of the last half steps in the prediction of this one, see predict.h       */
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
-    int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
     int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h                        */
     double *move;       /* increments of the unknowns: d, or those of a reduced step                          */
     int constraints_only;      /* 1: only the rows act                                                               */
@@ -52,6 +50,7 @@ typedef struct context {
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double free_part;   /* of it, that rows leave free                                                            */
     double shorter;     /* length of the next try over that of the step that failed                                */
+    double growth;      /* of an error of an explicit step by the motion to come, see put_back.h                      */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
@@ -97,6 +96,12 @@ HM_OFTEN int is_stopped(const context *c)
 /* Bodies whose turns are unknowns of the step at hand. */
 #define EACH_TURN(c, b) for (int32_t b = (c)->begin[ISLAND_BODY]; is_reduced(c) && b < (c)->end[ISLAND_BODY]; b++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
+
+/* x (DIM n_moving) becomes 0 at the nodes at hand. */
+static inline void clear_nodes(const context *c, double *x)
+{
+    memset(x + DIM * c->node.begin, 0, sizeof(double) * (size_t)(DIM * (c->node.end - c->node.begin)));
+}
 
 /* Whether the step at hand has turns of bodies for unknowns. */
 static inline int is_reduced(const context *c) { return HM_BODIES && c->reduced; }
@@ -178,20 +183,12 @@ static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 /* The sections extent, row_scale and row_sigma lie side by side. */
 static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
 
-static void use_formulation(context *c, int formulation)
-{
-    c->formulation = formulation;
-    c->conserving = formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA ||
-                    formulation == HOLONOM_CONSERVING_PENALTY;
-}
-
 static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
 {
     c->m = m;
     c->number = number;
     c->state_size = hm_map_state(m, state, &c->s);
     hm_map_work(m, work, &c->k);
-    use_formulation(c, (int)c->s.head[S_FORMULATION]);
     c->t = c->start = c->s.head[S_TIME];
     c->watch = NULL;
     c->h = 0.0;
@@ -200,7 +197,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->half = 0, c->halves = 2;
     c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
     c->balanced = c->difference = 0.0;
-    c->free_part = 1.0;
+    c->free_part = c->growth = 1.0;
     c->shorter = 0.5;
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;

@@ -19,18 +19,15 @@ static int all_finite(const double *x, int64_t n)
     return 1;
 }
 
-/* Links, quantities, rows and signals at the state, for a step that has not begun: d = w = mu = lambda = 0. */
+/* Links, quantities, rows and signals of the islands at hand at the state, for a step that has not begun: d = w = mu = lambda = 0. */
 static void stand_still(context *c)
 {
-    const holonom_model *m = c->m;
-    const size_t n = (size_t)(DIM * c->n_moving), rows = (size_t)m->n_rows;
     links_at_start(c);
-    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
-    memset(c->k.hv, 0, sizeof(double) * n);
-    memset(c->k.w, 0, sizeof(double) * n);
-    memset(c->k.d, 0, sizeof(double) * n);
-    memset(c->k.mu, 0, sizeof(double) * rows);
-    memset(c->k.lambda, 0, sizeof(double) * rows);
+    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)c->m->n_signals);
+    clear_nodes(c, c->k.hv);
+    clear_nodes(c, c->k.w);
+    clear_nodes(c, c->k.d);
+    EACH_ROW(c, i) c->k.mu[i] = c->k.lambda[i] = 0.0;
     rows_at_start(c, 1);
 }
 
@@ -146,7 +143,6 @@ static context rows_at_state(const context *c, double h)
     rows.h = h > 0.0 ? h : AT_STATE;
     rows.constraints_only = !(h > 0.0);
     rows.at_state = 1;
-    use_formulation(&rows, HOLONOM_CONSERVING_AL);
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = length2 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;

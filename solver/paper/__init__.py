@@ -5,9 +5,10 @@ that one writes down, `simulate` a scene.
 """
 
 from .energies import Iteration
+from .gradients import FORMULATIONS
 from .problem import Functions, Method, Problem
 from .scenes import Run, problem_of, simulate
 from .step import Moment, motion, step
 
-__all__ = ["Functions", "Iteration", "Method", "Moment", "Problem", "Run"]
+__all__ = ["FORMULATIONS", "Functions", "Iteration", "Method", "Moment", "Problem", "Run"]
 __all__ += ["motion", "problem_of", "simulate", "step"]

@@ -69,3 +69,4 @@ GRADIENTS = {  # of each formulation
     "conserving-al": scalar, "conserving-al-beta": intermediate, "conserving-penalty": scalar,
     "midpoint-al": midpoint, "midpoint-penalty": midpoint, "penalty-velocity": midpoint,
 }  # fmt: skip
+FORMULATIONS = tuple(GRADIENTS)

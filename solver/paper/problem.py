@@ -48,7 +48,7 @@ class Problem:
 
 @dataclass(frozen=True, kw_only=True)
 class Method:
-    """A formulation of `solver.options`: its penalties alpha, one or (r,), and how lambda follows.
+    """One of `FORMULATIONS`: its penalties alpha, one or (r,), and how lambda follows.
 
     An update adds alpha times the mean of Phi ("paper", eqs 16, 27) or Phi_n1/2 ("end"), after
     Newton's iteration ("nested") or in it ("simultaneous"). xi and omega [rad/s] are those of eq 3.

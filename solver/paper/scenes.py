@@ -5,18 +5,21 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from solver.mechanics import assemble
 from solver.mechanics.matrices import Matrices
-from solver.runtime import Integrator, Model
+from solver.runtime import Integrator, Model, OptionError
 from solver.scene import Scene, load
 from solver.signals import communication_points
 
+from .gradients import FORMULATIONS
 from .problem import Array, Functions, Method, Problem
 from .step import Moment, step
+
+ALGORITHMS, UPDATES = ("nested", "simultaneous"), ("end", "paper")
 
 
 class Run(NamedTuple):
@@ -42,19 +45,23 @@ def simulate(
     stop_time: float | None = None,
     parameters: Mapping[str, float] | None = None,
     outputs: Sequence[str] | None = None,
-    update: str | None = None,
-    **options: float | str,
+    step_size: float | None = None,
+    penalty: float | None = None,
+    formulation: str = "conserving-al",
+    algorithm: str = "nested",
+    update: str = "end",
+    **more: float,
 ) -> Run:
-    """Run a scene by the paper's method; settings are the scene's own where left out.
+    """Run a scene by the paper's method.
 
     Parameters
     ----------
     mechanism, stop_time, parameters, outputs
         Those of ``holonom.simulate``; inputs are parameters. Outputs are told after each step.
-    update : {"paper", "end"}, optional
-        The setting `multiplier_update`.
-    **options
-        Settings `formulation`, `algorithm`, `penalty`, `step_size` [s], `xi`, `omega` [rad/s].
+    step_size, penalty : float, optional
+        Of each step [s], and alpha h^2 sigma/4 of each row, the scene's own where left out.
+    formulation, algorithm, update, **more
+        Other fields of `Method`.
 
     Raises
     ------
@@ -64,29 +71,30 @@ def simulate(
     scene = mechanism if isinstance(mechanism, Scene | Model) else load(mechanism)
     model = scene if isinstance(scene, Model) else assemble(scene)
     integrator = Integrator(model)
-    options |= {} if update is None else {"multiplier_update": update}
-    given = {f"solver.{name}": value for name, value in options.items()}
-    for name, value in {**(parameters or {}), **given}.items():
+    for name, value in (parameters or {}).items():
         integrator[name] = value
-    taken = "formulation", "algorithm", "xi", "omega", "penalty", "multiplier_update", "step_size"
-    setting: dict[str, Any] = {name: integrator[f"solver.{name}"] for name in taken}
-    integrator["solver.formulation"] = "conserving-al"  # which takes every scene
+    h = float(integrator["solver.step_size"] if step_size is None else step_size)
+    chi = float(integrator["solver.penalty"] if penalty is None else penalty)
     integrator.initialise()
     integrator.begin()
     x = Matrices(integrator)
-    problem, h, start = problem_of(x), setting.pop("step_size"), model.experiment.start_time
+    problem, start = problem_of(x), model.experiment.start_time
     stop = model.experiment.stop_time if stop_time is None else stop_time
     times = communication_points(start, stop, h, step_is_chosen=True)
-    per_step = 1.0 if setting["formulation"] == "penalty-velocity" else 4.0 / h**2
-    setting["update"] = setting.pop("multiplier_update")
-    method = Method(alpha=per_step * setting.pop("penalty") / x.sigma, **setting)
+    per_step = 1.0 if formulation == "penalty-velocity" else 4.0 / h**2
+    alpha, own = per_step * chi / x.sigma, (formulation, algorithm, update)
+    for word, words in zip(own, (FORMULATIONS, ALGORITHMS, UPDATES), strict=True):
+        if word not in words or not chi > 0.0:
+            message = f"penalty {chi!r} must be > 0, and {word!r} one of {', '.join(words)}"
+            raise OptionError(message)
+    how = Method(alpha=alpha, formulation=formulation, algorithm=algorithm, update=update, **more)
     names = outputs or [v.name for v in model.variables if v.causality in ("input", "output")]
     places = [model.index(name) for name in names]
     moments, table = [Moment(start, x.q, x.v, 0.0 * x.sigma)], [integrator.get(places)]
     for before, after in pairwise(times):
-        moments.append(n1 := step(problem, method, moments[-1], after - before))
-        stored = 0.5 * float(method.alpha @ x.rows(n1.q)[0] ** 2)
-        stored *= method.formulation.endswith("-penalty")
+        moments.append(n1 := step(problem, how, moments[-1], after - before))
+        stored = 0.5 * float(how.alpha @ x.rows(n1.q)[0] ** 2)
+        stored *= how.formulation.endswith("-penalty")
         x.put(integrator, n1.t, n1.q, n1.v, n1.iterations[-1].mu, stored)
         table.append(integrator.get(places))
     columns = zip(names, np.array(table, dtype=float).T, strict=True)

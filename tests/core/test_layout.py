@@ -46,7 +46,7 @@ def test_names_of_one_line_share_its_comment_and_a_comment_goes_on_below(tmp_pat
 
 
 def test_the_settings_lie_side_by_side_in_the_head_of_a_state():
-    first, end = HEAD.index("formulation"), HEAD.index("horizon")
+    first, end = HEAD.index("step_size"), HEAD.index("horizon")
     assert {option.stored_as for option in OPTIONS.values()} == {*HEAD[first:end]}
     assert len(OPTIONS) == end - first
     assert SIZES[0] == "dim"

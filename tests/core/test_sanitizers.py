@@ -76,7 +76,7 @@ def host(folder):
 @pytest.mark.parametrize(
     ("how", "more"),
     [
-        ("calls", ["solver.paired", "solver.algorithm"]),
+        ("calls", ["solver.assemble", "solver.start"]),
         ("cycles", [20]),
         ("instances", [100]),
         ("threads", [8]),

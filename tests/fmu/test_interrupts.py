@@ -24,7 +24,7 @@ SEQUENCE: dict[str, Callable[[Slave], object]] = {
     "set_integer": lambda slave: slave.set_integer([], []),
     "set_boolean": lambda slave: slave.set_boolean(references("Boolean")[:1], [True]),
     "set_string": lambda slave: slave.set_string(
-        [of_pendulum("String")["solver.start"]], ["equilibrium"]
+        [of_pendulum("String")["solver.start"]], ["drawn"]
     ),
     "enter_initialization_mode": lambda slave: slave.enter_initialization_mode(),
     "exit_initialization_mode": lambda slave: slave.exit_initialization_mode(),

@@ -14,8 +14,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from solver.options import FORMULATIONS
-from solver.paper import Functions, Method, Moment, Problem, motion
+from solver.paper import FORMULATIONS, Functions, Method, Moment, Problem, motion
 from solver.runtime import StepError
 from tests.exact_motions import pendulum_angle, pendulum_multiplier
 from tests.problems import GRAVITY, Array, observed_order

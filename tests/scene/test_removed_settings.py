@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,7 @@ LEFT = "the setting '{}' left in version 2.0: "
 
 @pytest.mark.parametrize("name", REMOVED)
 def test_a_setting_of_before_says_where_it_went(name):
-    told = LEFT.format(name) + REMOVED[name]
+    told = re.escape(LEFT.format(name) + REMOVED[name])
     text = SCENE.read_text().replace("[solver]", f'[solver]\n{name} = "exact"')
     with pytest.raises(SceneError, match=told):
         solver.loads(text)
