@@ -60,11 +60,11 @@ def failure(text: str, value: float, **settings: float) -> str:
 @pytest.mark.parametrize(
     ("text", "value", "words"),
     [
-        (HARD + FORCE, -1.0, "a force is not a finite number, on 'B': "),
+        (HARD + FORCE, -1.0, "a force is not a finite number, on point 'B': "),
         (HARD + TORQUE, -1.0, "a torque is not a finite number, on body 'rod': "),
         (IN_SPACE, -1.0, "a torque is not a finite number, on body 'second': "),
         (TWO, 1.0, "'tie': a stiffness, free length or damping became negative"),
-        (HARD + LARGE, 1e2, "near 'B': a number grew beyond all bounds"),
+        (HARD + LARGE, 1e2, "near point 'B': a number grew beyond all bounds"),
     ],
 )
 def test_what_is_not_finite_is_named_with_its_part(text, value, words, tolerance):

@@ -147,6 +147,7 @@ b = { type = "damper", points = ["B", "ground"], at = [-1, 1], damping = 1.0 }
 push = { type = "force", point = "A", value = ["order + other", 0] }
 [solver]
 order = 4
+formulation = "midpoint-al"
 """
     said: list[str] = []
     run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)
