@@ -108,13 +108,14 @@ class Matrices:
         turning = np.any([*section["moment"], *section["body_moment"]])
         turning |= size["time_dependent"] and size["n_moments"] + size["n_body_moments"] > 0
         turning |= max(self._tables["load_axes"], default=-1) >= 0
+        changing = size["time_dependent"] * size["variable_potential"]
         found = {
             "contacts": [model.rows[j].name for j in contacts],
             "rolling and friction": [row.name for row in model.rows[velocity:]],
             "damped contacts": ["a potential"] * bool(np.any(section["depth_damping"])),
             "driven points": ["a point"] * (size["n_driven"] > 0),
             "formulas that move with the time": [model.rows[j].name for j in timed],
-            "springs and potentials that change": ["a law"] * size["variable_potential"],
+            "springs and potentials that change": ["a law of time"] * changing,
             "loads that read the motion": [*model.sampled],
             "moments and loads that turn with bodies": [f"force '{x}'" for x in moments if turning],
         }
