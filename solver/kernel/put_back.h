@@ -35,8 +35,6 @@ typedef struct kept_motion {
 
 _Static_assert(sizeof(kept_motion) <= sizeof(double) * (4 * RIGID + DIM + 6), "scratch of an island");
 
-static int may_put_back(const context *c) { return hm_conserves_all(c->formulation); }
-
 /* What the islands at hand, one, keep. */
 static kept_motion *kept_of(const context *c)
 {

@@ -86,13 +86,7 @@ static double longest_now(const context *c, int order)
 static enum way way_of(const context *c, int damped, int order, double h)
 {
     if (is_explicit_order(order) && h <= (damped ? 1.0 : SHORTER) * longest_of(c, order) && may_step_explicitly(c)) return EXPLICIT;
-    return order > 2 && damped && may_put_back(c) ? COVERED : COMPOSED;
-}
-
-/* Whether steps come one by one, not in pairs. */
-HM_OFTEN int is_unpaired(const context *c)
-{
-    return c->s.head[S_PAIRED] == 0.0 && c->s.head[S_ORDER_IN_USE] == 2.0 && !(c->s.head[S_TOLERANCE] > 0.0);
+    return order > 2 && damped ? COVERED : COMPOSED;
 }
 
 /* Takes an internal step back, from time t with laws of law_time; what it cost stays counted, what was learned known. */
@@ -101,27 +95,19 @@ static void undo_step(context *c, double t, double law_time)
     double learned[2 * N_COMPOSED];
     memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
     const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
-    if (!is_unpaired(c)) {
-        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
-        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
-    }
+    memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
     memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
 }
 
-/* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
+/* One internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
 static int32_t internal_step(context *c, double h)
 {
     int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
-    if (is_unpaired(c)) {
-        begin_halves(c, 2);
-        status = single_step(c, h, (int)c->s.head[S_PARITY]);
-        if (!status) average_multipliers(c, c->t - h);
-        return status;
-    }
     c->way = UNTAKEN;
     if (is_explicit_order(order) && !c->passing && h <= longest_of(c, order) * (1.0 + 1e-9) && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
@@ -130,7 +116,7 @@ static int32_t internal_step(context *c, double h)
         undo_step(c, t, law_time);
     }
     if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 4;
-    if (order > 2 && is_dissipative(c) && may_put_back(c)) return extrapolated_step(c, h);
+    if (order > 2 && is_dissipative(c)) return extrapolated_step(c, h);
     c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
@@ -149,12 +135,11 @@ static int32_t internal_step(context *c, double h)
     return status;
 }
 
-/* After a failure penalties are those that were asked for, with contacts, whose rows may have become dependent, and where motion need
-   not stay bounded. Else they stay raised: a heavy load on light links fails where its tension ends, and needs them all the more in
+/* After a failure penalties are those that were asked for with contacts, whose rows may have become dependent. Else they stay raised: a heavy load on light links fails where its tension ends, and needs them all the more in
    shorter steps. */
 HM_OFTEN void lower_penalties(context *c)
 {
-    if (!is_unilateral(c->m) && hm_conserves_all(c->formulation)) return;
+    if (!is_unilateral(c->m)) return;
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         double *own = c->s.islands + I_SIZE * island;
         own[I_PENALTY_LEVEL] = own[I_SLOW_STEPS] = 0.0;
