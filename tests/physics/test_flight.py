@@ -1,4 +1,4 @@
-"""Bodies in flight take explicit steps: momenta leave them no velocity that would change the energy.
+"""Bodies in flight take explicit steps: momenta leave no velocity that would change their energy.
 
 A turn along the gradient of the kinetic energy at fixed angular momentum brings it back; where that
 gradient is 0, in steady spins and in spheres, nothing is to be brought back. Energies and momenta
@@ -32,7 +32,9 @@ points = {{ arm = [0.5, 0, 0], left = [-0.5, 0, 0] }}
 """
 
 
-def body(name: str, inertia: Sequence[float], spin: Sequence[float], **given: object) -> str:
+def body(
+    name: str, inertia: Sequence[float] | Array, spin: Sequence[float] | Array, **given: object
+) -> str:
     shown = {"position": [0, 0, 0], "velocity": [0, 0, 0], "mass": 1.0} | given
     return BODY.format(name=name, inertia=[*map(float, inertia)], spin=[*map(float, spin)], **shown)
 
@@ -63,7 +65,8 @@ def turned(run: Integrator, own: Array, name: str = "b") -> Array:
 
 def places(run: Integrator, name: str) -> tuple[Array, Array]:
     """Place and velocity of the centre of mass."""
-    return tuple(np.array([float(run[at]) for at in vector(name, of)]) for of in ("", "v"))
+    place, velocity = (np.array([float(run[at]) for at in vector(name, of)]) for of in ("", "v"))
+    return place, velocity
 
 
 def balance(
@@ -122,7 +125,9 @@ def test_a_symmetric_top_precesses_steadily() -> None:
 
 
 def test_a_sphere_has_no_turn_that_would_change_its_energy() -> None:
-    run = flight(body("b", [0.4, 0.4, 0.4], [1, 2, 3], velocity=[1, 0, 2]), tolerance=1e-6, stop=100.0)
+    run = flight(
+        body("b", [0.4, 0.4, 0.4], [1, 2, 3], velocity=[1, 0, 2]), tolerance=1e-6, stop=100.0
+    )
     for k in range(200):
         run.advance(0.5 * k, 0.5)
     assert steps_explicitly(run)
@@ -133,7 +138,7 @@ def test_a_sphere_has_no_turn_that_would_change_its_energy() -> None:
 
 @pytest.mark.parametrize("push", [0.8, 1e-3], ids=["tumbling", "turning over"])
 def test_a_tumbling_body_follows_jacobis_elliptic_functions(push: float) -> None:
-    """omega = (a cn, b sn, c dn)(p t | m) in the body, from Euler's equations (Landau, 37).
+    """In the body omega = (a cn, b sn, c dn)(p t | m), from Euler's equations (Landau, 37).
 
     A body that turns over multiplies errors along its path by 1e3: the request counts for these.
     """
@@ -183,7 +188,7 @@ def test_two_bodies_in_flight_keep_energy_and_momenta(kind: str, gravity: float)
     first = body("b", inertia, [0, 0, 3] if kind == "revolute" else [1, -2, 3])
     omega, moves = ([0, 0, -1], [0, 1, 0]) if kind == "revolute" else ([2, 0, 1], [0, 2, 1])
     second = body("d", inertia, omega, position=[1, 0, 0], velocity=moves)
-    axis = 'axis = [0, 0, 1]\n' if kind == "revolute" else ""
+    axis = "axis = [0, 0, 1]\n" if kind == "revolute" else ""
     joint = f'[joints.j]\ntype = "{kind}"\nbodies = ["b", "d"]\nposition = [0.5, 0, 0]\n{axis}'
     run = flight(first, second, joint, tolerance=1e-7, stop=10.0, gravity=gravity)
     masses = {"b": 1.0, "d": 1.0}

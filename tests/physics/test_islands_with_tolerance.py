@@ -69,7 +69,9 @@ def test_pendulums_swing_side_by_side_and_each_keeps_its_energy(tolerance: float
             assert [x, y] == pytest.approx(
                 [math.sin(exact), -math.cos(exact)], abs=3.0 * tolerance * math.sqrt(3.0)
             )
-            assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(angle), abs=2e-13)
+            assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(
+                -G * math.cos(angle), abs=2e-13
+            )
     assert steps_explicitly(run)
 
 
@@ -89,9 +91,9 @@ def test_a_damped_pendulum_takes_no_energy_from_its_neighbour() -> None:
         run.advance(0.1 * k, 0.1)
     assert steps_explicitly(run)
     assert of(run, "A.x", "A.y") == pytest.approx([math.sin(exact), -math.cos(exact)], abs=5e-8)
-    x, y, vx, vy = of(run, "B.x", "B.y", "B.vx", "B.vy")
+    y, vx, vy = of(run, "B.y", "B.vx", "B.vy")
     assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(1.5), abs=1e-13)
-    x, y, vx, vy = of(run, "A.x", "A.y", "A.vx", "A.vy")
+    y, vx, vy = of(run, "A.y", "A.vx", "A.vy")
     lost = -G * math.cos(1.0) - 0.5 * (vx * vx + vy * vy) - G * y
     assert float(run["energy.dissipated"]) == pytest.approx(lost, abs=1e-12)
 
@@ -99,7 +101,7 @@ def test_a_damped_pendulum_takes_no_energy_from_its_neighbour() -> None:
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6])
 def test_a_driver_beside_a_free_point_feels_its_own_mass_alone(tolerance: float) -> None:
     """A mass of 2 kg at 0.3 sin(4 t): 2 (x'' + g)."""
-    point = '[points.A]\nposition = [0, 0]\nvelocity = [1.2, 0]\nmass = 2.0\n'
+    point = "[points.A]\nposition = [0, 0]\nvelocity = [1.2, 0]\nmass = 2.0\n"
     driver = '[drivers.hand]\ntype = "position"\npoint = "A"\nvalue = ["0.3*sin(4*t)", "0"]\n'
     run = started(FREE + point + driver, tolerance)
     for k in range(20):
@@ -137,7 +139,7 @@ value = ["5*sin(3*t)", "0"]
         run.advance(0.1 * k, 0.1)
         exact = (5.0 * math.sin(0.3 * (k + 1)) - G) / math.sqrt(2.0)
         assert float(run["left.force"]) == pytest.approx(exact, abs=1e-9)
-        x, y, vx, vy = of(run, "A.x", "A.y", "A.vx", "A.vy")
+        y, vx, vy = of(run, "A.y", "A.vx", "A.vy")
         tension = vx * vx + vy * vy - G * y
         assert float(run["rod_A.force"]) == pytest.approx(tension, abs=1e-9)
     assert steps_explicitly(run)
@@ -192,7 +194,7 @@ def test_a_force_that_reads_another_part_does_the_work_that_it_gives() -> None:
     ).y[:, -1]
     assert steps_explicitly(run)
     assert of(run, "A.x", "F.x", "F.vx") == pytest.approx([math.sin(angle), place, speed], abs=1e-7)
-    x, y, vx, vy = of(run, "A.x", "A.y", "A.vx", "A.vy")
+    y, vx, vy = of(run, "A.y", "A.vx", "A.vy")
     assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(1.0), abs=1e-13)
     assert float(run["energy.work"]) == pytest.approx(0.25 * (speed**2 - 1.0), abs=1e-7)
     assert float(run["energy.error"]) < 1e-13
