@@ -13,7 +13,7 @@ import build_fmu
 from build_fmu.study import dask_workers
 from tests.commands import run
 from tests.fmu_instance import pendulum, text_fmu
-from tests.physics.test_order_limits import text
+from tests.physics.test_order_limits import LIMITED, text
 from tests.study.test_sweep import GRID, OUTPUTS
 
 
@@ -68,12 +68,12 @@ def test_extremes_are_of_runs_that_came_to_their_end(capsys, tmp_path, masses, e
 
 @pytest.mark.parametrize("engine", ["serial", "processes:2"])
 def test_a_warning_of_the_runs_is_said_once(capsys, tmp_path, engine):
-    fmu = text_fmu(text("order = 4"))
+    fmu = text_fmu(text(LIMITED))
     grid = ("--grid", "solver.max_newton=20,25,30")
     options = ("--engine", engine, "-o", tmp_path / "a.csv", "--json")
     code, out, err = run(capsys, "sweep", fmu, *grid, *options)
     assert code == 0
-    assert err.count("solver.order is 4, but steps are of order 2") == 1
+    assert err.count("solver.tolerance chooses the order, but steps are of order 2") == 1
     assert json.loads(out)["warnings"] == [err.removeprefix("holonom: ").rstrip("\n")]
 
 
