@@ -32,7 +32,7 @@ INSTALL := $(PIP) install --quiet --no-compile --editable
 # Of the kernel of who changes it: a newer compiler than ours may warn, and stops no user.
 WARNINGS := -Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h solver/kernel/*.py) \
-    $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
+    $(wildcard fmu_src/native/*.c fmu_src/native/*.h fmu_src/native/*.def) build_fmu/platforms.py \
     solver/runtime/layout.py solver/runtime/errors.py
 
 .PHONY: demo test tests long lint style types sanitize hostile coverage docs linkcheck benchmark importers platforms viewer browser browser-tools release cofmupy kernel clean

@@ -36,8 +36,8 @@ FIRST_OF_FIT = 100
 COLUMNS = {
     "what": "chain of",
     "n": "N",
-    "step": "µs per step",
-    "node": "µs per step and part",
+    "step": "µs per half step",
+    "node": "µs per half step and part",
     "newton": "Newton iterations",
     "energy": "energy.error",
     "constraint": "constraint.position",
@@ -56,18 +56,13 @@ FORMATS = {
 
 
 def measure(effort: Effort) -> Section:
-    rows = [
-        _row(kind, f)
-        for kind in KINDS
-        for n in _sizes(kind, effort)
-        for f in [_child(kind, n, effort)]
-    ]
+    rows = [_row(kind, _child(kind, n, effort)) for kind in KINDS for n in _sizes(kind, effort)]
     return Section(
         name="chains",
         title="Cost against the number of bodies",
         method=(
             "The spatial chain of the table above, and spatial rigid bodies on hinges that turn "
-            "across each other, let go from the horizontal; steps of 1 ms, each N in a "
+            "across each other, let go from the horizontal; half steps of 1 ms, each N in a "
             "process of its own. *Read* is from the text of the scene to a checked scene, "
             "*assemble* from there to the first step. *Kernel* is all memory that the compiled "
             "kernel works on; *process* is the growth of the largest memory of the process, with "
@@ -93,14 +88,18 @@ def _goals(kind: Kind, rows: list[dict[str, Value]], effort: Effort) -> list[Goa
         return []
     mine = [row for row in rows if row["kind"] == kind.key]
     span = f"~ N^p, N = {FIRST_OF_FIT} to {largest}, {kind.what}"
+    found = {"cost of a step": "step", "time to read and assemble": "start"}
     return [
-        Goal(what=f"p in {what} {span}", unit="1", goal=LINEAR, value=_exponent(mine, largest, key))
-        for key, what in (("step", "cost of a step"), ("start", "time to read and assemble"))
-    ]
+        Goal(
+            what=f"p in {what} {span}", unit="1", goal=LINEAR,
+            value=_exponent(mine, largest, column),
+        )
+        for what, column in found.items()
+    ]  # fmt: skip
 
 
 def _child(kind: Kind, n: int, effort: Effort) -> dict[str, Value]:
-    """One row, from a process of its own."""
+    """What was measured, in a process of its own."""
     count = effort.count(max(2, kind.steps_times_n // n), least=2)
     numbers = [str(number) for number in (n, count, effort.repetitions)]
     run = subprocess.run(

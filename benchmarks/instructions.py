@@ -102,16 +102,17 @@ def _count(name: str, content: Content, steps: int) -> dict[str, float | None]:
     RuntimeError
         When they cannot be counted, with the reason.
     """
+    settings = {"step_size": STEP}
     with tempfile.TemporaryDirectory() as folder:
         model = Path(folder, "model.bin")
-        model.write_bytes(solver.assemble(scene(content, step_size=STEP)).to_bytes())
+        model.write_bytes(solver.assemble(scene(content, **settings)).to_bytes())
         solves, count = _difference(["-m", "benchmarks.kernel_run", str(model)], steps, folder)
         if name not in HANDWRITTEN:
             return {"solves": solves, "count": count, "hand": None, "ratio": None}
         function, *numbers = HANDWRITTEN[name]
         library = by_hand.build(function, Path(folder))
         block = Path(folder, "block.bin")
-        block.write_bytes(by_hand.block_of(start(content, step_size=STEP), *numbers).tobytes())
+        block.write_bytes(by_hand.block_of(start(content, **settings), *numbers).tobytes())
         command = ["-m", "benchmarks.by_hand", str(library), function, str(block), str(STEP)]
         _, hand = _difference(command, steps, folder)
     return {"solves": solves, "count": count, "hand": hand, "ratio": count / hand}

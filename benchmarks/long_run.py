@@ -76,7 +76,7 @@ def measure(effort: Effort) -> Section:
         method=(
             "Energy, momenta and constraints are calculated from positions and velocities, "
             f"{LOOKS:.0e} times in a run, not taken from the solver's own ledger. Settings as by "
-            "default; a pair is two implicit solves, a step of order 8 thirty."
+            "default; pairs of half steps are two implicit solves, a step of order 8 thirty."
         ),
         tables=[
             Table(title=f"Double pendulum from the horizontal; reference energy {STROKE:.1f} J",

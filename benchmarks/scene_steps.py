@@ -124,7 +124,8 @@ def _case(path: Path, effort: Effort) -> Case:
 
     entries = {"steps": repeated.entry, "communication": Entry(communicate, repeated.entry.prepare)}
     bodies = len(scene.bodies) + sum(not point.fixed for point in scene.points.values())
-    return Case(bodies, period / steps, period, 2 * steps, repeated, entries, energy, constraint)
+    inner = 2 * steps
+    return Case(bodies, period / steps, period, inner, repeated, entries, energy, constraint)
 
 
 def _row(

@@ -42,14 +42,14 @@ def measure(effort: Effort) -> Section:
         title="Microseconds per inner step",
         method=(
             "Internal step of 1 ms from the initial configuration (after 20 steps), settings as "
-            "by default: a pair of two inner steps of 0.5 ms. Double pendulum: m = L = 1, from "
-            "the horizontal. Chains: N points of 0.1 kg "
-            "on rods of 0.1 m, straight along x, the first rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, "
-            "without gravity. Four-bar: IFToMM benchmark A02 with two loops."
+            "by default: a pair of two inner steps of 0.5 ms. Double pendulum: m = L = 1, from the "
+            "horizontal. Chains: N points of 0.1 kg on rods of 0.1 m, straight along x, the first "
+            "rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, without gravity. Four-bar: IFToMM benchmark "
+            "A02 with two loops."
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=_goals(rows, effort.largest),
-        remarks=[f"{name}: {case.failure}" for name, case in cases.items() if name not in able],
+        remarks=[f"{name}: {x.failure}" for name, x in cases.items() if name not in able],
     )
 
 

@@ -94,12 +94,10 @@ static void choose_order(context *c, const step_error *e, double step)
     head[S_WANTED] = length_for(c, chosen, best, e);
 }
 
-/* Whether half steps are of order 2: weighted covers need a method that conserves, and loads that read the mechanism at a predicted
-   middle are of that order.                                                                                     */
+/* Whether half steps are of order 2, as loads are that read the mechanism at a predicted middle. */
 static int is_limited(const context *c)
 {
-    if (may_step_explicitly(c)) return 0;
-    return (c->damped && !may_put_back(c)) || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
+    return c->m->sensing && c->s.head[S_ORDER] == 0.0 && !may_step_explicitly(c);
 }
 
 /* Order to begin with, and a length that is safe: a part of the time in which the motion changes. With dampers order 2 is
@@ -176,16 +174,12 @@ static int judge_step(context *c, double t, double h, double law_time, double st
     return 0;
 }
 
-/* Velocities across the rows add up from step to step, however little each one adds: more than one may add is put back. The energy
-   of separate islands cannot be brought back to each of them: where there are dampers, they take it. */
-HM_SELDOM static int32_t bound_across(context *c)
+/* Velocities across the rows add up from step to step, however little each one adds: more than one may add is put back. */
+HM_SELDOM static void bound_across(context *c)
 {
-    if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return HOLONOM_OK;
-    int32_t status = HOLONOM_OK;
-    if (may_put_back(c)) put_only_velocities_back(c);
-    else if (c->damped) status = project_velocities(c, S_DISSIPATED);
+    if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return;
+    put_only_velocities_back(c);
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
-    return status;
 }
 
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
@@ -244,7 +238,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             continue;
         }
         repeats = c->passing = 0;
-        if ((status = bound_across(c))) return status;
+        bound_across(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
         if (is_unilateral(c->m) && (status = end_piece(c, start + done, law_time, h, &covered))) {
@@ -303,7 +297,6 @@ static int32_t cover_evenly(context *c, double start, double step)
     const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
-    if (is_dissipative(c) && !may_put_back(c)) head[S_ORDER_IN_USE] = 2.0;
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;

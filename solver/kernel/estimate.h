@@ -134,10 +134,11 @@ HM_SELDOM static double velocity_defect(context *c, double h)
     return fmax(0.0, largest_row(c, c->k.row_rate) / fastest - rounding);
 }
 
-/* How many times larger than in the mean the mechanism's errors are at an order; explicit steps learn none. */
+/* How many times larger than in the mean the mechanism's errors are at an order; explicit steps learn none, but for what flies. */
 static double times_mean(const context *c, enum way way, int p)
 {
-    return p > 0 && way != EXPLICIT ? hm_exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0;
+    if (way == EXPLICIT) return c->growth;
+    return p > 0 ? hm_exp(c->s.head[S_LEARNED_4 + p - 1]) : 1.0;
 }
 
 /* Number of checks before that of the n-th step of an order, which is the 2nd, 8th, 24th and every 64th; -1 for any other. */

@@ -27,7 +27,6 @@ static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTI
 
 typedef struct extrapolation {
     double booked[N_WEIGHTED]; /* weighted changes in the ledger */
-    kept_momenta momenta;      /* those that every cover keeps   */
 } extrapolation;
 
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
@@ -53,23 +52,20 @@ static void go_back(context *c, double t, double law_time)
 }
 
 /* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate) and ledger; and to what they
-   differ by from those of one order less, without the coarsest cover: `less` times. Momenta that changed are not kept. */
+   differ by from those of one order less, without the coarsest cover: `less` times. Energies of the islands are weighted, too;
+   momenta that changed are not kept. */
 static void weigh(context *c, double weight, double less, extrapolation *x)
 {
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup;
-    double total[RIGID], size[RIGID];
     add_change(c, start, weight, c->k.estimate);
     add_change(c, start, less, c->k.estimate + 2 * DIM * c->n_moving);
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
         x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
     }
-    momenta(c, c->k.momentum);
-    rigid_momenta(c, x->momenta.kept, c->k.momentum, total, size);
-    for (int i = 0; i < RIGID; i++)
-        if (!(fabs(total[i] - x->momenta.before[i]) <= MOMENTUM_ROUND_OFF * fmax(size[i], x->momenta.scale[i])) || c->m->n_driven)
-            x->momenta.kept[i] = 0;
+    forget_changed(c);
+    weigh_energies(c, weight);
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
@@ -87,17 +83,21 @@ static int32_t take_weighted(context *c, const extrapolation *x)
         hm_add(s->q + k, s->q_low + k, dq[k]);
         hm_add(s->v + k, s->v_low + k, dv[k]);
     }
+    double gained = 0.0;
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
+        const double booked = i == 0 ? x->booked[i] : fmax(x->booked[i], 0.0);
         head[at] = start[at], head[at + 1] = start[at + 1];
-        book(c, at, i == 0 ? x->booked[i] : fmax(x->booked[i], 0.0));
+        book(c, at, booked);
+        gained += i == 0 ? booked : -booked;
     }
+    gain_together(c, gained);
     suspend_sliding(c, 1); /* no friction answers the corrections */
     context at = rows_at_state(c, 0.0);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
     int unused;
-    if (!status) status = put_back(c, &at, &x->momenta, &unused);
+    if (!status) status = put_back(c, &at, &unused);
     suspend_sliding(c, 0);
     follow_turns(c);
     return status;
@@ -128,7 +128,8 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h)
 {
     const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    extrapolation x = {.momenta = momenta_at_start(c)};
+    extrapolation x = {{0.0}};
+    keep_motion(c, h);
     memcpy(c->k.pair_backup, c->s.head, bytes);
     memset(c->k.estimate, 0, sizeof(double) * (size_t)(4 * DIM * c->n_moving));
     const int32_t status = take_covers(c, h, covers, &x);

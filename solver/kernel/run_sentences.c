@@ -83,20 +83,41 @@ static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
     }
 }
 
-/* Says a node with a colon: a point by its name, a direction by that of its body; nothing if neither is known. */
-static void say_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
+/* Row of rigidity of a body: by its name, or by one of its directions. */
+static int is_row_of(const hm_model_file *f, int32_t row, const char *name, int32_t node)
+{
+    const holonom_model *m = &f->model;
+    const char *title = f->text + f->row[row].name + sizeof "body '" - 1;
+    const size_t length = strlen(name);
+    if (!m->node_kind[node]) return length && !strncmp(title, name, length) && title[length] == '\'';
+    for (int32_t e = m->form_ptr[m->row_form[row]]; e < m->form_ptr[m->row_form[row] + 1]; e++)
+        if (m->form_node[e] == node) return 1;
+    return 0;
+}
+
+int hm_say_node(hm_text *text, const hm_model_file *f, int32_t node)
 {
     const holonom_model *m = &f->model;
     char room[NAME_ROOM];
     hm_text name = {room, sizeof room, 0};
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; m->node_kind[node] && i < m->n_form_rows; i++)
-        for (int32_t e = m->form_ptr[m->row_form[i]]; e < m->form_ptr[m->row_form[i] + 1]; e++)
-            if (m->form_node[e] == node) {
-                hm_say(text, "%s%s: ", before, f->text + f->row[i].name);
-                return;
-            }
+    hm_clear(&name);
     if (!m->node_kind[node]) name_of_part(f, DIM * node, &name);
-    if (name.used) hm_say(text, "%s'%s': ", before, room);
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++)
+        if (is_row_of(f, i, room, node)) {
+            hm_say(text, "%s", f->text + f->row[i].name);
+            return 1;
+        }
+    if (name.used) hm_say(text, "point '%s'", room);
+    return name.used > 0;
+}
+
+/* Says the part of a node with a colon; nothing if none is known. */
+static void say_fault_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
+{
+    const size_t begin = text->used;
+    hm_say(text, "%s", before);
+    if (hm_say_node(text, f, node)) hm_say(text, ": ");
+    else hm_take_back(text, begin);
 }
 
 /* Says what of a signal is not finite, and its driver or constraint: 3 b + 0, 1 or 2, see blame_signal. */
@@ -156,12 +177,12 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
         say_element(text, f, numbers, j, "");
     }
     for (int32_t j = 0; j < m->n_loads && !text->used; j++)
-        if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
+        if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_fault_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
     for (int32_t j = 0; j < m->n_moments && !text->used; j++)
         if (is_no_number(numbers + m->moment_at + turning * j, turning))
-            say_node(text, f, TORQUE, m->form_node[m->form_ptr[m->moment_form[j]]]);
+            say_fault_node(text, f, TORQUE, m->form_node[m->form_ptr[m->moment_form[j]]]);
     for (int32_t j = 0; j < m->n_body_moments && !text->used; j++)
-        if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_node(text, f, TORQUE, m->body_moment[2 * j]);
+        if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_fault_node(text, f, TORQUE, m->body_moment[2 * j]);
 }
 
 static int lacks_solution(int32_t status)
@@ -178,7 +199,7 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     if (text->used || fault < 0) return;
     if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
     else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
-    else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
+    else if (fault - n_rows < f->model.n_free) say_fault_node(text, f, "near ", fault - n_rows);
     else
         say_element(text, f, numbers, fault - n_rows - f->model.n_free,
                     " passes through length zero, where the direction of its force jumps; a spring with free_length = 0 does not jump there");
@@ -205,13 +226,6 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
                mass[heaviest] / mass[lightest], light_room);
 }
 
-/* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
-static void say_lasting_reason(hm_text *text, const hm_model_file *f)
-{
-    if (f->model.n_islands > 1)
-        hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
-}
-
 static int has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
@@ -223,8 +237,6 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    char room[NAME_ROOM];
-    hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
@@ -232,19 +244,15 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
         hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);
         return head[S_CONTACT_MODE] != 0.0;
     }
-    hm_clear(&reason);
-    say_lasting_reason(&reason, f);
-    if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
     /* Order 2 may be the choice of the tolerance, unless it has none. */
-    if (chosen && (!reason.used || !has_dampers(f, numbers))) return 0;
-    const int lasting = reason.used > 0;
-    if (!lasting) hm_say(&reason, "the motion changes too much in a step of this length, or not at all");
+    if (chosen && !(f->model.sensing && has_dampers(f, numbers))) return 0;
     if (chosen) hm_say(text, "solver.tolerance chooses the order");
     else hm_say(text, "solver.order is %6g", head[S_ORDER]);
     hm_say(text, ", but steps are of order 2: %s energy out, and %s%s",
-           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes", room,
+           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
+           chosen ? "a load reads the mechanism" : "the motion changes too much in a step of this length, or not at all",
            tight ? "; a tight solver.tolerance takes many steps of order 2" : "");
-    return lasting;
+    return chosen;
 }
 
 /* Says that energies are off the ledger though steps are solved. */

@@ -19,6 +19,9 @@ static inline hm_measured hm_measured_in(const hm_model_file *f, const double *n
 /* Says what keeps a step from being solved. */
 const char *hm_about_step(int32_t status);
 
+/* Says the part that a node belongs to: a body, of which it is the centre or a direction, or a point; returns whether it is known. */
+int hm_say_node(hm_text *text, const hm_model_file *file, int32_t node);
+
 /* Says which part is far heavier than which, where this may keep a step from being solved; nothing if none is. */
 void hm_say_far_apart(hm_text *text, const hm_model_file *file, const double *numbers, int32_t status);
 

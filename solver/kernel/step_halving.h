@@ -86,7 +86,7 @@ static double longest_now(const context *c, int order)
 static enum way way_of(const context *c, int damped, int order, double h)
 {
     if (is_explicit_order(order) && h <= (damped ? 1.0 : SHORTER) * longest_of(c, order) && may_step_explicitly(c)) return EXPLICIT;
-    return order > 2 && damped && may_put_back(c) ? COVERED : COMPOSED;
+    return order > 2 && damped ? COVERED : COMPOSED;
 }
 
 /* Takes an internal step back, from time t with laws of law_time; what it cost stays counted, what was learned known. */
@@ -116,7 +116,7 @@ static int32_t internal_step(context *c, double h)
         undo_step(c, t, law_time);
     }
     if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 4;
-    if (order > 2 && is_dissipative(c) && may_put_back(c)) return extrapolated_step(c, h);
+    if (order > 2 && is_dissipative(c)) return extrapolated_step(c, h);
     c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from build_fmu import build, payload
+from build_fmu import build
 from build_fmu.command_line import main, setting
 from build_fmu.errors import EnvironmentLackError
 from build_fmu.instance import check_unpack_folder
@@ -94,15 +94,6 @@ def test_a_usage_error_ends_with_2_and_one_line(capsys, arguments):
 def test_an_argument_that_cannot_be_read_ends_with_2(argument):
     with pytest.raises(SystemExit, match="2"):
         main(["build", PENDULUM, argument])
-
-
-def test_a_missing_kernel_ends_with_4_and_the_remedy(capsys, tmp_path, monkeypatch):
-    monkeypatch.setattr(payload, "SUFFIXES", ())
-    payload.payload.cache_clear()
-    code, out, err = run(capsys, "build", PENDULUM, "-o", tmp_path / "a.fmu")
-    payload.payload.cache_clear()
-    assert (code, out) == (4, "")
-    assert "python -m build_kernel" in err
 
 
 @pytest.mark.parametrize(

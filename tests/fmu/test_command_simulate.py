@@ -55,6 +55,25 @@ def test_a_run_that_ends_early_ends_with_3_and_the_reason(capsys):
     assert summary["reason"] in err
 
 
+@pytest.mark.parametrize("target", [str(SCENES / "four_bar.toml"), "fmu"])
+def test_a_formulation_of_the_paper_runs_without_fmpy(capsys, target):
+    # The four-bar's midpoint rule breaks where all bars are in one line, at 0.7 s.
+    target = scene_fmu("four_bar") if target == "fmu" else target
+    arguments = "simulate", target, "--formulation", "midpoint-al", "--json"
+    code, out, err = run(capsys, *arguments, "--set", "solver.step_size=0.002")
+    summary = json.loads(out)
+    assert (code, summary["finished"]) == (3, False)
+    assert summary["end_time"] == pytest.approx(0.7)
+    assert summary["largest"]["energy.error"] > 0.01
+    assert "step from t = 0.71" in err
+
+
+def test_a_mechanism_that_the_paper_does_not_take_ends_with_2(capsys):
+    arguments = "simulate", scene_fmu("bouncing_ball"), "--formulation", "midpoint-al"
+    code, _, err = run(capsys, *arguments)
+    assert (code, "contact 'floor': the paper's method takes no contacts" in err) == (2, True)
+
+
 def test_a_name_that_the_fmu_does_not_have_ends_with_2_and_a_suggestion(capsys):
     code, _, err = run(capsys, "simulate", scene_fmu("four_bar"), "--set", "drve=1")
     assert code == 2

@@ -1,7 +1,7 @@
 """Discrete gradients side by side: all keep energy, only the invariant form keeps angular momentum.
 
-Ours against the gradient at an intermediate point (beta, eq 8 of García Orden & Ortega), the one of
-Gonzalez 1996 and the average vector field (mean value), which are written here in plain NumPy.
+Ours against the one of Gonzalez 1996 and the average vector field (mean value), which are written
+here in plain NumPy; `tests/paper` has the gradient at an intermediate point (paper, eq 8).
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
 
 import solver
 from tests.problems import Array, observed_order
@@ -37,21 +36,6 @@ def slope(q: Array) -> Array:
     r = q[:2] - q[2:]
     along = 4.0 * (r @ r) * r
     return np.concatenate([along, -along])
-
-
-def beta_gradient(q_n: Array, q_1: Array) -> Array:
-    """Mean of Phi times the slope at q_n + beta dq, where slope . dq = dPhi; beta next to 1/2."""
-    d, change = q_1 - q_n, phi(q_1) - phi(q_n)
-
-    def excess(beta: float) -> float:
-        return float(slope(q_n + beta * d) @ d) - change
-
-    beta, middle = 0.5, excess(0.5)
-    for reach in np.linspace(0.02, 0.5, 25):
-        for end in (0.5 - reach, 0.5 + reach):
-            if beta == 0.5 and middle * excess(end) < 0:
-                beta = float(brentq(excess, 0.5, end, xtol=1e-15, rtol=1e-15))
-    return ALPHA * 0.5 * (phi(q_n) + phi(q_1)) * slope(q_n + beta * d)
 
 
 def gonzalez_gradient(q_n: Array, q_1: Array) -> Array:
@@ -112,7 +96,7 @@ bond = {{ type = "potential", value = "{0.5 * ALPHA}*(distance(A, B)**4 - 1)**2"
     return HalfSteps(solver.loads(text), stop_time=n * h, h=h)
 
 
-OTHERS = {"beta": beta_gradient, "Gonzalez": gonzalez_gradient, "average": average_gradient}
+OTHERS = {"Gonzalez": gonzalez_gradient, "average": average_gradient}
 
 
 def test_the_invariant_form_keeps_energy_and_angular_momentum():
