@@ -226,7 +226,7 @@ def _counts(counts: dict[str, str], formulas: Iterable[str], sizes: Iterable[str
     ]
 
 
-TAKE = """static double *take(double *block, int64_t *used, int64_t count)
+TAKE = """HM_OFTEN double *take(double *block, int64_t *used, int64_t count)
 {
     double *start = block ? block + *used : 0;
     *used += count;

@@ -105,7 +105,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         "prescribed_motions": counts.drivers,
         "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
-        "step": _step(model, early=not model.sizes["unilateral"] or bool(counts.redundant_rows)),
+        "step": _step(model, bool(counts.redundant_rows)),
         "experiment": model.experiment._asdict(),
         "variables": [
             {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
@@ -114,17 +114,18 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
     }
 
 
-def _step(model: Model, *, early: bool) -> dict[str, Any]:
+def _step(model: Model, redundant: bool) -> dict[str, Any]:
     """What a step has for unknowns, and how many numbers the factors of its equations have.
 
-    `early` is whether multipliers may follow before Newton's iteration ends (docs/skips.md).
+    With early updates multipliers may follow before Newton's iteration ends (docs/skips.md).
     """
+    located = model.settings.get("contact_mode") == "located" and model.sizes["unilateral"]
     sizes, dim = model.sizes, model.sizes["dim"]
     turns = bool(sizes["n_reduced_values"])
     replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
     pivots = pairwise(model.tables["reduced_lu_group"][::3])
     return {
-        "early_updates": early,
+        "early_updates": redundant or not located,
         "coordinates": dim * (sizes["n_free"] - replaced),
         "turns": replaced,
         "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),

@@ -83,10 +83,12 @@ static inline double allowed_energy(const context *c, const newton_record *r)
    tolerance, where round-off has stalled the contraction. Of the rows rows_hold asks.                            */
 static int has_converged(const context *c, const newton_record *r)
 {
-    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], added = residual_energy(c);
+    const double tolerance = c->s.head[S_NEWTON_TOLERANCE], margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
     const int stalled = r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
-    const double margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
-    if (increments_left(c, r) <= margin * r->target && !is_misled(r) && added <= allowed_energy(c, r)) return 1;
+    const int is_short = increments_left(c, r) <= margin * r->target && !is_misled(r);
+    if (!is_short && !stalled) return 0;
+    const double added = residual_energy(c);
+    if (is_short && added <= allowed_energy(c, r)) return 1;
     return stalled && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
 }
 

@@ -33,6 +33,7 @@ DEARER = {
     ("stiffness", "differential", 2, "products"): 1.04,
     ("fresh factors", "differential", 2, "products"): 1.03,
     ("fresh factors", "double_pendulum", 2, "products"): 1.03,
+    ("stiffness", "double_wishbone", 2, "products"): 1.03,
     ("fresh factors", "dzhanibekov", 2, "products"): 1.04,
     ("stiffness", "flyball_governor", 2, "products"): 1.03,
     ("directors", "jansen", 2, "products"): 1.05,

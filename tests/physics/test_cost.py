@@ -75,8 +75,8 @@ def test_a_chain_has_no_fill_in_beyond_its_neighbours(dimension):
 
 @DIMENSIONS
 def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
-    # A straight spatial chain with a wave of velocity, pairs of 0.5 ms. Round-off of longer chains
-    # may cost one iteration more or less a half step, not a factor.
+    # A straight spatial chain with a wave of velocity, half steps of 1 ms. Round-off of longer
+    # chains may cost one iteration more or less, not a factor.
     mean = {}
     for n in (10, 100, 1000):
         names = [
@@ -85,21 +85,21 @@ def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
             "energy.error",
             "constraint.position",
         ]
-        integrator = start(travelling_wave(n, dimension), h=1e-3)
-        iterations, substeps, energy, constraint = observe(integrator, 1e-3, 100, names)[1:].T
+        integrator = start(travelling_wave(n, dimension), h=2e-3)
+        iterations, substeps, energy, constraint = observe(integrator, 2e-3, 50, names)[1:].T
         assert substeps.max() == 2
         assert energy.max() < 1e-12
         assert constraint.max() < 1e-12
-        mean[n] = iterations.mean()
-    assert max(mean.values()) < 10
-    assert mean[1000] < mean[10] + 2
+        mean[n] = iterations.mean() / 2.0
+    assert max(mean.values()) < 5
+    assert mean[1000] < mean[10] + 1
 
 
 def test_a_chain_of_a_thousand_links_falls_and_keeps_its_energy():
-    # Ten steps of 10 ms from the horizontal: rods carry nothing at first, the hardest start there
-    # is.
+    # Ten half steps of 10 ms from the horizontal: rods carry nothing at first, the hardest start
+    # there is.
     names = ["energy.error", "constraint.position", "solver.substeps"]
-    error, constraint, substeps = observe(start(chain(1000), h=0.01), 0.01, 10, names)[1:].T
+    error, constraint, substeps = observe(start(chain(1000), h=0.02), 0.02, 5, names)[1:].T
     assert error.max() < 1e-12
     assert constraint.max() < 1e-12
     assert substeps.max() == 2
@@ -136,6 +136,6 @@ def test_long_steps_take_few_increments_where_fresh_factors_pay():
     # Kept factors contract by 0.02 there: ten increments, each with one more digit and a half.
     run = start(tomllib.loads(rigid_chain(100)), h=2e-2)
     names = ["solver.newton_iterations", "energy.error"]
-    iterations, energy = observe(run, 2e-2, 20, names)[1:].T
+    iterations, energy = observe(run, 2e-2, 10, names)[1:].T
     assert energy.max() < 1e-13
-    assert iterations[2:].mean() <= 10.0  # of two half steps
+    assert iterations[1:].mean() / 2.0 <= 5.0
