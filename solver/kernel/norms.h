@@ -11,6 +11,29 @@ static double mass_norm(const context *c, const double *x)
     return sqrt(sum);
 }
 
+/* Nodes of island i that are free. */
+static inline span free_nodes(const context *c, int32_t i)
+{
+    const int32_t *begin = c->m->island_begin + ISLAND_COLUMNS * i + ISLAND_FREE;
+    return (span){begin[0], begin[ISLAND_COLUMNS]};
+}
+
+static double mass_of_nodes(const context *c, span nodes)
+{
+    double sum = 0.0;
+    for (int32_t a = nodes.begin; a < nodes.end; a++) sum += c->number[c->m->node_mass_at + a];
+    return sum;
+}
+
+static double mass_of_all(const context *c) { return mass_of_nodes(c, (span){0, c->m->n_free}); }
+
+/* By how much errors of island i, in the mass norm, count more than those of all: else heavy ones would hide light ones. */
+static double weight_of_island(const context *c, int32_t i, double all)
+{
+    const double own = mass_of_nodes(c, free_nodes(c, i));
+    return own > 0.0 && c->m->n_islands > 1 ? all / own : 1.0;
+}
+
 /* Largest of phi (n_rows) over the scale of its row, of the rows at hand. */
 static double largest_row(const context *c, const double *phi)
 {

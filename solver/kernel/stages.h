@@ -41,21 +41,27 @@ static void weigh_stages(const context *at, const double *weight, int stages, do
     }
 }
 
-/* Size of the sum of so many stages with these weights, relative to size and speed. */
+/* Size of the sum of so many stages with these weights, relative to size and speed: of the island where it is largest. */
 HM_SELDOM static double size_of_sum(const context *at, const double *weight, int stages)
 {
-    double *x = at->k.estimate, square[2];
+    const double *x = at->k.estimate, *v = x + stage_size(at);
+    const double all = mass_of_all(at);
+    double largest = 0.0;
     int components;
-    weigh_stages(at, weight, stages, x);
-    for (int i = 0; i < 2; i++) {
-        square[i] = 0.0;
-        for (int32_t a = 0; a < at->n_moving; x += components) {
+    weigh_stages(at, weight, stages, at->k.estimate);
+    for (int32_t island = 0; island < at->m->n_islands; island++) {
+        const span nodes = free_nodes(at, island);
+        double square[2] = {0.0, 0.0};
+        for (int32_t a = nodes.begin; a < nodes.end; x += components, v += components) {
             const double mass = (is_director(at, a) ? DIM - 1 : 1) * at->number[at->m->node_mass_at + a];
             a = behind(at, a, &components);
-            for (int k = 0; k < components; k++) square[i] += mass * x[k] * x[k];
+            for (int k = 0; k < components; k++) square[0] += mass * x[k] * x[k], square[1] += mass * v[k] * v[k];
         }
+        const double times = sqrt(weight_of_island(at, island, all));
+        const double size = relative_size(at, times * sqrt(square[0]), times * sqrt(square[1]));
+        if (!(size <= largest)) largest = size; /* a NaN, too */
     }
-    return relative_size(at, sqrt(square[0]), sqrt(square[1]));
+    return largest;
 }
 
 /* How fast the rotation vector psi of a turn changes at the angular velocity omega (psi_rate, overwritten):
