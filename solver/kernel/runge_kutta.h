@@ -146,7 +146,7 @@ static int32_t accelerate(context *at, double *a, double *multipliers)
     return status;
 }
 
-/* Adds `time` times the powers at the state, of loads, moments and drives to the first of two works, of dampers to the other. */
+/* Adds `time` times the powers at the state, of loads, moments and drives to their work, of each damper to its loss. */
 HM_SELDOM static int32_t add_powers(const context *at, double time, double *work)
 {
     const holonom_model *m = at->m;
@@ -156,14 +156,14 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, double *work
         double rate;
         if (drive == 0.0 && damping == 0.0) continue;
         quantity_at(at, m->leaf[4 * m->leaf_ptr[j] + 1], at->s.q, at->s.q_low, v, &rate);
-        work[0] += time * drive * rate;
-        work[1] += time * damping * rate * rate;
+        *work += time * drive * rate;
+        at->k.loss[j] += time * damping * rate * rate;
     }
     if (!m->n_loads && !m->n_moments && !m->n_body_moments) return HOLONOM_OK;
     memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
     const int32_t status = subtract_forces(at, at->k.momentum); /* of weights, too */
     for (int32_t a = 0; a < m->n_free; a++)
-        work[0] -= time * (dot(v + DIM * a, at->k.momentum + DIM * a) / at->h +
+        *work -= time * (dot(v + DIM * a, at->k.momentum + DIM * a) / at->h +
                            at->number[m->node_weight_at + a] * dot(gravity, v + DIM * a));
     return status;
 }
@@ -193,6 +193,7 @@ static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_mom
     const int reads_angles = n_composites(at) || at->m->sensing; /* formulas, springs and sensors may read them */
     double *sum = at->k.estimate, *a = at->s.a[0];
     memset(sum, 0, sizeof(double) * (size_t)n);
+    memset(at->k.loss, 0, sizeof(double) * (size_t)n_composites(at));
     for (int i = 0; i < x->stages; i++) {
         follow_signals(at, t, h, x->node[i]);
         int32_t status = i ? move_from_start(at, h, x->part[i], i) : HOLONOM_OK;
@@ -291,12 +292,12 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
 /* Stages and end of a step, put back. */
 HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, int *held)
 {
-    double work[2] = {0.0, 0.0};
+    double work = 0.0;
     int32_t status = keep_explicit_start(c, at);
     kept_momenta kept = momenta_at_start(c);
     if (c->m->n_driven) memset(kept.kept, 0, sizeof kept.kept);
     c->balanced = 0.0;
-    if (!status) status = take_stages(at, x, h, &kept, work);
+    if (!status) status = take_stages(at, x, h, &kept, &work);
     if (status) return status;
     c->difference = difference_of_stages(at, x, h);
     if (!(c->difference <= LARGEST_DIFFERENCE)) {
@@ -309,16 +310,16 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     turn_angles(at);
     c->t = at->t = c->t + h;
     if (!status && h * fastest_angle(c) > LARGEST_TURN) status = HOLONOM_TURN_TOO_LARGE;
-    if (!(work[1] >= -1e-15 * c->s.head[S_ENERGY_REFERENCE])) return HOLONOM_DAMPING_REVERSED;
-    book(c, S_WORK, work[0]);
-    book(c, S_DISSIPATED, fmax(work[1], 0.0));
+    if (gives_energy(c, c->k.loss)) return HOLONOM_DAMPING_REVERSED;
+    book(c, S_WORK, work);
+    for (int32_t j = 0; j < c->m->n_elements; j++) book(c, S_DISSIPATED, c->k.loss[j]);
     if (!status) status = factorise_here(at);
     c->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(c->difference, 1e-30), 1.0 / x->order);
     if (!status) c->free_part = free_part(at, x);
     return status ? status : put_back(c, at, &kept, held);
 }
 
-/* One internal step of length h. Where its end cannot be put back it is left to be taken otherwise; after
+/* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after
    MOST_HELD in a row others are, too: they learn their errors anew. */
 HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
 {
@@ -330,9 +331,9 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     c->h = h;
     c->halves = x->stages;
     int32_t status = step_explicitly(c, &at, x, h, &held);
+    if (status == HOLONOM_DAMPING_REVERSED) return HOLONOM_OK; /* some weights are negative, those of pairs are not */
     if (held) {
         before[S_HELD] += 1.0;
-        if (before[S_HELD] >= MOST_HELD) memset(c->s.head + S_JUDGED_4, 0, sizeof(double) * 6); /* undo_step keeps them */
         return HOLONOM_OK;
     }
     if (!status) status = remember_end(c, &at);
