@@ -52,6 +52,7 @@ typedef struct context {
     double difference;  /* of the last explicit step from one of lower order, relative to size and speed          */
     double free_part;   /* of it, that rows leave free                                                            */
     double shorter;     /* length of the next try over that of the step that failed                                */
+    double growth;      /* of an error of an explicit step by the motion to come, see put_back.h                      */
     double balanced;    /* change of velocities that brought a step's energy onto the ledger, relative to speed    */
     int damped;         /* whether something takes energy out of the step at hand, under a tolerance           */
     const holonom_elimination *lu; /* of the tangent at hand: all of it, or lean                              */
@@ -97,6 +98,12 @@ HM_OFTEN int is_stopped(const context *c)
 /* Bodies whose turns are unknowns of the step at hand. */
 #define EACH_TURN(c, b) for (int32_t b = (c)->begin[ISLAND_BODY]; is_reduced(c) && b < (c)->end[ISLAND_BODY]; b++)
 #define EACH_COMPOSITE(c, j) EACH_IN(c, composites, composite, j)
+
+/* x (DIM n_moving) becomes 0 at the nodes at hand. */
+static inline void clear_nodes(const context *c, double *x)
+{
+    memset(x + DIM * c->node.begin, 0, sizeof(double) * (size_t)(DIM * (c->node.end - c->node.begin)));
+}
 
 /* Whether the step at hand has turns of bodies for unknowns. */
 static inline int is_reduced(const context *c) { return HM_BODIES && c->reduced; }
@@ -200,7 +207,7 @@ static void open_context(context *c, const holonom_model *m, double *number, dou
     c->half = 0, c->halves = 2;
     c->constraints_only = c->careful = c->at_state = c->passing = c->unweighted = c->damped = 0;
     c->balanced = c->difference = 0.0;
-    c->free_part = 1.0;
+    c->free_part = c->growth = 1.0;
     c->shorter = 0.5;
     c->longest_put_back = INFINITY;
     c->way = COMPOSED;

@@ -147,16 +147,12 @@ static int judge_step(context *c, double h, double step)
     return 0;
 }
 
-/* Velocities across the rows add up from step to step, however little each one adds: more than one may add is put back. The energy
-   of separate islands cannot be brought back to each of them: where there are dampers, they take it. */
-HM_SELDOM static int32_t bound_across(context *c)
+/* Velocities across the rows add up from step to step, however little each one adds: more than one may add is put back. */
+HM_SELDOM static void bound_across(context *c)
 {
-    if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return HOLONOM_OK;
-    int32_t status = HOLONOM_OK;
+    if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return;
     if (may_put_back(c)) put_only_velocities_back(c);
-    else if (c->damped) status = project_velocities(c, S_DISSIPATED);
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
-    return status;
 }
 
 /* Covers a communication step of length `step` from `start`; its end is met exactly. */
@@ -213,7 +209,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             continue;
         }
         repeats = c->passing = 0;
-        if ((status = bound_across(c))) return status;
+        bound_across(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
         if (is_unilateral(c->m) && (status = end_piece(c, start + done, law_time, h, &covered))) {

@@ -9,19 +9,19 @@
 #include "row_state.h"
 #include "step.h"
 
-/* Energy of springs and potentials. */
+/* Energy of springs and potentials of the islands at hand. */
 static double stored_energy(const context *c)
 {
     const holonom_model *m = c->m;
     double sum = 0.0;
     if (m->n_potentials) quantities_at_state(c);
-    for (int32_t j = 0; j < m->n_elements; j++) {
+    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
         if (c->number[m->stiffness_at + j] == 0.0) continue;
         const double sigma = quantity_at(c, m->leaf[4 * m->leaf_ptr[j] + 1], c->s.q, c->s.q_low, NULL, NULL);
         const double stretch = sigma - c->number[m->rest_at + j];
         sum += 0.5 * c->number[m->stiffness_at + j] * stretch * stretch;
     }
-    for (int32_t j = first_potential(c); j < n_composites(c); j++) sum += function_value(c, j);
+    for IN_ISLAND(c, j, ISLAND_POTENTIAL) sum += function_value(c, j);
     return sum;
 }
 
@@ -44,30 +44,32 @@ HM_SELDOM static double penalty_energy(const context *c)
     return sum;
 }
 
-/* Change of the potential energy since the start. Weights act on displacements: on positions they would lose the
-   digits by which the mechanism is far from the origin.                                                      */
-static double potential_change(const context *c)
+/* Change of the potential energy of the islands at hand since the start, where springs and potentials had `stored`. Weights act on
+   displacements: on positions they would lose the digits by which the mechanism is far from the origin. */
+static double potential_since(const context *c, double stored)
 {
     const holonom_model *m = c->m;
     const double *gravity = c->number + m->gravity_at, *start = c->s.start;
     double high = 0.0, low = 0.0;
-    for (int32_t a = 0; a < c->n_moving; a++) {
+    EACH_NODE(c, a) {
         double moved[DIM];
         const double weight = c->number[m->node_weight_at + a];
         if (weight == 0.0) continue;
         EACH(k) moved[k] = (c->s.q[DIM * a + k] - start[DIM * a + k]) + c->s.q_low[DIM * a + k];
         hm_add(&high, &low, -weight * dot(gravity, moved));
     }
-    hm_add(&high, &low, stored_energy(c) + penalty_energy(c) - c->s.head[S_STORED_START]);
+    hm_add(&high, &low, stored_energy(c) + penalty_energy(c) - stored);
     return high;
 }
 
-/* Momentum of each moving node, p = M v (DIM n_moving, overwritten). */
+static double potential_change(const context *c) { return potential_since(c, c->s.head[S_STORED_START]); }
+
+/* Momentum of each moving node at hand, p = M v (DIM n_moving, overwritten). */
 static void momenta(const context *c, double *p)
 {
     const holonom_model *m = c->m;
-    memset(p, 0, sizeof(double) * (size_t)(DIM * c->n_moving));
-    for (int32_t e = 0; e < m->n_mass; e++) {
+    clear_nodes(c, p);
+    for IN_ISLAND(c, e, ISLAND_MASS) {
         const double *v = c->s.v + DIM * m->mass_node[2 * e + 1], *v_low = c->s.v_low + DIM * m->mass_node[2 * e + 1];
         EACH(k) p[DIM * m->mass_node[2 * e] + k] += c->number[m->mass_at + e] * (v[k] + v_low[k]);
     }
@@ -77,7 +79,7 @@ static double kinetic_energy(const context *c, double *p)
 {
     double sum = 0.0;
     momenta(c, p);
-    for (int32_t a = 0; a < c->n_moving; a++) sum += 0.5 * dot(p + DIM * a, c->s.v + DIM * a);
+    EACH_NODE(c, a) sum += 0.5 * dot(p + DIM * a, c->s.v + DIM * a);
     return sum;
 }
 
@@ -145,24 +147,23 @@ static double function_rate(const context *c, int32_t j, const double *x, const 
     return rate;
 }
 
-/* Rates of all rows that hold (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values
+/* Rates of the rows at hand that hold (n_rows, overwritten) at the configuration (x, x_low) with velocities v; signals have the values
    `signal` and the rates `signal_rate`. Linear in both rates, but for a velocity row's own terms.              */
 HM_SELDOM static void row_rates(const context *c, const double *x, const double *x_low, const double *v, const double *signal,
                       const double *signal_rate, double *rate)
 {
     const holonom_model *m = c->m;
     double u[DIM], w[DIM], vu[DIM], vw[DIM];
-    if (is_reduced(c)) memset(rate, 0, sizeof(double) * (size_t)m->n_rows); /* bodies turn as wholes */
     EACH_FORM_ROW(c, i) {
         link_at(c, m->row_form[i], x, x_low, u, w);
         link_of(c, m->row_form[i], v, vu, vw);
         rate[i] = dot(u, vw) + dot(w, vu);
     }
-    for (int32_t j = 0; j < m->n_coincidences; j++)
-        link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
-    for (int32_t j = first_function(c); j < first_potential(c); j++)
-        rate[row_of(c, j)] =
-            state_of_row(c, j) == ROW_IS_ON ? function_rate(c, j, x, x_low, v, signal, signal_rate) : 0.0;
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) link_of(c, m->coincidence_form[j], v, rate + m->n_form_rows + DIM * j, vw);
+    for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        for IN_ISLAND(c, j, k)
+            rate[row_of(c, j)] =
+                state_of_row(c, j) == ROW_IS_ON ? function_rate(c, j, x, x_low, v, signal, signal_rate) : 0.0;
 }
 
 /* Part of its scale above which a row may show round-off of places alone, far from where it was drawn. */

@@ -55,8 +55,8 @@ static const method *method_of(int order, int is_explicit)
     return x;
 }
 
-/* Multiple of the mean over mechanisms that an error is taken for. */
-static double margin(const context *c) { return is_unilateral(c->m) ? CONTACT_MARGIN : 1.0; }
+/* Multiple of the mean over mechanisms that an error is taken for; what flies may enlarge it later. */
+static double margin(const context *c) { return c->growth * (is_unilateral(c->m) ? CONTACT_MARGIN : 1.0); }
 
 /* The difference for a pair: from the rate of change of the mean acceleration of pairs; 0 where nothing tells it yet. */
 static int difference_of_pairs(const context *c, double h, double *difference)

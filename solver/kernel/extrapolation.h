@@ -28,7 +28,6 @@ static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTI
 
 typedef struct extrapolation {
     double booked[N_WEIGHTED]; /* weighted changes in the ledger */
-    kept_momenta momenta;      /* those that every cover keeps   */
 } extrapolation;
 
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
@@ -54,15 +53,15 @@ static void go_back(context *c, double t, double law_time)
     c->rows_known = 0;
 }
 
-/* Adds the end of a cover to the weighted changes of q and v (in estimate) and ledger; and to what they differ by from those
-   without the coarsest cover, and these from those without the two coarsest. Momenta that changed are not kept. */
+/* Adds the end of a cover to the weighted changes of q and v (in estimate), ledger and losses; and to what they differ by from those
+   without the coarsest cover, and these from those without the two coarsest. Energies of the islands are weighted, too; momenta that
+   changed are not kept. */
 static void weigh(context *c, int pairs, int covers, extrapolation *x)
 {
     const int64_t n = 2 * DIM * c->n_moving;
     const double weight = weight_of(pairs, 1, covers), less = weight_of(pairs, 2, covers);
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup;
-    double total[RIGID], size[RIGID];
     for (int32_t j = 0; j < n_composites(c); j++) c->k.weighted_loss[j] += weight * c->k.loss[j];
     add_change(c, start, weight, c->k.estimate);
     add_change(c, start, weight - less, c->k.estimate + n);
@@ -71,22 +70,8 @@ static void weigh(context *c, int pairs, int covers, extrapolation *x)
         const int at = WEIGHTED_ACCOUNTS[i];
         x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
     }
-    momenta(c, c->k.momentum);
-    rigid_momenta(c, x->momenta.kept, c->k.momentum, total, size);
-    for (int i = 0; i < RIGID; i++)
-        if (!(fabs(total[i] - x->momenta.before[i]) <= MOMENTUM_ROUND_OFF * fmax(size[i], x->momenta.scale[i])) || c->m->n_driven)
-            x->momenta.kept[i] = 0;
-}
-
-/* Lets the ledger take what velocities cannot bring back, where they are nearly 0 as where a slip stops: round-off, or an error of
-   what is lost in the step, which is known to its order. Returns whether it may. */
-HM_SELDOM static int settle_ledger(context *c, const extrapolation *x)
-{
-    const double excess = unbalanced(c);
-    if (fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c)) return 1;
-    if (!(fabs(excess) <= x->booked[1] + x->booked[2])) return 0;
-    book(c, WEIGHTED_ACCOUNTS[x->booked[2] > x->booked[1] ? 2 : 1], -excess);
-    return 1;
+    forget_changed(c);
+    weigh_energies(c, weight);
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
@@ -98,23 +83,26 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     const double *start = c->k.pair_backup;
     add_change(c, start, -1.0, dq);
     if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
-    if (gives_energy(c, c->k.weighted_loss)) return HOLONOM_DAMPING_REVERSED;
+    memcpy(c->k.loss, c->k.weighted_loss, sizeof(double) * (size_t)n_composites(c));
+    if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
     for (int64_t k = 0; k < n; k++) {
         hm_add(s->q + k, s->q_low + k, dq[k]);
         hm_add(s->v + k, s->v_low + k, dv[k]);
     }
+    double gained = 0.0;
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
         head[at] = start[at], head[at + 1] = start[at + 1];
         book(c, at, x->booked[i]);
+        gained += i == 0 ? x->booked[i] : -x->booked[i];
     }
+    gain_together(c, gained);
     suspend_sliding(c, 1); /* no friction answers the corrections */
     context at = rows_at_state(c, 0.0);
     take_unknowns(&at);
     int32_t status = factorise_here(&at);
     int unused;
-    if (!status) status = put_back(c, &at, &x->momenta, &unused);
-    if (status == HOLONOM_NOT_FINITE && settle_ledger(c, x)) status = HOLONOM_OK;
+    if (!status) status = put_back(c, &at, &unused);
     suspend_sliding(c, 0);
     follow_turns(c);
     return status;
@@ -149,7 +137,9 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
 {
     const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    extrapolation x = {.momenta = momenta_at_start(c)};
+    extrapolation x = {{0.0}};
+    keep_motion(c, h);
+    c->growth = 1.0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
     int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), &x);
     if (status) return status;

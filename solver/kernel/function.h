@@ -370,10 +370,12 @@ static double value_at_state(const context *c, int32_t j)
     return x[l - 1];
 }
 
-/* sigma0 becomes the quantities at the state. */
+/* sigma0 becomes the quantities at the state, of the islands at hand. */
 static void quantities_at_state(const context *c)
 {
-    for (int32_t j = 0; j < c->m->n_active; j++) c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
+    static const int PARTS[] = {ISLAND_ACTIVE, ISLAND_TOUCHING_ACTIVE};
+    for (int k = 0; k < 2; k++)
+        for IN_ISLAND(c, j, PARTS[k]) c->k.sigma0[j] = quantity_at(c, j, c->s.q, c->s.q_low, NULL, NULL);
 }
 
 #endif

@@ -17,12 +17,12 @@ static void book(context *c, int account, double amount)
     hm_add(c->s.head + account, c->s.head + account + 1, amount); /* high and low part */
 }
 
-/* Whether one of the losses, to dampers and frictions, is a gain, beyond round-off of what weights take the difference of. */
-HM_SELDOM static int gives_energy(const context *c, const double *loss)
+/* Whether one of the losses in the step, to dampers and frictions, is a gain, beyond round-off of what weights take the difference of. */
+HM_SELDOM static int gives_energy(const context *c)
 {
     const double round_off = 1e-15 * c->s.head[S_ENERGY_REFERENCE];
     int gives = 0;
-    for (int32_t j = 0; j < n_composites(c); j++) gives |= !(loss[j] >= -round_off);
+    for (int32_t j = 0; j < n_composites(c); j++) gives |= !(c->k.loss[j] >= -round_off);
     return gives;
 }
 

@@ -11,11 +11,11 @@ static double mass_norm(const context *c, const double *x)
     return sqrt(sum);
 }
 
-/* Largest of phi (n_rows) over the scale of its row. */
+/* Largest of phi (n_rows) over the scale of its row, of the rows at hand. */
 static double largest_row(const context *c, const double *phi)
 {
     double largest = 0.0;
-    for (int32_t i = 0; i < c->m->n_rows; i++) {
+    EACH_ROW(c, i) {
         const double scaled = fabs(phi[i]) / c->number[c->m->row_scale_at + i];
         if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
     }

@@ -1,4 +1,4 @@
-/* Motions of a mechanism as one rigid body, and its momenta. */
+/* Motions of the islands at hand as one rigid body, and their momenta. */
 #ifndef HOLONOM_RIGID_H
 #define HOLONOM_RIGID_H
 
@@ -6,10 +6,17 @@
 
 enum { RIGID = DIM + TURNING };
 
-/* Velocity at node a of the mechanism moving as one rigid body: along axis i < DIM, or about an axis at the origin. */
-static void rigid_velocity(const context *c, int i, int32_t a, double *xi)
+/* Arm of node a: a direction, or the place of a point from `centre`. */
+static inline void arm_of(const context *c, const double *centre, int32_t a, double *x)
 {
-    const double *x = c->s.q + DIM * a;
+    EACH(k) x[k] = c->s.q[DIM * a + k] - (c->m->node_kind[a] ? 0.0 : centre[k]);
+}
+
+/* Velocity at node a of islands moving as one rigid body: along axis i < DIM, or about an axis at `centre`. */
+static void rigid_velocity(const context *c, const double *centre, int i, int32_t a, double *xi)
+{
+    double x[DIM];
+    arm_of(c, centre, a, x);
     EACH(k) xi[k] = 0.0;
     if (i < DIM) {
         xi[i] = c->m->node_kind[a] ? 0.0 : 1.0;
@@ -25,15 +32,17 @@ static void rigid_velocity(const context *c, int i, int32_t a, double *xi)
 #endif
 }
 
-/* Those momenta of the whole mechanism that are kept, from those of its nodes, and the sums of their terms' sizes. */
-static void rigid_momenta(const context *c, const int *kept, const double *p, double *total, double *size)
+/* Those momenta of the islands at hand that are kept, from those of their nodes, and the sums of their terms' sizes. */
+static void rigid_momenta(const context *c, const double *centre, const int *kept, const double *p, double *total, double *size)
 {
     for (int i = 0; i < RIGID; i++) {
         const int first = (i + DIM - 2) % DIM, second = (i + DIM - 1) % DIM;
         double sum = 0.0, sizes = 0.0;
-        for (int32_t k = 0; k < DIM * c->n_moving && kept[i]; k += DIM) {
-            const double *x = c->s.q + k, *own = p + k;
+        for (int32_t k = DIM * c->node.begin; k < DIM * c->node.end && kept[i]; k += DIM) {
+            const double *own = p + k;
+            double x[DIM];
             if (i < DIM && c->m->node_kind[k / DIM]) continue;
+            arm_of(c, centre, k / DIM, x);
             const double one = i < DIM ? own[i] : x[first] * own[second], other = i < DIM ? 0.0 : x[second] * own[first];
             sum += one - other;
             sizes += fabs(one) + fabs(other);
@@ -43,27 +52,27 @@ static void rigid_momenta(const context *c, const int *kept, const double *p, do
     }
 }
 
-/* x'My over the mass matrix. */
+/* x'My over the mass matrix of the islands at hand. */
 static double mass_product(const context *c, const double *x, const double *y)
 {
     double sum = 0.0;
-    for (int32_t e = 0; e < c->m->n_mass; e++)
+    for IN_ISLAND(c, e, ISLAND_MASS)
         sum += c->number[c->m->mass_at + e] * dot(x + DIM * c->m->mass_node[2 * e], y + DIM * c->m->mass_node[2 * e + 1]);
     return sum;
 }
 
 /* Rigid motions' mass matrix xi_i'M xi_j of those that are kept, as its Cholesky factor; 0 on the diagonal leaves a
    motion out, which the others contain.                                                                       */
-static void factor_rigid(const context *c, const int *kept, double L[RIGID][RIGID])
+static void factor_rigid(const context *c, const double *centre, const int *kept, double L[RIGID][RIGID])
 {
     const holonom_model *m = c->m;
     double x[DIM], y[DIM], K[RIGID][RIGID] = {{0.0}};
-    for (int32_t e = 0; e < m->n_mass; e++)
+    for IN_ISLAND(c, e, ISLAND_MASS)
         for (int i = 0; i < RIGID; i++)
             for (int j = 0; j <= i; j++) {
                 if (!kept[i] || !kept[j]) continue;
-                rigid_velocity(c, i, m->mass_node[2 * e], x);
-                rigid_velocity(c, j, m->mass_node[2 * e + 1], y);
+                rigid_velocity(c, centre, i, m->mass_node[2 * e], x);
+                rigid_velocity(c, centre, j, m->mass_node[2 * e + 1], y);
                 K[i][j] += c->number[m->mass_at + e] * dot(x, y);
             }
     for (int i = 0; i < RIGID; i++)
@@ -75,10 +84,9 @@ static void factor_rigid(const context *c, const int *kept, double L[RIGID][RIGI
         }
 }
 
-/* Adds to velocities x the rigid motion of momenta b (modified) in the kept directions. */
-static void add_rigid(const context *c, double L[RIGID][RIGID], double *b, double *x)
+/* Momenta b of rigid motions become the velocities of these. */
+static void solve_rigid(double L[RIGID][RIGID], double *b)
 {
-    double xi[DIM];
     for (int i = 0; i < RIGID; i++) {
         for (int k = 0; k < i; k++) b[i] -= L[i][k] * b[k];
         b[i] = L[i][i] > 0.0 ? b[i] / L[i][i] : 0.0;
@@ -87,9 +95,16 @@ static void add_rigid(const context *c, double L[RIGID][RIGID], double *b, doubl
         for (int k = i + 1; k < RIGID; k++) b[i] -= L[k][i] * b[k];
         b[i] = L[i][i] > 0.0 ? b[i] / L[i][i] : 0.0;
     }
+}
+
+/* Adds to velocities x the rigid motion of momenta b (modified) in the kept directions. */
+static void add_rigid(const context *c, const double *centre, double L[RIGID][RIGID], double *b, double *x)
+{
+    double xi[DIM];
+    solve_rigid(L, b);
     for (int i = 0; i < RIGID; i++)
-        for (int32_t a = 0; a < c->n_moving && b[i] != 0.0; a++) {
-            rigid_velocity(c, i, a, xi);
+        for (int32_t a = c->node.begin; a < c->node.end && b[i] != 0.0; a++) {
+            rigid_velocity(c, centre, i, a, xi);
             EACH(k) x[DIM * a + k] += b[i] * xi[k];
         }
 }

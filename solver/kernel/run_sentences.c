@@ -208,9 +208,7 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
 /* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
 static void say_lasting_reason(hm_text *text, const hm_model_file *f, const double *head)
 {
-    if (f->model.n_islands > 1)
-        hm_say(text, "the mechanism has %d separate parts, which would exchange energy: build an FMU of each part", f->model.n_islands);
-    else if (!hm_conserves_all((int)head[S_FORMULATION]))
+    if (!hm_conserves_all((int)head[S_FORMULATION]))
         hm_say(text, "solver.formulation %s has no higher order; %s has", hm_formulation_word(f, head[S_FORMULATION]),
                hm_formulation_word(f, HOLONOM_CONSERVING_AL));
 }

@@ -60,7 +60,7 @@ static double second_rate_of_axes(const context *at, int32_t f)
     return rate + 2.0 * dot(a, b) + dot(x.a, bend);
 }
 
-/* Second derivatives of the rows at the accelerations w, of bodies that do not turn faster (in phi). */
+/* Second derivatives of the rows at hand at the accelerations w, of bodies that do not turn faster (in phi). */
 static void second_rates(const context *at)
 {
     const holonom_model *m = at->m;
@@ -78,11 +78,12 @@ static void second_rates(const context *at)
         at->k.phi[i] = 2.0 * dot(vu, vw) + dot(at->k.u0 + DIM * f, aw) + dot(at->k.w0 + DIM * f, au);
     }
     for IN_ISLAND(at, j, ISLAND_COINCIDENCE) link_of(at, m->coincidence_form[j], at->k.w, at->k.phi + m->n_form_rows + DIM * j, aw);
-    for (int32_t j = first_function(at); j < first_potential(at); j++) {
-        double *rate = at->k.phi + row_of(at, j);
-        *rate = bias_of(at, j) + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, steady);
-        if (is_velocity_row(at, j)) *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, steady);
-    }
+    for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY; k++)
+        for IN_ISLAND(at, j, k) {
+            double *rate = at->k.phi + row_of(at, j);
+            *rate = bias_of(at, j) + function_rate(at, j, at->s.q, at->s.q_low, at->k.w, at->s.signal, steady);
+            if (is_velocity_row(at, j)) *rate -= function_rate(at, j, at->s.q, at->s.q_low, rest, at->s.signal, steady);
+        }
 }
 
 /* Multiplies the compliance of rows that depend on each other. */
@@ -92,15 +93,15 @@ static void soften(const context *at, double times)
     EACH_ROW(at, i) at->k.epsilon[i] *= times;
 }
 
+/* Accelerations a (n) and multipliers (n_rows; near ones on entry) of the island at hand at the state. */
 static int32_t solve_accelerations(context *at, double *a, double *multipliers)
 {
     const holonom_model *m = at->m;
-    const size_t n = sizeof(double) * (size_t)(DIM * at->n_moving), rows = sizeof(double) * (size_t)m->n_rows;
     double largest = 0.0, last = INFINITY;
     int32_t status = factorise_here(at);
     if (status) return status;
-    memset(at->k.w, 0, n);
-    memcpy(at->k.w + DIM * m->n_free, at->k.signal_bend, sizeof(double) * (size_t)(DIM * m->n_driven));
+    clear_nodes(at, at->k.w);
+    for (int32_t k = DIM * at->begin[ISLAND_DRIVEN]; k < DIM * at->end[ISLAND_DRIVEN]; k++) at->k.w[k] = at->k.signal_bend[k - DIM * m->n_free];
     EACH_TURN(at, b) { /* what directors have where their bodies do not turn faster */
         const int32_t first = DIM * m->body_node[b];
         double *omega = at->k.spun + first;
@@ -108,19 +109,19 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
         for (int i = first; i < first + DIM * TURNING; i += DIM) turned_by(omega, at->s.v + i, at->k.w + i);
     }
     /* What dependent rows do not determine would stay and grow; those of rows in trees are found at once. */
-    EACH_ROW(at, i)
+    EACH_ROW(at, i) {
         if (at->island[I_DEPENDENT] != ROWS_ARE_INDEPENDENT || is_in_tree(at, i)) multipliers[i] = 0.0;
-    memcpy(at->k.mu, multipliers, rows);
-    memcpy(at->k.lambda, multipliers, rows);
+        at->k.mu[i] = at->k.lambda[i] = multipliers[i];
+    }
     if ((status = residual_at_state(at))) return status;
     second_rates(at);
-    memcpy(a, at->k.w, n);
+    EACH_COORDINATE(at, k) a[k] = at->k.w[k];
     for (int pass = 0; pass < MOST_PASSES; pass++) {
         double size = 0.0, left = 0.0;
         gather_rhs(at);
         solve_factors(at);
         add_solution(at, a);
-        memset(at->k.momentum, 0, n);
+        clear_nodes(at, at->k.momentum);
         EACH_ROW(at, i) {
             const double change = at->k.rhs[at->lu->row_position[i]], before = at->k.phi[i];
             multipliers[i] = at->k.lambda[i] = at->k.mu[i] += change;
@@ -133,11 +134,11 @@ static int32_t solve_accelerations(context *at, double *a, double *multipliers)
         if (!(left > LEFT_OF_ROWS * largest && left < SLOW * last)) break;
         last = left;
     }
-    at->s.head[S_NEWTON_ITERATIONS] += 1.0;
-    return all_finite(a, DIM * m->n_free) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
+    const int32_t first = DIM * at->begin[ISLAND_FREE];
+    return all_finite(a + first, DIM * at->end[ISLAND_FREE] - first) ? HOLONOM_OK : HOLONOM_NOT_FINITE;
 }
 
-/* Accelerations a (n) and multipliers (n_rows; near ones on entry) at the state. */
+/* Likewise, of dependent rows with a larger compliance. */
 static int32_t accelerate(context *at, double *a, double *multipliers)
 {
     soften(at, SOFTER);
@@ -146,24 +147,24 @@ static int32_t accelerate(context *at, double *a, double *multipliers)
     return status;
 }
 
-/* Adds `time` times the powers at the state, of loads, moments and drives to their work, of each damper to its loss. */
-HM_SELDOM static int32_t add_powers(const context *at, double time, double *work)
+/* Adds `time` times the powers of the island at hand at the state: of loads, moments and drives, and of each damper to its loss. */
+HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion *x)
 {
     const holonom_model *m = at->m;
     const double *v = at->s.v, *gravity = at->number + m->gravity_at;
-    for (int32_t j = 0; j < m->n_elements; j++) {
+    for IN_ISLAND(at, j, ISLAND_ELEMENT) {
         const double drive = at->number[m->drive_at + j], damping = at->number[m->damping_at + j];
         double rate;
         if (drive == 0.0 && damping == 0.0) continue;
         quantity_at(at, m->leaf[4 * m->leaf_ptr[j] + 1], at->s.q, at->s.q_low, v, &rate);
-        *work += time * drive * rate;
+        x->work += time * drive * rate;
         at->k.loss[j] += time * damping * rate * rate;
     }
-    if (!m->n_loads && !m->n_moments && !m->n_body_moments) return HOLONOM_OK;
-    memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
+    if (!is_loaded(at)) return HOLONOM_OK;
+    clear_nodes(at, at->k.momentum);
     const int32_t status = subtract_forces(at, at->k.momentum); /* of weights, too */
-    for (int32_t a = 0; a < m->n_free; a++)
-        *work -= time * (dot(v + DIM * a, at->k.momentum + DIM * a) / at->h +
+    for (int32_t a = at->begin[ISLAND_FREE]; a < at->end[ISLAND_FREE]; a++)
+        x->work -= time * (dot(v + DIM * a, at->k.momentum + DIM * a) / at->h +
                            at->number[m->node_weight_at + a] * dot(gravity, v + DIM * a));
     return status;
 }
@@ -175,37 +176,64 @@ HM_SELDOM static void laws_within(context *at, double t, double h, double c)
     if (at->m->time_dependent || at->m->sensing) set_laws(at, inside_of_step(t, h, c), 0);
 }
 
-/* Forgets those momenta that the accelerations a change in a time h. */
-HM_SELDOM static void look_for_forces(const context *c, double h, const double *a, kept_momenta *x)
+/* Forgets those momenta of the island at hand that the accelerations a change in a time h, beyond what weights do to what flies. If
+   nothing else acts on that it keeps all: between rows that stages are off by a little reactions seem to turn it. */
+HM_SELDOM static void look_for_forces(const context *c, double h, const double *a, kept_motion *x)
 {
     double rate[RIGID], size[RIGID];
+    if (x->flies && !is_loaded(c)) return;
     inertia(c, 2.0, a, c->k.momentum);
-    rigid_momenta(c, x->kept, c->k.momentum, rate, size);
-    for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(h * rate[i]) <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
+    find_centre(c, x);
+    rigid_momenta(c, x->centre, x->kept, c->k.momentum, rate, size);
+    for (int i = 0; i < RIGID; i++) x->kept[i] &= fabs(h * rate[i] - x->impulse[i]) <= MOMENTUM_ROUND_OFF * fmax(h * size[i], x->scale[i]);
+}
+
+/* Accelerations and multipliers of all islands at the state. */
+static int32_t accelerate_all(context *at)
+{
+    int32_t status = HOLONOM_OK;
+    for (int32_t island = 0; island < at->m->n_islands && !status; island++) {
+        look_at(at, island, island + 1);
+        status = accelerate(at, at->s.a[0], at->s.mu[0]);
+    }
+    look_at(at, 0, at->m->n_islands);
+    at->s.head[S_NEWTON_ITERATIONS] += 1.0;
+    return status;
+}
+
+/* Works of the islands at a stage of this weight in a step of length h; where something may change at it, momenta that it does not. */
+static int32_t follow_islands(context *at, double h, double weight, int changes)
+{
+    int32_t status = HOLONOM_OK;
+    for (int32_t island = 0; island < at->m->n_islands && !status; island++) {
+        look_at(at, island, island + 1);
+        if (weight != 0.0) status = add_powers(at, h * weight, kept_of(at));
+        if (changes) look_for_forces(at, h, at->s.a[0], kept_of(at));
+    }
+    look_at(at, 0, at->m->n_islands);
+    return status;
 }
 
 /* Stages of a step of length h; works, and momenta that they do not change. */
-static int32_t take_stages(context *at, const runge_kutta *x, double h, kept_momenta *kept, double *work)
+static int32_t take_stages(context *at, const runge_kutta *x, double h)
 {
     const int64_t n = 2 * stage_size(at);
     const double t = at->t;
     const int changes = at->m->time_dependent || at->m->sensing || at->m->n_signals, known = ends_explicitly(at) && !changes;
     const int reads_angles = n_composites(at) || at->m->sensing; /* formulas, springs and sensors may read them */
-    double *sum = at->k.estimate, *a = at->s.a[0];
+    double *sum = at->k.estimate;
     memset(sum, 0, sizeof(double) * (size_t)n);
-    memset(at->k.loss, 0, sizeof(double) * (size_t)n_composites(at));
     for (int i = 0; i < x->stages; i++) {
         follow_signals(at, t, h, x->node[i]);
         int32_t status = i ? move_from_start(at, h, x->part[i], i) : HOLONOM_OK;
         if (i && reads_angles) turn_angles(at);
         laws_within(at, t, h, x->node[i]);
-        if (!status && (i || !known)) status = accelerate(at, a, at->s.mu[0]);
+        if (!status && (i || !known)) status = accelerate_all(at);
         else if (!status) rest_here(at);
-        if (!status && x->weight[i] != 0.0) status = add_powers(at, h * x->weight[i], work);
-        if (status) return status;
-        take_stage(at, h, sum, a, at->k.stages + n * i);
         /* Only laws, and drivers, pause at both ends and not in between. */
-        if (i == 0 || i == x->stages - 1 || changes) look_for_forces(at, h, a, kept);
+        if (!status) status = follow_islands(at, h, x->weight[i], i == 0 || i == x->stages - 1 || changes);
+        if (status) return status;
+        take_stage(at, h, sum, at->s.a[0], at->k.stages + n * i);
     }
     return HOLONOM_OK;
 }
@@ -247,8 +275,6 @@ HM_SELDOM static double free_part(context *at, const runge_kutta *x)
 HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
 {
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    const kept_momenta none = {{0}, {0.0}, {0.0}};
-    int unused;
     memcpy(c->k.pair_backup, c->s.head, bytes);
     if (ends_explicitly(c)) return HOLONOM_OK;
     signals_at(c, c->t, c->k.signal1);
@@ -256,7 +282,9 @@ HM_SELDOM static int32_t keep_explicit_start(context *c, context *at)
     place_driven(c); /* half steps leave rates of driven nodes that are right to the order */
     const int32_t status = factorise_here(at);
     if (status) return status;
-    put_velocities_back(c, at, &none, &unused);
+    keep_motion(c, 0.0);
+    forget_momenta(c);
+    put_velocities_back(c, at);
     memcpy(c->k.pair_backup, c->s.head, bytes);
     return HOLONOM_OK;
 }
@@ -279,7 +307,7 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
     follow_signals(c, c->t - c->h, c->h, 1.0);
     laws_within(at, c->t - c->h, c->h, 1.0);
     c->s.head[S_LONGEST_EXPLICIT] = longest_explicit(at);
-    int32_t status = accelerate(at, c->s.a[0], c->s.mu[0]);
+    int32_t status = accelerate_all(at);
     memcpy(c->s.a[1], c->s.a[0], sizeof(double) * (size_t)(DIM * c->n_moving));
     memcpy(c->s.mu[1], c->s.mu[0], sizeof(double) * (size_t)c->m->n_rows);
     if (c->m->n_driven && !status) status = hold_driven(at);
@@ -289,15 +317,27 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
     return status;
 }
 
+/* Books what loads and drives have done to the islands in a step, and what their dampers have taken. */
+HM_SELDOM static void book_works(context *c)
+{
+    for (int32_t island = 0; island < c->m->n_islands; island++) {
+        look_at(c, island, island + 1);
+        kept_motion *x = kept_of(c);
+        x->dissipated = lost_of(c, S_DISSIPATED);
+        book(c, S_WORK, x->work);
+        book(c, S_DISSIPATED, x->dissipated);
+    }
+    look_at(c, 0, c->m->n_islands);
+}
+
 /* Stages and end of a step, put back. */
 HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_kutta *x, double h, int *held)
 {
-    double work = 0.0;
     int32_t status = keep_explicit_start(c, at);
-    kept_momenta kept = momenta_at_start(c);
-    if (c->m->n_driven) memset(kept.kept, 0, sizeof kept.kept);
+    keep_motion(c, h);
     c->balanced = 0.0;
-    if (!status) status = take_stages(at, x, h, &kept, &work);
+    c->growth = 1.0;
+    if (!status) status = take_stages(at, x, h);
     if (status) return status;
     c->difference = difference_of_stages(at, x, h);
     if (!(c->difference <= LARGEST_DIFFERENCE)) {
@@ -310,13 +350,12 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     turn_angles(at);
     c->t = at->t = c->t + h;
     if (!status && h * fastest_angle(c) > LARGEST_TURN) status = HOLONOM_TURN_TOO_LARGE;
-    if (gives_energy(c, c->k.loss)) return HOLONOM_DAMPING_REVERSED;
-    book(c, S_WORK, work);
-    for (int32_t j = 0; j < c->m->n_elements; j++) book(c, S_DISSIPATED, c->k.loss[j]);
+    if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
+    if (!status) book_works(c);
     if (!status) status = factorise_here(at);
     c->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(c->difference, 1e-30), 1.0 / x->order);
     if (!status) c->free_part = free_part(at, x);
-    return status ? status : put_back(c, at, &kept, held);
+    return status ? status : put_back(c, at, held);
 }
 
 /* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after

@@ -19,18 +19,15 @@ static int all_finite(const double *x, int64_t n)
     return 1;
 }
 
-/* Links, quantities, rows and signals at the state, for a step that has not begun: d = w = mu = lambda = 0. */
+/* Links, quantities, rows and signals of the islands at hand at the state, for a step that has not begun: d = w = mu = lambda = 0. */
 static void stand_still(context *c)
 {
-    const holonom_model *m = c->m;
-    const size_t n = (size_t)(DIM * c->n_moving), rows = (size_t)m->n_rows;
     links_at_start(c);
-    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)m->n_signals);
-    memset(c->k.hv, 0, sizeof(double) * n);
-    memset(c->k.w, 0, sizeof(double) * n);
-    memset(c->k.d, 0, sizeof(double) * n);
-    memset(c->k.mu, 0, sizeof(double) * rows);
-    memset(c->k.lambda, 0, sizeof(double) * rows);
+    memcpy(c->k.signal1, c->s.signal, sizeof(double) * (size_t)c->m->n_signals);
+    clear_nodes(c, c->k.hv);
+    clear_nodes(c, c->k.w);
+    clear_nodes(c, c->k.d);
+    EACH_ROW(c, i) c->k.mu[i] = c->k.lambda[i] = 0.0;
     rows_at_start(c, 1);
 }
 

@@ -310,6 +310,7 @@ ISLAND = (
     "full_steps", "full_wait", "fresh_steps", "fresh_wait",  # see policy_factors.h
     "bend", "lean_contraction",  # see learned_contraction.h
     "predicts_lambda",  # whether the multipliers held fixed are predicted, too, see newton.h
+    "unbalanced",  # energy [J] that its ledger lacks, see put_back.h
 )
 """Scalars of each island in the section `islands` of a state."""
 

@@ -43,6 +43,10 @@ step_size = 0.1
 """
 
 
+LIMITED = 'order = 4\nformulation = "midpoint-al"'
+"""Settings that know no order above 2."""
+
+
 def text(setting: str, parts: int = 2, damping: float = 0.3) -> str:
     shown = [PART.format(name="AB"[i], x=3.0 * i, damping=damping) for i in range(parts)]
     return "".join([HEAD.format(setting=setting), *shown])
@@ -59,22 +63,17 @@ def said(setting: str, **options) -> list[str]:
 
 
 @pytest.mark.parametrize("tolerance", ["", "tolerance = 1e-7"])
-def test_two_parts_with_dampers_are_of_order_2_and_that_is_said_once(tolerance):
-    (sentence,) = said(f"order = 4\n{tolerance}")
+def test_a_formulation_that_knows_no_higher_order_is_named_once(tolerance):
+    (sentence,) = said(f"{LIMITED}\n{tolerance}")
     assert sentence.startswith("solver.order is 4, but steps are of order 2")
-    assert "2 separate parts" in sentence
+    assert "solver.formulation midpoint-al" in sentence
     assert ("takes many steps" in sentence) == bool(tolerance)
 
 
 def test_a_tolerance_that_has_no_choice_of_the_order_says_so():
-    (sentence,) = said("tolerance = 1e-7")
+    (sentence,) = said('tolerance = 1e-7\nformulation = "midpoint-al"')
     assert sentence.startswith("solver.tolerance chooses the order, but steps are of order 2")
     assert "takes many steps" in sentence
-
-
-def test_a_formulation_that_knows_no_higher_order_is_named():
-    (sentence,) = said('order = 4\nformulation = "midpoint-al"', parts=1)
-    assert "solver.formulation midpoint-al" in sentence
 
 
 @pytest.mark.parametrize(
@@ -85,6 +84,9 @@ def test_a_formulation_that_knows_no_higher_order_is_named():
         ("order = 2\ntolerance = 1e-5", {}),
         ("order = 4", {"damping": 0.0}),
         ("order = 4", {"parts": 1}),
+        ("order = 4", {}),
+        ("order = 8", {}),
+        ("tolerance = 1e-5", {}),
         ("tolerance = 1e-5", {"damping": 0.0}),
         ("tolerance = 1e-5", {"parts": 1}),
         ("tolerance = 0.1", {"parts": 1}),
@@ -96,7 +98,7 @@ def test_where_nothing_is_limited_nothing_is_said(setting, options):
 
 
 def test_without_a_log_it_is_a_warning():
-    scene = solver.loads(text("order = 4"))
+    scene = solver.loads(text(LIMITED))
     with pytest.warns(RuntimeWarning, match="solver.order is 4, but steps are of order 2") as told:
         solver.simulate(scene)
     assert told[0].filename == __file__  # at the line that asked for the run
@@ -121,7 +123,7 @@ def test_a_step_too_long_for_its_order_is_no_warning_but_said_in_a_log():
 
 
 def test_an_fmu_says_it_with_its_log_on_as_a_warning():
-    with instance(text_fmu(text("order = 4"))) as fmu:
+    with instance(text_fmu(text(LIMITED))) as fmu:
         fmu.initialise()
         assert fmu.step(0.0, 0.1)
         ((level, category, sentence),) = fmu.log
@@ -130,7 +132,7 @@ def test_an_fmu_says_it_with_its_log_on_as_a_warning():
 
 
 def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
-    with instance(text_fmu(text("order = 4")), logging=False) as fmu:
+    with instance(text_fmu(text(LIMITED)), logging=False) as fmu:
         fmu.initialise()
         assert fmu.step(0.0, 0.1)
     (record,) = [each for each in caplog.records if each.name == LOGGER]
@@ -139,20 +141,20 @@ def test_an_fmu_says_it_with_its_log_off_to_the_logger_of_python(caplog):
 
 
 def test_a_run_that_says_it_is_clean():
-    run = run_fmu(text_fmu(text("order = 4")))
+    run = run_fmu(text_fmu(text(LIMITED)))
     (sentence,) = run.messages
     assert "steps are of order 2" in sentence
     assert not run.failure
 
 
 def test_the_page_of_an_fmu_says_it():
-    with zipfile.ZipFile(text_fmu(text("order = 4"))) as archive:
+    with zipfile.ZipFile(text_fmu(text(LIMITED))) as archive:
         page = archive.read("documentation/index.html").decode()
     assert "Its log said: solver.order is 4, but steps are of order 2" in page
 
 
 def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
     scene = tmp_path / "parts.toml"
-    scene.write_text(text("order = 4"))
+    scene.write_text(text(LIMITED))
     assert main(["build", str(scene), "-o", str(tmp_path / "parts.fmu")]) == 0
     assert "parts: solver.order is 4, but steps are of order 2" in capsys.readouterr().err
