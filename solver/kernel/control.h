@@ -25,7 +25,9 @@ enum { MAX_REPEATS = 40 };
 #define REJECTED_EXPLICIT 4.0 /* likewise of an explicit one, which costs more to repeat */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
-#define SHORTER 5.0 /* runs begin with covers where springs are faster than the motion by this, which explicit steps would show alone */
+#define SHORTER 5.0 /* runs begin with pairs where springs are faster than the motion by this, and would be all that others show */
+#define COVERED_TURN 0.8 /* of springs in a cover, over that in an explicit step */
+#define LITTLE_TURN 0.05 /* of a body in a half step or two [rad], whose error is below all tolerances */
 #define PRESENT 0.9 /* times its cost, of the method that is in use */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
@@ -37,23 +39,34 @@ static double steps_over(const context *c, double time, double longest)
     return fmax(1.0, ceil(time / fmin(longest, c->s.head[S_LONGEST_STEP]) * (1.0 - 1e-10)));
 }
 
+/* Longest cover: weights swing springs up that it does not resolve. Where dampers are strong, and where nothing tells how fast springs
+   are, it may be of any length. */
+static double longest_cover(const context *c)
+{
+    const double longest = COVERED_TURN * longest_of(c, 8);
+    return longest > 0.0 && may_step_explicitly(c) ? longest : INFINITY;
+}
+
 /* Longest of the next steps, in equal parts of a time: they may add what steps before them have left. */
 static double longest_next(const context *c, double time)
 {
     const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
     const double h = fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
-    return head[S_EXPLICIT] != 0.0 ? fmin(h, longest_now(c, (int)head[S_ORDER_IN_USE])) : h;
+    if (head[S_EXPLICIT] != 0.0) return fmin(h, longest_now(c, (int)head[S_ORDER_IN_USE]));
+    return head[S_ORDER_IN_USE] > 2.0 ? fmin(h, longest_cover(c)) : h;
 }
 
 /* Length of a step that adds what it may where the motion changes at a rate. A difference of explicit steps tells nothing of a body
-   that spins steadily, which is exact there. */
+   that spins steadily, which is exact there, and not in half steps. */
 static double length_for(const context *c, const method *x, const step_error *e)
 {
     const int is_explicit = x->way == EXPLICIT;
-    const double rate = is_explicit ? e->free : c->way == EXPLICIT ? fmax(e->rate, fastest_turn(c)) : e->rate;
+    const double rate = is_explicit ? e->free : e->rate;
     const double may = SAFETY * tolerated(c) / (margin(c) * x->mean * rate * c->s.head[S_HORIZON]);
     const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
-    return is_explicit ? fmin(h, fmin(c->longest_put_back, longest_now(c, x->order) / STRETCHED)) : h;
+    if (is_explicit) return fmin(h, fmin(c->longest_put_back, longest_now(c, x->order) / STRETCHED));
+    if (c->way == EXPLICIT && fastest_turn(c) * h > LITTLE_TURN) return LITTLE_TURN / fastest_turn(c);
+    return x->order > 2 ? fmin(h, longest_cover(c)) : h;
 }
 
 /* Cost of a step in increments of Newton's iteration: each half step has some where the motion turns by so much in a step, and
@@ -65,12 +78,17 @@ static double cost_of(const method *x, double turned)
 
 /* Whether half steps are of order 2: weighted covers need a method that conserves, and loads that read the mechanism at a predicted
    middle are of that order. */
-static int is_limited(const context *c) { return !may_put_back(c) || (c->m->sensing && c->s.head[S_ORDER] == 0.0); }
-
-/* Whether a tolerance may take steps so. */
-static int may_take(const context *c, const method *x)
+static int is_limited(const context *c)
 {
-    if (c->s.head[S_ORDER] > 0.0 && x->order != (int)c->s.head[S_ORDER]) return 0;
+    const int has_mass = c->number[c->m->extent_at + 1] > 0.0; /* else nothing measures errors */
+    return !may_put_back(c) || !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
+}
+
+/* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are too fast for it. */
+static int may_take(const context *c, const method *x, const step_error *e)
+{
+    const int asked = (int)c->s.head[S_ORDER];
+    if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) >= longest_cover(c))) return 0;
     return x->way == EXPLICIT ? may_step_explicitly(c) : x->way == COMPOSED || !is_limited(c);
 }
 
@@ -80,7 +98,7 @@ static void choose_method(context *c, const step_error *e, double step)
     double *head = c->s.head, least = INFINITY;
     const method *present = method_of((int)head[S_ORDER_IN_USE], head[S_EXPLICIT] != 0.0), *best = present;
     for (const method *x = METHODS; x < METHODS + N_METHODS; x++) {
-        if (!may_take(c, x)) continue;
+        if (!may_take(c, x, e)) continue;
         const double n = steps_over(c, step, STRETCHED * length_for(c, x, e));
         const double cost = n * cost_of(x, e->rate * step / n) * (x == present ? PRESENT : 1.0);
         if (!(cost < least)) continue;
@@ -95,26 +113,26 @@ static void choose_method(context *c, const step_error *e, double step)
 
 /* Order to begin with, and a length that is safe: a part of the time in which the motion changes. With dampers order 2 is
    the one for wide tolerances and strong dampers; its first pairs are shorter. From rest the motion tells no length, and order 4
-   judges itself, after a step in which springs hardly swing.                    */
+   judges itself.                                                            */
 static void begin_control(context *c)
 {
     double *head = c->s.head;
-    const double asked = head[S_ORDER], rate = rate_of_motion(c);
+    const double asked = head[S_ORDER], rate = hm_hypot(rate_of_motion(c), head[S_WANTED] > 0.0 ? 0.0 : rate_of_springs(c));
     const int may_be_explicit = may_step_explicitly(c), is_new = head[S_ORDER_IN_USE] == 0.0;
     c->damped = is_dissipative(c);
     c->longest_put_back = INFINITY;
     if (may_be_explicit && !ends_explicitly(c)) find_longest(c);
     const double eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
-    if (!may_be_explicit) head[S_EXPLICIT] = 0.0;
-    else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && eighth <= SHORTER * longest_of(c, 8);
+    const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
+    if (!may_be_explicit || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
+    else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
     if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
-    else if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
-    else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
+    else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
+    else if (asked > 0.0 && (is_new || head[S_ORDER_IN_USE] != 2.0)) head[S_ORDER_IN_USE] = asked;
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
     else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 4.0;
     if (head[S_WANTED] > 0.0) return;
     head[S_WANTED] = rate > 0.0 ? (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) / rate : INFINITY;
-    if (may_be_explicit && longest_of(c, 8) > 0.0) head[S_WANTED] = fmin(head[S_WANTED], longest_of(c, 8) / SPRING_TURN);
 }
 
 /* Takes from the last step, of length h, length and order of the next ones; 1 if it is to be repeated with
@@ -134,7 +152,7 @@ static int judge_step(context *c, double h, double step)
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(share, across);
     /* Where a mechanism almost stands, little energy is much velocity. */
-    if (is_explicit && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
+    if (c->way != COMPOSED && !c->unweighted && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
     head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);

@@ -140,6 +140,7 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
     extrapolation x = {{0.0}};
     keep_motion(c, h);
     c->growth = 1.0;
+    c->balanced = 0.0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
     int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), &x);
     if (status) return status;

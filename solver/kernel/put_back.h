@@ -457,7 +457,7 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     double L[RIGID][RIGID] = {{0.0}};
     follow_rows(at);
     put_momenta_back(c, x, L);
-    const double potential = potential_since(c, 0.0), carried = c->island[I_UNBALANCED];
+    const double potential = potential_since(c, 0.0);
     if (has_unknown_work(c)) {
         book(c, S_WORK, unbalanced(c, x, potential));
         c->island[I_UNBALANCED] = 0.0;
