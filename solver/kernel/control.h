@@ -89,6 +89,7 @@ static int may_take(const context *c, const method *x, const step_error *e)
 {
     const int asked = (int)c->s.head[S_ORDER];
     if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) >= longest_cover(c))) return 0;
+    if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
     return x->way == EXPLICIT ? may_step_explicitly(c) : x->way == COMPOSED || !is_limited(c);
 }
 
@@ -130,7 +131,7 @@ static void begin_control(context *c)
     else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
     else if (asked > 0.0 && (is_new || head[S_ORDER_IN_USE] != 2.0)) head[S_ORDER_IN_USE] = asked;
     else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
-    else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 4.0;
+    else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
     head[S_WANTED] = rate > 0.0 ? (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) / rate : INFINITY;
 }

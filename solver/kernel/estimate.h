@@ -19,6 +19,8 @@
 #define CONTACT_MARGIN 4.0
 /* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings. */
 #define FALL 4.6
+/* Least error of a cover over its difference, with strong dampers. */
+#define SETTLED 1e-3
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it precesses, the step errs by
    its spin. */
 #define SPINNING 2.0
@@ -74,6 +76,12 @@ static int difference_of_pairs(const context *c, double h, double *difference)
     return 1;
 }
 
+/* Whether dampers are too strong for explicit steps: what they settle within a step falls little with the order. */
+static int has_strong_dampers(const context *c)
+{
+    return c->damped && c->s.head[S_LONGEST_EXPLICIT] == 0.0 && may_step_explicitly(c);
+}
+
 /* Whether round-off explains a difference between steps of length h. Velocities are only known to round-off of places over
    h: shorter steps would show more of it, not less error.                                                        */
 static int is_noise(const context *c, double round_off, double difference, double h)
@@ -103,10 +111,11 @@ static int estimate_error(const context *c, double h, step_error *e)
     e->free = freed / h;
     e->rate = turned / h;
     e->mean = used->mean * hm_pow(freed, order + 1);
-    if (order > 4 && c->way == COVERED) { /* differences fall from order to order, and the error falls as much once more */
+    if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
         const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
         e->mean = fmax(e->mean, FALL * difference * difference / hm_hypot(difference, before));
     }
+    if (has_strong_dampers(c)) e->mean = fmax(e->mean, SETTLED * difference);
     e->mean *= margin(c);
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;
