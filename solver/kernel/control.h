@@ -27,7 +27,7 @@ enum { MAX_REPEATS = 40 };
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
 #define SHORTER 5.0 /* runs begin with pairs where springs are faster than the motion by this, and would be all that others show */
 #define COVERED_TURN 0.8 /* of springs in a cover, over that in an explicit step */
-#define LITTLE_TURN 0.05 /* of a body in a half step or two [rad], whose error is below all tolerances */
+#define LITTLE_TURN 0.05 /* of the motion, or a body, in a pair that takes the place of an explicit step [rad] */
 #define PRESENT 0.9 /* times its cost, of the method that is in use */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
@@ -65,8 +65,7 @@ static double length_for(const context *c, const method *x, const step_error *e)
     const double may = SAFETY * tolerated(c) / (margin(c) * x->mean * rate * c->s.head[S_HORIZON]);
     const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
     if (is_explicit) return fmin(h, fmin(c->longest_put_back, longest_now(c, x->order) / STRETCHED));
-    if (c->way == EXPLICIT && fastest_turn(c) * h > LITTLE_TURN) return LITTLE_TURN / fastest_turn(c);
-    return x->order > 2 ? fmin(h, longest_cover(c)) : h;
+    return c->way == EXPLICIT ? fmin(h, LITTLE_TURN / hm_hypot(rate, fastest_turn(c))) : h;
 }
 
 /* Cost of a step in increments of Newton's iteration: each half step has some where the motion turns by so much in a step, and
@@ -84,11 +83,11 @@ static int is_limited(const context *c)
     return !may_put_back(c) || !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
 }
 
-/* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are too fast for it. */
+/* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are much too fast for covers. */
 static int may_take(const context *c, const method *x, const step_error *e)
 {
     const int asked = (int)c->s.head[S_ORDER];
-    if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) >= longest_cover(c))) return 0;
+    if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
     return x->way == EXPLICIT ? may_step_explicitly(c) : x->way == COMPOSED || !is_limited(c);
 }
@@ -100,7 +99,7 @@ static void choose_method(context *c, const step_error *e, double step)
     const method *present = method_of((int)head[S_ORDER_IN_USE], head[S_EXPLICIT] != 0.0), *best = present;
     for (const method *x = METHODS; x < METHODS + N_METHODS; x++) {
         if (!may_take(c, x, e)) continue;
-        const double n = steps_over(c, step, STRETCHED * length_for(c, x, e));
+        const double n = steps_over(c, step, STRETCHED * fmin(length_for(c, x, e), x->way == COVERED ? longest_cover(c) : INFINITY));
         const double cost = n * cost_of(x, e->rate * step / n) * (x == present ? PRESENT : 1.0);
         if (!(cost < least)) continue;
         least = cost;

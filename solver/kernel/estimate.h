@@ -17,7 +17,7 @@
 
 /* Times the mean over mechanisms, where something touches or slides: an impact, and a slip that stops, multiply errors before it. */
 #define CONTACT_MARGIN 4.0
-/* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings. */
+/* Error of a cover over d_1^2/d_0, the last two differences between orders, of a spring that swings; of what has settled it is 1. */
 #define FALL 4.6
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
@@ -110,12 +110,14 @@ static int estimate_error(const context *c, double h, step_error *e)
     const double turned = used->rate * hm_pow(difference, root), freed = used->rate * hm_pow(part * difference, root);
     e->free = freed / h;
     e->rate = turned / h;
+    if (c->way == EXPLICIT) e->rate = fmax(e->rate, mass_norm(c, c->s.a[0]) / fmax(mass_norm(c, c->s.v), 1e-300)); /* over round-off */
     e->mean = used->mean * hm_pow(freed, order + 1);
+    const int is_settled = has_strong_dampers(c);
     if (c->way == COVERED && order > 4) { /* differences fall from order to order, and the error falls as much once more */
         const double before = relative_size(c, mass_norm(c, x + 2 * n), mass_norm(c, x + 3 * n));
-        e->mean = fmax(e->mean, FALL * difference * difference / hm_hypot(difference, before));
+        e->mean = fmax(e->mean, (is_settled ? 1.0 : FALL) * difference * difference / hm_hypot(difference, before));
     }
-    if (has_strong_dampers(c)) e->mean = fmax(e->mean, SETTLED * difference);
+    if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
     e->mean *= margin(c);
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;

@@ -93,10 +93,10 @@ static int32_t internal_step(context *c, double h)
         undo_step(c, t, law_time);
     }
     if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
-    const int is_judged = c->s.head[S_TOLERANCE] > 0.0;
+    const int is_judged = c->s.head[S_TOLERANCE] > 0.0 && may_put_back(c);
     const int is_first = c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
     if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1);
-    if (order > 2 && (is_judged || is_dissipative(c)) && may_put_back(c)) return extrapolated_step(c, h, 0);
+    if (order > 2 && may_put_back(c) && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);
     c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
