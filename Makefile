@@ -3,7 +3,7 @@
 # make long        what takes longer: long tests, sanitize, hostile, coverage
 # make hostile     random bad input at length: make hostile SEED=7 N=5000 ATTACKS="scenes states"
 # make coverage    which functions, lines and branches of the kernel run in the tests of make test (needs gcc)
-# make sanitize    the kernel under ASan and UBSan: all scenes, formulations and orders (needs gcc)
+# make sanitize    the kernel under ASan and UBSan: all scenes and orders (needs gcc)
 # make docs        the documentation site, in build/docs; its examples are run, and a warning is an error
 # make linkcheck   whether the site's links to other sites lead somewhere
 # make benchmark   time and accuracy, on this machine
@@ -32,8 +32,8 @@ INSTALL := $(PIP) install --quiet --no-compile --editable
 # Of the kernel of who changes it: a newer compiler than ours may warn, and stops no user.
 WARNINGS := -Werror -Wshadow -Wcast-qual -Wconversion -Wno-sign-conversion
 BUILD := pyproject.toml $(wildcard build_kernel/*.py solver/kernel/*.c solver/kernel/*.h solver/kernel/*.py) \
-    $(wildcard fmu_src/native/*.c fmu_src/native/*.h) build_fmu/platforms.py \
-    solver/options.py solver/runtime/layout.py solver/runtime/errors.py
+    $(wildcard fmu_src/native/*.c fmu_src/native/*.h fmu_src/native/*.def) build_fmu/platforms.py \
+    solver/runtime/layout.py solver/runtime/errors.py
 
 .PHONY: demo test tests long lint style types sanitize hostile coverage docs linkcheck benchmark importers platforms viewer browser browser-tools release cofmupy kernel clean
 

@@ -36,9 +36,8 @@ FIRST_OF_FIT = 100
 COLUMNS = {
     "what": "chain of",
     "n": "N",
-    "algorithm": "algorithm",
-    "step": "µs per step",
-    "node": "µs per step and part",
+    "step": "µs per half step",
+    "node": "µs per half step and part",
     "newton": "Newton iterations",
     "energy": "energy.error",
     "constraint": "constraint.position",
@@ -57,18 +56,13 @@ FORMATS = {
 
 
 def measure(effort: Effort) -> Section:
-    rows = [
-        _row(kind, f)
-        for kind in KINDS
-        for n in _sizes(kind, effort)
-        for f in _child(kind, n, effort)
-    ]
+    rows = [_row(kind, _child(kind, n, effort)) for kind in KINDS for n in _sizes(kind, effort)]
     return Section(
         name="chains",
         title="Cost against the number of bodies",
         method=(
             "The spatial chain of the table above, and spatial rigid bodies on hinges that turn "
-            "across each other, let go from the horizontal; plain steps of 1 ms, each N in a "
+            "across each other, let go from the horizontal; half steps of 1 ms, each N in a "
             "process of its own. *Read* is from the text of the scene to a checked scene, "
             "*assemble* from there to the first step. *Kernel* is all memory that the compiled "
             "kernel works on; *process* is the growth of the largest memory of the process, with "
@@ -77,9 +71,7 @@ def measure(effort: Effort) -> Section:
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=[goal for kind in KINDS for goal in _goals(kind, rows, effort)],
         remarks=[
-            f"{row['what']}, N = {row['n']}, {row.get('algorithm', 'both')}: {row['failure']}"
-            for row in rows
-            if row["failure"]
+            f"{row['what']}, N = {row['n']}: {row['failure']}" for row in rows if row["failure"]
         ],
     )
 
@@ -96,17 +88,18 @@ def _goals(kind: Kind, rows: list[dict[str, Value]], effort: Effort) -> list[Goa
         return []
     mine = [row for row in rows if row["kind"] == kind.key]
     span = f"~ N^p, N = {FIRST_OF_FIT} to {largest}, {kind.what}"
-    found = [
-        (f"p in cost of a step {span}, {name}", _exponent(mine, largest, "step", name))
-        for name in ("nested", "simultaneous")
-    ]
-    start = f"p in time to read and assemble {span}"
-    found.append((start, _exponent(mine, largest, "start", "nested")))
-    return [Goal(what=what, unit="1", goal=LINEAR, value=value) for what, value in found]
+    found = {"cost of a step": "step", "time to read and assemble": "start"}
+    return [
+        Goal(
+            what=f"p in {what} {span}", unit="1", goal=LINEAR,
+            value=_exponent(mine, largest, column),
+        )
+        for what, column in found.items()
+    ]  # fmt: skip
 
 
-def _child(kind: Kind, n: int, effort: Effort) -> list[dict[str, Value]]:
-    """One row for each algorithm, from a process of its own."""
+def _child(kind: Kind, n: int, effort: Effort) -> dict[str, Value]:
+    """What was measured, in a process of its own."""
     count = effort.count(max(2, kind.steps_times_n // n), least=2)
     numbers = [str(number) for number in (n, count, effort.repetitions)]
     run = subprocess.run(
@@ -118,7 +111,7 @@ def _child(kind: Kind, n: int, effort: Effort) -> list[dict[str, Value]]:
     )
     if run.returncode:
         reason = run.stderr.strip().rpartition("\n")[2] or f"ended with code {run.returncode}"
-        return [{"kind": kind.key, "n": n, "failure": reason}]
+        return {"kind": kind.key, "n": n, "failure": reason}
     return json.loads(run.stdout)
 
 
@@ -139,16 +132,12 @@ def _row(kind: Kind, facts: dict[str, Value]) -> dict[str, Value]:
     return row
 
 
-def _exponent(
-    rows: list[dict[str, Value]], largest: int, column: str, algorithm: str
-) -> float | None:
+def _exponent(rows: list[dict[str, Value]], largest: int, column: str) -> float | None:
     """Slope between the chain of 100 parts and the longest; None when either was not measured."""
     points = [
         (math.log(float(row["n"] or 0)), math.log(float(value)))
         for row in rows
-        if row["n"] in (FIRST_OF_FIT, largest)
-        and row.get("algorithm") == algorithm
-        and (value := row.get(column)) is not None
+        if row["n"] in (FIRST_OF_FIT, largest) and (value := row.get(column)) is not None
     ]
     if len(points) != 2:
         return None

@@ -1,8 +1,8 @@
 """Formulation against step: what the methods of García Orden & Ortega do to energy and constraints.
 
-Plain steps, all settings but formulation and step as by default. A run has failed when a step
-cannot be solved, even divided into 64, or when the energy error exceeds ten times the mechanism's
-weight times its length: from then on the motion is not that of the mechanism.
+By `solver.paper`, nested, with the penalty that is the solver's default. A run has failed when a
+step cannot be solved, or when the energy error exceeds ten times the mechanism's weight times its
+length: from then on the motion is not that of the mechanism.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from benchmarks.effort import Effort
 from benchmarks.mechanisms import GRAVITY, hanging_chain, start
 from benchmarks.observe import Observer
 from benchmarks.report import Section, Table, Value
-from solver.options import CHOICES
+from solver.paper import FORMULATIONS
+from solver.paper_scenes import run as moved
 from solver.runtime import StepError
 
 STOP = 20.0
@@ -38,7 +39,7 @@ def measure(effort: Effort) -> Section:
             columns=COLUMNS,
             rows=[
                 {"formulation": formulation, "h": h} | run(n, formulation, h, stop)
-                for formulation in CHOICES["formulation"]
+                for formulation in FORMULATIONS
                 for h in STEPS
             ],
             formats=FORMATS,
@@ -49,11 +50,11 @@ def measure(effort: Effort) -> Section:
         name="formulations",
         title="Formulation against step",
         method=(
-            "Unit rods and masses from rest in the horizontal, plain steps, other settings as by "
-            "default. Energy and constraints are calculated from positions and velocities after "
-            "every step; *with penalties* is the solver's own balance, which counts the energy "
-            "that violated constraints store in their penalties. A run has failed when a step "
-            "cannot be solved, even divided into 64, or when its energy error exceeds "
+            "Unit rods and masses from rest in the horizontal, by `solver.paper`: nested, updates "
+            "with the end of the step, penalty 1e8. Energy and constraints are calculated from "
+            "positions and velocities after every step; *with penalties* is the balance of all "
+            "energies, which counts what violated constraints store in their penalties. A run has "
+            "failed when a step cannot be solved, or when its energy error exceeds "
             f"{BLOW_UP:g} N m g L."
         ),
         tables=tables,
@@ -63,23 +64,21 @@ def measure(effort: Effort) -> Section:
 def run(n: int, formulation: str, h: float, stop: float) -> dict[str, Value]:
     """Errors of a chain of n rods until `stop` or until it fails."""
     content = hanging_chain(n)
-    integrator = start(content, step_size=h, formulation=formulation, paired=False)
+    integrator = start(content, step_size=h)
     observer = Observer(content, integrator)
     initial, limit = observer.energy(), BLOW_UP * n * GRAVITY
     place = integrator.model.index("energy.balance")
     energy = residual = balance = 0.0
-    end = "finished"
-    for _ in range(max(1, round(stop / h))):
-        try:
-            integrator.advance(integrator.time, h)
+    end, times = "finished", [h * k for k in range(max(1, round(stop / h)) + 1)]
+    try:
+        for (left,) in moved(integrator, times, [place], [], formulation=formulation):
             error = abs(observer.energy() - initial)
             residual = max(residual, observer.residual())
-            balance = max(balance, abs(float(integrator.get([place])[0])))
-        except StepError:
-            end = f"step failed at {integrator.time:.2f} s"
-            break
-        energy = max(energy, error)
-        if not energy <= limit:
-            end = f"energy lost at {integrator.time:.2f} s"
-            break
+            balance = max(balance, abs(left))
+            energy = max(energy, error)
+            if not energy <= limit:
+                end = f"energy lost at {integrator.time:.2f} s"
+                break
+    except StepError:
+        end = f"step failed at {integrator.time:.2f} s"
     return {"energy": energy, "balance": balance, "residual": residual, "end": end}

@@ -35,7 +35,6 @@ WHOLE_BLOCKS += ":glibc.cpu.x86_rep_movsb_threshold=1000000000"
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "algorithm": "algorithm",
     "solves": "inner steps",
     "count": "instructions per inner step",
     "point": "per inner step and point",
@@ -60,17 +59,15 @@ def measure(effort: Effort) -> Section:
         remarks.append("Not counted: valgrind is not installed on this machine.")
     else:
         for name, (content, points, steps) in mechanisms().items():
-            for algorithm in ("nested", "simultaneous"):
-                try:
-                    row = _count(name, content, algorithm, effort.count(steps, least=2))
-                except RuntimeError as error:
-                    remarks.append(f"{name}, {algorithm}: not counted: {error}")
-                    continue
-                each = {"point": float(row["count"]) / points}
-                rows.append({"mechanism": name, "algorithm": algorithm} | row | each)
-                if row["ratio"] is not None:
-                    what = f"{name}: instructions over those written by hand"
-                    goals.append(Goal(what=what, unit="1", goal=LEAST, value=row["ratio"]))
+            try:
+                row = _count(name, content, effort.count(steps, least=2))
+            except RuntimeError as error:
+                remarks.append(f"{name}: not counted: {error}")
+                continue
+            rows.append({"mechanism": name} | row | {"point": float(row["count"]) / points})
+            if row["ratio"] is not None:
+                what = f"{name}: instructions over those written by hand"
+                goals.append(Goal(what=what, unit="1", goal=LEAST, value=row["ratio"]))
     return Section(
         name="instructions",
         title="Instructions",
@@ -97,20 +94,20 @@ HANDWRITTEN = {
 """Function, mass [kg] and length [m] of a link, gravity [m/s^2] of those written by hand."""
 
 
-def _count(name: str, content: Content, algorithm: str, steps: int) -> dict[str, float | None]:
-    """Instructions of an inner step, ours and, of the default algorithm, those written by hand.
+def _count(name: str, content: Content, steps: int) -> dict[str, float | None]:
+    """Instructions of an inner step, ours and those written by hand.
 
     Raises
     ------
     RuntimeError
         When they cannot be counted, with the reason.
     """
-    settings = {"step_size": STEP, "algorithm": algorithm}
+    settings = {"step_size": STEP}
     with tempfile.TemporaryDirectory() as folder:
         model = Path(folder, "model.bin")
         model.write_bytes(solver.assemble(scene(content, **settings)).to_bytes())
         solves, count = _difference(["-m", "benchmarks.kernel_run", str(model)], steps, folder)
-        if name not in HANDWRITTEN or algorithm != "nested":
+        if name not in HANDWRITTEN:
             return {"solves": solves, "count": count, "hand": None, "ratio": None}
         function, *numbers = HANDWRITTEN[name]
         library = by_hand.build(function, Path(folder))

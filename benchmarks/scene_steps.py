@@ -111,7 +111,6 @@ def _case(path: Path, effort: Effort) -> Case:
     experiment = integrator.model.experiment
     period, h = experiment.step_size, float(integrator["solver.step_size"])
     steps = max(1, round(period / h))
-    paired = bool(integrator["solver.paired"])
     longest = min(LONGEST, round((experiment.stop_time - experiment.start_time) / h))
     communications = max(1, effort.count(longest) // steps)
     repeated = Repeated(integrator, period / steps, communications * steps, warm_up=0)
@@ -125,7 +124,7 @@ def _case(path: Path, effort: Effort) -> Case:
 
     entries = {"steps": repeated.entry, "communication": Entry(communicate, repeated.entry.prepare)}
     bodies = len(scene.bodies) + sum(not point.fixed for point in scene.points.values())
-    inner = steps * (2 if paired else 1)
+    inner = 2 * steps
     return Case(bodies, period / steps, period, inner, repeated, entries, energy, constraint)
 
 

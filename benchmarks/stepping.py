@@ -20,7 +20,7 @@ class Repeated:
         self, integrator: Integrator, h: float, count: int, warm_up: int = WARM_UP
     ) -> None:
         self.integrator, self.count, self._length = integrator, count, count * h
-        self.solves = count * (2 if integrator["solver.paired"] else 1)
+        self.solves = 2 * count
         self.newton_per_solve = 0.0
         self.halved = False
         self.failure: str | None = None

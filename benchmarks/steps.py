@@ -15,8 +15,6 @@ DOUBLE_PENDULUM = 2.5
 
 COLUMNS = {
     "mechanism": "mechanism",
-    "algorithm": "algorithm",
-    "stepping": "steps",
     "solve": "µs per inner step",
     "step": "µs per step of 1 ms",
     "node": "µs per inner step and point",
@@ -29,32 +27,29 @@ FORMATS = {"solve": ".2f", "step": ".2f", "node": ".3f", "newton": ".2f", "noise
 
 def measure(effort: Effort) -> Section:
     cases = {
-        (name, algorithm, stepping): Repeated(
-            start(content, step_size=STEP, algorithm=algorithm, paired=stepping == "pairs"),
+        name: Repeated(
+            start(content, step_size=STEP),
             STEP,
             effort.count(max(5, STEPS_TIMES_POINTS // points), least=5),
         )
         for name, (content, points, _) in mechanisms(effort.largest).items()
-        for algorithm in ("nested", "simultaneous")
-        for stepping in ("plain", "pairs")
     }
-    keys = {" ".join(key): key for key in cases}
-    able = {name: cases[key].entry for name, key in keys.items() if not cases[key].failure}
+    able = {name: case.entry for name, case in cases.items() if not case.failure}
     times = interleave(able, effort)
-    rows = [_row(keys[name], cases[keys[name]], times.get(name), effort) for name in keys]
+    rows = [_row(name, case, times.get(name), effort) for name, case in cases.items()]
     return Section(
         name="steps",
         title="Microseconds per inner step",
         method=(
             "Internal step of 1 ms from the initial configuration (after 20 steps), settings as "
-            "by default. A plain step is one inner step of 1 ms; a pair is two inner steps of "
-            "0.5 ms. Double pendulum: m = L = 1, from the horizontal. Chains: N points of 0.1 kg "
-            "on rods of 0.1 m, straight along x, the first rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, "
-            "without gravity. Four-bar: IFToMM benchmark A02 with two loops."
+            "by default: a pair of two inner steps of 0.5 ms. Double pendulum: m = L = 1, from the "
+            "horizontal. Chains: N points of 0.1 kg on rods of 0.1 m, straight along x, the first "
+            "rod pinned, v_y,i = 0.5 sin(2πi/N) m/s, without gravity. Four-bar: IFToMM benchmark "
+            "A02 with two loops."
         ),
         tables=[Table(title="", columns=COLUMNS, rows=rows, formats=FORMATS)],
         goals=_goals(rows, effort.largest),
-        remarks=[f"{name}: {cases[key].failure}" for name, key in keys.items() if name not in able],
+        remarks=[f"{name}: {x.failure}" for name, x in cases.items() if name not in able],
     )
 
 
@@ -71,11 +66,8 @@ def mechanisms(largest: int) -> dict[str, tuple[Content, int, float | None]]:
     return found
 
 
-def _row(
-    key: tuple[str, str, str], case: Repeated, times: Times | None, effort: Effort
-) -> dict[str, Value]:
-    name, algorithm, stepping = key
-    row: dict[str, Value] = {"mechanism": name, "algorithm": algorithm, "stepping": stepping}
+def _row(name: str, case: Repeated, times: Times | None, effort: Effort) -> dict[str, Value]:
+    row: dict[str, Value] = {"mechanism": name}
     if times is None:
         return row | {"remark": "a step failed"}
     points = mechanisms(effort.largest)[name][1]
@@ -95,13 +87,12 @@ def _goals(rows: list[dict[str, Value]], largest: int) -> list[Goal]:
     known = mechanisms(largest)
     for row in rows:
         name, goal = str(row["mechanism"]), known[str(row["mechanism"])][2]
-        if goal is None or row["algorithm"] != "nested":
+        if goal is None:
             continue
-        kind = "plain steps" if row["stepping"] == "plain" else "pairs"
         value, noise = row.get("solve"), row.get("noise")
         goals.append(
             Goal(
-                what=f"inner step, {name}, {kind}",
+                what=f"inner step, {name}",
                 unit="µs",
                 goal=goal,
                 value=value if isinstance(value, float) else None,

@@ -44,7 +44,6 @@ SOURCES = {
     "stop": "end, s",
     "ours": "our best is off by, m",
     "theirs": "best of other multibody codes is off by, m",
-    "algorithm": "our algorithm",
 }
 METHOD = (
     "Largest error of the positions and velocities of watched places at the end, against the "
@@ -154,7 +153,6 @@ def _references(solved: Sequence[Solved]) -> Table:
             "stop": case.problem.stop,
             "ours": _best(case.rows, "holonom"),
             "theirs": _best(case.rows, *work_precision_goals.MULTIBODY),
-            "algorithm": work_precision_ours.algorithm(case.problem),
         }
         for case in solved
     ]

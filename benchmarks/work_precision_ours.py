@@ -277,11 +277,6 @@ class _Runs:
         return energy
 
 
-def algorithm(problem: Problem) -> str:
-    """How the steps of all curves are solved, as the scene has it or by default."""
-    return scene(CONTENTS[problem.key]()).solver.algorithm
-
-
 def steps(problem: Problem, order: int) -> list[float]:
     """Numbers of steps from coarse to fine."""
     first = FIRST[problem.key] * {2: 2, 4: 1, 6: 1, 8: 1}[order]

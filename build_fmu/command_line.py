@@ -139,6 +139,8 @@ def _parser() -> argparse.ArgumentParser:
     simulate = commands.add_parser("simulate", help="run an FMU, or that of a scene, in fmpy")
     _add_run(simulate, inputs=True)
     simulate.add_argument("--csv", metavar="FILE", help="write the trajectory ('-': to stdout)")
+    text = "run it by another method of García Orden and Ortega, such as midpoint-al, without fmpy"
+    simulate.add_argument("--formulation", metavar="NAME", help=text)
     _add_plot(simulate, "plot the run into a file")
     _add_sweep(commands)
     check = commands.add_parser("check", help="run it and test that energy and constraints hold")

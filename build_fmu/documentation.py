@@ -137,7 +137,7 @@ def solved(model: Model) -> str:
     islands = sizes["n_islands"]
     apart = f", in {islands} parts that nothing joins" if islands > 1 else ""
     rows = counted(sizes["n_rows"], "constraint row")
-    text = f"{coordinates} and {rows}{apart}, solved by {settings['formulation']}, in"
+    text = f"{coordinates} and {rows}{apart}, solved in"
     if settings["tolerance"]:
         return f"{text} steps chosen for a relative error of the run of {settings['tolerance']:g}."
     order = float(settings["order"]) or 2.0

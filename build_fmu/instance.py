@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING, Any
 
 from build_fmu.archive_check import require_whole
 from build_fmu.errors import EnvironmentLackError, UsageError
+from fmu_src.interrupt_guard import takes_signals
 from fmu_src.status import DISCARD, ERROR, LOGGER, WARNING
 from solver.files import writing
-from solver.runtime.integrator import takes_signals
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription

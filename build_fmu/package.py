@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from xml.etree import ElementTree
 
 from build_fmu.errors import EnvironmentLackError, UsageError
-from build_fmu.payload import SLAVE_NAME, package_folder, payload, wrapper_libraries
-from build_fmu.platforms import PLATFORMS, library_path, library_scope, own_platform
+from build_fmu.payload import SLAVE_NAME, native_library, payload, wrapper_libraries
+from build_fmu.platforms import PLATFORMS, library_scope, own_platform
 from build_fmu.source_package import UNIT, source_files
 
 ALL, NONE = "all", "none"
@@ -52,10 +52,11 @@ class Package:
             If a library is missing here.
         """
         if not self.native:
-            return _python_entries(name, sizes["dim"])
+            return _python_entries(name, sizes)
         found = source_files(self.fmi) if self.sources else {}
         for platform in self.platforms:
-            folders, library = self._folders(platform), _native_library(platform, sizes)
+            folders = self._folders(platform)
+            library = native_library(platform, sizes["dim"], library_scope(sizes))
             parts = parts_of(library) if len(folders) > 1 else [library]
             for folder, part in zip(folders, parts, strict=True):
                 found[f"binaries/{folder}/{name}{PLATFORMS[platform].suffix}"] = part
@@ -123,26 +124,13 @@ def chosen_package(
     return Package(True, fmi, tuple(dict.fromkeys(names)) or ((own,) if own else ()), sources)
 
 
-def _python_entries(name: str, dimension: int) -> dict[str, bytes]:
-    code = payload(dimension)
-    entries = {f"resources/{file}": data for file, data in code.files.items()}
-    entries[f"resources/{SLAVE_NAME}"] = f"{code.slave_module}\n".encode()
+def _python_entries(name: str, sizes: Mapping[str, int]) -> dict[str, bytes]:
+    code = payload(sizes["dim"], library_scope(sizes))
+    entries = {f"resources/{file}": data for file, data in code.items()}
     for library, data in wrapper_libraries().items():
         platform, suffix = library.split("/")
         entries[f"binaries/{platform}/{name}{suffix}"] = data
     return entries
-
-
-def _native_library(platform: str, sizes: Mapping[str, int]) -> bytes:
-    folder = package_folder("fmu_src")
-    path = library_path(folder, platform, sizes["dim"], library_scope(sizes))
-    if path.is_file():
-        return path.read_bytes()
-    remedy = "python -m build_kernel"
-    if platform != own_platform():
-        remedy = "in a clone of holonom: pip install ziglang, then python -m build_kernel --all"
-    text = f"the library of native FMUs for {platform} is missing ({path}); compile it: {remedy}"
-    raise EnvironmentLackError(text)
 
 
 def package_of(path: str) -> dict[str, object]:

@@ -2,40 +2,29 @@
 
     holonom_<12 hex digits>_slave.py    names the class for pythonfmu's library
     holonom_<12 hex digits>/            slave.py, status.py, ... of fmu_src
-        runtime/                        solver.runtime
-        runtime/_kernel/                the kernel for the mechanism's dimension
+        linux64.so, win64.dll           the library of native FMUs that serves the mechanism
 
 All FMUs of a process share Python's table of modules, and pythonfmu imports an FMU's code by plain
 name. The digits are a hash of the code, so two FMUs of different versions never run each other's
-code, and many FMUs of one version share it. Imports among the parts become relative for that.
-
-Comments and docstrings stay at home, a third of the archive otherwise; blank lines stand in for
-them, so that the line numbers of a traceback are those of the sources.
+code, and many FMUs of one version share it. Imports among its modules are relative for that.
 """
 
 from __future__ import annotations
 
-import ast
 import functools
 import hashlib
 import importlib.util
-import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from collections.abc import Mapping
+from pathlib import Path
 
 from build_fmu.errors import EnvironmentLackError
-from solver.runtime.kernel import library_path
+from build_fmu.platforms import PLATFORMS, library_path, own_platform
 
 SLAVE_NAME = "slavemodule.txt"
 """File below `resources/` in which pythonfmu's library looks for the name of the slave module."""
-MODULES_OF_BUILDS = ("model_writing.py",)
-"""Of solver.runtime, what only writes models; it does not travel."""
+PYTHONFMU_PLATFORMS = ("linux64", "win64")
+"""Those for which pythonfmu has a library; an FMU carries ours for both if they are compiled."""
 SUFFIXES = (".so", ".dll", ".dylib")
-_IMPORT = re.compile(r"^([ \t]*from )solver(\.runtime[.\w]* import )", re.MULTILINE)
-_TEXT_OR_COMMENT = re.compile(
-    r"""(?P<text>"{3}(?:.|\n)*?"{3}|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')|[ \t]*#.*"""
-)
 _SLAVE_MODULE = """import ctypes
 import sys
 
@@ -50,24 +39,25 @@ ctypes.pythonapi.Py_IncRef(ctypes.py_object(globals()))
 """
 
 
-@dataclass(frozen=True)
-class Payload:
-    """Files below `resources/`, by path, and the module that pythonfmu's library imports."""
-
-    slave_module: str
-    files: dict[str, bytes]
-
-
 @functools.cache
-def payload(dimension: int) -> Payload:
-    """Code of this installation, ready to travel with mechanisms of this dimension, 2 or 3."""
-    sources = _modules(package_folder("fmu_src"), "")
-    sources |= _modules(package_folder("solver") / "runtime", "runtime/", MODULES_OF_BUILDS)
-    sources |= _kernels(dimension)
+def payload(dimension: int, scope: str) -> dict[str, bytes]:
+    """Files of the code below `resources/`, by path, for mechanisms that these libraries serve.
+
+    `dimension` is 2 or 3, `scope` one of `platforms.SCOPES`.
+    """
+    paths = sorted(package_folder("fmu_src").glob("*.py"))
+    sources = {path.name: path.read_text(encoding="utf-8").encode() for path in paths}
+    own = own_platform() or PYTHONFMU_PLATFORMS[0]
+    for platform in {own, *PYTHONFMU_PLATFORMS}:
+        path = library_path(package_folder("fmu_src"), platform, dimension, scope)
+        if platform == own or path.is_file():
+            name = f"{platform}{PLATFORMS[platform].suffix}"
+            sources[name] = native_library(platform, dimension, scope)
     package = package_name(sources)
     files = {f"{package}/{path}": data for path, data in sources.items()}
     files[f"{package}_slave.py"] = _SLAVE_MODULE.format(package=package).encode()
-    return Payload(f"{package}_slave", files)
+    files[SLAVE_NAME] = f"{package}_slave\n".encode()
+    return files
 
 
 def package_name(sources: Mapping[str, bytes]) -> str:
@@ -112,54 +102,19 @@ def package_folder(name: str) -> Path:
     return Path(next(iter(spec.submodule_search_locations)))
 
 
-def _kernels(dimension: int) -> dict[str, bytes]:
-    """Libraries of the kernel for one dimension; an installation has that of its own platform."""
-    folder = package_folder("solver") / "runtime" / "_kernel"
-    name = PurePosixPath(library_path(dimension)).stem
-    libraries = [path for path in sorted(folder.glob(f"{name}.*")) if path.suffix in SUFFIXES]
-    if not libraries:
-        text = (
-            f"the compiled kernel {name} is missing in {folder}; compile it: python -m build_kernel"
-        )
-        raise EnvironmentLackError(text)
-    return {f"runtime/_kernel/{path.name}": path.read_bytes() for path in libraries}
+def native_library(platform: str, dimension: int, scope: str) -> bytes:
+    """Library of FMUs for a platform.
 
-
-def _modules(folder: Path, prefix: str, left_out: Sequence[str] = ()) -> dict[str, bytes]:
-    """Python files of a package with relative imports, by path below the private package."""
-    files = {}
-    for path in sorted(path for path in folder.rglob("*.py") if path.name not in left_out):
-        name = prefix + path.relative_to(folder).as_posix()
-        source = bare(path.read_text(encoding="utf-8"))
-        files[name] = relative_imports(source, PurePosixPath(name)).encode()
-    return files
-
-
-def bare(source: str) -> str:
-    """Source text without comments and docstrings, all else at its line and column.
-
-    >>> bare("x = 1  # why")
-    'x = 1'
+    Raises
+    ------
+    EnvironmentLackError
+        If it is missing; how to compile it.
     """
-    lines = source.split("\n")
-    for node in ast.walk(ast.parse(source)):
-        if not isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
-            continue
-        for text in node.body:
-            value = text.value if isinstance(text, ast.Expr) else None
-            if isinstance(value, ast.Constant) and isinstance(value.value, str):
-                first, last = text.lineno - 1, text.end_lineno or text.lineno
-                lines[first:last] = [""] * (last - first)
-                if len(node.body) == 1:
-                    lines[first] = " " * text.col_offset + "..."
-    return _TEXT_OR_COMMENT.sub(lambda match: match["text"] or "", "\n".join(lines))
-
-
-def relative_imports(source: str, path: PurePosixPath) -> str:
-    """Source text whose imports of travelling packages are relative to its place `path`.
-
-    >>> relative_imports("from solver.runtime import Model", PurePosixPath("slave.py"))
-    'from .runtime import Model'
-    """
-    dots = "." * (len(path.parts) - 1)
-    return _IMPORT.sub(rf"\g<1>{dots}\g<2>", source)
+    path = library_path(package_folder("fmu_src"), platform, dimension, scope)
+    if path.is_file():
+        return path.read_bytes()
+    remedy = "python -m build_kernel"
+    if platform != own_platform():
+        remedy = "in a clone of holonom: pip install ziglang, then python -m build_kernel --all"
+    text = f"the library of FMUs for {platform} is missing ({path}); compile it: {remedy}"
+    raise EnvironmentLackError(text)

@@ -11,22 +11,24 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from build_fmu.errors import UsageError
 from build_fmu.fmu_runner import FmuRunner
-from build_fmu.instance import start_time_of
+from build_fmu.instance import description_of, start_time_of
 from build_fmu.motion import Poses, largest_by_unit
 from build_fmu.reference import Reference
 from build_fmu.signals import inputs_of, interpolations_in
 from build_fmu.study.settings import Source, entries_of, fmu_settings
-from solver.runtime import OptionError
+from solver.runtime import AssemblyError, OptionError, StepError
 from solver.signals import communication_points
 
 if TYPE_CHECKING:
     from fmpy.model_description import ModelDescription, ScalarVariable
+
+    from solver.runtime import Model
 
 RECORDED = ("input", "output")
 """What a run collects, by causality."""
@@ -123,9 +125,7 @@ def run_fmu(
         start_values = fmu_settings(description, [entries])[0]
         times = communication_times(description, stop_time, step_size)
         signals = given.courses(description, interpolations_in(path), start_values, times)
-        recorded = (*RECORDED, "local") if with_local else RECORDED
-        variables = [v for v in description.modelVariables if v.causality in recorded]
-        names = [v.name for v in variables if v.type != "String"]
+        variables, names = _recorded(description, with_local)
         begin = time.perf_counter()
         record = fmu.run(start_values, signals.times, names, signals.sent, progress)
         wall_time = time.perf_counter() - begin
@@ -136,21 +136,69 @@ def run_fmu(
     columns = dict(zip(names, reached.T, strict=True), time=times)
     for name, column in {**columns, **signals.values}.items():  # the FMU has what was set last
         values[name] = column[: len(values)]
+    return _run(
+        values, variables, times[-1], wall_time, record.reason,
+        messages=(*given.notes(times[0]), *signals.remarks, *record.messages),
+        finished=len(values) == len(times),
+    )  # fmt: skip
+
+
+def run_by_paper(
+    path: str | PathLike[str], model: Model, formulation: str, *, stop_time: float | None = None,
+    step_size: float | None = None, settings: Source | None = None, with_local: bool = False,
+) -> Run:  # fmt: skip
+    """Run the mechanism of an FMU by the method of `solver.paper`, in this process.
+
+    Raises
+    ------
+    UsageError
+        If a setting is wrong, or the mechanism has what this method does not take.
+    """
+    from solver import simulate
+
+    description = description_of(path)
+    variables, names = _recorded(description, with_local)
+    values: dict[str, Any] = fmu_settings(description, [entries_of(settings, "settings")])[0]
+    reason, stop = "", model.experiment.stop_time if stop_time is None else stop_time
+    begin = time.perf_counter()
+    try:
+        run = simulate(
+            model, stop_time=stop, step_size=step_size, parameters=values, outputs=names,
+            formulation=formulation,
+        )  # fmt: skip
+    except StepError as error:
+        reason = str(error)
+        run: Any = error.trajectory
+    except (OptionError, AssemblyError) as error:
+        raise UsageError(str(error)) from None
+    table = np.empty(len(run.t), [(name, float) for name in ("time", *names)])
+    for name in ("time", *names):
+        table[name] = run.t if name == "time" else run[name]
+    spent = time.perf_counter() - begin
+    return _run(table, variables, stop, spent, reason, messages=(), finished=not reason)
+
+
+def _recorded(description: ModelDescription, with_local: bool) -> tuple[list, list[str]]:
+    """Variables that a run collects, and the names of those that are no text."""
+    recorded = (*RECORDED, "local") if with_local else RECORDED
+    variables = [v for v in description.modelVariables if v.causality in recorded]
+    return variables, [v.name for v in variables if v.type != "String"]
+
+
+def _run(
+    values: np.ndarray, variables: Sequence[ScalarVariable], stop_time: float, wall_time: float,
+    reason: str, **more: Any,
+) -> Run:  # fmt: skip
+    """Return a run with what moved in it."""
+    names = values.dtype.names or ()
     outputs = {v.name: v.unit for v in variables if v.causality != "input" and v.name in names}
     largest = {name: float(abs(values[name]).max()) for name in outputs}
     poses = Poses(outputs)
     motion = np.reshape([values[name] for name in poses.names], (-1, len(values))).T
     return Run(
-        values=values,
-        stop_time=times[-1],
-        wall_time=wall_time,
-        messages=(*given.notes(times[0]), *signals.remarks, *record.messages),
-        finished=len(values) == len(times),
-        reason=record.reason,
-        moved=poses.moved(motion),
-        largest_by_unit=largest_by_unit(outputs, largest),
-        variables=variables,
-    )
+        values, stop_time, wall_time, reason=reason, moved=poses.moved(motion),
+        largest_by_unit=largest_by_unit(outputs, largest), variables=variables, **more,
+    )  # fmt: skip
 
 
 def failure(end_time: float, stop_time: float, finished: bool, reason: str) -> str:

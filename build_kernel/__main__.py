@@ -1,7 +1,7 @@
 """`python -m build_kernel`: compile the kernel into the source tree, and install nothing.
 
 With ``--all`` it is compiled for all platforms, with zig: FMUs built then run on Linux and Windows,
-and `holonom build --native --platforms all` has its libraries.
+and native ones on all platforms (`holonom build --native --platforms all`).
 """
 
 import sys

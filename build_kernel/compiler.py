@@ -31,7 +31,7 @@ SOURCES = Path("solver/kernel")
 LIBRARIES = Path("solver/runtime/_kernel")
 SLAVES = Path("fmu_src")
 SLAVE_SOURCES = SLAVES / "native"
-"""Of FMUs without Python; with the kernel they make one library."""
+"""Of FMUs; with the kernel they make one library."""
 DIMENSIONS = {2: "planar", 3: "spatial"}
 FLAGS = (
     *("-std=c99", "-O2", "-fno-math-errno", "-ffp-contract=off"),
@@ -43,9 +43,7 @@ FLAGS = (
     *("-Wall", "-Wextra", "-Wpedantic"),  # the Makefile's lint makes errors of warnings
 )
 KERNELS = Path("build/kernels")
-"""Python's kernels, below the names of their platforms, from which a wheel takes some."""
-PYTHONFMU_PLATFORMS = ("linux64", "win64")
-"""Those for which pythonfmu has a library; FMUs with Python carry the kernels of both."""
+"""Python's kernels, below the names of their platforms, from which a wheel takes its own."""
 SYSTEMS = {"windows": "Windows", "macos": "Darwin"}
 """What Python calls systems, by a word in zig's name of a platform; all else is Linux."""
 SYSTEM_COMPILERS = ("cc", "gcc", "clang")
@@ -121,7 +119,7 @@ def compile_kernel(root: Path) -> list[Path]:
 
 
 def compile_for_all(root: Path) -> None:
-    """Compile all libraries with zig, Python's and those of native FMUs, for each of `PLATFORMS`.
+    """Compile all libraries with zig, Python's and those of FMUs, for each of `PLATFORMS`.
 
     Python's go to `KERNELS`, and those of this machine's platform to where Python loads them.
 
@@ -158,13 +156,12 @@ def compile_for_all(root: Path) -> None:
 
 
 def take_kernels(root: Path, platform: str) -> None:
-    """Put the kernels of a platform, and those of pythonfmu's, where Python loads them."""
+    """Put the kernels of a platform where Python loads them."""
     (root / LIBRARIES).mkdir(parents=True, exist_ok=True)
     for old in (root / LIBRARIES).glob("libholonom_*"):
         old.unlink()
-    for name in (*PYTHONFMU_PLATFORMS, platform):  # its own last: ARM's have the names of linux64's
-        for kernel in (root / KERNELS / name).glob("libholonom_*"):
-            shutil.copy(kernel, root / LIBRARIES)
+    for kernel in (root / KERNELS / platform).glob("libholonom_*"):
+        shutil.copy(kernel, root / LIBRARIES)
 
 
 def _slaves(root: Path) -> list[Kind]:

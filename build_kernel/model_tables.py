@@ -1,8 +1,8 @@
 """Write the core's picture of a model and a state from their declaration in Python, and tables.
 
 `solver/runtime/layout.py` has the fields, ``solver/kernel/scratch.py`` the scratch of a call,
-``solver/options.py`` and ``solver/runtime/errors.py`` the codes of settings and failures. What
-stands in a comment behind a field there is its comment here.
+``solver/runtime/errors.py`` the codes of failures. What stands in a comment behind a field there is
+its comment here.
 
     model_tables.h      structures and enumerations
     section_tables.h    where sections begin
@@ -62,8 +62,10 @@ def declared(path: Path) -> Declared:
 def headers(solver: Path) -> dict[str, str]:
     """Return the text of each header by its name; `solver` is the folder of that package."""
     layout, scratch = (declared(solver / x) for x in ("runtime/layout.py", "kernel/scratch.py"))
-    options, errors = (declared(solver / x) for x in ("options.py", "runtime/errors.py"))
-    structures = *_structures(layout, scratch), *_enumerations(layout, options, errors)
+    structures = (
+        *_structures(layout, scratch),
+        *_enumerations(layout, declared(solver / "runtime/errors.py")),
+    )
     found = (
         ("model_tables", "<stdint.h>", structures),
         ("section_tables", '"internal.h"', _sections(layout.values, scratch.values)),
@@ -173,7 +175,7 @@ def _constant(name: str) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])|-", "_", name).upper()
 
 
-def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iterator[str]:
+def _enumerations(layout: Declared, errors: Declared) -> Iterator[str]:
     values = layout.values
     sizes = {f"N_{name}": len(values[name]) for name in ("SIZES", "TABLES", "OFFSETS")}
     yield "enum { " + ", ".join(f"{name} = {size}" for name, size in sizes.items()) + " };\n"
@@ -189,14 +191,11 @@ def _enumerations(layout: Declared, options: Declared, errors: Declared) -> Iter
         yield _enumeration(layout, table, prefix, values[table], last)
     yield f"#define HOLONOM_DRAWN_INTO {values['DRAWN_INTO']!r}\n"
     yield f"#define HOLONOM_ONE_PLACE {values['ONE_PLACE']!r}\n"
-    yield f"#define EARLY_UPDATE_PENALTY {values['EARLY_UPDATE_PENALTY']!r}\n"
     for field, words in values["WORDS"].items():
         yield _enumeration(layout, "WORDS", f"{field.upper()}_", words, "END")
     for table, prefix in (("FLAGS", ""), ("RESULTS", "HOLONOM_")):
         yield _enumeration(layout, table, prefix, values[table], values=values[table])
     yield _enumeration(layout, "RELATIONS", "", values["RELATIONS"].values())
-    formulations = options.values["FORMULATIONS"]
-    yield _enumeration(options, "FORMULATIONS", "HOLONOM_", formulations)
     codes = {name: int(code) for name, code in errors.values["Status"].__members__.items()}
     yield _enumeration(errors, "Status", "HOLONOM_", codes, values=codes)
 

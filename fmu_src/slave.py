@@ -1,4 +1,4 @@
-"""The slave: the calls of FMI 2.0 co-simulation, as pythonfmu hands them on, on one `Integrator`.
+"""The slave of pythonfmu: FMI 2.0's calls, handed on to the library in C that native FMUs have too.
 
 pythonfmu turns an exception into fmi2Fatal and frees the instance, and it knows no other way to
 refuse a call than a discarded step. So no exception leaves this class. What cannot be done is
@@ -9,170 +9,276 @@ the log and, as a code (`status.py`), in the output `solver.status`.
 
 from __future__ import annotations
 
-import math
+import ctypes
+import functools
+import json
+import os  # not pathlib, which would take a tenth of the time to import all this
 import sys
+import zlib
+from collections.abc import Sequence
+from ctypes import byref, c_char_p, c_double, c_int, c_int32, c_size_t, c_uint32, c_void_p
+from weakref import ref
 
-from solver.runtime import AssemblyError, StepError
-
-from . import snapshot, status
-from .interrupt_guard import hang_doors, shielded
-from .log import sentence
-from .messages import Failures, ends_too_late, impossible_step, wrong_experiment
-from .status import INITIALIZING, INSTANTIATED, STEPPING, TERMINATED
-from .values import SlaveWithValues
+from . import status
+from .interrupt_guard import guarded, hang_doors, shielded, takes_signals
+from .log import Fmi2Slave
+from .status import INITIALIZING, INSTANTIATED, STEPPING
 
 TYPE_CHECKING = False  # typing would take a tenth of the time to import all this
 if TYPE_CHECKING:
     from typing import Any
 
-NOT_YET = "exitInitializationMode comes first"
+TYPES = {"Real": c_double, "Integer": c_int, "Boolean": c_int, "String": c_char_p}
+LOGGER = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p)
+LOOK = ctypes.CFUNCTYPE(c_int32)
+SUFFIX = {"win32": ".dll", "cygwin": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
+GUID = slice(44, 84)
+"""Where the file of the model has it (``hm_header`` in model_tables.h)."""
 
 
-class Slave(SlaveWithValues):
+class _Front(ctypes.Structure):
+    """How ``struct slave`` in native/slave.h begins: its memory, and what its steps ask."""
+
+    _fields_ = (
+        *((name, c_int32) for name in ("phase", "is_assembled", "status", "refusal")),
+        *(("start_time", c_double), ("look", LOOK)),
+    )
+
+
+@functools.cache
+def _library() -> ctypes.CDLL:
+    """Library for this machine, which lies beside this file under the name of its platform."""
+    folder, others = os.path.dirname(__file__), []
+    for name in sorted(os.listdir(folder)):
+        if name.endswith(SUFFIX):
+            try:
+                return ctypes.CDLL(os.path.join(folder, name))
+            except OSError as error:  # of another processor
+                others.append(f"{name} ({error})")
+    import sysconfig  # only here: it would take a tenth of the time to import all this
+
+    message = (
+        f"no library for this platform, {sysconfig.get_platform()}: the folder {folder} has "
+        f"{', '.join(others) or f'none that ends with {SUFFIX}'}; build the FMU on this platform"
+    )
+    raise RuntimeError(message)
+
+
+def _in_python(kind: str, values: Any) -> list:
+    if kind == "String":
+        return [(value or b"").decode() for value in values]
+    return [value != 0 for value in values] if kind == "Boolean" else values[:]
+
+
+def _getter(kind: str) -> Any:
+    def get(self: Slave, vrs: list[int]) -> list:
+        return self._get(kind, vrs)
+
+    # After an interrupt, which spoils no value, once more.
+    return shielded(get, lambda _, vrs: _in_python(kind, (TYPES[kind] * len(vrs))()))(get)
+
+
+def _setter(kind: str) -> Any:
+    return shielded()(lambda self, vrs, values: self._set(kind, vrs, values))
+
+
+class Slave(Fmi2Slave):
     """One instance of the FMU. fmi2Reset is a new object of this class."""
+
+    _instance = c_void_p()
 
     def __init__(self, **kwargs) -> None:
         super().__init__(**kwargs)
-        self._stop_time = math.inf  # no communication step ends after this
-        self._own_horizon = self._integrator.state.head["horizon"]
-        self._failures = Failures()
+        self._refusals: dict[int | str, str] = {}
+        self._said: list[str] = []  # why the library refused the last call
+        self.struck = 0  # whether an exception struck during that call
+        self._library = _library()
+        self._logger = LOGGER(guarded(ref(self), "_hear"))
+        self._make(os.path.abspath(self.resources or "."))
+        watch = takes_signals(ref(self))
+        next(watch)  # from here on it waits within `try`
+        self._front.look = self._look = LOOK(watch.__next__)
         hang_doors(self)
         if self.resources in sys.path:  # pythonfmu puts it there for every instance and leaves it
             sys.path.remove(self.resources)
+
+    def _make(self, folder: str) -> None:
+        try:
+            with open(os.path.join(folder, "model.bin"), "rb") as file:
+                guid = file.read(GUID.stop)[GUID].rstrip(b"\0")
+        except OSError as error:
+            message = f"instantiate: {error.filename} cannot be read: {error.strerror}"
+            raise RuntimeError(message) from None
+        path = folder.replace(os.sep, "/").replace("%", "%25")
+        uri = f"file:{'' if path.startswith('/') else '/'}{path}".encode("utf-8", "surrogateescape")
+        name = self.instance_name.encode("utf-8", "replace")
+        self._callbacks = (c_void_p * 5)(ctypes.cast(self._logger, c_void_p))  # and no others
+        self._library.fmi2Instantiate.restype = c_void_p
+        made = self._library.fmi2Instantiate(name, 1, guid, uri, self._callbacks, 0, 1)
+        if not made:
+            raise RuntimeError("; ".join(self._said))
+        self._instance, self._front = c_void_p(made), _Front.from_address(made)
+
+    def __del__(self) -> None:
+        """Give back the memory of the instance."""
+        if self._instance:
+            self._library.fmi2FreeInstance(self._instance)
+
+    def _hear(self, _environment: Any, _name: bytes, level: int, _kind: bytes, said: bytes) -> None:
+        text = said.decode("utf-8", "replace").replace("%%", "%")
+        if level in (status.DISCARD, status.ERROR):
+            self._said.append(text)
+        else:
+            self.say(text, level)
+
+    def _call(self, name: str, *arguments: object) -> int:
+        """Call a function of the library; its status."""
+        self._said.clear()
+        self.struck = 0
+        answer = getattr(self._library, name)(self._instance, *arguments)
+        if self.struck:  # which is told and remembered already
+            self._said.clear()
+        return answer
+
+    def _tell(self) -> None:
+        """Log why the last call was refused, if it was."""
+        for text in self._said:
+            self.say(text, status.ERROR)
+
+    def _refuse(self, what: Sequence[int | str], code: int, text: str = "") -> None:
+        """Remember what was refused, and why: no step is taken while this stands."""
+        if text := text or "; ".join(self._said):
+            self._front.refusal = code
+            self._refusals.update(dict.fromkeys(what, text))
+            self.say(text, status.ERROR)
+
+    def _accept(self, what: Sequence[int | str]) -> None:
+        """Forget what was refused of this, as it is well now."""
+        for each in what if self._refusals else ():
+            self._refusals.pop(each, None)
+        if not self._refusals:
+            self._front.refusal = 0
+
+    def broken(self, error: BaseException) -> None:
+        """Refuse all steps after a call that an exception broke: nobody knows where it left things.
+
+        It ends the step of which it strikes the midst.
+        """
+        self.struck, code, text = 1, status.INTERRUPTED, "interrupted from the keyboard"
+        if not isinstance(error, KeyboardInterrupt):
+            code, what = status.INTERNAL_FAULT, "fault of this program, please report it"
+            text = f"{what}: {type(error).__name__}: {error}"
+        self._refuse(["break"], code, f"{text}; restore a saved state, or reset the instance")
 
     # ------------------------------------------------------------------------ initialisation
 
     @shielded()
     def setup_experiment(self, start_time, stop_time=None, tolerance=None) -> None:
         """Take start and stop time and, where the scene asks for a tolerance, this one."""
-        if self._phase != INSTANTIATED:
-            self.error("setupExperiment was ignored: it belongs before the initialization mode")
-            return
-        problem = wrong_experiment(start_time, stop_time)
-        if problem:
-            self._refuse(["experiment"], status.VALUE_REFUSED, problem)
-            return
-        self._refusals.pop("experiment", None)
-        self._start_time, self._assembled = start_time, False
-        self._stop_time = math.inf if stop_time is None else stop_time
-        length = self._stop_time - start_time
-        horizon = length if 0.0 < length < math.inf else self._own_horizon
-        try:
-            self._integrator.state.head["horizon"] = horizon
-            if tolerance is None:
-                return
-            fixed = "this run has fixed steps, set by solver.step_size and solver.order"
-            reason = fixed if tolerance > 0.0 else "it must be > 0"
-            if self._integrator["solver.tolerance"] and tolerance > 0.0:
-                self._integrator["solver.tolerance"] = tolerance
-                return
-        except Exception as error:
-            reason = sentence(error)
-        self.note(f"tolerance {tolerance!r} has no effect: {reason}")
+        is_early = self._front.phase == INSTANTIATED
+        times = c_double(start_time), stop_time is not None, c_double(stop_time or 0.0)
+        limit = tolerance is not None, c_double(tolerance or 0.0)
+        if not self._call("fmi2SetupExperiment", *limit, *times):
+            self._accept(["experiment"])
+        elif is_early:
+            self._refuse(["experiment"], status.VALUE_REFUSED)
+        else:
+            self._tell()
 
     @shielded()
     def enter_initialization_mode(self) -> None:
         """Begin initialisation; outputs may be read from now on."""
-        if self._phase != INSTANTIATED:
-            self.error("enterInitializationMode was ignored: reset the instance first")
-            return
-        self._phase = INITIALIZING
+        self._call("fmi2EnterInitializationMode")
+        self._tell()
 
     @shielded()
     def exit_initialization_mode(self) -> None:
         """Assemble the mechanism with the parameters that have arrived."""
-        if self._phase != INITIALIZING:
-            self.error("exitInitializationMode was ignored: enterInitializationMode comes first")
+        is_early = self._front.phase == INITIALIZING
+        refused = self._call("fmi2ExitInitializationMode")
+        if not is_early:
+            self._tell()
             return
-        self._phase = STEPPING
-        try:
-            self._assemble()
-            self._integrator.begin()
-        except Exception as error:
-            self._refuse(["assembly"], status.ASSEMBLY_FAILED, sentence(error))
+        self._front.phase = STEPPING  # the importer hears of no error, and goes on
+        if refused:
+            self._refuse(["assembly"], status.ASSEMBLY_FAILED)
+
+    # --------------------------------------------------------------------------------- values
+
+    # A getter never hands out NaN; a setter takes all values, or none and a line in the log.
+    get_real, get_integer, get_boolean, get_string = map(_getter, TYPES)
+    set_real, set_integer, set_boolean, set_string = map(_setter, TYPES)
+
+    def _get(self, kind: str, vrs: list[int]) -> list:
+        count = len(vrs)
+        values = (TYPES[kind] * count)()
+        self._call(f"fmi2Get{kind}", (c_uint32 * count)(*vrs), c_size_t(count), values)
+        if "assembly" not in self._refusals:
+            self._tell()
+        return _in_python(kind, values)
+
+    def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
+        count = len(vrs)
+        if kind == "String":
+            values = [None if v is None else v.encode("utf-8", "surrogateescape") for v in values]
+        given = (TYPES[kind] * count)(*values)
+        if self._call(f"fmi2Set{kind}", (c_uint32 * count)(*vrs), c_size_t(count), given):
+            self._refuse(vrs, status.VALUE_REFUSED)
+        else:
+            self._accept(vrs)
 
     # ---------------------------------------------------------------------------------- steps
 
     @shielded(lambda *_: False)
     def do_step(self, current_time: float, step_size: float) -> bool:
         """Advance to `current_time + step_size`; False (fmi2Discard) leaves all as it was."""
-        try:
-            if (
-                self._phase != STEPPING
-                or self._refusals
-                or not 0.0 < step_size < math.inf
-                or ends_too_late(current_time, step_size, self._start_time, self._stop_time)
-            ):
-                return self._discard(*self._objection(current_time, step_size))
-            self._integrator.advance(current_time, step_size)
-        except StepError as error:
-            return self._fail(error, current_time, step_size)
-        except AssemblyError as error:
-            return self._discard(status.ASSEMBLY_FAILED, sentence(error))
-        except Exception as error:
-            self._break(status.INTERNAL_FAULT, sentence(error))
-            return False
-        self._status = 0
-        self._failures.forget()
-        return True
-
-    def _fail(self, error: StepError, current_time: float, step_size: float) -> bool:
-        """Discard a step that the integrator refused, or could not solve."""
-        if not error.status:
-            return self._discard(status.STEP_REFUSED, str(error))
-        internal = self._integrator.state.head["step_size"]
-        remedy = self._failures.remedy(current_time, step_size, internal)
-        # The kernel's own code is shown where it has one: 0 lets it through.
-        return self._discard(0, f"{error}{remedy}", "repeated" if remedy else "discarded")
-
-    def _objection(self, current_time: float, step_size: float) -> tuple[int, str]:
-        """Code and sentence that say why this step is not even tried."""
         if self._refusals:
             reasons = "; ".join(dict.fromkeys(self._refusals.values()))
-            return self._status or status.VALUE_REFUSED, f"no step is taken: {reasons}"
-        if self._phase != STEPPING:
-            when = "after terminate" if self._phase == TERMINATED else "before the initialization"
-            return status.STEP_REFUSED, f"doStep was called {when}; it belongs between them"
-        return status.STEP_REFUSED, impossible_step(current_time, step_size, self._stop_time)
-
-    def _discard(self, code: int, text: str, what: str = "discarded") -> bool:
-        self._status = code
-        self.discard(text, what)
+            self.say(f"no step is taken: {reasons}", status.DISCARD, "discarded")
+            return False
+        phase = self._front.phase
+        if not self._call("fmi2DoStep", c_double(current_time), c_double(step_size), 1):
+            return True
+        self._front.phase = phase  # an error ended the run, which the importer sees discarded
+        for text in self._said:
+            what = "repeated" if " steps in a row failed " in text else "discarded"
+            self.say(text, status.DISCARD, what)
         return False
 
     @shielded()
     def terminate(self) -> None:
         """End the run; values can still be read."""
-        if self._phase != STEPPING:
-            when = "it was already called" if self._phase == TERMINATED else NOT_YET
-            self.error(f"terminate was ignored: {when}")
-            return
-        self._phase = TERMINATED
+        self._call("fmi2Terminate")
+        self._tell()
 
     # ---------------------------------------------------------------------------------- state
 
-    def _packed(self, state: bytes) -> bytes:
-        what = self._phase, self._assembled, self._status, self._start_time, self._refusals
-        return snapshot.pack(snapshot.Memory(*what), state)
-
-    @shielded(lambda self: self._packed(b""))
+    @shielded(lambda _: b"")
     def _get_fmu_state(self) -> Any:
-        try:
-            state = self._integrator.save()
-        except Exception as error:
-            self.error(f"the state cannot be saved: {sentence(error)}")
-            state = b""
-        return self._packed(state)
+        """Return the state of the library, and in a last line what was refused, with a checksum."""
+        kept, size = c_void_p(), c_size_t()
+        if self._call("fmi2GetFMUstate", byref(kept)):
+            self._tell()
+            return b""
+        self._call("fmi2SerializedFMUstateSize", kept, byref(size))
+        data = ctypes.create_string_buffer(size.value)
+        self._call("fmi2SerializeFMUstate", kept, data, size)
+        self._call("fmi2FreeFMUstate", byref(kept))
+        refused = json.dumps([*self._refusals.items()]).encode()
+        return b"%b\n%08x%b" % (data.raw, zlib.crc32(refused), refused)
 
     @shielded()
     def _set_fmu_state(self, state: Any) -> None:
-        try:
-            memory, data = snapshot.unpack(state)
-            self._integrator.restore(data)
-        except Exception as error:
-            self._refuse(["state"], status.STATE_REFUSED, sentence(error))
-            return
-        self._phase, self._assembled, self._status, self._start_time, self._refusals = memory
+        kept = c_void_p()
+        data, _, refused = state.rpartition(b"\n")
+        if refused[:8] != b"%08x" % zlib.crc32(refused[8:]):
+            data = b""  # which is no state
+        given = data, c_size_t(len(data)), byref(kept)
+        if self._call("fmi2DeSerializeFMUstate", *given) or self._call("fmi2SetFMUstate", kept):
+            self._refuse(["state"], status.STATE_REFUSED)
+        else:
+            self._refusals = dict(json.loads(refused[8:]))
+        self._call("fmi2FreeFMUstate", byref(kept))
 
     # A state is bytes already. The library asks the class, where nobody could shield a method.
     _fmu_state_to_bytes = _fmu_state_from_bytes = bytes  # type: ignore[assignment]

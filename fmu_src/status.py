@@ -1,12 +1,13 @@
 """Phases of a slave, its codes in the output `solver.status`, and the names of the logs.
 
 Codes below 100 are the kernel's: they say why a step failed. Those here say that the slave did not
-even try one. Zero says that the last communication step succeeded.
+even try one. Zero says that the last communication step succeeded. ``native/slave_parts.h`` has the
+phases and some codes, too.
 """
 
 from __future__ import annotations
 
-PHASES = INSTANTIATED, INITIALIZING, STEPPING, TERMINATED = (0, 1, 2, 3)
+INSTANTIATED, INITIALIZING, STEPPING = range(3)
 
 ASSEMBLY_FAILED = 101  # the mechanism cannot be assembled with its present parameters
 VALUE_REFUSED = 102  # a value: not finite, out of range, unknown option, not settable now

@@ -14,16 +14,6 @@ TINY = 2.2250738585072014e-308
 ORDERS = (2.0, 4.0, 6.0, 8.0)
 """Orders of accuracy: a pair of half steps, compositions or weighted covers, or explicit steps."""
 
-FORMULATIONS = (
-    "conserving-al",  # eq 15 with beta = 1/2 (exact for quadratic rows), eq 26
-    "midpoint-al",  # eq 5
-    "conserving-penalty",  # eqs 9 and 11
-    "midpoint-penalty",  # eq 7
-    "penalty-velocity",  # eq 3 under the midpoint rule
-    "conserving-al-beta",  # eq 15, function rows with the intermediate configuration of eq 8
-)
-"""How constraints act."""
-
 AUTOMATIC = 0.0
 """Order that the tolerance chooses; 2 without one."""
 
@@ -39,6 +29,7 @@ class Option:
     unit: str = ""
     words: tuple[str, ...] = ()  # all that a word may be, the default first; a state has the index
     low: float = TINY  # least number
+    below: str = ""  # what to do for a lower one
     high: float = 1.0  # largest number
     least: float = 0.0  # smallest number other than 0, which turns the setting off
     allowed: tuple[float, ...] = ()  # all that a number may be, where these are few
@@ -59,7 +50,8 @@ class Option:
     @property
     def limits(self) -> str:
         """Between which limits a number must lie, without its unit."""
-        return f"{'>= 0' if self.low == 0.0 else '> 0'} and <= {self.high:g}"
+        low = "> 0" if self.low == TINY else f">= {self.low:g}"
+        return f"{low} and <= {self.high:g}"
 
     @property
     def rule(self) -> str:
@@ -74,7 +66,8 @@ class Option:
         if self.least:
             return f"0 or a number from {self.least:g}, some round-off, to {self.high:g}"
         kind = "a whole number" if self.whole else "a number"
-        return f"{kind} {self.limits} {self.unit}".rstrip()
+        below = f" ({self.below})" if self.below else ""
+        return f"{kind} {self.limits} {self.unit}".rstrip() + below
 
     def holds(self, value: object) -> bool:
         """Whether a value is allowed; NaN never is, nor true for a number."""
@@ -91,23 +84,14 @@ class Option:
 
 # fmt: off
 _TABLE = (
-    Option("formulation", "conserving-al", "how constraints act", words=FORMULATIONS),
-    Option("algorithm", "nested",
-           "multipliers held fixed while Newton iterates (nested) or not (simultaneous)",
-           words=("nested", "simultaneous"), place="simultaneous"),
-    Option("multiplier_update", "end",
-           "with the constraint at the end of the step (end) or its mean (paper)",
-           words=("end", "paper"), place="paper_update"),
-    Option("paired", True, "advance by pairs of half steps, which makes velocities smooth"),
     Option("step_size", 0.01,
            "internal step of a run without tolerance, at most the communication step",
            high=1e6, unit="s"),
     Option("newton_tolerance", 1e-12, "relative error of a step's solution in the energy norm",
            high=1e-3),
     Option("penalty", 1e8, "dimensionless penalty alpha h^2 sigma/4 of each constraint row",
-           high=1e14),
-    Option("xi", 1.0, "damping ratio of penalty-velocity", low=0.0, high=1e6),
-    Option("omega", 10.0, "natural frequency of penalty-velocity", high=1e9, unit="rad/s"),
+           low=1e6, high=1e14, below="solver.paper steps with lower ones: "
+           "holonom.simulate(scene, formulation=..., penalty=...)"),
     Option("max_newton", 20.0, "Newton iterations for one value of the multipliers",
            low=1.0, high=1e3, whole=True),
     Option("max_uzawa", 20.0, "Uzawa updates in a step", low=1.0, high=1e3, whole=True),
@@ -146,7 +130,22 @@ OPTIONS: dict[str, Option] = {option.name: option for option in _TABLE}
 CHOICES = {name: option.words for name, option in OPTIONS.items() if option.words}
 """Words of the settings that choose one."""
 
+_PAPER = (
+    "the core steps by conserving-al with nested updates; holonom.simulate(scene, formulation=..., "
+    "algorithm=..., multiplier_update=...) runs the others by solver.paper"
+)
+_VELOCITY = (
+    "it belongs to penalty-velocity, and "
+    'holonom.simulate(scene, formulation="penalty-velocity", xi=..., omega=...) runs that by '
+    "solver.paper"
+)
 REMOVED = {
+    "formulation": _PAPER,
+    "algorithm": _PAPER,
+    "multiplier_update": _PAPER,
+    "paired": "half steps always come in pairs, which makes velocities smooth",
+    "xi": _VELOCITY,
+    "omega": _VELOCITY,
     "energy": "steps are solved to newton_tolerance; explicit steps, which a tolerance takes "
     "wherever it can, have no use for another",
 }

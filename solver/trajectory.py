@@ -14,7 +14,7 @@ import numpy as np
 from solver.extras import imported
 from solver.mechanics import assemble
 from solver.options import removed
-from solver.runtime import Integrator, Model, OptionError
+from solver.runtime import Integrator, Model, OptionError, StepError
 from solver.runtime.errors import UnknownNameError, tell
 from solver.scene import Scene, load
 from solver.signals import (
@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure  # pyright: ignore[reportMissingImports]
     from numpy.typing import NDArray
 
+    from solver.paper import Moment
+
+PAPER = ("formulation", "algorithm", "multiplier_update", "xi", "omega")
+"""Arguments of `simulate` that ask for the method of `solver.paper`."""
 SHOWN = 4
 """Variables that a line about a trajectory names."""
 
@@ -53,6 +57,8 @@ class Trajectory(Mapping[str, "NDArray[np.float64]"]):
     """Parameters, inputs and settings that were given for the whole run."""
     wall_time: float | None = None
     """Of the run [s]."""
+    moments: Sequence[Moment] = ()
+    """Start and end of each step by the method of `solver.paper`, with what every iteration did."""
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """Return the values of one variable."""
@@ -180,13 +186,17 @@ def simulate(
     outputs : sequence of str, optional
         Variables to collect; all inputs and outputs where left out.
     **options
-        Settings of the solver, such as ``formulation="midpoint-al"``; the internal step is
-        ``internal_step``.
+        Settings of the solver, such as ``tolerance=1e-6``; the internal step is ``internal_step``.
+        One of `formulation`, `algorithm`, `multiplier_update`, `xi` and `omega` [rad/s] asks for
+        the method of `solver.paper` (the fields of its `Method`), in equal steps of
+        ``internal_step`` whatever tolerance and order the scene has, with any ``penalty``; inputs
+        are numbers then, and the trajectory has `moments`.
 
     Raises
     ------
     SceneError, AssemblyError, OptionError, StepError
-        What is wrong with the scene, the parameters, a value or name, or a step.
+        What is wrong with the scene, the parameters, a value or name, or a step. A StepError has
+        what the run came to before that step as its `trajectory`.
 
     Warns
     -----
@@ -195,6 +205,8 @@ def simulate(
     """
     model = mechanism if isinstance(mechanism, Model) else assemble(_scene(mechanism))
     integrator = Integrator(model)
+    by_paper = bool({*PAPER} & options.keys())
+    method = _method(options, inputs or {}) if by_paper else {}
     if "internal_step" in options:
         options["step_size"] = options.pop("internal_step")
     if gone := [text for name in options if (text := removed(name))]:
@@ -207,36 +219,69 @@ def simulate(
     start, stop, step, _ = model.experiment
     stop, step = (x if y is None else y for x, y in ((stop, stop_time), (step, step_size)))
     times = communication_points(start, stop, step, step_is_chosen=step_size is not None)
-    begin = perf_counter()
+    begin, places = perf_counter(), [model.index(name) for name in names]
     integrator.state.head["horizon"] = stop - start
+    given: dict[str, Any] = {**(parameters or {}), **held, **settings, **method}
     signals = _courses(model, inputs or {}, held, times)
     for remark in signals.remarks:
         tell(None, remark)
-    rows = _rows(integrator, signals, [model.index(name) for name in names])
-    table = np.array(rows, dtype=float)
-    for name in signals.values.keys() & set(names):
-        table[:, names.index(name)] = signals.values[name]
-    given = {**(parameters or {}), **held, **settings}
-    return Trajectory(np.array(times), names, table, model, given, perf_counter() - begin)
+    rows: list[list[float | str | bool]] = []
+    moments: list[Moment] = []
+
+    def reached() -> Trajectory:
+        table = np.array(rows, dtype=float).reshape(len(rows), len(names))
+        for name in signals.values.keys() & set(names):
+            table[:, names.index(name)] = signals.values[name][: len(rows)]
+        spent = perf_counter() - begin
+        return Trajectory(np.array(times)[: len(rows)], names, table, model, given, spent, moments)
+
+    motion = _rows(integrator, signals, places)
+    if by_paper:
+        from solver.paper_scenes import run
+
+        motion = run(integrator, times, places, moments, **method)
+    try:
+        for row in motion:
+            rows.append(row)  # one by one: those before a step that fails stay
+    except StepError as error:
+        error.trajectory = reached()
+        raise
+    return reached()
+
+
+def _method(options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any]:
+    """Take the arguments of the paper's method out of the options."""
+    method = {name: options.pop(name) for name in (*PAPER, "penalty") if name in options}
+    problems = [
+        f"{name}: the paper's method takes no inputs that change; give a number"
+        for name, value in inputs.items()
+        if changes(value)
+    ]
+    problems += [
+        f"{name}: the paper's method has no such setting; leave out it, or {', '.join(method)}"
+        for name in options.keys() - {"internal_step", "assemble", "start"}
+    ]
+    if problems:
+        raise OptionError("; ".join(problems))
+    return method
 
 
 def _rows(
     integrator: Integrator, signals: Courses, indices: Sequence[int]
-) -> list[list[float | str | bool]]:
-    """Values at all communication points; before each step inputs are set to what it needs."""
+) -> Iterator[list[float | str | bool]]:
+    """Values at each communication point; before each step inputs are set to what it needs."""
     driven = [integrator.model.index(name) for name in signals.sent]
     sent = np.array([*signals.sent.values()]).T.tolist()
-    rows, times, shown = [], signals.times, {*signals.rows}
+    times, shown = signals.times, {*signals.rows}
     for k, time in enumerate(times):
         if driven:
             integrator.set(driven, sent[k])
         if k:
             integrator.advance(times[k - 1], time - times[k - 1])
         if k in shown:
-            rows.append(integrator.get(indices))
+            yield integrator.get(indices)
     if driven:  # checks the last values too, which move nothing
         integrator.set(driven, [float(values[-1]) for values in signals.values.values()])
-    return rows
 
 
 def _courses(

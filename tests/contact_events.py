@@ -19,7 +19,7 @@ from tests.problems import Content, start
 
 def begin(content: Content, h: float = 0.01, order: int = 2, **settings: Any) -> Integrator:
     """Return a mechanism with contacts whose internal steps are of length `h`, in pairs."""
-    return start(content, h=h, paired=True, order=order, **settings)
+    return start(content, h=h, order=order, **settings)
 
 
 def number(integrator: Integrator, name: str) -> float:

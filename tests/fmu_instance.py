@@ -5,10 +5,12 @@ from __future__ import annotations
 import contextlib
 import functools
 import io
+import sys
 import tempfile
 import zipfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import fmpy
 from fmpy.fmi1 import FMICallException
@@ -28,7 +30,7 @@ import solver
 from build_fmu import build
 from build_fmu.fmpy_slaves import FMU3Run
 from build_fmu.instance import LOADING
-from fmu_src.slave import Slave
+from build_fmu.payload import SLAVE_NAME
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
 _FOLDER = tempfile.TemporaryDirectory(prefix="fmu-", ignore_cleanup_errors=True)
@@ -187,12 +189,26 @@ def instance(path: Path, *, logging: bool = True) -> Iterator[Instance]:
         made.fmu.freeInstance()
 
 
-def slave_of(fmu: Instance) -> Slave:
-    """Slave as pythonfmu's library makes it, without that library."""
-    return Slave(instance_name="a", resources=f"{fmu.fmu.unzipDirectory}/resources")
+def slave_of(fmu: Instance) -> Any:
+    """Slave as pythonfmu's library makes it, of the code that it has imported, without that."""
+    resources = Path(fmu.fmu.unzipDirectory, "resources")
+    module = sys.modules[resources.joinpath(SLAVE_NAME).read_text().strip()]
+    return module.Slave(instance_name="a", resources=str(resources))
 
 
-def stepping_slave() -> Slave:
+@functools.cache
+def of_pendulum(kind: str = "Real") -> dict[str, int]:
+    """Value references of the pendulum's variables of a type, by name."""
+    variables = fmpy.read_model_description(str(pendulum())).modelVariables
+    return {v.name: v.valueReference for v in variables if v.type == kind}
+
+
+def status_of(slave: Any) -> float:
+    """Value of the output `solver.status` of a slave of the pendulum."""
+    return slave.get_real([of_pendulum()["solver.status"]])[0]
+
+
+def stepping_slave() -> Any:
     """Slave of a pendulum at the end of its initialization, without pythonfmu's library."""
     with instance(pendulum()) as fmu:
         slave = slave_of(fmu)

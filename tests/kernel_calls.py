@@ -116,6 +116,12 @@ class Kernel:
         status = library.holonom_probe(*map(ctypes.c_void_p, self._pointers), *arguments)
         return status, list(r)[:size], list(tx)[:size]
 
+    def half_step(self, h: float, half: int) -> int:
+        """Take half step 0 or 1 of a pair, of length h [s]; return a status."""
+        library = kernel_without(0, self.model.sizes["dim"])
+        pointers = map(ctypes.c_void_p, self._pointers)
+        return library.holonom_half_step(*pointers, ctypes.c_double(h), half)
+
 
 def kernel_of(run: Any) -> Kernel:
     """Bind the kernel to the memory of an `Integrator`; or the kernel that a run by hand has."""

@@ -1,4 +1,6 @@
-/* A look into one step: its residual, and its tangent times a direction. */
+/* A look into one step: its residual, its tangent times a direction; and a half step alone. */
+#include "energy.h"
+#include "half_step.h"
 #include "inputs_signals.h"
 #include "step.h"
 #include "tangent.h"
@@ -6,6 +8,8 @@
 HOLONOM_API int64_t holonom_model_bytes(void);
 HOLONOM_API int32_t holonom_probe(const holonom_model *m, double *number, double *state, double *work, double h,
                                   const double *w, const double *mu, const double *x, double *r, double *tx);
+
+HOLONOM_API int32_t holonom_half_step(const holonom_model *m, double *number, double *state, double *work, double h, int32_t half);
 
 int64_t holonom_model_bytes(void) { return (int64_t)sizeof(holonom_model); }
 
@@ -57,5 +61,19 @@ int32_t holonom_probe(const holonom_model *m, double *number, double *state, dou
     for (int32_t i = 0; i < m->n_rows; i++) tx[n + i] = out[m->full.row_position[i]];
     memcpy(r, c.k.momentum, sizeof(double) * (size_t)n);
     for (int32_t i = 0; i < m->n_rows; i++) r[n + i] = row_residual(&c, i);
+    return HOLONOM_OK;
+}
+
+/* Half step 0 or 1 of a pair, of length h [s]; `state` (modified) is that between the two where it was half step 0. */
+int32_t holonom_half_step(const holonom_model *m, double *number, double *state, double *work, double h, int32_t half)
+{
+    context c;
+    open_context(&c, m, number, state, work);
+    begin_halves(&c, 2);
+    const int32_t status = single_step(&c, h, half);
+    if (status) return status;
+    if (m->time_dependent) set_laws(&c, c.t, 1);
+    c.s.head[S_TIME] = c.t;
+    follow_energies(&c);
     return HOLONOM_OK;
 }

@@ -1,7 +1,7 @@
 """Reference problems, each listed once: mechanisms as the contents of a scene.
 
 A mechanism is a `Content`: what a scene file says, as a dict, so that tests can build mechanisms of
-any size. `start` makes an integrator of it, `move` takes plain steps and records them.
+any size. `start` makes an integrator of it, `move` takes steps and records them.
 """
 
 from __future__ import annotations
@@ -24,7 +24,6 @@ Content = dict[str, Any]
 Array = NDArray[np.float64]
 
 GRAVITY = 9.81
-PLAIN = {"paired": False}
 
 
 # ----------------------------------------------------------------------------- from content to run
@@ -53,8 +52,8 @@ def assemble(content: Content, **settings: Any) -> Model:
 
 
 def start(content: Content, *, h: float = 0.01, **settings: Any) -> Integrator:
-    """Return an assembled mechanism whose internal step is `h`; plain steps unless `paired`."""
-    integrator = Integrator(assemble(content, **(PLAIN | {"step_size": h} | settings)))
+    """Return an assembled mechanism whose internal step is `h`."""
+    integrator = Integrator(assemble(content, **({"step_size": h} | settings)))
     integrator.initialise()
     return integrator
 
@@ -72,17 +71,16 @@ def step(integrator: Integrator, h: float) -> None:
 
 
 def last_multipliers(integrator: Integrator) -> Array:
-    """Multipliers of the last step that was solved."""
-    second = integrator.state.head["paired"] or not integrator.state.head["parity"]
-    return view(integrator, "mu_second" if second else "mu_first").copy()
+    """Multipliers of the last half step that was solved."""
+    return view(integrator, "mu_second").copy()
 
 
 @dataclass(frozen=True)
 class Motion:
     """What `move` recorded: times (n + 1,), coordinates and velocities (n + 1, nodes, dim).
 
-    `mu` (n, rows) are the multipliers of each step, `phi` and `phi_dot` (n + 1, rows) residuals and
-    `balance` (n + 1,) the energy balance [J].
+    `mu` (2 n, rows) are the multipliers of each half step, `phi` and
+    `phi_dot` (n + 1, rows) residuals and `balance` (n + 1,) the energy balance [J].
     """
 
     t: Array
@@ -107,7 +105,7 @@ def move(integrator: Integrator, h: float, n_steps: int) -> Motion:
     for _ in range(n_steps):
         step(integrator, h)
         rows.append(snapshot())
-        mu.append(last_multipliers(integrator))
+        mu += [view(integrator, half).copy() for half in ("mu_first", "mu_second")]
     t, q, v, phi, phi_dot, balance = (np.array(column) for column in zip(*rows, strict=True))
     return Motion(t, q, v, np.array(mu), phi, phi_dot, balance)
 

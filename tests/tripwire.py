@@ -19,7 +19,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import solver
-from solver.options import CHOICES, ORDERS
+from solver.options import ORDERS
 from tests.scene_files import SMOOTH
 from tests.twins import EVERYTHING
 
@@ -27,13 +27,8 @@ Settings = dict[str, str | float | bool]
 
 STEPS = 120
 
-SETTINGS: list[Settings] = [
-    {"formulation": formulation, "algorithm": algorithm}
-    for formulation in CHOICES["formulation"]
-    for algorithm in CHOICES["algorithm"]
-]
-SETTINGS += [{"order": order} for order in ORDERS]
-SETTINGS += [{"paired": False}, {"multiplier_update": "paper"}, {"tolerance": 1e-6}]
+SETTINGS: list[Settings] = [{"order": order} for order in ORDERS]
+SETTINGS += [{"tolerance": 1e-6}]
 
 
 def moved(model: solver.Model, settings: Settings) -> Iterator[bytes]:

@@ -9,13 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import solver
-from solver.options import CHOICES
 from solver.runtime import Integrator, Model
 from tests.kernel_calls import kernel_of
 
 Array = NDArray[np.float64]
-
-FORMULATIONS = CHOICES["formulation"]
 
 PENDULUM = """
 name = "pendulum"
@@ -128,7 +125,7 @@ def vector(integrator: Integrator, *names: str) -> Array:
 
 
 def internal_step(integrator: Integrator) -> None:
-    """Advance by one internal step (a pair of half steps, unless not paired)."""
+    """Advance by one internal step, a pair of half steps."""
     integrator.advance(integrator.time, integrator.state.head["step_size"])
 
 

@@ -16,7 +16,7 @@ from build_fmu.platforms import library_scope, library_word
 from build_fmu.report import as_text, number, print_json, print_table
 from build_fmu.study.settings import given_on_the_command_line
 from build_fmu.target import fmu_model, is_fmu, parts_and_model
-from solver.runtime.layout import EARLY_UPDATE_PENALTY, LEAST_WITH_JOINT
+from solver.runtime.layout import LEAST_WITH_JOINT
 
 if TYPE_CHECKING:
     from solver.mechanics.mobility import Survey
@@ -117,13 +117,10 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
 def _step(model: Model) -> dict[str, Any]:
     """What a step has for unknowns, and how many numbers the factors of its equations have."""
     sizes, dim = model.sizes, model.sizes["dim"]
-    turns = bool(sizes["n_reduced_values"]) and model.settings["formulation"] == "conserving-al"
-    turns = turns and model.settings["multiplier_update"] == "end"
-    turns = turns and model.settings["penalty"] >= EARLY_UPDATE_PENALTY
+    turns = bool(sizes["n_reduced_values"])
     replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
     pivots = pairwise(model.tables["reduced_lu_group"][::3])
     return {
-        "algorithm": model.settings["algorithm"],
         "coordinates": dim * (sizes["n_free"] - replaced),
         "turns": replaced,
         "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
@@ -187,11 +184,10 @@ def _unknowns(step: Mapping[str, Any]) -> str:
     }
     parts = [f"{step[key]} {words}" for key, words in kinds.items() if step[key]]
     lean = f", {step['lean_factors']} without stiffness" if step["lean_factors"] else ""
-    held = {"nested": "held while Newton iterates", "simultaneous": "following each iteration"}
     text = f"{' + '.join(parts)}; {step['factors']} numbers in the factors{lean}"
     if bodies := step["articulated_bodies"]:
         text += f"; {bodies} eliminated with {'its joint' if bodies == 1 else 'their joints'}"
-    return f"{text}; multipliers {held[step['algorithm']]} ({step['algorithm']})"
+    return f"{text}; multipliers held while Newton iterates"
 
 
 def _package(package: Mapping[str, Any]) -> str:

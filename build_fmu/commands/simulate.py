@@ -1,4 +1,7 @@
-"""`holonom simulate SCENE|FMU`: run it in fmpy and show where it ended, or write a CSV file."""
+"""`holonom simulate SCENE|FMU`: run it in fmpy and show where it ended, or write a CSV file.
+
+With `--formulation` the mechanism runs by `solver.paper` instead, in this process.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +12,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import IO, TYPE_CHECKING
+from typing import IO, TYPE_CHECKING, Any
 
 from build_fmu.errors import UNFINISHED, UsageError
 from build_fmu.plotting import check_plot, plot_run
 from build_fmu.report import number, print_json, print_table, progress_bar
-from build_fmu.run import Run, run_fmu
+from build_fmu.run import Run, run_by_paper, run_fmu
 from build_fmu.study.settings import given_on_the_command_line
-from build_fmu.target import runnable
+from build_fmu.target import fmu_model, runnable
 from solver.files import written_whole
 
 if TYPE_CHECKING:
@@ -27,6 +30,9 @@ def run(arguments: argparse.Namespace) -> int:
     """Simulate; exit code 3 if the run ends before its stop time, or the FMU logs an error."""
     if arguments.csv == "-" and arguments.json:
         text = "--csv - and --json both want stdout; name a file for one of them"
+        raise UsageError(text)
+    if arguments.formulation and arguments.inputs:
+        text = "--formulation: the paper's method takes no --inputs that change; use --set"
         raise UsageError(text)
     check_plot(arguments)
     result = simulate(arguments, keep=partial(_write_table, arguments))
@@ -81,15 +87,14 @@ def simulate(
         runnable(arguments.target, entries) as (path, left),
         progress_bar(f"simulating {Path(path).stem}") as progress,
     ):
-        result = run_fmu(
-            path,
-            stop_time=arguments.stop,
-            step_size=arguments.step,
-            settings=left,
-            inputs=arguments.inputs,
-            progress=progress,
-            with_local=with_local or bool(arguments.report),
-        )
+        known: dict[str, Any] = {
+            "stop_time": arguments.stop, "step_size": arguments.step, "settings": left,
+            "with_local": with_local or bool(arguments.report),
+        }  # fmt: skip
+        if formulation := getattr(arguments, "formulation", None):
+            result = run_by_paper(path, fmu_model(path), formulation, **known)
+        else:
+            result = run_fmu(path, inputs=arguments.inputs, progress=progress, **known)
         if not arguments.report:
             keep(result)
             return result

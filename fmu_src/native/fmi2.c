@@ -110,30 +110,15 @@ fmi2_status fmi2SetString(fmi2_component c, const fmi2_reference index[], size_t
 
 /* --------------------------------------------------------------------------------------------------------- states */
 
-fmi2_status fmi2GetFMUstate(fmi2_component c, fmi2_saved *state)
-{
-    if (!c) return FMI2_ERROR;
-    return state ? status_of(slave_keep(c, (slave_kept **)state)) : refuse(c, "there is no place for the state");
-}
+fmi2_status fmi2GetFMUstate(fmi2_component c, fmi2_saved *state) { return c ? status_of(slave_keep(c, (slave_kept **)state)) : FMI2_ERROR; }
 
 fmi2_status fmi2SetFMUstate(fmi2_component c, fmi2_saved state) { return c ? status_of(slave_return_to(c, state)) : FMI2_ERROR; }
 
-fmi2_status fmi2FreeFMUstate(fmi2_component c, fmi2_saved *state)
-{
-    if (!c) return FMI2_ERROR;
-    if (state) {
-        slave_free_kept(*state);
-        *state = NULL;
-    }
-    return FMI2_OK;
-}
+fmi2_status fmi2FreeFMUstate(fmi2_component c, fmi2_saved *state) { return c ? status_of(slave_free_kept((slave_kept **)state)) : FMI2_ERROR; }
 
 fmi2_status fmi2SerializedFMUstateSize(fmi2_component c, fmi2_saved state, size_t *size)
 {
-    if (!c) return FMI2_ERROR;
-    if (!state || !size) return refuse(c, "there is no state, or no place for its size");
-    *size = slave_size_of_kept(state);
-    return FMI2_OK;
+    return c ? status_of(slave_size_of_bytes(c, state, size)) : FMI2_ERROR;
 }
 
 fmi2_status fmi2SerializeFMUstate(fmi2_component c, fmi2_saved state, fmi2_byte bytes[], size_t size)
@@ -143,8 +128,7 @@ fmi2_status fmi2SerializeFMUstate(fmi2_component c, fmi2_saved state, fmi2_byte 
 
 fmi2_status fmi2DeSerializeFMUstate(fmi2_component c, const fmi2_byte bytes[], size_t size, fmi2_saved *state)
 {
-    if (!c) return FMI2_ERROR;
-    return state ? status_of(slave_kept_of(c, bytes, size, (slave_kept **)state)) : refuse(c, "there is no place for the state");
+    return c ? status_of(slave_kept_of(c, bytes, size, (slave_kept **)state)) : FMI2_ERROR;
 }
 
 /* ---------------------------------------------------------------------------------------------------------- steps */

@@ -172,28 +172,15 @@ fmi3_status fmi3SetString(fmi3_instance c, const fmi3_reference index[], size_t 
 
 /* --------------------------------------------------------------------------------------------------------- states */
 
-fmi3_status fmi3GetFMUState(fmi3_instance c, fmi3_saved *state)
-{
-    return state ? c ? status_of(slave_keep(c, (slave_kept **)state)) : FMI3_ERROR : refuse(c, "there is no place for the state");
-}
+fmi3_status fmi3GetFMUState(fmi3_instance c, fmi3_saved *state) { return c ? status_of(slave_keep(c, (slave_kept **)state)) : FMI3_ERROR; }
 
 fmi3_status fmi3SetFMUState(fmi3_instance c, fmi3_saved state) { return c ? status_of(slave_return_to(c, state)) : FMI3_ERROR; }
 
-fmi3_status fmi3FreeFMUState(fmi3_instance c, fmi3_saved *state)
-{
-    if (!c) return FMI3_ERROR;
-    if (state) {
-        slave_free_kept(*state);
-        *state = NULL;
-    }
-    return FMI3_OK;
-}
+fmi3_status fmi3FreeFMUState(fmi3_instance c, fmi3_saved *state) { return c ? status_of(slave_free_kept((slave_kept **)state)) : FMI3_ERROR; }
 
 fmi3_status fmi3SerializedFMUStateSize(fmi3_instance c, fmi3_saved state, size_t *size)
 {
-    if (!c || !state || !size) return refuse(c, "there is no state, or no place for its size");
-    *size = slave_size_of_kept(state);
-    return FMI3_OK;
+    return c ? status_of(slave_size_of_bytes(c, state, size)) : FMI3_ERROR;
 }
 
 fmi3_status fmi3SerializeFMUState(fmi3_instance c, fmi3_saved state, fmi3_byte bytes[], size_t size)
@@ -203,8 +190,7 @@ fmi3_status fmi3SerializeFMUState(fmi3_instance c, fmi3_saved state, fmi3_byte b
 
 fmi3_status fmi3DeserializeFMUState(fmi3_instance c, const fmi3_byte bytes[], size_t size, fmi3_saved *state)
 {
-    return state ? c ? status_of(slave_kept_of(c, bytes, size, (slave_kept **)state)) : FMI3_ERROR
-                 : refuse(c, "there is no place for the state");
+    return c ? status_of(slave_kept_of(c, bytes, size, (slave_kept **)state)) : FMI3_ERROR;
 }
 
 /* ------------------------------------------------------------------------------------------------- what is not there */

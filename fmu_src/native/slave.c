@@ -89,11 +89,35 @@ void slave_free(slave *s)
 slave_answer slave_reset(slave *s)
 {
     holonom_reset(s->instance);
-    s->memory = (slave_memory){INSTANTIATED, 0, 0, 0, slave_head(s)[S_TIME]};
+    s->memory = (slave_memory){.phase = INSTANTIATED, .start_time = slave_head(s)[S_TIME]};
     s->stop_time = INFINITY;
     s->last_digit = 0.0;
     s->n_failures = 0;
     return ANSWER_OK;
+}
+
+/* ------------------------------------------------------------------------------------------------------------ states */
+
+#define AT(phase) (1 << (phase))
+#define ALLOWED(call, name, states, early) {name, early, states},
+static const struct {
+    const char *name, *early;
+    int32_t states;
+} allowed[] = {
+#include "allowed_calls.def"
+};
+#undef ALLOWED
+#undef AT
+
+int slave_allows(const slave *s, slave_call call) { return allowed[call].states >> s->memory.phase & 1; }
+
+slave_answer slave_check(slave *s, slave_call call)
+{
+    static const char *const when[] = {"before the initialization mode", "in the initialization mode", "after the initialization",
+                                       "after terminate", "after an error in doStep"};
+    const int32_t phase = s->memory.phase;
+    const char *remedy = phase < STEPPING ? allowed[call].early : phase == FAILED ? "restore a saved state or " RESET_FIRST : RESET_FIRST;
+    return slave_allows(s, call) ? ANSWER_OK : slave_tell(s, ANSWER_ERROR, "%s is refused %s; %s", allowed[call].name, when[phase], remedy);
 }
 
 /* ---------------------------------------------------------------------------------------------------- initialization */
@@ -111,8 +135,8 @@ static void take_tolerance(slave *s, double tolerance)
 
 slave_answer slave_set_up(slave *s, double start, const double *stop, const double *tolerance)
 {
-    if (s->memory.phase != INSTANTIATED)
-        return slave_tell(s, ANSWER_ERROR, "setupExperiment was ignored: it belongs before the initialization mode");
+    const slave_answer answer = slave_check(s, CALL_SET_UP);
+    if (answer) return answer;
     if (!(fabs(start) < INFINITY))
         return slave_tell(s, ANSWER_ERROR, "setupExperiment: the start time must be a finite number, got %r s", start);
     if (stop && !(*stop >= start))
@@ -129,15 +153,15 @@ slave_answer slave_set_up(slave *s, double start, const double *stop, const doub
 
 slave_answer slave_begin_initialization(slave *s)
 {
-    if (s->memory.phase != INSTANTIATED)
-        return slave_tell(s, ANSWER_ERROR, "enterInitializationMode was ignored: reset the instance first");
-    s->memory.phase = INITIALIZING;
-    return ANSWER_OK;
+    const slave_answer answer = slave_check(s, CALL_BEGIN_INITIALIZATION);
+    if (!answer) s->memory.phase = INITIALIZING;
+    return answer;
 }
 
 slave_answer slave_assemble(slave *s)
 {
     slave_head(s)[S_TIME] = s->memory.start_time;
+    holonom_let_look(s->instance, s->look);
     s->memory.is_assembled = slave_hears(s, holonom_assemble(s->instance));
     s->memory.status = s->memory.is_assembled ? 0 : ASSEMBLY_FAILED;
     return s->memory.is_assembled ? ANSWER_OK : slave_tell_message(s, ANSWER_ERROR);
@@ -145,10 +169,10 @@ slave_answer slave_assemble(slave *s)
 
 slave_answer slave_end_initialization(slave *s)
 {
-    if (s->memory.phase != INITIALIZING)
-        return slave_tell(s, ANSWER_ERROR, "exitInitializationMode was ignored: enterInitializationMode comes first");
+    slave_answer answer = slave_check(s, CALL_END_INITIALIZATION);
+    if (answer) return answer;
     const fp_environment host = fp_enter();
-    const slave_answer answer = slave_assemble(s);
+    answer = slave_assemble(s);
     fp_leave(host);
     if (answer) return answer;
     holonom_begin(s->instance);
@@ -158,11 +182,9 @@ slave_answer slave_end_initialization(slave *s)
 
 slave_answer slave_terminate(slave *s)
 {
-    if (s->memory.phase != STEPPING && s->memory.phase != FAILED) /* importers end a run with it, however it went */
-        return slave_tell(s, ANSWER_ERROR, "terminate was ignored: %s",
-                       s->memory.phase == TERMINATED ? "it was already called" : "exitInitializationMode comes first");
-    s->memory.phase = TERMINATED;
-    return ANSWER_OK;
+    const slave_answer answer = slave_check(s, CALL_TERMINATE);
+    if (!answer) s->memory.phase = TERMINATED;
+    return answer;
 }
 
 /* ---------------------------------------------------------------------------------------------------------- steps */
@@ -217,6 +239,7 @@ static slave_answer refuse_step(slave *s, double t, double step)
 
 static slave_answer move_on(slave *s, double t, double step)
 {
+    holonom_let_look(s->instance, s->look);
     const int32_t result = holonom_move(s->instance, t, step);
     if (slave_hears(s, result)) {
         s->memory.status = s->n_failures = 0;
@@ -234,15 +257,14 @@ static slave_answer move_on(slave *s, double t, double step)
 
 slave_answer slave_step(slave *s, double t, double step)
 {
-    if (s->memory.phase != STEPPING) {
+    slave_answer answer = slave_check(s, CALL_STEP);
+    if (answer) {
         s->memory.status = STEP_REFUSED;
-        if (s->memory.phase == FAILED) return slave_tell(s, ANSWER_ERROR, "doStep was called after an error; %s", WAY_BACK);
-        return slave_tell(s, ANSWER_ERROR, "doStep was called %s; it belongs between them",
-                       s->memory.phase == TERMINATED ? "after terminate" : "before the initialization");
+        return answer;
     }
     if (!(step > 0.0 && step < INFINITY) || ends_too_late(s, t, step)) return refuse_step(s, t, step);
     const fp_environment host = fp_enter();
-    const slave_answer answer = move_on(s, t, step);
+    answer = move_on(s, t, step);
     fp_leave(host);
     return answer;
 }

@@ -35,16 +35,18 @@ static const char *const slave_categories[N_CATEGORIES] = {"logAll", "logStatusW
 /* What a slave knows besides its instance. */
 typedef struct slave_memory {
     int32_t phase, is_assembled; /* see slave_parts.h; with the present parameters */
-    int32_t status, unused;      /* of the last step, 0 where the core knows it */
+    int32_t status, refusal;     /* of the last step, 0 where the core knows it; code that an importer reads in its place, or 0 */
     double start_time;           /* s */
 } slave_memory;
 
+/* The first two lie where fmu_src/slave.py, which is called where no call can be refused, reads and writes them. */
 struct slave {
+    slave_memory memory;
+    int32_t (*look)(void); /* asked within starts and steps, returns 1 for their end; NULL for none */
     holonom_instance *instance;
     const hm_model_file *file;
     const void *model; /* bytes that the slave owns, NULL if they are the program's */
     slave_log log;
-    slave_memory memory;
     int32_t first, status_index; /* value references of the first variable, and of solver.status */
     double stop_time, last_digit, own_horizon; /* no communication step ends after it, and its last digit; of the model [s] */
     double failed_at, shortest, longest;
@@ -73,15 +75,16 @@ slave_answer slave_step(slave *s, double t, double step);
 slave_answer slave_terminate(slave *s);
 double slave_last_time(const slave *s);
 
-/* Values of variables of one type (TYPE_REAL, ...) by their value references, from 0 in FMI 2 and from 1 in FMI 3, words as their places in a list. `shown`: how a sentence
-   shows each value, or NULL. */
+/* Values of variables of one type (TYPE_REAL, ...) by their value references, from 0 in FMI 2 and from 1 in FMI 3, words as their
+   places in a list. What cannot be read is 0 and an error; the others are read all the same. `shown`: how a sentence shows each
+   value, or NULL. */
 slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value);
 slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t count, const double *value, const char *const *shown);
 
 /* Derivatives of Real outputs, all of order 1. */
 slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count, const int32_t *order, double *value);
 
-/* Values of Strings, up to one that is refused, and of one Boolean. */
+/* Values of Strings, and of one Boolean. */
 slave_answer slave_get_words(slave *s, const uint32_t *index, size_t count, const char **word);
 slave_answer slave_get_truth(slave *s, uint32_t index, int32_t *truth);
 
@@ -94,9 +97,9 @@ slave_answer slave_set_truths(slave *s, const uint32_t *index, size_t count, con
 typedef struct slave_kept slave_kept;
 slave_answer slave_keep(slave *s, slave_kept **kept);
 slave_answer slave_return_to(slave *s, const slave_kept *kept);
-void slave_free_kept(slave_kept *kept);
+slave_answer slave_free_kept(slave_kept **kept);
+slave_answer slave_size_of_bytes(slave *s, const slave_kept *kept, size_t *size);
 slave_answer slave_bytes_of(slave *s, const slave_kept *kept, void *bytes, size_t size);
 slave_answer slave_kept_of(slave *s, const void *bytes, size_t size, slave_kept **kept);
-size_t slave_size_of_kept(const slave_kept *kept);
 
 #endif

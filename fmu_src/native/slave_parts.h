@@ -5,9 +5,20 @@
 #include "internal.h"
 #include "slave.h"
 
-enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED, FAILED }; /* the last after a step that could not be */
-#define WAY_BACK "restore a saved state or reset the instance first"
-enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103 }; /* fmu_src/status.py has them all */
+enum { INSTANTIATED, INITIALIZING, STEPPING, TERMINATED, FAILED }; /* FAILED: after a step that could not be */
+#define RESET_FIRST "reset the instance first"
+
+#define ALLOWED(call, name, states, early) call,
+typedef enum {
+#include "allowed_calls.def"
+} slave_call;
+#undef ALLOWED
+
+/* Whether the present state allows a call, which is refused with a sentence by the second if it does not. */
+int slave_allows(const slave *s, slave_call call);
+slave_answer slave_check(slave *s, slave_call call);
+
+enum { ASSEMBLY_FAILED = 101, STEP_REFUSED = 103, NOT_FINITE = 107 }; /* fmu_src/status.py has them all */
 enum { ROOM = 4096, ROOM_OF_ROW = 512, ROWS_SAID = 500 }; /* of a text, in bytes; rows that it can have a sentence of */
 
 /* Room of a slave's text for a mechanism with so many rows and rules. */

@@ -24,15 +24,16 @@ static const hm_variable *variable(const slave *s, uint32_t index) { return holo
 
 static slave_answer check_type(slave *s, int32_t type, const uint32_t *index, size_t count)
 {
+    static const char *const names[] = {"Real", "Boolean", "String"};
     if (count && !index) return slave_tell(s, ANSWER_ERROR, "no value references are given");
+    hm_clear(&s->text);
     for (size_t k = 0; k < count; k++) {
         const hm_variable *v = variable(s, index[k]);
-        if (!v || v->type != type) {
-            static const char *const names[] = {"Real", "Boolean", "String", "Integer"};
-            return slave_tell(s, ANSWER_ERROR, "value references [%d] are not those of %s variables", (int)index[k], names[type]);
-        }
+        if (!v || v->type != type) hm_say(&s->text, "%s%d", s->text.used ? ", " : "value references [", (int)index[k]);
     }
-    return ANSWER_OK;
+    if (!s->text.used) return ANSWER_OK;
+    hm_say(&s->text, "] are not those of %s variables", names[type]);
+    return slave_tell_text(s, ANSWER_ERROR);
 }
 
 /* Whether only parameters, inputs and settings are asked for, which need no assembled mechanism. */
@@ -43,19 +44,35 @@ static int are_settable(const slave *s, const uint32_t *index, size_t count)
     return 1;
 }
 
+/* Reads each value by itself, where they cannot be read together: what cannot be read is 0, so that no importer takes something else
+   for a value, and named if it is not finite. */
+static void get_each(slave *s, int32_t type, const uint32_t *index, size_t count, double *value)
+{
+    for (size_t k = 0; k < count; k++) {
+        const hm_variable *v = variable(s, index[k]);
+        value[k] = 0.0;
+        if (!v || v->type != type || !(s->memory.is_assembled || are_settable(s, index + k, 1))) continue;
+        if (slave_hears(s, holonom_get(s->instance, (const int32_t *)index + k, 1, value + k))) continue;
+        value[k] = 0.0;
+        if (!s->memory.status) s->memory.status = NOT_FINITE;
+        slave_tell_message(s, ANSWER_ERROR);
+    }
+}
+
 slave_answer slave_get(slave *s, int32_t type, const uint32_t *index, size_t count, double *value)
 {
-    slave_answer answer = check_type(s, type, index, count);
-    if (answer || !count) return answer;
+    if (!count) return ANSWER_OK;
     if (!value) return slave_tell(s, ANSWER_ERROR, "there is no place for values");
+    slave_answer answer = check_type(s, type, index, count);
+    if (!index) return answer;
     const fp_environment host = fp_enter();
-    if (!s->memory.is_assembled && !are_settable(s, index, count)) answer = slave_assemble(s);
-    if (!answer && !slave_hears(s, holonom_get(s->instance, (const int32_t *)index, (int32_t)count, value)))
-        answer = slave_tell_message(s, ANSWER_ERROR);
+    if (!answer && !s->memory.is_assembled && !are_settable(s, index, count)) answer = slave_assemble(s);
+    if (!answer && !slave_hears(s, holonom_get(s->instance, (const int32_t *)index, (int32_t)count, value))) answer = ANSWER_ERROR;
+    if (answer) get_each(s, type, index, count, value);
     fp_leave(host);
-    if (s->memory.status && !answer)
-        for (size_t k = 0; k < count; k++)
-            if ((int32_t)index[k] == s->status_index) value[k] = s->memory.status;
+    const int32_t code = s->memory.refusal ? s->memory.refusal : s->memory.status;
+    for (size_t k = 0; code && k < count; k++)
+        if ((int32_t)index[k] == s->status_index && type == TYPE_REAL) value[k] = code;
     return answer;
 }
 
@@ -66,8 +83,7 @@ slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count
     if (!order || !value) return slave_tell(s, ANSWER_ERROR, "the orders of derivatives or the place for these are missing");
     for (size_t k = 0; k < count; k++)
         if (order[k] != 1) return slave_tell(s, ANSWER_ERROR, "outputs have derivatives of order 1, not of order %d", (int)order[k]);
-    if (s->memory.phase < STEPPING)
-        return slave_tell(s, ANSWER_ERROR, "outputs have no derivatives before the end of the initialization: exitInitializationMode comes first");
+    if ((answer = slave_check(s, CALL_GET_DERIVATIVES))) return answer;
     const fp_environment host = fp_enter();
     if (!slave_hears(s, holonom_get_rates(s->instance, (const int32_t *)index, (int32_t)count, value))) answer = slave_tell_message(s, ANSWER_ERROR);
     fp_leave(host);
@@ -75,12 +91,10 @@ slave_answer slave_get_derivatives(slave *s, const uint32_t *index, size_t count
 }
 
 /* Says in one refusal which of the variables are fixed. */
-static slave_answer check_phase(slave *s, const uint32_t *index, size_t count)
+static slave_answer check_settable(slave *s, const uint32_t *index, size_t count)
 {
-    if (s->memory.phase == TERMINATED)
-        return slave_tell(s, ANSWER_ERROR, "no value can be set after terminate; reset the instance first");
-    if (s->memory.phase == FAILED) return slave_tell(s, ANSWER_ERROR, "no value can be set after an error in doStep; %s", WAY_BACK);
-    if (s->memory.phase != STEPPING) return ANSWER_OK;
+    const slave_answer answer = slave_check(s, CALL_SET);
+    if (answer || slave_allows(s, CALL_SET_FIXED)) return answer;
     hm_clear(&s->text);
     for (size_t k = 0; k < count; k++) {
         const hm_variable *v = variable(s, index[k]);
@@ -97,7 +111,7 @@ slave_answer slave_set(slave *s, int32_t type, const uint32_t *index, size_t cou
     slave_answer answer = check_type(s, type, index, count);
     if (answer || !count) return answer;
     if (!value) return slave_tell(s, ANSWER_ERROR, "no values are given");
-    answer = check_phase(s, index, count);
+    answer = check_settable(s, index, count);
     if (answer) return answer;
     const fp_environment host = fp_enter();
     if (!slave_hears(s, holonom_set(s->instance, (const int32_t *)index, (int32_t)count, value, shown))) answer = slave_tell_message(s, ANSWER_ERROR);
@@ -116,14 +130,15 @@ static slave_answer check_words(slave *s, int32_t type, const uint32_t *index, s
 
 slave_answer slave_get_words(slave *s, const uint32_t *index, size_t count, const char **word)
 {
-    slave_answer answer = ANSWER_OK;
+    slave_answer worst = ANSWER_OK;
     if (count && !(index && word)) return slave_tell(s, ANSWER_ERROR, "value references or the place for values are missing");
-    for (size_t k = 0; k < count && !answer; k++) {
+    for (size_t k = 0; k < count; k++) {
         double value = 0.0;
-        answer = slave_get(s, TYPE_STRING, index + k, 1, &value);
+        const slave_answer answer = slave_get(s, TYPE_STRING, index + k, 1, &value);
         word[k] = answer ? "" : holonom_word(s->instance, (int32_t)index[k], value);
+        if (answer) worst = answer;
     }
-    return answer;
+    return worst;
 }
 
 /* Says a word in quotation marks, as Python does. */

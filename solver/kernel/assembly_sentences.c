@@ -113,20 +113,11 @@ static void say_sampled(hm_text *text, const hm_model_file *f)
 int hm_unknown_to_method(hm_text *text, const hm_model_file *f, const double *head)
 {
     const holonom_model *m = &f->model;
-    const int32_t general = m->n_function_rows + m->n_velocity_rows;
-    int problems = 0;
-    if (general && !hm_conserves_all((int)head[S_FORMULATION])) {
-        hm_say(text, "solver.formulation: '%s' takes only quadratic rows, and that of %s is not; use '%s' or '%s'",
-               hm_formulation_word(f, head[S_FORMULATION]), f->text + f->row[m->n_rows - general].name,
-               hm_formulation_word(f, HOLONOM_CONSERVING_AL), hm_formulation_word(f, HOLONOM_CONSERVING_AL_BETA));
-        problems++;
-    }
-    if (head[S_EQUILIBRIUM] != 0.0 && m->sensing) {
-        hm_say(text, "%ssolver.start: no equilibrium is sought, because ", problems++ ? "\n" : "");
-        say_sampled(text, f);
-        hm_say(text, " reads the motion; write it as a spring, damper, torsion_spring, torsion_damper or potential, or begin as drawn");
-    }
-    return problems;
+    if (head[S_EQUILIBRIUM] == 0.0 || !m->sensing) return 0;
+    hm_say(text, "solver.start: no equilibrium is sought, because ");
+    say_sampled(text, f);
+    hm_say(text, " reads the motion; write it as a spring, damper, torsion_spring, torsion_damper or potential, or begin as drawn");
+    return 1;
 }
 
 /* ----------------------------------------------------------------------------------------------------- drawn rows */

@@ -241,17 +241,20 @@ static inline double turning_of_step(const context *c, int32_t a, int k)
 static void begin_turn(const context *c, int32_t a, const double *acceleration)
 {
     const int32_t at = DIM * a;
-    double omega[TURNING];
+    double omega[TURNING], rounded[TURNING], h_high, h_low; /* off by rounding: h omega - spun, exactly */
+    split(c->h, 0.0, &h_high, &h_low);
     common_turn(c, a, c->s.v + at, omega);
     for (int k = 0; k < TURNING; k++) {
         omega[k] = (double)(float)omega[k];
         c->k.spun[at + k] = c->h * omega[k];
+        rounded[k] = (h_high * omega[k] - c->k.spun[at + k]) + h_low * omega[k];
     }
     for (int i = 0; i < TURNING; i++) {
         const int32_t own = at + DIM * i;
-        double *n = c->k.internal + own;
+        double *n = c->k.internal + own, turned[DIM];
         internal_velocity(c->s.v + own, c->s.v_low + own, omega, c->s.q + own, c->s.q_low + own, n);
-        EACH(k) n[k] *= c->h;
+        turned_by(rounded, c->s.q + own, turned);
+        EACH(k) n[k] = c->h * n[k] + turned[k];
     }
     double *lost = c->k.spun + at + TURNING; /* of h omega, by rounding */
     common_turn(c, a, c->k.internal + at, lost);

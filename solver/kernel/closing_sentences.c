@@ -132,27 +132,6 @@ static int say_moves(hm_text *text, const hm_model_file *f, const double *number
     return all;
 }
 
-/* Says the part that node a belongs to: a body by its rows, whose centre stands before its directors, or a point. */
-static void say_part_of_node(hm_text *text, const hm_model_file *f, int32_t a)
-{
-    const holonom_model *m = &f->model;
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++) {
-        const int32_t first = m->form_node[m->form_ptr[m->row_form[i]]];
-        if (first != a && first != a + 1) continue;
-        hm_say(text, "%s", f->text + f->row[i].name);
-        return;
-    }
-    for (uint32_t k = 0; k < f->header->n_variables; k++) {
-        const hm_variable *v = f->variable + k;
-        const char *name = f->text + v->name, *dot = strchr(name, '.');
-        if (v->kind != KIND_MEASURED || v->place != DIM * a || !dot || strcmp(dot, ".x")) continue;
-        hm_say(text, "point '");
-        say_name(text, &(move){name, (int)(dot - name), 0.0, 0.0});
-        hm_say(text, "'");
-        return;
-    }
-}
-
 /* Velocity of node a in motion v [m/s], or the angular velocity of the body that it is the first director of [rad/s]; its size. */
 static double rate_of(const holonom_model *m, int32_t a, const double *q, const double *v, double *rate)
 {
@@ -184,7 +163,7 @@ static void say_changed_velocity(hm_text *text, int others, const hm_model_file 
     }
     if (worst < 0) return;
     hm_say(text, "%sjoints%s do not allow the velocity that is given for ", others ? "; " : "", m->n_signals ? " and drivers" : "");
-    say_part_of_node(text, f, worst);
+    hm_say_node(text, f, worst);
     hm_say(text, ": it starts %3g %s away from it", far, m->node_kind[worst] ? "rad/s" : "m/s");
     hm_say(text, "; give velocities that belong to one motion, or one alone");
 }

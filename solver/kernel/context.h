@@ -23,7 +23,6 @@ typedef struct context {
     hm_state s;
     hm_work k;
     int64_t state_size;
-    int formulation;
     double h, t;
     double start;       /* of the communication step, for inputs that move                                    */
     int32_t n_moving;
@@ -32,7 +31,6 @@ typedef struct context {
     double theta;
     double weight[4], parabola[4]; /* of the last half steps in the prediction of this one, see predict.h       */
     int half, halves;   /* which half step of an internal one this is, from 0, and of how many                */
-    int conserving;     /* whether the formulation's rows act at the end of a step, not at its middle          */
     int reduced;        /* 1: the unknowns of bodies are their turns, see body_turns.h                        */
     double *move;       /* increments of the unknowns: d, or those of a reduced step                          */
     int constraints_only;      /* 1: only the rows act                                                               */
@@ -185,20 +183,12 @@ static inline int is_seeking(const context *c) { return c->theta != 0.5; }
 /* The sections extent, row_scale and row_sigma lie side by side. */
 static inline size_t derived_bytes(const holonom_model *m) { return sizeof(double) * (size_t)(2 + 2 * m->n_rows); }
 
-static void use_formulation(context *c, int formulation)
-{
-    c->formulation = formulation;
-    c->conserving = formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA ||
-                    formulation == HOLONOM_CONSERVING_PENALTY;
-}
-
 static void open_context(context *c, const holonom_model *m, double *number, double *state, double *work)
 {
     c->m = m;
     c->number = number;
     c->state_size = hm_map_state(m, state, &c->s);
     hm_map_work(m, work, &c->k);
-    use_formulation(c, (int)c->s.head[S_FORMULATION]);
     c->t = c->start = c->s.head[S_TIME];
     c->watch = NULL;
     c->h = 0.0;

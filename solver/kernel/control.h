@@ -75,12 +75,11 @@ static double cost_of(const method *x, double turned)
     return x->solutions * (x->way == EXPLICIT ? 4.0 : x->way == COVERED ? 4.0 + 4.0 * turned : 3.0 + 1.5 * turned);
 }
 
-/* Whether half steps are of order 2: weighted covers need a method that conserves, and loads that read the mechanism at a predicted
-   middle are of that order. */
+/* Whether half steps are of order 2: loads that read the mechanism at a predicted middle are of that order. */
 static int is_limited(const context *c)
 {
     const int has_mass = c->number[c->m->extent_at + 1] > 0.0; /* else nothing measures errors */
-    return !may_put_back(c) || !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
+    return !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
 }
 
 /* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are much too fast for covers. */
@@ -169,7 +168,7 @@ static int judge_step(context *c, double h, double step)
 HM_SELDOM static void bound_across(context *c)
 {
     if (!(c->s.head[S_ACROSS] > ACROSS_ROWS * tolerated(c)) || is_unilateral(c->m)) return;
-    if (may_put_back(c)) put_only_velocities_back(c);
+    put_only_velocities_back(c);
     c->s.head[S_ACROSS] = velocity_defect(c, c->h);
 }
 
@@ -286,7 +285,6 @@ static int32_t cover_evenly(context *c, double start, double step)
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
     head[S_EXPLICIT] = 0.0;
-    if (is_dissipative(c) && !may_put_back(c)) head[S_ORDER_IN_USE] = 2.0;
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;

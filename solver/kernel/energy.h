@@ -25,25 +25,6 @@ static double stored_energy(const context *c)
     return sum;
 }
 
-/* Energy alpha Phi^2/2 that eqs 7, 9 and 11 store in their rows; eq 3 damps its rows and has no potential. */
-HM_SELDOM static double penalty_energy(const context *c)
-{
-    const holonom_model *m = c->m;
-    double sum = 0.0, u[DIM], w[DIM];
-    if (!is_penalty(c) || c->formulation == HOLONOM_PENALTY_VELOCITY) return 0.0;
-    const double factor = c->formulation == HOLONOM_CONSERVING_PENALTY ? 1.0 : 0.5;
-    for (int32_t i = 0; i < m->n_form_rows; i++) {
-        link_at_state(c, m->row_form[i], u, w);
-        const double phi = dot(u, w) - c->number[m->row_constant_at + i];
-        sum += factor * phi * phi / row_compliance(c, i);
-    }
-    for (int32_t j = 0; j < m->n_coincidences; j++) {
-        link_at_state(c, m->coincidence_form[j], u, w);
-        EACH(k) sum += factor * u[k] * u[k] / row_compliance(c, m->n_form_rows + DIM * j + k);
-    }
-    return sum;
-}
-
 /* Change of the potential energy of the islands at hand since the start, where springs and potentials had `stored`. Weights act on
    displacements: on positions they would lose the digits by which the mechanism is far from the origin. */
 static double potential_since(const context *c, double stored)
@@ -58,7 +39,7 @@ static double potential_since(const context *c, double stored)
         EACH(k) moved[k] = (c->s.q[DIM * a + k] - start[DIM * a + k]) + c->s.q_low[DIM * a + k];
         hm_add(&high, &low, -weight * dot(gravity, moved));
     }
-    hm_add(&high, &low, stored_energy(c) + penalty_energy(c) - stored);
+    hm_add(&high, &low, stored_energy(c) - stored);
     return high;
 }
 
@@ -201,7 +182,6 @@ HM_SELDOM static void row_values(const context *c, double *phi)
 /* Whether something takes energy out: parts of a step that go back in time would give it. */
 static int is_dissipative(const context *c)
 {
-    if (c->formulation == HOLONOM_PENALTY_VELOCITY) return 1;
     for (int32_t j = 0; j < c->m->n_elements; j++)
         if (c->number[c->m->damping_at + j] != 0.0) return 1;
     for (int32_t j = 0; j < c->m->n_potentials; j++)

@@ -137,7 +137,6 @@ HM_SELDOM static double velocity_defect(context *c, double h)
     const holonom_model *m = c->m;
     const double extent = c->number[m->extent_at];
     double fastest = speed_scale(c) / c->number[m->extent_at + 1];
-    if (is_penalty(c) || !is_conserving(c)) return 0.0;
     for (int32_t a = 0; a < c->n_moving; a++) {
         const double *v = c->s.v + DIM * a, size = m->node_kind[a] ? 1.0 : extent;
         fastest = fmax(fastest, sqrt(dot(v, v)) / size);

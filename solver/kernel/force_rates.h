@@ -1,4 +1,4 @@
-/* How fast springs and dampers move a mechanism: what an explicit step can resolve (theory 8.8). */
+/* How fast springs, potentials and dampers move a mechanism: what an explicit step can resolve (theory 8.8). */
 #ifndef HOLONOM_FORCE_RATES_H
 #define HOLONOM_FORCE_RATES_H
 
@@ -31,14 +31,71 @@ static void respond(const context *at, double *x)
     add_solution(at, x);
 }
 
-/* Largest eigenvalue of M^-1 K along the rows, by powers of it. */
-static double largest_rate(const context *at, int64_t coefficient_at)
+/* Whether the potentials have derivatives of all orders: no kinks, jumps or tables, and no dampers. */
+static int are_smooth(const context *at)
+{
+    const holonom_model *m = at->m;
+    for (int32_t j = first_potential(at); j < n_composites(at); j++) {
+        const int32_t f = j - first_function(at);
+        if (is_damped(at, j)) return 0;
+        for (int32_t i = m->function_ptr[f]; i < m->function_ptr[f + 1]; i++) {
+            const int32_t code = m->operation[4 * i];
+            if (code > T_LOG && !(code >= T_SINH && code <= T_TANH)) return 0;
+        }
+    }
+    return 1;
+}
+
+/* Second derivative of potential j along rates of its leaves (in r0) with `more` added to that of leaf l; values are in r1. */
+static double bend_along(const context *at, int32_t j, int32_t l, double more)
+{
+    hm_jet *x = (hm_jet *)at->k.leaves;
+    for (int32_t k = 0; k < at->m->leaf_ptr[j + 1] - at->m->leaf_ptr[j]; k++)
+        x[k] = (hm_jet){at->k.r.r1[k], at->k.r.r0[k] + (k == l ? more : 0.0), 0.0};
+    return function_jet(at, j, x, NULL).bend;
+}
+
+/* Adds to momentum AT_STATE times the change of the potentials' forces in the motion x, by their second derivatives H in what they
+   measure: of its rates r, 4 s e'H r = (r + s e)'H (r + s e) - (r - s e)'H (r - s e). */
+static int32_t add_forces_of_potentials(const context *at, const double *x)
+{
+    const holonom_model *m = at->m;
+    for (int32_t j = first_potential(at); j < n_composites(at); j++) {
+        const int32_t n = m->leaf_ptr[j + 1] - m->leaf_ptr[j], *entry = m->leaf + 4 * m->leaf_ptr[j];
+        double s = 0.0;
+        set_local_forms(at, j, 0.5);
+        for (int32_t l = 0; l < n; l++) {
+            double *rate = at->k.r.r0 + l;
+            const int is_signal = entry[4 * l] == LEAF_SIGNAL, q = entry[4 * l + 1];
+            at->k.r.r1[l] = is_signal ? at->s.signal[q] : quantity_at(at, q, at->s.q, at->s.q_low, x, rate);
+            if (is_signal) *rate = 0.0;
+            s = fmax(s, fabs(*rate));
+        }
+        for (int32_t l = 0; l < n && s > 0.0; l++, entry += 4) {
+            leaf_state leaf;
+            if (entry[0] == LEAF_SIGNAL) continue;
+            const double along = (bend_along(at, j, l, s) - bend_along(at, j, l, -s)) / (4.0 * s);
+            const int32_t status = set_leaf(at, entry, 0, &leaf);
+            if (status) return status;
+            for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
+                const local_form *local = (const local_form *)at->k.local + entry[2 + i];
+                add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], AT_STATE * along * leaf.p[i], local->um,
+                             local->wm, at->k.momentum);
+            }
+        }
+    }
+    return HOLONOM_OK;
+}
+
+/* Largest eigenvalue of M^-1 K along the rows, by powers of it: K of springs and of the second derivatives of potentials, or of
+   dampers. */
+static double largest_rate(const context *at, int64_t coefficient_at, int with_potentials)
 {
     double *x = at->k.ahead, rate = 0.0, last = INFINITY, size;
     uint32_t random = 1;
     int32_t j = 0;
     while (j < at->m->n_elements && at->number[coefficient_at + j] == 0.0) j++;
-    if (j == at->m->n_elements) return 0.0;
+    if (j == at->m->n_elements && !with_potentials) return 0.0;
     for (int32_t k = 0; k < DIM * at->n_moving; k++)
         at->k.momentum[k] = (double)(random = 1664525u * random + 1013904223u) - 2147483648.0;
     respond(at, x);
@@ -46,7 +103,7 @@ static double largest_rate(const context *at, int64_t coefficient_at)
     for (int i = 0; i < MOST_POWERS && size > 0.0 && !(fabs(rate - last) <= CLOSE * rate); i++) {
         const double before = size;
         memset(at->k.momentum, 0, sizeof(double) * (size_t)(DIM * at->n_moving));
-        if (add_forces_of_elements(at, coefficient_at, x)) return INFINITY;
+        if (add_forces_of_elements(at, coefficient_at, x) || (with_potentials && add_forces_of_potentials(at, x))) return INFINITY;
         respond(at, x);
         size = mass_norm(at, x);
         last = rate;
@@ -68,12 +125,13 @@ HM_SELDOM static double rate_of_springs(const context *c)
     return sqrt(mass_norm(c, at.k.ahead) / speed);
 }
 
-/* Longest step [s] that resolves springs and dampers at the state, but for what their tension does, by its factors; 0 with stiff
-   dampers, and with potentials, which do not tell how fast they are. */
+/* Longest step [s] that resolves springs, potentials and dampers at the state, but for what their tension does, by its factors; 0 with
+   stiff dampers, and with potentials that are not smooth. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
-    if (at->m->n_potentials) return 0.0;
-    const double springs = largest_rate(at, at->m->stiffness_at), dampers = largest_rate(at, at->m->damping_at);
+    if (!are_smooth(at)) return 0.0;
+    const double springs = largest_rate(at, at->m->stiffness_at, at->m->n_potentials > 0);
+    const double dampers = largest_rate(at, at->m->damping_at, 0);
     if (dampers > STIFF * rate_of_motion(at)) return 0.0;
     const double rate = hm_hypot(sqrt(springs) / SPRING_TURN, dampers / DAMPER_WAY);
     return rate < INFINITY ? 1.0 / fmax(1e-300, rate) : 0.0; /* finite: a state keeps it */

@@ -158,90 +158,29 @@ HM_OFTEN void form_motion(const context *c, int32_t f, motion *g)
     if (theta != 0.5) g->ds -= (2.0 * theta - 1.0) * dot(g->du, g->dw);
 }
 
-static inline int is_penalty(const context *c)
-{
-    return c->formulation >= HOLONOM_CONSERVING_PENALTY && c->formulation <= HOLONOM_PENALTY_VELOCITY;
-}
-
-/* Compliance of a row over its sigma, in its equation C(d) - epsilon (mu - lambda) = 0. Conserving rows are written for
-   Phi_1, where mu = lambda + alpha/2 Phi_1 (eq 15 with Phi_n moved into lambda): epsilon = 2/alpha. alpha is
-   the dimensionless penalty chi over h^2 sigma/4. A penalty method stores energy in alpha, so its alpha must
-   not follow h: it uses the configured step.                                                                */
+/* Compliance of a row over its sigma, in its equation Phi_1 - epsilon (mu - lambda) = 0, where mu = lambda + alpha/2 Phi_1
+   (eq 15 with Phi_n moved into lambda): epsilon = 2/alpha. alpha is the dimensionless penalty chi over h^2 sigma/4. */
 static double compliance_over_sigma(const context *c)
 {
-    const double *head = c->s.head;
     double raised = 1.0;
     for (int level = 0; level < MOST_LEVELS && level < c->island[I_PENALTY_LEVEL]; level++) raised *= 1e2;
-    const double chi = is_penalty(c) ? head[S_PENALTY] : head[S_PENALTY] * raised;
-    const double configured = head[S_STEP_SIZE] * (head[S_PAIRED] != 0.0 ? 0.5 : 1.0);
-    switch (c->formulation) {
-    case HOLONOM_CONSERVING_AL:
-    case HOLONOM_CONSERVING_AL_BETA: return c->h * c->h / (2.0 * chi);
-    case HOLONOM_MIDPOINT_AL: return c->h * c->h / (4.0 * chi);
-    case HOLONOM_CONSERVING_PENALTY: return configured * configured / (2.0 * chi);
-    case HOLONOM_MIDPOINT_PENALTY: return configured * configured / (4.0 * chi);
-    default: return 1.0 / chi;
-    }
+    return c->h * c->h / (2.0 * (c->s.head[S_PENALTY] * raised));
 }
 
-static inline double row_compliance(const context *c, int32_t i)
-{
-    return compliance_over_sigma(c) * c->number[c->m->row_sigma_at + i];
-}
-
-static inline int is_conserving(const context *c) { return c->conserving || is_seeking(c); }
-
-/* Row function of eq 3 under the midpoint rule, Phi'' + 2 xi omega Phi' + omega^2 Phi, with the accelerations
-   2 (d - h v)/h^2, and the links U, W of its gradient.                                                      */
-static double velocity_row(const context *c, int32_t i, const motion *g, double *u, double *w)
-{
-    const double rate = 2.0 * c->s.head[S_XI] * c->s.head[S_OMEGA] / c->h;
-    const double stiff = c->s.head[S_OMEGA] * c->s.head[S_OMEGA], inertia = 2.0 / (c->h * c->h);
-    double wu[DIM], ww[DIM];
-    link_of(c, c->m->row_form[i], c->k.w, wu, ww);
-    EACH(k) u[k] = inertia * (g->um[k] + 0.5 * wu[k] + g->du[k]) + rate * (g->um[k] + 0.5 * g->du[k]) +
-                   0.5 * stiff * g->um[k];
-    EACH(k) w[k] = inertia * (g->wm[k] + 0.5 * ww[k] + g->dw[k]) + rate * (g->wm[k] + 0.5 * g->dw[k]) +
-                   0.5 * stiff * g->wm[k];
-    const double middle = c->k.phi0[i] + 0.5 * (dot(g->u0, g->dw) + dot(g->w0, g->du)) + 0.25 * dot(g->du, g->dw);
-    return inertia * (dot(g->um, ww) + dot(g->wm, wu) + dot(g->du, g->dw)) +
-           rate * g->ds + stiff * middle;
-}
-
-/* Row function C(d) of form row i and the links U, W of its gradient alpha W + beta U. */
+/* Row i at the end of the step, Phi_1, and the links U, W of its gradient alpha W + beta U. */
 HM_OFTEN double row_function(const context *c, int32_t i, const motion *g, double *u, double *w)
 {
-    if (is_conserving(c)) { /* Phi_1 */
-        EACH(k) u[k] = g->u0[k] + g->du[k];
-        EACH(k) w[k] = g->w0[k] + g->dw[k];
-        return c->k.phi0[i] + g->ds;
-    }
-    if (c->formulation == HOLONOM_PENALTY_VELOCITY) return velocity_row(c, i, g, u, w);
-    EACH(k) u[k] = 0.5 * g->um[k]; /* Phi at the midpoint */
-    EACH(k) w[k] = 0.5 * g->wm[k];
-    return c->k.phi0[i] + 0.5 * (dot(g->u0, g->dw) + dot(g->w0, g->du)) + 0.25 * dot(g->du, g->dw);
+    EACH(k) u[k] = g->u0[k] + g->du[k];
+    EACH(k) w[k] = g->w0[k] + g->dw[k];
+    return c->k.phi0[i] + g->ds;
 }
 
-/* Coincidence j, dim rows u(d), written to `row`; returns the factor of its gradient alpha. */
-static double coincidence_function(const context *c, int32_t j, const double *phi0, double *row)
+/* Coincidence j at the end of the step, dim rows u(d) of gradient alpha, written to `row`. */
+static void coincidence_function(const context *c, int32_t j, const double *phi0, double *row)
 {
-    const int32_t f = c->m->coincidence_form[j];
     double du[DIM], unused[DIM];
-    link_of(c, f, c->k.d, du, unused);
-    if (is_conserving(c)) {
-        EACH(k) row[k] = phi0[k] + du[k];
-        return 1.0;
-    }
-    if (c->formulation != HOLONOM_PENALTY_VELOCITY) {
-        EACH(k) row[k] = phi0[k] + 0.5 * du[k];
-        return 0.5;
-    }
-    const double rate = 2.0 * c->s.head[S_XI] * c->s.head[S_OMEGA] / c->h;
-    const double stiff = c->s.head[S_OMEGA] * c->s.head[S_OMEGA], inertia = 2.0 / (c->h * c->h);
-    double wu[DIM];
-    link_of(c, f, c->k.w, wu, unused);
-    EACH(k) row[k] = inertia * wu[k] + rate * du[k] + stiff * (phi0[k] + 0.5 * du[k]);
-    return inertia + rate + 0.5 * stiff;
+    link_of(c, c->m->coincidence_form[j], c->k.d, du, unused);
+    EACH(k) row[k] = phi0[k] + du[k];
 }
 
 /* -------------------------------------------------------------------- to twice the digits (theory 1.6) */

@@ -255,7 +255,7 @@ static void open_ledger(context *c)
     memcpy(c->s.start, c->s.q, sizeof(double) * (size_t)(DIM * c->n_moving));
     for (int32_t a = 0; a < c->n_moving; a++) mass += c->number[m->node_weight_at + a];
     head[S_KINETIC_START] = kinetic;
-    head[S_POTENTIAL_START] = stored_energy(c) + penalty_energy(c);
+    head[S_POTENTIAL_START] = stored_energy(c);
     head[S_STORED_START] = potential_change(c); /* and weights on what rounding left over of the coordinates */
     /* Floors, so that a mechanism at rest has a finite relative error: of its weight and springs and, if it has none, of
        what stands still, whose places are known to round-off: 1e5 times theirs a step. A mechanism with weight has no such
@@ -271,9 +271,7 @@ static void open_ledger(context *c)
 /* Whether contacts and frictions can be run with these settings. */
 static int allows_settings(const context *c)
 {
-    const double *head = c->s.head;
-    return !is_unilateral(c->m) ||
-           (c->formulation == HOLONOM_CONSERVING_AL && head[S_PAIRED] != 0.0 && head[S_EQUILIBRIUM] == 0.0);
+    return !is_unilateral(c->m) || c->s.head[S_EQUILIBRIUM] == 0.0;
 }
 
 static int32_t refuse_penetration(context *c)
@@ -294,7 +292,7 @@ HM_SELDOM int32_t holonom_initialise(const holonom_model *m, double *number, dou
     open_context(&c, m, number, state, work);
     c.watch = watch;
     double *head = c.s.head;
-    memset(head + S_KINETIC_START, 0, sizeof(double) * (S_FORMULATION - S_KINETIC_START));
+    memset(head + S_KINETIC_START, 0, sizeof(double) * (S_STEP_SIZE - S_KINETIC_START));
     memset(c.s.islands, 0, sizeof(double) * (size_t)(I_SIZE * m->n_islands));
     memset(c.s.q, 0, (size_t)((char *)c.s.inputs - (char *)c.s.q));
     if (!allows_settings(&c)) return HOLONOM_CONTACT_SETTINGS;

@@ -529,8 +529,8 @@ static const char *flaw_of_block(holonom_instance *i, const double *block)
         if (!(fabs(block[k]) < INFINITY) && !(may_be_infinite && block[k] == INFINITY))
             return "has a number that is not finite; save it again";
     }
-    const double parity = block[S_PARITY], order = block[S_ORDER_IN_USE];
-    if ((parity != 0.0 && parity != 1.0) || !(order >= 0.0 && order <= 8.0 && (order == 5.0 || order == 2.0 * floor(0.5 * order))))
+    const double order = block[S_ORDER_IN_USE];
+    if (!(order >= 0.0 && order <= 8.0 && (order == 5.0 || order == 2.0 * floor(0.5 * order))))
         return "has a number that no run comes to; save it again";
     const double *island = block + (i->s.islands - i->s.head);
     for (int32_t k = 0; k < f->model.n_islands; k++) {
@@ -559,7 +559,7 @@ static void swap_states(holonom_instance *i)
     }
 }
 
-/* Refuses a state in motion that deforms a rigid part, as no run with these formulations does: its steps, none of which can be
+/* Refuses a state in motion that deforms a rigid part, as no run does: its steps, none of which can be
    solved, would take thousands of iterations. The state to look at is the one before. */
 static int32_t refuse_deformed(holonom_instance *i)
 {
@@ -572,7 +572,7 @@ static int32_t refuse_deformed(holonom_instance *i)
     swap_states(i);
     evaluate(i);
     holonom_rows(i, i->phi, i->rate);
-    for (int32_t row = 0; row < n_rigid && hm_conserves_all((int)i->s.head[S_FORMULATION]); row++) {
+    for (int32_t row = 0; row < n_rigid; row++) {
         const double off = fabs(i->phi[row]) / scale[row];
         if (!(off <= most)) most = off, worst = row;
     }

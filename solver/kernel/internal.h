@@ -74,12 +74,6 @@ enum skip {
 
 static inline int hm_skips(enum skip what) { return !(HOLONOM_WITHOUT & what); }
 
-/* Whether a formulation keeps the energy exactly, of rows of all kinds. */
-static inline int hm_conserves_all(int formulation)
-{
-    return formulation == HOLONOM_CONSERVING_AL || formulation == HOLONOM_CONSERVING_AL_BETA;
-}
-
 void hm_run_tape(const holonom_model *model, double *numbers, int32_t segment);
 
 int32_t hm_lu_factor(int32_t begin, int32_t end, const int32_t *ptr, const int32_t *target, double *value);

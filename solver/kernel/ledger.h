@@ -73,11 +73,7 @@ static void book_step(context *c)
 {
     const holonom_model *m = c->m;
     double du[DIM], unused[DIM], defect = 0.0, residual = 0.0; /* small beside the energy: plain sums in a step */
-    motion g;
-    EACH_FORM_ROW(c, i) {
-        if (!is_conserving(c)) form_motion(c, m->row_form[i], &g);
-        defect += c->k.mu[i] * (is_conserving(c) ? c->k.phi[i] - c->k.phi0[i] : g.ds);
-    }
+    EACH_FORM_ROW(c, i) defect += c->k.mu[i] * (c->k.phi[i] - c->k.phi0[i]);
     for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
         link_of(c, m->coincidence_form[j], c->k.d, du, unused);
         defect += dot(c->k.mu + m->n_form_rows + DIM * j, du);
@@ -200,7 +196,7 @@ static void accept_island(context *c, int parity)
     const double per_step2 = 2.0 / (c->h * c->h);
     const history a = accelerations_so_far(c, parity), mu = multipliers_so_far(c, parity), turn = turning_so_far(c, parity);
     EACH_COORDINATE(c, k) remember(kept, &a, per_step2 * c->k.w[k], k);
-    const double *next = c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT && !is_penalty(c) ? c->k.lambda : c->k.mu;
+    const double *next = c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT ? c->k.lambda : c->k.mu;
     EACH_ROW(c, i) remember(kept, &mu, next[i], i);
     EACH_TURN(c, b)
         for (int k = 0; k < TURNING; k++) remember(kept, &turn, turning_of_step(c, m->body_node[b], k), TURNING * b + k);
@@ -219,12 +215,11 @@ static void accept_step(context *c, int parity)
         look_at_part(c, part, parts);
         accept_island(c, parity);
     }
-    c->rows_known = c->conserving && c->halves == 2 && !is_unilateral(c->m);
+    c->rows_known = c->halves == 2 && !is_unilateral(c->m);
     use_unknowns(c, 0);
     if (is_telling(c)) remember_length(c);
     memcpy(c->s.signal, c->k.signal1, sizeof(double) * (size_t)c->m->n_signals);
     follow_angles(c, c->k.d);
-    c->s.head[S_PARITY] = 1 - parity;
     c->s.head[S_SUBSTEPS] += 1.0;
     c->t += c->h;
 }

@@ -74,7 +74,7 @@ static int is_sound(const hm_model_file *f, const hm_variable *v)
     const holonom_model *m = &f->model;
     const int32_t end[] = {m->n_parameters, m->n_inputs, m->n_numbers, m->n_numbers - m->measured_at, S_HORIZON};
     if (v->type >= TYPE_END || v->causality >= CAUSALITY_END || v->variability >= VARIABILITY_END || v->kind >= KIND_END) return 0;
-    if (v->place < (v->kind == KIND_OPTION ? S_FORMULATION : 0) || v->place >= end[v->kind]) return 0;
+    if (v->place < (v->kind == KIND_OPTION ? S_STEP_SIZE : 0) || v->place >= end[v->kind]) return 0;
     if ((v->causality <= CAUSALITY_INPUT) == (v->kind == KIND_NUMBER || v->kind == KIND_MEASURED)) return 0;
     if (v->type != TYPE_REAL && v->kind != KIND_OPTION) return 0;
     return has_text(f, v->name) && has_text(f, v->unit) && has_words(f, v->words) && fabs(v->start) < INFINITY;
@@ -98,7 +98,7 @@ static int has_sound_records(const hm_model_file *f)
         if (!has_text(f, f->row[i].name) || !has_text(f, f->row[i].detail) || f->row[i].kind >= ROW_KINDS) return 0;
     for (uint32_t i = 0; i < h->n_sampled; i++)
         if (!has_text(f, f->sampled[i])) return 0;
-    return options == (f->model.unilateral ? S_HORIZON : S_REST_SPEED) - S_FORMULATION; /* those of contacts come last */
+    return options == (f->model.unilateral ? S_HORIZON : S_REST_SPEED) - S_STEP_SIZE; /* those of contacts come last */
 }
 
 int hm_view(const void *bytes, hm_model_file *f)

@@ -12,17 +12,11 @@
 #include "tangent.h"
 
 /* Uzawa update: the total multiplier becomes the one held fixed. The paper's eq 16 adds alpha (Phi_n + Phi_1)/2
-   to lambda; with lambda + alpha/2 Phi_n held here, this leaves an extra alpha/2 Phi_n and the fixed point
-   Phi_1 = -Phi_n. A conserving penalty holds alpha/2 Phi_n, the others nothing.                               */
+   to lambda; with lambda + alpha/2 Phi_n held here, that would leave an extra alpha/2 Phi_n and the fixed point
+   Phi_1 = -Phi_n (theory 3.3).                                                                                */
 static void update_multipliers(context *c)
 {
-    const int paper = c->s.head[S_PAPER_UPDATE] != 0.0;
-    EACH_ROW(c, i) {
-        double lambda = is_penalty(c) ? 0.0 : c->k.mu[i];
-        if ((c->formulation == HOLONOM_CONSERVING_AL && paper) || c->formulation == HOLONOM_CONSERVING_PENALTY)
-            lambda += c->k.phi0[i] / c->k.epsilon[i];
-        c->k.lambda[i] = lambda;
-    }
+    EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];
     if (n_frictions(c->m)) follow_cones(c);
 }
 
@@ -210,12 +204,11 @@ static void hold_multipliers(context *c, newton_record *r)
     r->updates++;
 }
 
-/* Newton's iteration with lambda held fixed (nested), or following mu (simultaneous): tangent, increment, multiplier
-   update, residual. A nested one updates early while it contracts well.                                         */
+/* Newton's iteration with lambda held fixed: tangent, increment, residual; with early updates while it contracts well. */
 static int32_t iterate_newton(context *c, newton_record *r)
 {
-    const int simultaneous = c->s.head[S_SIMULTANEOUS] != 0.0, max_newton = (int)c->s.head[S_MAX_NEWTON];
-    r->previous = r->defect = 0.0;
+    const int max_newton = (int)c->s.head[S_MAX_NEWTON];
+    r->previous = 0.0;
     for (r->iteration = 0; r->iteration < max_newton; r->iteration++) {
         int32_t status = HOLONOM_OK;
         r->kept = may_keep_factors(c, r);
@@ -227,17 +220,11 @@ static int32_t iterate_newton(context *c, newton_record *r)
         if (status) return status;
         judge_increment(c, r);
         if (is_misled(r)) take_back(c);
-        if (simultaneous) update_multipliers(c);
         status = evaluate_balance(c);
         if (status) return status;
-        if (simultaneous && !is_penalty(c)) r->defect = constraint_defect(c);
         if (has_converged(c, r)) return HOLONOM_OK;
         r->held = may_update_early(c, r);
-        if (simultaneous && contracts_badly(r) && raise_penalty(c, r)) {
-            update_multipliers(c);
-            if ((status = evaluate_balance(c))) return status;
-        } else if (r->held)
-            hold_multipliers(c, r);
+        if (r->held) hold_multipliers(c, r);
         if (r->slow) replace_factors(c, r);
     }
     return outcome_at_limit(c, r);

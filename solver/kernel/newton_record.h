@@ -14,7 +14,6 @@ typedef struct newton_record {
     double size;             /* of d, likewise                                                                 */
     double target, floor;    /* tolerance and round-off of increments                                          */
     double energy, noise;    /* reference energy, and kinetic energy of the round-off of positions [J]          */
-    double defect;           /* of the rows, where each iteration updates the multipliers                       */
     int iteration;           /* number of the increment since the multipliers were held, from 0                */
     int factorised;          /* whether there are factors of the tangent                                       */
     int kept;                /* whether they served an earlier increment too                                   */

@@ -51,7 +51,7 @@ static inline int may_keep_factors(const context *c, const newton_record *r)
 static void choose_factors(context *c)
 {
     double *island = c->island;
-    const int is_tried = c->m->n_lean_values && is_reduced(c) == (n_bodies(c->m) > 0) && is_conserving(c) && !is_penalty(c) && island[I_DEPENDENT] == 0.0 &&
+    const int is_tried = c->m->n_lean_values && is_reduced(c) == (n_bodies(c->m) > 0) && island[I_DEPENDENT] == 0.0 &&
                          hm_skips(SKIP_STIFFNESS);
     c->lu = is_tried && island[I_FULL_STEPS] == 0.0 ? lean_factors(c) : full_factors(c);
     if (island[I_FULL_STEPS] > 0.0) island[I_FULL_STEPS] -= 1.0;

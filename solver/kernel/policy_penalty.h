@@ -13,16 +13,13 @@
    if both are small, the Uzawa factor 1/(1 + chi g_1 g_m/sigma) of that combination has its pole nearby.         */
 static int raise_penalty(context *c, newton_record *r)
 {
-    if (is_penalty(c) || r->raised >= 2) return 0;
+    if (r->raised >= 2) return 0;
     r->raised += 1;
     r->factorised = 0;
     r->theta = 1.0;
     EACH_ROW(c, i) c->k.epsilon[i] *= 1e-3;
     return 1;
 }
-
-/* Whether a simultaneous iteration contracts so little that a larger penalty may help. */
-static inline int contracts_badly(const newton_record *r) { return r->iteration > 1 && r->theta > 0.25; }
 
 /* Whether an Uzawa update has left more than a quarter of the rows' defect, and ten times what the penalty promises. */
 static inline int updates_slowly(const context *c, double defect, double last)
@@ -48,9 +45,7 @@ enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK, ROWS_CONTRADICT 
    once, after the second increment or a short first one.                                                          */
 static int may_update_early(const context *c, const newton_record *r)
 {
-    const double *head = c->s.head;
     if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
-    if (is_penalty(c) || head[S_SIMULTANEOUS] != 0.0 || head[S_PENALTY] < EARLY_UPDATE_PENALTY) return 0;
     const double rows = c->island[I_DEPENDENT];
     const int is_short = r->iteration == 0 && r->eta < SHORT_INCREMENT * r->size;
     if (rows != ROWS_ARE_INDEPENDENT && r->iteration != 1 && !(rows == ROWS_ARE_DEPENDENT && is_short)) return 0;
@@ -67,7 +62,7 @@ static int may_update_early(const context *c, const newton_record *r)
 static void start_penalty(const context *c, double left)
 {
     double penalty = c->s.head[S_PENALTY], *level = c->island + I_PENALTY_LEVEL;
-    if (penalty < EARLY_UPDATE_PENALTY || !hm_skips(SKIP_LOW_PENALTY)) return;
+    if (!hm_skips(SKIP_LOW_PENALTY)) return;
     *level = 0.0;
     for (; left > GOOD_UPDATE * penalty && *level < MOST_LEVELS && 1e2 * penalty <= LARGEST_RAISED; penalty *= 1e2) *level += 1.0;
 }

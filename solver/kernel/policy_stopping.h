@@ -36,27 +36,20 @@ static double residual_energy(const context *c)
     return fabs(sum / c->h); /* h < 0 in the parts of a composition that go back */
 }
 
-/* Row i that the Uzawa update drives to zero. */
-static inline double updated_row(const context *c, int32_t i)
-{
-    const int averaged = c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] != 0.0;
-    return averaged ? 0.5 * (c->k.phi0[i] + c->k.phi[i]) : c->k.phi[i];
-}
-
 static double constraint_energy(const context *c)
 {
     double sum = 0.0;
     if (!HOLONOM_ENERGY_DECIDES) return 0.0;
-    EACH_ROW(c, i) sum += updated_row(c, i) * c->k.mu[i];
+    EACH_ROW(c, i) sum += c->k.phi[i] * c->k.mu[i];
     return fabs(sum);
 }
 
-/* Largest |Phi|/l^2 of those rows. */
+/* Largest |Phi_1|/l^2. */
 static double constraint_defect(const context *c)
 {
     double largest = 0.0;
     EACH_ROW(c, i) {
-        const double scaled = fabs(updated_row(c, i)) / c->number[c->m->row_scale_at + i];
+        const double scaled = fabs(c->k.phi[i]) / c->number[c->m->row_scale_at + i];
         if (!(scaled <= largest) && largest == largest) largest = scaled; /* a NaN stays */
     }
     return largest;
@@ -86,28 +79,23 @@ static inline double allowed_energy(const context *c, const newton_record *r)
     return ENERGY_MARGIN * (c->s.head[S_NEWTON_TOLERANCE] * r->energy + r->noise);
 }
 
-/* Whether what is left of the increments, the rows' defect and the energy that the residual adds are a margin below the
-   tolerance; or below the tolerance, where round-off has stalled the contraction. Rows of a nested iteration are asked by
-   rows_hold.                                                                                                    */
+/* Whether what is left of the increments and the energy that the residual adds are a margin below the tolerance; or below the
+   tolerance, where round-off has stalled the contraction. Of the rows rows_hold asks.                            */
 static int has_converged(const context *c, const newton_record *r)
 {
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE], added = residual_energy(c);
     const int stalled = r->iteration > 1 && !r->held && r->theta > 0.5 && r->eta <= fmax(r->target, r->floor);
-    const int follows = c->s.head[S_SIMULTANEOUS] != 0.0 && !is_penalty(c);
     const double margin = r->taken_over ? OLD_MARGIN : NEWTON_MARGIN;
-    if (increments_left(c, r) <= margin * r->target && !is_misled(r) && added <= allowed_energy(c, r) &&
-        (!follows || (r->defect <= allowed_defect(c, r) && constraint_energy(c) <= allowed_energy(c, r))))
-        return 1;
-    return stalled && r->defect <= tolerance && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    if (increments_left(c, r) <= margin * r->target && !is_misled(r) && added <= allowed_energy(c, r)) return 1;
+    return stalled && added <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
 }
 
 /* Status of an iteration that has taken as many increments as it may. */
 static int32_t outcome_at_limit(const context *c, const newton_record *r)
 {
     const double tolerance = c->s.head[S_NEWTON_TOLERANCE];
-    if (!(r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise))
-        return HOLONOM_NEWTON_DIVERGED;
-    return r->defect <= tolerance ? HOLONOM_OK : HOLONOM_UZAWA_DIVERGED;
+    const int holds = r->eta <= r->target && residual_energy(c) <= ENERGY_LIMIT * tolerance * r->energy + r->noise;
+    return holds ? HOLONOM_OK : HOLONOM_NEWTON_DIVERGED;
 }
 
 /* Whether the rows hold as far as is asked, and their energy is no more than so many times what it may be. */

@@ -15,12 +15,11 @@
 static inline int n_followed(const context *c) { return c->halves == 2 ? 4 : 2; }
 
 /* Of how many internal steps before it the misses are known and used, the last one or a line through two; 0 leaves the values of
-   the same half of the last pair. The formulations that do not conserve swing up from half to half, where a polynomial leads
-   astray. */
+   the same half of the last pair. */
 static int known_misses(const context *c)
 {
     const double known = hm_skips(SKIP_OLD_GUESS) ? c->s.head[S_KNOWN] - n_followed(c) : 0.0;
-    if (!is_conserving(c) || c->halves > c->m->n_slots || known < c->halves) return 0;
+    if (c->halves > c->m->n_slots || known < c->halves) return 0;
     return 2 * c->halves <= c->m->n_slots && known >= 2 * c->halves ? 2 : 1;
 }
 

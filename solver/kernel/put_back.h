@@ -28,18 +28,17 @@ typedef struct kept_motion {
     double before[RIGID], scale[RIGID]; /* momenta that it is to have, and sums of their terms' sizes */
     double impulse[RIGID];              /* of its weights over the step */
     double kinetic, potential;          /* energies at the start of the step */
+    double lacking;                     /* energy that its ledger lacked there */
     double work, dissipated;            /* in the step */
     double centre[DIM];                 /* which angular momenta are about */
 } kept_motion;
 
-_Static_assert(sizeof(kept_motion) <= sizeof(double) * (4 * RIGID + DIM + 5), "scratch of an island");
-
-static int may_put_back(const context *c) { return hm_conserves_all(c->formulation); }
+_Static_assert(sizeof(kept_motion) <= sizeof(double) * (4 * RIGID + DIM + 6), "scratch of an island");
 
 /* What the islands at hand, one, keep. */
 static kept_motion *kept_of(const context *c)
 {
-    return (kept_motion *)(void *)(c->k.kept + (4 * RIGID + DIM + 5) * (int64_t)c->first_island);
+    return (kept_motion *)(void *)(c->k.kept + (4 * RIGID + DIM + 6) * (int64_t)c->first_island);
 }
 
 /* Lets island i be at hand in both contexts; all of them if i is their number. */
@@ -108,6 +107,12 @@ HM_SELDOM static double lost_of(const context *c, int account)
     return sum;
 }
 
+/* Potential energy of the island at hand, of the only one as its change since the start of the run. */
+static double potential_of_island(const context *c)
+{
+    return potential_since(c, c->m->n_islands == 1 ? c->s.head[S_STORED_START] : 0.0);
+}
+
 /* Takes down what the islands have at the start of a step of length h, which has lost nothing yet: of their momenta all may be kept, of driven islands none. */
 HM_SELDOM static void keep_motion(context *c, double h)
 {
@@ -120,7 +125,8 @@ HM_SELDOM static void keep_motion(context *c, double h)
         x->flies = may_fly(c);
         for (int i = 0; i < RIGID; i++) x->kept[i] = c->begin[ISLAND_DRIVEN] == c->end[ISLAND_DRIVEN];
         x->kinetic = kinetic_energy(c, c->k.momentum);
-        x->potential = potential_since(c, 0.0);
+        x->potential = potential_of_island(c);
+        x->lacking = c->m->n_islands == 1 ? ledger_balance(c, x->kinetic, x->potential) : c->island[I_UNBALANCED];
         momenta_now(c, x, x->before, x->scale);
         for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE] && x->flies; a++)
             EACH(k) x->impulse[k] += h * c->number[m->node_weight_at + a] * c->number[m->gravity_at + k];
@@ -139,11 +145,13 @@ static void forget_momenta(context *c)
     look_at(c, 0, c->m->n_islands);
 }
 
-/* Energy that the ledger of the island at hand does not know of, with this potential energy. */
+/* Energy that the ledger of the island at hand does not know of, with this potential energy. That of an only island is the ledger of
+   the run. */
 static double unbalanced(const context *c, const kept_motion *x, double potential)
 {
     const double kinetic = kinetic_energy(c, c->k.momentum); /* leaves M v in momentum */
-    return ((kinetic - x->kinetic) + (potential - x->potential)) - (x->work - x->dissipated) + c->island[I_UNBALANCED];
+    if (c->m->n_islands == 1) return ledger_balance(c, kinetic, potential);
+    return x->lacking + ((kinetic - x->kinetic) + (potential - x->potential)) - (x->work - x->dissipated);
 }
 
 #define EACH_FREE(c, k) for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE]; k < k##_end; k++)
@@ -430,7 +438,7 @@ HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIG
         EACH(k) psi[k] = s * g[k];
         c->balanced = fmax(c->balanced, turn_island(c, x, psi) / c->number[c->m->extent_at + 1]);
         put_momenta_back(c, x, L);
-        potential = potential_since(c, 0.0);
+        potential = potential_of_island(c);
     }
     c->island[I_UNBALANCED] = unbalanced(c, x, potential);
     return keeps;
@@ -457,7 +465,7 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     double L[RIGID][RIGID] = {{0.0}};
     follow_rows(at);
     put_momenta_back(c, x, L);
-    const double potential = potential_since(c, 0.0);
+    const double potential = potential_of_island(c);
     if (has_unknown_work(c)) {
         book(c, S_WORK, unbalanced(c, x, potential));
         c->island[I_UNBALANCED] = 0.0;
@@ -466,9 +474,9 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     free_velocities(at, x, L);
     if (mass_product(c, c->k.free, c->k.free) >= LEAST_FREE * mass_product(c, c->s.v, c->s.v) && balance_energy(c, x, potential)) return 1;
     if (balance_by_turning(c, x, L, potential)) return 1;
-    /* Steady spins have no velocity and no turn that would change the energy: round-off of a step stays in the ledger, and is left. */
+    /* Steady spins have no velocity and no turn that would change the energy: round-off of a step is left, and is seen in the ledger. */
     c->island[I_UNBALANCED] = 0.0;
-    const double excess = unbalanced(c, x, potential), damped = lost_of(c, S_DISSIPATED), rubbed = lost_of(c, S_FRICTION);
+    const double excess = unbalanced(c, x, potential) - x->lacking, damped = lost_of(c, S_DISSIPATED), rubbed = lost_of(c, S_FRICTION);
     if (fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) return 1;
     /* Where all stands for a moment, as where a slip stops, what is lost in the step, and is known to its order, makes up for it. */
     if (!(fabs(excess) <= damped + rubbed)) return 0;
@@ -509,7 +517,7 @@ HM_SELDOM static void weigh_energies(context *c, double weight)
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         look_at(c, island, island + 1);
         kept_motion *x = kept_of(c);
-        x->work += weight * ((kinetic_energy(c, c->k.momentum) - x->kinetic) + (potential_since(c, 0.0) - x->potential));
+        x->work += weight * ((kinetic_energy(c, c->k.momentum) - x->kinetic) + (potential_of_island(c) - x->potential));
     }
     look_at(c, 0, c->m->n_islands);
 }

@@ -57,7 +57,7 @@ const char *hm_about_step(int32_t status)
         return "no impulses were found that obey the law of impact; look for a driver that pushes against the contact, for contacts "
                "that hold the same thing twice, or for masses that are many powers of ten apart";
     case HOLONOM_CONTACT_SETTINGS:
-        return "contacts and friction need solver.formulation conserving-al, solver.paired true and solver.start drawn";
+        return "contacts and friction need solver.start drawn";
     case HOLONOM_PENETRATION: return "its gap is negative at the start; draw its parts apart";
     case HOLONOM_TOO_MANY_EVENTS:
         return "contacts change more often than solver.max_events in a communication step; take shorter ones, or larger "
@@ -83,20 +83,41 @@ static void name_of_part(const hm_model_file *f, int32_t place, hm_text *name)
     }
 }
 
-/* Says a node with a colon: a point by its name, a direction by that of its body; nothing if neither is known. */
-static void say_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
+/* Row of rigidity of a body: by its name, or by one of its directions. */
+static int is_row_of(const hm_model_file *f, int32_t row, const char *name, int32_t node)
+{
+    const holonom_model *m = &f->model;
+    const char *title = f->text + f->row[row].name + sizeof "body '" - 1;
+    const size_t length = strlen(name);
+    if (!m->node_kind[node]) return length && !strncmp(title, name, length) && title[length] == '\'';
+    for (int32_t e = m->form_ptr[m->row_form[row]]; e < m->form_ptr[m->row_form[row] + 1]; e++)
+        if (m->form_node[e] == node) return 1;
+    return 0;
+}
+
+int hm_say_node(hm_text *text, const hm_model_file *f, int32_t node)
 {
     const holonom_model *m = &f->model;
     char room[NAME_ROOM];
     hm_text name = {room, sizeof room, 0};
-    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; m->node_kind[node] && i < m->n_form_rows; i++)
-        for (int32_t e = m->form_ptr[m->row_form[i]]; e < m->form_ptr[m->row_form[i] + 1]; e++)
-            if (m->form_node[e] == node) {
-                hm_say(text, "%s%s: ", before, f->text + f->row[i].name);
-                return;
-            }
+    hm_clear(&name);
     if (!m->node_kind[node]) name_of_part(f, DIM * node, &name);
-    if (name.used) hm_say(text, "%s'%s': ", before, room);
+    for (int32_t i = m->n_form_rows - m->n_rigidity_rows; i < m->n_form_rows; i++)
+        if (is_row_of(f, i, room, node)) {
+            hm_say(text, "%s", f->text + f->row[i].name);
+            return 1;
+        }
+    if (name.used) hm_say(text, "point '%s'", room);
+    return name.used > 0;
+}
+
+/* Says the part of a node with a colon; nothing if none is known. */
+static void say_fault_node(hm_text *text, const hm_model_file *f, const char *before, int32_t node)
+{
+    const size_t begin = text->used;
+    hm_say(text, "%s", before);
+    if (hm_say_node(text, f, node)) hm_say(text, ": ");
+    else hm_take_back(text, begin);
 }
 
 /* Says what of a signal is not finite, and its driver or constraint: 3 b + 0, 1 or 2, see blame_signal. */
@@ -156,12 +177,12 @@ static void say_broken_law(hm_text *text, const hm_model_file *f, const double *
         say_element(text, f, numbers, j, "");
     }
     for (int32_t j = 0; j < m->n_loads && !text->used; j++)
-        if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
+        if (is_no_number(numbers + m->load_at + DIM * j, DIM)) say_fault_node(text, f, FORCE, m->form_node[m->form_ptr[m->load_form[j]]]);
     for (int32_t j = 0; j < m->n_moments && !text->used; j++)
         if (is_no_number(numbers + m->moment_at + turning * j, turning))
-            say_node(text, f, TORQUE, m->form_node[m->form_ptr[m->moment_form[j]]]);
+            say_fault_node(text, f, TORQUE, m->form_node[m->form_ptr[m->moment_form[j]]]);
     for (int32_t j = 0; j < m->n_body_moments && !text->used; j++)
-        if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_node(text, f, TORQUE, m->body_moment[2 * j]);
+        if (is_no_number(numbers + m->body_moment_at + 3 * j, 3)) say_fault_node(text, f, TORQUE, m->body_moment[2 * j]);
 }
 
 static int lacks_solution(int32_t status)
@@ -178,7 +199,7 @@ void hm_say_fault(hm_text *text, const hm_model_file *f, const double *numbers, 
     if (text->used || fault < 0) return;
     if (status == HOLONOM_BAD_DRIVER) say_signal(text, f, numbers, fault - n_rows - f->model.n_free - f->model.n_driven);
     else if (fault < n_rows) hm_say(text, "%s%s: ", is_sure ? "" : "near ", f->text + f->row[fault].name);
-    else if (fault - n_rows < f->model.n_free) say_node(text, f, "near ", fault - n_rows);
+    else if (fault - n_rows < f->model.n_free) say_fault_node(text, f, "near ", fault - n_rows);
     else
         say_element(text, f, numbers, fault - n_rows - f->model.n_free,
                     " passes through length zero, where the direction of its force jumps; a spring with free_length = 0 does not jump there");
@@ -205,14 +226,6 @@ void hm_say_far_apart(hm_text *text, const hm_model_file *f, const double *numbe
                mass[heaviest] / mass[lightest], light_room);
 }
 
-/* Why no step of this run has an order above 2 with dampers; empty if there is no such reason. */
-static void say_lasting_reason(hm_text *text, const hm_model_file *f, const double *head)
-{
-    if (!hm_conserves_all((int)head[S_FORMULATION]))
-        hm_say(text, "solver.formulation %s has no higher order; %s has", hm_formulation_word(f, head[S_FORMULATION]),
-               hm_formulation_word(f, HOLONOM_CONSERVING_AL));
-}
-
 static int has_dampers(const hm_model_file *f, const double *numbers)
 {
     for (int32_t j = 0; j < f->model.n_elements; j++)
@@ -234,7 +247,6 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
         return head[S_CONTACT_MODE] != 0.0;
     }
     hm_clear(&reason);
-    say_lasting_reason(&reason, f, head);
     if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
     /* Order 2 may be the choice of the tolerance, unless it has none. */
     if (chosen && (!reason.used || !has_dampers(f, numbers))) return 0;
@@ -252,7 +264,7 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
 static void say_open_ledger(hm_text *text, const double *head)
 {
     const double limit = fmax(LEDGER_OPEN * head[S_NEWTON_TOLERANCE], LEDGER_LONG);
-    if (head[S_LEDGER_ERROR] <= limit || !hm_conserves_all((int)head[S_FORMULATION])) return;
+    if (head[S_LEDGER_ERROR] <= limit) return;
     hm_say(text, "the energy is off by %1e of the reference energy at t = %6g s though steps are solved: round-off is too large for this "
                  "mechanism; draw it closer to the origin, with sizes, masses and stiffnesses less far apart, or take longer steps",
            head[S_LEDGER_ERROR], head[S_TIME]);

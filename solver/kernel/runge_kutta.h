@@ -30,7 +30,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
 {
     const holonom_model *m = c->m;
     const double mass = c->number[m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
-    return mass > 0.0 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && may_put_back(c) && !is_unilateral(m) &&
+    return mass > 0.0 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && !is_unilateral(m) &&
            !(m->variable_potential && (m->time_dependent || m->sensing));
 }
 
@@ -358,11 +358,22 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     return status ? status : put_back(c, at, held);
 }
 
+/* Leaves the forces at the start of a step that has failed in momentum: t is its time; fault.h names the part of the largest one. */
+HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, double h)
+{
+    memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    follow_signals(c, t, h, 0.0);
+    laws_within(at, t, h, 0.0);
+    accelerate_all(at);
+    inertia(c, 2.0, c->s.a[0], c->k.momentum);
+}
+
 /* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after
    MOST_HELD in a row others are, too: they learn their errors anew. */
 HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
 {
     const runge_kutta *x = method_of_order((int)c->s.head[S_ORDER_IN_USE]);
+    const double t = c->t;
     double *before = c->k.pair_backup; /* which undo_step returns to */
     int held = 0;
     context at = rows_at_state(c, 0.0);
@@ -376,6 +387,7 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
         return HOLONOM_OK;
     }
     if (!status) status = remember_end(c, &at);
+    if (status == HOLONOM_NOT_FINITE) find_forces_at_start(c, &at, t, h);
     if (status) return status;
     c->s.head[S_HELD] = 0.0;
     c->s.head[S_SUBSTEPS] += x->stages;

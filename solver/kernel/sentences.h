@@ -19,6 +19,9 @@ static inline hm_measured hm_measured_in(const hm_model_file *f, const double *n
 /* Says what keeps a step from being solved. */
 const char *hm_about_step(int32_t status);
 
+/* Says the part that a node belongs to: a body, of which it is the centre or a direction, or a point; returns whether it is known. */
+int hm_say_node(hm_text *text, const hm_model_file *file, int32_t node);
+
 /* Says which part is far heavier than which, where this may keep a step from being solved; nothing if none is. */
 void hm_say_far_apart(hm_text *text, const hm_model_file *file, const double *numbers, int32_t status);
 
@@ -47,9 +50,6 @@ double hm_limit_before(const hm_variable *variable, double value);
 /* Word number `value` of a String option, or NULL. */
 const char *hm_word(const hm_model_file *file, const hm_variable *variable, double value);
 
-/* Word number `value` of the setting formulation. */
-const char *hm_formulation_word(const hm_model_file *file, double value);
-
 /* Says a sentence for each rule that the numbers break, and returns how many. */
 int hm_broken_rules(hm_text *text, const hm_model_file *file, const double *numbers, int only_laws);
 
@@ -60,7 +60,7 @@ void hm_noted_rules(hm_text *text, const hm_model_file *file, const double *numb
    sentences before. */
 void hm_say_pressed(hm_text *text, const hm_model_file *file, int32_t row, double gap, int others);
 
-/* Says what the formulation or the search for an equilibrium does not know of this mechanism; returns how many sentences. */
+/* Says what the search for an equilibrium does not know of this mechanism; returns how many sentences. */
 int hm_unknown_to_method(hm_text *text, const hm_model_file *file, const double *head);
 
 /* Says a sentence for each part whose rows the drawn mechanism contradicts, by their residuals phi and rates (n_rows each), and

@@ -1,4 +1,4 @@
-/* Rows |u|^2 - c = 0 of a conserving step - distances, lengths of directions: most rows there are - in fewer operations
+/* Rows |u|^2 - c = 0 - distances, lengths of directions: most rows there are - in fewer operations
    than forms u . w take. */
 #ifndef HOLONOM_SQUARE_ROWS_H
 #define HOLONOM_SQUARE_ROWS_H
@@ -17,10 +17,10 @@ static inline double square_motion(const context *c, int32_t f, double *du, doub
     return 2.0 * dot(um, du);
 }
 
-/* Whether row i is |u|^2 - c = 0 in a conserving step: a distance or the length of a direction, as most rows are. */
+/* Whether row i is |u|^2 - c = 0 in a step: a distance or the length of a direction, as most rows are. */
 static inline int is_square_row(const context *c, int32_t i)
 {
-    return c->conserving && !is_seeking(c) && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
+    return !is_seeking(c) && hm_skips(SKIP_SECOND_LINK) && c->m->form_kind[c->m->row_form[i]] == FORM_SQUARE;
 }
 
 /* Form row i of the kind of is_square_row: the same numbers in one pass. */

@@ -143,7 +143,6 @@ static context rows_at_state(const context *c, double h)
     rows.h = h > 0.0 ? h : AT_STATE;
     rows.constraints_only = !(h > 0.0);
     rows.at_state = 1;
-    use_formulation(&rows, HOLONOM_CONSERVING_AL);
     memset(c->k.mu, 0, sizeof(double) * (size_t)c->m->n_rows);
     for (int32_t i = 0; i < c->m->n_rows; i++) c->k.epsilon[i] = length2 / AT_STATE_PENALTY * c->number[c->m->row_sigma_at + i];
     return rows;

@@ -81,13 +81,8 @@ static void begin_unknowns(const context *c, int parity, int reach)
     }
 }
 
-/* Whether turns of bodies are the unknowns: rows that hold at the end of a step make it the same. Low penalties are left to the
-   directors: articulated.h counts on Uzawa updates that contract better than Newton's increments.                */
-static inline int may_reduce(const context *c)
-{
-    return HM_BODIES && c->m->n_reduced_values && c->formulation == HOLONOM_CONSERVING_AL && c->s.head[S_PAPER_UPDATE] == 0.0 &&
-           c->s.head[S_PENALTY] >= EARLY_UPDATE_PENALTY && hm_skips(SKIP_DIRECTORS);
-}
+/* Whether turns of bodies are the unknowns. */
+static inline int may_reduce(const context *c) { return HM_BODIES && c->m->n_reduced_values && hm_skips(SKIP_DIRECTORS); }
 
 /* Links, rows, compliances, warm start and predictor at the beginning of a step of length c->h. */
 static void prepare_step(context *c, int parity)
@@ -110,7 +105,7 @@ static void prepare_step(context *c, int parity)
         c->k.w[k] = c->k.d[k] - c->k.hv[k];
     }
     if (is_reduced(c)) begin_unknowns(c, parity, reach);
-    rows_at_start(c, is_telling(c) || is_penalty(c) || c->stepping);
+    rows_at_start(c, is_telling(c) || c->stepping);
     const double rows = c->island[I_DEPENDENT];
     const double compliance = compliance_over_sigma(c), kept = rows == ROWS_ARE_WEAK ? 1.0 - FORGOTTEN : 1.0;
     EACH_ROW(c, i) {
@@ -131,7 +126,7 @@ static void prepare_step(context *c, int parity)
    they miss, is not raised then. */
 static int miss_together(const context *c, newton_record *r)
 {
-    if (c->island[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed || is_penalty(c)) return 0;
+    if (c->island[I_DEPENDENT] != ROWS_CONTRADICT || r->raised || r->missed) return 0;
     if (!accept_contradiction(c)) return 0;
     r->missed = 1;
     r->updates++;
@@ -140,13 +135,13 @@ static int miss_together(const context *c, newton_record *r)
 
 /* Outer Uzawa iteration around the inner Newton iteration (paper, section 2.2, eqs 15, 16); `updates` (overwritten) are
    those after an inner iteration, not the early ones within it.                                                 */
-static int32_t iterate_uzawa(context *c, newton_record *r, int single, int *updates)
+static int32_t iterate_uzawa(context *c, newton_record *r, int *updates)
 {
     const int max_uzawa = (int)c->s.head[S_MAX_UZAWA];
     double last = INFINITY;
     for (*updates = 0;; *updates += 1) {
         const int32_t status = iterate_newton(c, r);
-        if (status || single) return status;
+        if (status) return status;
         const double defect = constraint_defect(c);
         if (!(defect < INFINITY)) return HOLONOM_NOT_FINITE;
         if (rows_hold(c, r, defect, last)) return HOLONOM_OK;
@@ -171,17 +166,16 @@ typedef struct effort {
 /* One try with the factors chosen, from what prepare_step has left; what it takes is added to `total`. */
 static int32_t try_step(context *c, int began_with_old, newton_record *r, effort *total)
 {
-    const int single = is_penalty(c) || c->s.head[S_SIMULTANEOUS] != 0.0;
     int updates = 0;
     int32_t status = turns_little(c) ? evaluate_balance(c) : HOLONOM_TURN_TOO_LARGE;
-    if (!status) status = iterate_uzawa(c, r, single, &updates);
+    if (!status) status = iterate_uzawa(c, r, &updates);
     judge_factors(c, r, began_with_old);
     choose_lambda(c, r);
     if (r->increments == 1) trust_less(c);
-    if (!status && !is_penalty(c) && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) clean_multipliers(c);
+    if (!status && c->island[I_DEPENDENT] == ROWS_ARE_DEPENDENT) clean_multipliers(c);
     total->increments += r->increments;
     total->updates += r->updates;
-    if (!status && !single && !r->raised) follow_contraction(c->island, r->increments, updates);
+    if (!status && !r->raised) follow_contraction(c->island, r->increments, updates);
     return status;
 }
 

@@ -54,37 +54,23 @@ static double longest_now(const context *c, int order)
     return fmin(longest_of(c, order), 0.9 * MOST_TURNED / fmax(fastest_turn(c), fastest_angle(c)));
 }
 
-/* Whether steps come one by one, not in pairs. */
-HM_OFTEN int is_unpaired(const context *c)
-{
-    return c->s.head[S_PAIRED] == 0.0 && c->s.head[S_ORDER_IN_USE] == 2.0 && !(c->s.head[S_TOLERANCE] > 0.0);
-}
-
 /* Takes an internal step back, from time t with laws of law_time; what it cost stays counted. */
 static void undo_step(context *c, double t, double law_time)
 {
     const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS], as_pairs = c->s.head[S_AS_PAIRS];
-    if (!is_unpaired(c)) {
-        memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
-        if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
-    }
+    memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
+    if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
     c->s.head[S_AS_PAIRS] = as_pairs;
 }
 
-/* One internal step: pairs of half steps, or the plain step, whose velocities and multipliers are less smooth. */
+/* One internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
 static int32_t internal_step(context *c, double h)
 {
     int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
-    if (is_unpaired(c)) {
-        begin_halves(c, 2);
-        status = single_step(c, h, (int)c->s.head[S_PARITY]);
-        if (!status) average_multipliers(c, c->t - h);
-        return status;
-    }
     c->way = UNTAKEN;
     if (c->s.head[S_EXPLICIT] != 0.0 && !c->passing && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
@@ -93,10 +79,10 @@ static int32_t internal_step(context *c, double h)
         undo_step(c, t, law_time);
     }
     if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
-    const int is_judged = c->s.head[S_TOLERANCE] > 0.0 && may_put_back(c);
+    const int is_judged = c->s.head[S_TOLERANCE] > 0.0;
     const int is_first = c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
     if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1);
-    if (order > 2 && may_put_back(c) && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);
+    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);
     c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
@@ -114,12 +100,11 @@ static int32_t internal_step(context *c, double h)
     return status;
 }
 
-/* After a failure penalties are those that were asked for, with contacts, whose rows may have become dependent, and where motion need
-   not stay bounded. Else they stay raised: a heavy load on light links fails where its tension ends, and needs them all the more in
+/* After a failure penalties are those that were asked for with contacts, whose rows may have become dependent. Else they stay raised: a heavy load on light links fails where its tension ends, and needs them all the more in
    shorter steps. */
 HM_OFTEN void lower_penalties(context *c)
 {
-    if (!is_unilateral(c->m) && hm_conserves_all(c->formulation)) return;
+    if (!is_unilateral(c->m)) return;
     for (int32_t island = 0; island < c->m->n_islands; island++) {
         double *own = c->s.islands + I_SIZE * island;
         own[I_PENALTY_LEVEL] = own[I_SLOW_STEPS] = 0.0;

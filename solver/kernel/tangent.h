@@ -1,9 +1,9 @@
 /* Residual and tangent of one step, the regularised KKT system
 
        [ A      h Gm' ] [dw ]     [ (2/h) M w + h (Gm' mu - Q) ]      A = (2/h) M + h (1/2 sum mu_i H_i + K),
-       [ G_1    -eps  ] [dmu] = - [ C(d) - eps (mu - lambda)   ]      w = d - h v_n.
+       [ G_1    -eps  ] [dmu] = - [ Phi_1 - eps (mu - lambda)  ]      w = d - h v_n.
 
-   It is not symmetric: Gm is taken at the midpoint, G_1 is the gradient of C at the end. Unknown is w, not
+   It is not symmetric: Gm is taken at the midpoint, G_1 at the end. Unknown is w, not
    q_1 or d: M (v_1 - v_n) = (2/h) M w then has the size of the forces, not of the momenta, and keeps its digits. */
 #ifndef HOLONOM_TANGENT_H
 #define HOLONOM_TANGENT_H
@@ -255,12 +255,8 @@ static int32_t assemble_tangent(const context *c)
     }
     if (is_reduced(c)) inertia_tangent(c, value);
     const int32_t *slot = c->lu->coincidence_slot + c->lu->coincidence_slot_ptr[c->begin[ISLAND_COINCIDENCE]];
-    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) {
-        double ignored[DIM];
-        const int32_t row = m->n_form_rows + DIM * j;
-        slot = is_reduced(c) ? reduced_coincidence_tangent(c, j, slot, value)
-                          : scatter_coincidence(c, j, h, coincidence_function(c, j, c->k.phi0 + row, ignored), slot, value);
-    }
+    for IN_ISLAND(c, j, ISLAND_COINCIDENCE)
+        slot = is_reduced(c) ? reduced_coincidence_tangent(c, j, slot, value) : scatter_coincidence(c, j, h, 1.0, slot, value);
     EACH_ROW(c, i) value[c->lu->lu_ptr[c->lu->row_position[i]]] -= c->k.epsilon[i];
     if (c->left_out && !is_open(c)) set_rows_apart(c, value);
     const int32_t status = c->composites ? composite_tangent(c, value) : HOLONOM_OK;
@@ -301,7 +297,7 @@ static int32_t add_composites(const context *c)
     return HOLONOM_OK;
 }
 
-/* Both residuals at the present (w, d, mu), of directors as points: momentum, and phi = C(d) of that of the rows. */
+/* Both residuals at the present (w, d, mu), of directors as points: momentum, and phi = Phi_1 of the rows. */
 static int32_t nodal_residual(const context *c)
 {
     const holonom_model *m = c->m;

@@ -19,13 +19,6 @@ const char *hm_word(const hm_model_file *f, const hm_variable *v, double value)
     return v->type == TYPE_STRING ? word_of(f, v, value) : NULL;
 }
 
-const char *hm_formulation_word(const hm_model_file *f, double number)
-{
-    for (uint32_t k = 0; k < f->header->n_variables; k++)
-        if (f->variable[k].kind == KIND_OPTION && f->variable[k].place == S_FORMULATION) return hm_word(f, f->variable + k, number);
-    return NULL;
-}
-
 double hm_limit_before(const hm_variable *v, double value)
 {
     if (v->flags & HAS_MINIMUM && value < v->minimum) return v->minimum;

@@ -7,17 +7,19 @@ readable, such as `solver.paper`; the core has code of its own.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from solver.mechanics.derivative import SLOPES
-from solver.runtime import Integrator, OptionError
+from solver.runtime import Integrator, Model, OptionError
 from solver.runtime.layout import (
     CODES,
     FORM_SQUARE,
     FORM_TURNED,
+    LEAF_SIGNAL,
     OFFSETS,
     QUANTITY_ANGLE,
     QUANTITY_LENGTH,
@@ -25,16 +27,18 @@ from solver.runtime.layout import (
 from solver.scene.expression import FUNCTIONS, INFIX, Curve, operate
 
 Array = NDArray[np.float64]
+Pair = Callable[[Array], tuple[Array, Array]]
+"""Values (m,) of functions of the coordinates q (n,), and their gradients (m, n)."""
 Formula = tuple[list[int], list[list[int]]]
 """Quantities that are its leaves, and its operations."""
 
 QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 TURN = 2.0 * np.pi
-LACKING = {
-    "unilateral": "contacts and friction", "n_velocity_rows": "rolling", "n_signals": "drivers",
-    "time_dependent": "laws of time", "sensing": "loads that read the motion",
-}  # fmt: skip
-"""What has no matrices here, by the size of a model that counts it."""
+SUBTRACT = CODES.index("sub")
+LAWS, SIGNALS = 1, 2
+"""Segments of the tape (``solver.mechanics.tape``)."""
+NEAR = 1e-5
+"""Change of a leaf, relative, over which second derivatives of formulas are differences."""
 
 
 class Matrices:
@@ -51,7 +55,8 @@ class Matrices:
     Raises
     ------
     OptionError
-        Where the model has more than constraints, springs, dampers, weights and steady loads.
+        Where the model has more than constraints, drivers, springs, dampers, weights and loads that
+        know the time alone; each sentence names a part.
     """
 
     def __init__(self, integrator: Integrator) -> None:
@@ -62,32 +67,64 @@ class Matrices:
             for name, end in zip(OFFSETS, ends, strict=True)
         }
         self._tables, self._numbers, self._dim = model.tables, numbers, model.sizes["dim"]
-        self._refuse(model.sizes)
+        self._run_tape, self._sizes = integrator.tape(numbers.ctypes.data), model.sizes
         state = {name: np.array(x) for name, x in integrator.state.vectors.items()}
         self.q, self.v = state["q"], state["v"]
         self.sigma = state["derived"][2 + len(model.rows) :]
         kinds = np.array(model.tables["quantity_kind"], dtype=np.int64)
         self._is_angle = kinds == QUANTITY_ANGLE
         self._angles = TURN * state["turns"]
-        self._read_forms(model.sizes["n_free"])
         pieces = [self._rows_of("leaf", 4)[a:b] for a, b in pairwise(self._tables["leaf_ptr"])]
-        leaves = [[leaf[1] for leaf in piece] for piece in pieces]
+        leaves = [[leaf[1] for leaf in piece if leaf[0] != LEAF_SIGNAL] for piece in pieces]
         count, rows = model.sizes["n_elements"], model.sizes["n_function_rows"]
         self._elements = [quantity for (quantity,) in leaves[:count]]
         ends = pairwise(self._tables["function_ptr"])
         operations = [self._rows_of("operation", 4)[a:b] for a, b in ends]
+        self._driven = {}  # by function row, the signal that its quantity follows
+        for j, piece in enumerate(pieces[count : count + rows]):
+            kinds = [leaf[0] == LEAF_SIGNAL for leaf in piece]
+            if kinds == [False, True] and [x[:3] for x in operations[j]] == [[SUBTRACT, 0, 1]]:
+                self._driven[j], operations[j] = piece[1][1], []
+        self._refuse(model, pieces[count:])
+        self._read_forms(model.sizes["n_free"])
         functions = list(zip(leaves[count:], operations, strict=True))
         self._function_rows, self._potentials = functions[:rows], functions[rows:]
         self._stored_start = integrator.state.head["stored_start"]
+        self._known: dict[tuple[str, bytes], tuple[Array, Array]] = {}
         self.follow(self.q)
+        self._energy_start = float(self.energies(self.q)[0].sum())
 
-    def _refuse(self, sizes: dict[str, int]) -> None:
-        found = [text for size, text in LACKING.items() if sizes[size]]
-        moments = np.concatenate([self._section["moment"], self._section["body_moment"]])
-        if np.any(moments) or max(self._tables["load_axes"], default=-1) >= 0:
-            found.append("moments and loads that turn with bodies")
-        if found:
-            message = f"this method takes no {', no '.join(found)}; the default formulation does"
+    def _refuse(self, model: Model, pieces: list[list[list[int]]]) -> None:
+        size, section = model.sizes, self._section
+        function = size["n_form_rows"] + size["dim"] * size["n_coincidences"]
+        velocity = function + size["n_function_rows"]
+        contacts = [function + j - size["n_elements"] for j in self._tables["contact_row"]]
+        timed = [
+            function + j
+            for j, piece in enumerate(pieces)
+            if j not in self._driven and any(leaf[0] == LEAF_SIGNAL for leaf in piece)
+        ]
+        moments = [name for name, kind in model.forces.items() if kind in ("torque", "force")]
+        turning = np.any([*section["moment"], *section["body_moment"]])
+        turning |= size["time_dependent"] and size["n_moments"] + size["n_body_moments"] > 0
+        turning |= max(self._tables["load_axes"], default=-1) >= 0
+        found = {
+            "contacts": [model.rows[j].name for j in contacts],
+            "rolling and friction": [row.name for row in model.rows[velocity:]],
+            "damped contacts": ["a potential"] * bool(np.any(section["depth_damping"])),
+            "driven points": ["a point"] * (size["n_driven"] > 0),
+            "formulas that move with the time": [model.rows[j].name for j in timed],
+            "springs and potentials that change": ["a law"] * size["variable_potential"],
+            "loads that read the motion": [*model.sampled],
+            "moments and loads that turn with bodies": [f"force '{x}'" for x in moments if turning],
+        }
+        message = "; ".join(
+            f"{', '.join(dict.fromkeys(names))}: the paper's method takes no {what}"
+            for what, names in found.items()
+            if names
+        )
+        if message:
+            message += "; the core does: leave out 'formulation'"
             raise OptionError(message)
 
     def _rows_of(self, table: str, width: int) -> list[list[int]]:
@@ -113,9 +150,8 @@ class Matrices:
         np.add.at(masses, tuple(np.reshape(tables["mass_node"], (-1, 2)).T), section["mass"])
         self.M = np.kron(masses, np.eye(dim)).astype(np.float64)
         self._weights = np.multiply.outer(section["node_weight"], section["gravity"]).ravel()
-        self._loads = np.zeros(n)
-        for form, load in zip(tables["load_form"], section["load"].reshape(-1, dim), strict=True):
-            self._loads += self._U[form].T @ load
+        H = np.einsum("fdm,fdn->fmn", self._U, self._W)
+        self._form_hessians = H + H.transpose(0, 2, 1)
 
     def _forms(self, q: Array) -> tuple[Array, Array]:
         """Forms (f,) and their gradients (f, n)."""
@@ -138,18 +174,42 @@ class Matrices:
                 gradients[k] = (s[a] * G[b] - s[b] * G[a]) / (s[a] ** 2 + s[b] ** 2)
         return values, gradients
 
+    def _quantity_hessian(self, k: int, q: Array) -> Array:
+        """Second derivatives (n, n) of a quantity."""
+        (s, G), H = self._forms(q), self._form_hessians
+        a, b = self._rows_of("quantity_form", 2)[k]
+        if self._tables["quantity_kind"][k] == QUANTITY_LENGTH:
+            length = np.sqrt(s[a])
+            return (0.5 * H[a] - np.outer(G[a], G[a]) / (4.0 * s[a])) / length
+        if not self._is_angle[k]:
+            return H[a]
+        x, y, square = s[a], s[b], s[a] ** 2 + s[b] ** 2
+        mixed = np.outer(2.0 * (x * G[a] + y * G[b]), x * G[b] - y * G[a])
+        return (x * H[b] - y * H[a] - 0.5 * (mixed + mixed.T) / square) / square
+
     def quantities(self, q: Array) -> tuple[Array, Array]:
         """Likewise, with the angles next to those that `follow` was told."""
-        values, gradients = self._principal(q)
+        values, gradients = self._once(self._principal, q)
         turns = np.round((self._angles - values) / TURN)
         return np.where(self._is_angle, values + TURN * turns, values), gradients
 
     def follow(self, q: Array) -> None:
         """Let angles go on from those at q beyond half a turn."""
         self._angles = self.quantities(q)[0]
+        self._known.clear()
+
+    def _once(self, function: Pair, q: Array) -> tuple[Array, Array]:
+        """Evaluate a function no more than once at each q of a step."""
+        key = function.__name__, q.tobytes()
+        if key not in self._known:
+            self._known[key] = function(q)
+        return self._known[key]
 
     def rows(self, q: Array) -> tuple[Array, Array]:
-        """Constraints Phi (r,) at q (n,) and their gradients (r, n)."""
+        """Constraints Phi (r,) at q (n,) and their gradients (r, n); of drivers what they move."""
+        return self._once(self._rows, q)
+
+    def _rows(self, q: Array) -> tuple[Array, Array]:
         held, links = list(self._tables["row_form"]), list(self._tables["coincidence_form"])
         s, G = self._forms(q)
         formulas = [self._formula(function, q) for function in self._function_rows]
@@ -159,8 +219,31 @@ class Matrices:
         links_q = self._U[links].reshape(-1, len(q))
         return np.concatenate(values), np.concatenate([G[held], links_q, slopes])
 
+    def row_hessians(self, q: Array) -> Array:
+        """Second derivatives (r, n, n) of the constraints at q."""
+        n, held = len(q), list(self._tables["row_form"])
+        links = np.zeros((self._dim * len(self._tables["coincidence_form"]), n, n))
+        formulas = [self._formula_hessian(function, q) for function in self._function_rows]
+        return np.concatenate([self._form_hessians[held], links, np.reshape(formulas, (-1, n, n))])
+
+    def signals(self, t: float) -> Array:
+        """What each row shall be at time t [s]: 0, or what a driver prescribes."""
+        values = np.zeros(len(self.sigma))
+        if self._driven:
+            self._section["time"][:] = t
+            self._run_tape(SIGNALS)
+        first = len(values) - len(self._function_rows)
+        for row, signal in self._driven.items():
+            values[first + row] = self._section["signal"][signal]
+        return values
+
     def energies(self, q: Array) -> tuple[Array, Array]:
         """Energies [J] of the weights, of each spring and of each potential; their gradients."""
+        return self._once(self._energies, q)
+
+    def _energies(self, q: Array) -> tuple[Array, Array]:
+        if not self._elements and not self._potentials:
+            return np.array([-self._weights @ q]), -self._weights[None]
         sigma, G = self.quantities(q)
         G, k = G[self._elements], self._section["stiffness"]
         stretch = sigma[self._elements] - self._section["rest"]
@@ -169,21 +252,53 @@ class Matrices:
         slopes = [-self._weights, *((k * stretch)[:, None] * G), *(g for _, g in formulas)]
         return np.array(values), np.array(slopes)
 
+    def energy_hessians(self, q: Array) -> Array:
+        """Second derivatives of the energies at q, shape (count, n, n)."""
+        sigma, G = self.quantities(q)
+        found = [np.zeros((len(q), len(q)))]
+        for e, stiffness, rest in zip(
+            self._elements, self._section["stiffness"], self._section["rest"], strict=True
+        ):
+            bend = (sigma[e] - rest) * self._quantity_hessian(e, q) if stiffness else 0.0
+            found.append(stiffness * (np.outer(G[e], G[e]) + bend))
+        return np.array([*found, *(self._formula_hessian(f, q) for f in self._potentials)])
+
     def squares(self, q: Array) -> tuple[Array, Array]:
         """Form on which each of the energies depends alone, and its gradient; else NaN."""
         s, G = self._forms(q)
-        first = np.reshape(self._tables["quantity_form"], (-1, 2))[self._elements, 0]
-        alone = ~self._is_angle[self._elements]
-        count = 1 + len(first) + len(self._potentials)
-        values, gradients = np.full(count, np.nan), np.full((count, len(q)), np.nan)
-        springs = 1 + np.flatnonzero(alone)
-        values[springs], gradients[springs] = s[first[alone]], G[first[alone]]
-        return values, gradients
+        return self._of_energies(s), self._of_energies(G)
 
-    def forces(self, q: Array, v: Array) -> Array:
-        """Forces (n,) of steady loads, drives and dampers."""
-        G = self.quantities(q)[1][self._elements]
-        return self._loads + G.T @ (self._section["drive"] - self._section["damping"] * (G @ v))
+    def square_hessians(self, q: Array) -> Array:  # noqa: ARG002 - they are constant
+        """Second derivatives of these forms, else NaN."""
+        return self._of_energies(self._form_hessians)
+
+    def _of_energies(self, part: Array) -> Array:
+        first = np.reshape(self._tables["quantity_form"], (-1, 2))[self._elements, 0]
+        alone = np.flatnonzero(~self._is_angle[self._elements])
+        found = np.full((1 + len(first) + len(self._potentials), *part.shape[1:]), np.nan)
+        found[1 + alone] = part[first[alone]]
+        return found
+
+    @property
+    def has_springs(self) -> bool:
+        """Whether any of the energies depends on one form alone."""
+        return bool(np.any(self._section["stiffness"]))
+
+    @property
+    def has_forces(self) -> bool:
+        """Whether there are loads, drives or dampers."""
+        numbers = (self._section[name] for name in ("load", "drive", "damping"))
+        return self._sizes["time_dependent"] > 0 or any(map(np.any, numbers))
+
+    def forces(self, q: Array, v: Array, t: float) -> Array:
+        """Forces (n,) of loads and drives at time t [s] and of dampers."""
+        if self._sizes["time_dependent"]:
+            self._section["time"][:] = t
+            self._run_tape(LAWS)
+        section, G = self._section, self.quantities(q)[1][self._elements]
+        loads = section["load"].reshape(-1, self._dim)
+        pushed = np.einsum("ldn,ld->n", self._U[list(self._tables["load_form"])], loads)
+        return pushed + G.T @ (section["drive"] - section["damping"] * (G @ v))
 
     def put(
         self, integrator: Integrator, t: float, q: Array, v: Array, mu: Array, stored: float
@@ -194,12 +309,14 @@ class Matrices:
         """
         head, vectors = integrator.state.head, integrator.state.vectors
         state = {name: np.asarray(vector) for name, vector in vectors.items()}
-        d, middle = q - state["q"], 0.5 * (q + state["q"])
-        driven = float(self.forces(middle, 0.0 * d) @ d)
-        head["work"] += driven
-        head["dissipated"] += driven - float(self.forces(middle, d / (t - head["time"])) @ d)
+        before, middle = head["time"], 0.5 * (q + state["q"])
+        d, between = q - state["q"], 0.5 * (before + t)
+        pushed = float(self.forces(middle, 0.0 * d, between) @ d)
+        u_n, u_n1 = self.signals(before), self.signals(t)  # which leaves those of t in the section
+        head["work"] += pushed - float((u_n1 - u_n) @ mu)
+        head["dissipated"] += pushed - float(self.forces(middle, d / (t - before), between) @ d)
         head["stored_start"] = self._stored_start - stored
-        change = self.energies(q)[0].sum() - self.energies(self.q)[0].sum() + stored
+        change = self.energies(q)[0].sum() - self._energy_start + stored
         sizes = head["energy_reference"], 0.5 * float(v @ self.M @ v), abs(float(change))
         head["energy_reference"] = max(sizes)
         head["mean_time_before"], head["mean_time"], head["time"] = (
@@ -211,6 +328,7 @@ class Matrices:
         state["mean"][:] = 0.5 * (state["mu_first"] + mu)
         state["q"][:], state["v"][:], state["mu_first"][:] = q, v, mu
         state["q_low"][:], state["v_low"][:] = 0.0, 0.0
+        state["signal"][:] = self._section["signal"]
         turned = self.quantities(q)[0] - self._principal(q)[0]
         state["turns"][:] = np.round(turned / TURN)
         for j, node in enumerate(self._tables["body_node"] if len(state["quaternion"]) else ()):
@@ -219,16 +337,33 @@ class Matrices:
         integrator.set([], [])  # outputs are measured anew
 
     def _formula(self, function: Formula, q: Array) -> tuple[float, Array]:
-        """Value of a formula and its gradient (n,), by the chain rule."""
-        leaves, operations = function
-        values, gradients = self.quantities(q)
-        known = [(float(values[leaf]), gradients[leaf]) for leaf in leaves]
-        for code, *places in operations:
+        """Value of a formula and its gradient (n,)."""
+        values, gradients = (x[function[0]] for x in self.quantities(q))
+        value, slopes = self._operations(function, values)
+        return value, slopes @ gradients
+
+    def _formula_hessian(self, function: Formula, q: Array) -> Array:
+        """Second derivatives (n, n) of a formula; those in its leaves are differences."""
+        values, gradients = (x[function[0]] for x in self.quantities(q))
+        slopes = self._operations(function, values)[1]
+        H = np.zeros((len(q), len(q)))
+        for k, slope in zip(function[0], slopes, strict=True):
+            H += slope * self._quantity_hessian(k, q)
+        for e in np.diag(NEAR * np.maximum(np.abs(values), 1e-2)):
+            change = self._operations(function, values + e)[1]
+            change = change - self._operations(function, values - e)[1]
+            H += np.outer((e != 0.0) @ gradients, change @ gradients) / (2.0 * e.sum())
+        return 0.5 * (H + H.T)
+
+    def _operations(self, function: Formula, x: Array) -> tuple[float, Array]:
+        """Value of a formula and its slopes in its leaves x, by the chain rule."""
+        known = [*zip(x.tolist(), np.eye(len(x)), strict=True)]
+        for code, *places in function[1]:
             name, given = CODES[code], places[: _count(CODES[code])]
             numbers = [known[a][0] if a >= 0 else float(self._numbers[-1 - a]) for a in given]
             if name in ("copy", "select"):
                 chosen = 0 if name == "copy" else 1 if numbers[0] else 2
-                slope = known[given[chosen]][1] if given[chosen] >= 0 else np.zeros(len(q))
+                slope = known[given[chosen]][1] if given[chosen] >= 0 else np.zeros(len(x))
                 known.append((numbers[chosen], slope))
                 continue
             args: list = list(numbers)
@@ -236,7 +371,7 @@ class Matrices:
                 args.append(Curve(name, self._numbers[-1 - places[1] : -places[2]].tolist()))
             slopes = zip(given, SLOPES.get(name, ()), strict=False)
             parts = [float(slope(*args)) * known[a][1] for a, slope in slopes if a >= 0]  # type: ignore[arg-type]
-            known.append((float(operate(name, *args)), sum(parts, np.zeros(len(q)))))  # type: ignore[arg-type]
+            known.append((float(operate(name, *args)), sum(parts, np.zeros(len(x)))))  # type: ignore[arg-type]
         return known[-1]
 
 

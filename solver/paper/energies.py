@@ -15,15 +15,17 @@ class Trial(NamedTuple):
     d: Array  # q_n1 - q_n
     G: Array  # gradients Phi_q over the step
     force: Array  # Q - V_q
-    C: Array  # Phi as the penalty measures it
-    phi: Array  # Phi_n1
+    C: Array  # Phi - u as the penalty measures it
+    C_q: Array  # its derivative in q_n1
+    phi: Array  # Phi_n1 - u_n1
 
 
 class Iteration(NamedTuple):
     """One iteration on the multipliers (nested), or one of Newton's (simultaneous); energies in J.
 
-    A conserving formulation has `kinetic` = `applied` + any of the last three, which vanish with
-    Phi_n1 - Phi_n. With a midpoint formulation `eq17` alone is the work, and does not vanish.
+    A conserving formulation has `kinetic` = `applied` + `eq17`, and without drivers any of the last
+    three, which then vanish with Phi_n1 - Phi_n. With a midpoint formulation `eq17` alone is the
+    work, and does not vanish.
     """
 
     newton: int  # solutions of Newton's linear system in this step so far

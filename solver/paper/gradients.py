@@ -23,7 +23,7 @@ def intermediate(f: Functions, q_n: Array, q_n1: Array, where: Mask | bool = Tru
     Each function has its own beta, that next to 1/2; no one beta serves several. It is 1/2 itself
     where a function is quadratic, or not `where`.
     """
-    G, d, change = midpoint(f, q_n, q_n1), q_n1 - q_n, f.value(q_n1) - f.value(q_n)
+    G, d, change = midpoint(f, q_n, q_n1).copy(), q_n1 - q_n, f.value(q_n1) - f.value(q_n)
     terms = np.abs(G) @ (np.abs(q_n) + np.abs(q_n1))
     for row in map(int, np.flatnonzero(where & (np.abs(G @ d - change) > ROUND_OFF * terms))):
 
@@ -51,17 +51,23 @@ def root_next_to_half(f: Callable[[float], float]) -> float:
     return 0.5
 
 
+def quotients(f: Functions, s: Functions, q_n: Array, q_n1: Array) -> tuple[Array, Array, Mask]:
+    """Slopes (Phi_n1 - Phi_n)/(s_n1 - s_n), these changes of s, and where slopes are means."""
+    s_n, s_n1 = s.value(q_n), s.value(q_n1)
+    close = np.abs(s_n1 - s_n) <= CLOSE * np.maximum(np.abs(s_n), np.abs(s_n1))
+    pairs = [(f.gradient(q), s.gradient(q)) for q in (q_n, q_n1)]
+    slope = np.mean([np.sum(G * s_q, axis=1) / np.sum(s_q**2, axis=1) for G, s_q in pairs], axis=0)
+    change = np.where(close, 1.0, s_n1 - s_n)
+    return np.where(close, slope, (f.value(q_n1) - f.value(q_n)) / change), change, close
+
+
 def scalar(f: Functions, q_n: Array, q_n1: Array) -> Array:
     """Gradients (Phi_n1 - Phi_n)/(s_n1 - s_n) s_q, s_q in the middle (eqs 11, 25); else of eq 8."""
-    if f.square is None or f.square_gradient is None:
+    if f.square is None:
         return intermediate(f, q_n, q_n1)
-    s_n, s_n1 = f.square(q_n), f.square(q_n1)
-    close = np.abs(s_n1 - s_n) <= CLOSE * np.maximum(np.abs(s_n), np.abs(s_n1))
-    pairs = [(f.gradient(q), f.square_gradient(q)) for q in (q_n, q_n1)]
-    slope = np.mean([np.sum(G * s_q, axis=1) / np.sum(s_q**2, axis=1) for G, s_q in pairs], axis=0)
-    quotient = (f.value(q_n1) - f.value(q_n)) / np.where(close, 1.0, s_n1 - s_n)
-    G = np.where(close, slope, quotient)[:, None] * f.square_gradient(0.5 * (q_n + q_n1))
-    lacks = np.isnan(s_n)
+    slope = quotients(f, f.square, q_n, q_n1)[0]
+    lacks = np.isnan(slope)
+    G = slope[:, None] * midpoint(f.square, q_n, q_n1)
     return np.where(lacks[:, None], intermediate(f, q_n, q_n1, lacks), G) if any(lacks) else G
 
 
@@ -69,3 +75,25 @@ GRADIENTS = {  # of each formulation
     "conserving-al": scalar, "conserving-al-beta": intermediate, "conserving-penalty": scalar,
     "midpoint-al": midpoint, "midpoint-penalty": midpoint, "penalty-velocity": midpoint,
 }  # fmt: skip
+
+
+def hessian(f: Functions, q: Array) -> Array:
+    """Second derivatives (r, n, n), by differences of the gradients where there are no others."""
+    if f.hessian is not None:
+        return f.hessian(q)
+    steps = 1e-5 * (np.ptp(q) or 1.0) * np.eye(len(q))
+    columns = [(f.gradient(q + e) - f.gradient(q - e)) / (2.0 * e.max()) for e in steps]
+    return np.moveaxis(np.reshape(columns, (len(q), -1, len(q))), 0, 2)
+
+
+def bend(gradient: Callable, f: Functions, q_n: Array, q_n1: Array, weights: Array) -> Array:
+    """Derivative (n, n) of the weighted gradients in q_n1; of eq 8 that at beta = 1/2."""
+    middle = 0.5 * (q_n + q_n1)
+    if gradient is not scalar or f.square is None:
+        return 0.5 * np.tensordot(weights, hessian(f, middle), 1)
+    slope, change, close = quotients(f, f.square, q_n, q_n1)
+    i = np.flatnonzero(~close & ~np.isnan(slope))
+    K = 0.5 * np.tensordot(weights * ~np.isin(np.arange(len(slope)), i), hessian(f, middle), 1)
+    K += 0.5 * np.tensordot((weights * slope)[i], hessian(f.square, middle)[i], 1)
+    turns = f.gradient(q_n1)[i] - slope[i, None] * f.square.gradient(q_n1)[i]
+    return K + f.square.gradient(middle)[i].T @ ((weights / change)[i, None] * turns)

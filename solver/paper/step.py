@@ -16,7 +16,7 @@ import numpy as np
 from solver.runtime import StepError
 
 from .energies import Iteration, Trial, iteration
-from .gradients import GRADIENTS, midpoint, scalar
+from .gradients import GRADIENTS, bend, hessian, midpoint, scalar
 from .problem import Array, Method, Problem
 
 
@@ -30,38 +30,55 @@ class Moment(NamedTuple):
     iterations: tuple[Iteration, ...] = ()
 
 
-def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -> Array:
-    """What the penalty multiplies: mean of Phi (eqs 9, 15), Phi at the midpoint (5, 7), or eq 3."""
+def measured(problem: Problem, method: Method, at: Moment, h: float, d: Array) -> tuple:
+    """What the penalty multiplies: mean of Phi (eqs 9, 15), Phi at the midpoint (5, 7), or eq 3.
+
+    The second is its derivative in d; that of eq 3 leaves third derivatives of Phi out.
+    """
     phi, q, twice = problem.phi, at.q + 0.5 * d, 2.0 * method.xi * method.omega
+    u_n, u_mid, u_n1 = (problem.u(at.t + part * h) for part in (0.0, 0.5, 1.0))
     if method.formulation.startswith("conserving"):
-        return 0.5 * (phi.value(at.q) + phi.value(at.q + d))
+        mean = 0.5 * (phi.value(at.q) - u_n + phi.value(at.q + d) - u_n1)
+        return mean, 0.5 * phi.gradient(at.q + d)
+    G, C = phi.gradient(q), phi.value(q) - u_mid
     if method.formulation != "penalty-velocity":
-        return phi.value(q)
-    bend = (phi.gradient(q + 0.01 * d) - phi.gradient(q - 0.01 * d)) @ d / 0.02  # d' Phi_qq d
-    second = (2.0 * phi.gradient(q) @ (d - h * at.v) + bend) / h**2
-    return second + twice * phi.gradient(q) @ d / h + method.omega**2 * phi.value(q)
+        return C, 0.5 * G
+    H = hessian(phi, q)
+    second = 2.0 * G @ (d - h * at.v) + H @ d @ d - 4.0 * (u_n1 - 2.0 * u_mid + u_n)
+    C = second / h**2 + twice * (G @ d - (u_n1 - u_n)) / h + method.omega**2 * C
+    bend = H @ ((3.0 * d - h * at.v) / h**2 + 0.5 * twice * d / h)
+    return C, (2.0 / h**2 + twice / h + 0.5 * method.omega**2) * G + bend
+
+
+def applied(problem: Problem, at: Moment, h: float, d: Array) -> Array:
+    """Forces Q at the midpoint."""
+    Q = problem.Q
+    return np.zeros_like(d) if Q is None else Q(at.q + 0.5 * d, d / h, at.t + 0.5 * h)
 
 
 def trial(problem: Problem, method: Method, at: Moment, h: float, w: Array) -> Trial:
     """Evaluate the step by w."""
     d, gradient = h * at.v + w, GRADIENTS[method.formulation]
     end, of_V = at.q + d, midpoint if gradient is midpoint else scalar
-    force = problem.Q(at.q + 0.5 * d, d / h, at.t + 0.5 * h)
-    force = force - of_V(problem.potentials, at.q, end).sum(axis=0)
-    C = measured(problem, method, at, h, d)
-    return Trial(d, gradient(problem.phi, at.q, end), force, C, problem.phi.value(end))
+    force = applied(problem, at, h, d) - of_V(problem.potentials, at.q, end).sum(axis=0)
+    C, C_q = measured(problem, method, at, h, d)
+    phi = problem.phi.value(end) - problem.u(at.t + h)
+    return Trial(d, gradient(problem.phi, at.q, end), force, C, C_q, phi)
 
 
-def tangent(problem: Problem, method: Method, at: Moment, h: float, w: Array, mu: Array) -> Array:
-    """Derivative of momentum balance and rows in (w, mu), by central differences in w."""
-    n, delta = len(w), 1e-5 * (np.ptp(at.q) or 1.0)
-    K = np.zeros((n + len(mu), n + len(mu)))
-    for k, e in enumerate(delta * np.eye(n)):
-        a, b = (trial(problem, method, at, h, w + x) for x in (-e, e))
-        force = (b.G - a.G).T @ mu - (b.force - a.force)
-        K[:, k] = np.concatenate([h * force, b.C - a.C]) / (2.0 * delta)
-    K[:n, :n] += 2.0 / h * problem.M
-    K[:n, n:] = h * trial(problem, method, at, h, w).G.T
+def tangent(problem: Problem, method: Method, at: Moment, h: float, now: Trial, mu: Array) -> Array:
+    """Derivative of momentum balance and rows in (w, mu), exact where Phi are quadratic."""
+    n, end, gradient = len(at.q), at.q + now.d, GRADIENTS[method.formulation]
+    K, of_V = np.zeros((n + len(mu), n + len(mu))), midpoint if gradient is midpoint else scalar
+    K[:n, :n] = bend(gradient, problem.phi, at.q, end, mu)
+    K[:n, :n] += bend(
+        of_V, problem.potentials, at.q, end, np.ones(len(problem.potentials.value(end)))
+    )
+    for k, e in enumerate(1e-5 * (np.ptp(at.q) or 1.0) * np.eye(n) if problem.Q else ()):
+        a, b = (applied(problem, at, h, now.d + x) for x in (-e, e))
+        K[:n, k] -= (b - a) / (2.0 * e[k])
+    K[:n, :n] = h * K[:n, :n] + 2.0 / h * problem.M
+    K[:n, n:], K[n:, :n] = h * now.G.T, now.C_q
     K[n:, n:] = -np.diag(1.0 / (method.alpha + 0.0 * mu))
     return K
 
@@ -71,18 +88,20 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
     """Take a step of length h; `StepError` where the iterations do not converge."""
     problem.begin_step(at.q)
     nested, updates = method.algorithm == "nested", "-al" in method.formulation
-    ends = method.update == "end" and method.formulation.startswith("conserving")
+    ends = method.multiplier_update == "end" and method.formulation.startswith("conserving")
     lam, mu, w, extent = at.lam, at.lam, np.zeros_like(at.q), np.ptp(at.q) or 1.0
     alpha, phi_n, found = method.alpha + 0.0 * lam, problem.phi.value(at.q), list[Iteration]()
+    phi_n = phi_n - problem.u(at.t)
     size = extent * np.abs(problem.phi.gradient(at.q)).sum(axis=1)
     mass, last, defect, K = np.sqrt(np.diag(problem.M)), np.inf, np.inf, None
-    now = trial(problem, method, at, h, w)
+    now, updated = trial(problem, method, at, h, w), 0
     for newton in range(1, 2001):  # most are needed where updates contract slowly
-        K = tangent(problem, method, at, h, w, mu) if K is None else K
+        if K is None:
+            K = np.linalg.inv(tangent(problem, method, at, h, now, mu))
         R = 2.0 / h * problem.M @ w + h * (now.G.T @ mu - now.force)
-        x = np.linalg.solve(K, -np.concatenate([R, now.C - (mu - lam) / alpha]))
+        x = -K @ np.concatenate([R, now.C - (mu - lam) / alpha])
         w, mu = w + x[: len(w)], mu + x[len(w) :]
-        if not np.all(np.isfinite(w)):
+        if not np.all(np.isfinite(w)) or (nested and newton > updated + 200):
             break
         now = trial(problem, method, at, h, w)
         increment, moved = (np.linalg.norm(mass * y) for y in (x[: len(w)], now.d))
@@ -101,7 +120,7 @@ def step(problem: Problem, method: Method, at: Moment, h: float) -> Moment:
             v = at.v + 2.0 * w / h
             return Moment(at.t + h, at.q + now.d, v, mu if updates else lam, tuple(found))
         if updates:  # eqs 16, 27
-            lam = lam + alpha * (0.5 * held if ends else held)
+            lam, updated = lam + alpha * (0.5 * held if ends else held), newton
     text = f"step from t = {at.t:g} s with h = {h:g} s did not converge (rows off by {defect:.1e})"
     raise StepError(text + "; a smaller step_size usually helps")
 

@@ -1,6 +1,6 @@
-"""The part that travels: models, states, and the integrator that moves them.
+"""Models, states, and the integrator that moves them, in Python.
 
-Imports the standard library alone. Its buffers are ctypes arrays, so that an FMU needs no NumPy.
+Imports the standard library alone; its buffers are ctypes arrays.
 """
 
 from .errors import AssemblyError, OptionError, Status, StepError

@@ -28,8 +28,11 @@ def in_one_line(error: BaseException) -> str:
 class StepError(Exception):
     """A step could not be solved; the state is as before it.
 
-    `status` is the kernel's, and OK where the step was not even tried.
+    `status` is the kernel's, and OK where the step was not even tried. Of `holonom.simulate`,
+    `trajectory` is the run before it.
     """
+
+    trajectory: object = None
 
     def __init__(self, message: str, status: Status | None = None) -> None:
         super().__init__(message)

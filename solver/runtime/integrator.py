@@ -98,6 +98,11 @@ class Integrator:
         model = self._library.holonom_model_of(self._instance)
         return self._vector("work", self._library.holonom_work_size(model))
 
+    def tape(self, numbers: int) -> Callable[[int], None]:
+        """Return what runs a segment of the tape on a copy of the numbers at an address."""
+        model = self._library.holonom_model_of(self._instance)
+        return lambda segment: self._library.holonom_evaluate(model, numbers, segment)
+
     def reset(self) -> None:
         """Return to the condition after construction."""
         self._library.holonom_reset(self._instance)

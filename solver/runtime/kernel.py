@@ -6,6 +6,7 @@ import ctypes
 import functools
 import os
 import sys
+import sysconfig
 from array import array
 from collections.abc import Callable
 
@@ -28,42 +29,6 @@ def _other(path: str) -> str:
         f"{path} belongs to another version of this Python code; compile the kernel: "
         "python -m build_kernel"
     )
-
-
-def _missing(path: str, error: OSError) -> str:
-    """Return why a library does not load: this platform, those of the kernels here, the remedy."""
-    import sysconfig  # only here: it would take a tenth of the time to import all this
-
-    folder, name = os.path.split(path)
-    stem = os.path.splitext(name)[0]
-    try:
-        names = sorted(n for n in os.listdir(folder) if os.path.splitext(n)[0] == stem)
-    except OSError:
-        names = []
-    platforms = ", ".join(library_platform(os.path.join(folder, n)) for n in names)
-    carried = f"a kernel for {platforms}" if names else "no kernel"
-    loads = f" ({error})" if name in names else ""
-    return (
-        f"no kernel for this platform, {sysconfig.get_platform()}: the folder {folder} has "
-        f"{carried}{loads}; build the FMU on this platform, or compile the kernel: "
-        "python -m build_kernel"
-    )
-
-
-def library_platform(path: str) -> str:
-    """Return the platform of a shared library as its first bytes have it, as sysconfig names it."""
-    with open(path, "rb") as file:
-        head = file.read(4096)
-    portable = int.from_bytes(head[60:64], "little") + 4  # where Windows has the machine
-    for magic, at, platforms in (
-        (b"\x7fELF", 18, {62: "linux-x86_64", 183: "linux-aarch64"}),
-        (b"MZ", portable, {0x8664: "win-amd64", 0xAA64: "win-arm64"}),
-        (b"\xcf\xfa\xed\xfe", 4, {7: "macosx-x86_64", 12: "macosx-arm64"}),
-    ):
-        machine = int.from_bytes(head[at : at + 2], "little")
-        if head.startswith(magic) and machine in platforms:
-            return platforms[machine]
-    return f"another machine ({os.path.basename(path)})"
 
 
 _POINTER, _INTEGER, _REAL, _COUNT = ctypes.c_void_p, ctypes.c_int32, ctypes.c_double, ctypes.c_int64
@@ -96,6 +61,7 @@ FUNCTIONS = {
     "numbers_of": (_POINTER, [_POINTER]),
     "state_of": (_POINTER, [_POINTER]),
     "work_of": (_POINTER, [_POINTER]),
+    "evaluate": (None, [_POINTER, _POINTER, _INTEGER]),
     "operate": (_REAL, [_INTEGER, _POINTER, _INTEGER]),
     "run_fmu": (_INTEGER, [_POINTER, _POINTER, _INTEGER, _POINTER]),
 }
@@ -114,7 +80,11 @@ def load_library(dimension: int, path: str | None = None) -> ctypes.CDLL:
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
-        raise KernelMissingError(_missing(path, error)) from error
+        text = (
+            f"no kernel for this platform, {sysconfig.get_platform()} ({error}); compile it: "
+            "python -m build_kernel"
+        )
+        raise KernelMissingError(text) from error
     for name, (result, arguments) in FUNCTIONS.items():
         function = getattr(library, f"holonom_{name}", None)
         if function is None:

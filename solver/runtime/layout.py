@@ -278,7 +278,6 @@ HEAD = (
     "residual_low",  # accounts of the ledger, with what rounding left over
     "impact", "impact_low", "friction", "friction_low",  # likewise, what contacts take
     "mean_time", "mean_time_before",
-    "parity",  # of half steps that come one by one
     "known", "halves", "half_1", "half_2", "half_3", "half_4",  # see predict.h
     "wanted",  # length that a tolerance asks for
     "last_length", "across", "order_in_use",
@@ -294,10 +293,9 @@ HEAD = (
     "at_fault",  # multiplier of the row that the last step failed at, and 1, or behind; else 0
     "status",  # of the last step
     "closing", "closing_tries", "closing_others",  # how the mechanism was closed, see close.h
-    "formulation", "simultaneous", "paper_update", "paired", "step_size", "newton_tolerance",
-    "penalty", "xi", "omega", "max_newton", "max_uzawa", "assemble", "equilibrium", "order",
-    "tolerance", "absolute_tolerance", "longest_step", "rest_speed", "rest_time",
-    "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
+    "step_size", "newton_tolerance", "penalty", "max_newton", "max_uzawa", "assemble",
+    "equilibrium", "order", "tolerance", "absolute_tolerance", "longest_step", "rest_speed",
+    "rest_time", "max_events", "contact_mode", "impact_law",  # the settings of solver/options.py
     "horizon",  # of a run
     "input_step", "input_step_before",  # lengths of the last two communication steps
     "unsettled",  # whether contacts and frictions are to be looked at before the next step
@@ -334,10 +332,6 @@ size of the mechanism."""
 ONE_PLACE = 1e-12
 """Distance of places that the round-off of a drawing explains, relative to their coordinates, or in
 m if these are small: a coordinate may be the difference of larger numbers."""
-EARLY_UPDATE_PENALTY = 1e6
-"""From this one on an Uzawa update contracts far better than a Newton iteration: multipliers of a
-nested iteration need not wait for its end (inexact Uzawa), and bodies turn as wholes."""
-
 FEW_CONTACTS = 8
 """Up to so many contacts, most entries of factors are taken not to be zero."""
 MOST_LEVELS = 3

@@ -9,7 +9,7 @@ assembled. A model is the only thing that assembly and kernel share, and what tr
 Symbols: q coordinates, v velocities, M mass matrix, Phi constraint rows, G their Jacobian, lambda
 multipliers held fixed in the inner iteration, mu total multipliers, alpha penalties, h step.
 
-Records are named tuples: `dataclasses` and `typing` would double the time to import the FMU's code.
+Records are named tuples: `dataclasses` and `typing` would double the time to import all this.
 """
 
 from __future__ import annotations
@@ -168,7 +168,7 @@ class Model(
 
         `guid` is that of the FMU which carries it.
         """
-        from .model_writing import to_bytes  # stays at home: an FMU reads its model
+        from .model_writing import to_bytes  # which imports this module
 
         return to_bytes(self, guid)
 

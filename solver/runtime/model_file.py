@@ -14,13 +14,11 @@ import sys
 import zlib
 from array import array
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 from . import layout
 
-TYPE_CHECKING = False  # typing's own would be imported with the FMU, for nothing
 if TYPE_CHECKING:
-    from typing import Any
-
     from .model import Row, Rule, Variable
 
 MAGIC = b"HOLONOM\0"

@@ -20,9 +20,7 @@ if TYPE_CHECKING:
 Ends: TypeAlias = tuple[PointReference, PointReference]
 
 SETTINGS = {
-    "formulation": ("conserving-al", 'contacts need formulation = "conserving-al"'),
     "start": ("drawn", "no static equilibrium is sought with contacts or friction of joints"),
-    "paired": (True, "contacts need paired = true"),
 }
 """Settings that contacts need, and why."""
 TOWARDS_THE_BODY = kind.Direction(

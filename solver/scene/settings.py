@@ -30,7 +30,11 @@ def _kind(option: Option) -> kind.Kind:
         return kind.Choice(text=text, words=words, help=help)
     if option.is_switch:
         return kind.Plain(text=text, type=bool)
-    rule = _TOLERANCE if option.name == "tolerance" else Rule(option.holds, option.limits)
+    rule = (
+        _TOLERANCE
+        if option.name == "tolerance"
+        else Rule(option.holds, option.limits, option.below)
+    )
     if option.whole:
         return kind.Plain(text=text, type=int, rule=rule)
     return kind.setting(option.unit, text, rule, float(option.default))

@@ -30,7 +30,7 @@ MACHINE = {"processor": "some", "cores": "1"}
     ids=lambda content: content["name"],
 )
 def test_the_observer_sees_what_the_solver_reports(content):
-    integrator = start(content, step_size=0.01, formulation="conserving-penalty", penalty=1e3)
+    integrator = start(content, step_size=0.01, newton_tolerance=1e-3)
     observer = Observer(content, integrator)
     before = observer.energy() - integrator["energy.total"]
     integrator.advance(0.0, 0.05)
@@ -74,10 +74,10 @@ def test_without_valgrind_a_sentence_stands_for_the_counts(monkeypatch):
 
 
 def test_what_valgrind_watches_takes_the_steps_it_says(tmp_path):
-    model = assemble(scene(hanging_chain(2), step_size=1e-3, paired=False))
+    model = assemble(scene(hanging_chain(2), step_size=1e-3))
     path = tmp_path / "model.bin"
     path.write_bytes(model.to_bytes())
-    assert kernel_run.run(str(path), 7) == 7
+    assert kernel_run.run(str(path), 7) == 14
 
 
 def test_entries_take_turns_and_the_minimum_counts():

@@ -38,7 +38,7 @@ static void initialise(const struct fmu *fmu, component c, const reference *refs
     truth = 1;
     say("fmi2GetBoolean", fmu->fmi2GetBoolean(c, &refs[BOOLEAN], 1, &truth));
     show("fmi2GetBoolean", truth);
-    word = "simultaneous";
+    word = "drawn";
     say("fmi2SetString", fmu->fmi2SetString(c, &refs[STRING], 1, &word));
     say("fmi2GetString", fmu->fmi2GetString(c, &refs[STRING], 1, &word));
     printf("value of fmi2GetString %s\n", word);

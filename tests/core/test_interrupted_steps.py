@@ -26,7 +26,6 @@ MOST = 0.9
 """[s]: 2e6 half steps are the most with a tolerance."""
 RUNS = {
     "equal steps": (PENDULUM, {"step_size": 1e-6}),
-    "single steps": (PENDULUM, {"step_size": 1e-6, "paired": False}),
     "compositions": (PENDULUM, {"step_size": 1e-6, "order": 8.0}),
     "a tolerance": (PENDULUM, {"tolerance": 1e-9, "longest_step": 1e-6, "order": 2.0}),
     "located contacts": (BALL, {"step_size": 1e-6}),

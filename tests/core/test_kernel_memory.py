@@ -8,7 +8,6 @@ import pytest
 from solver.runtime import Integrator
 from solver.runtime.layout import measured_sections
 from tests.kernel_calls import kernel_of
-from tests.kernel_cases import is_plain
 from tests.scene_files import ALL, TOUCHING
 from tests.twins import (
     EVERYTHING,
@@ -91,12 +90,10 @@ def test_scratch_filled_with_nan_before_an_input_changes_nothing(name):
 
 @pytest.mark.parametrize("name", SOURCES)
 def test_the_same_inputs_give_the_same_bits(name):
-    """Also when another run of another formulation takes its steps in between."""
+    """Also when another run with other settings takes its steps in between."""
     runs = [start(SOURCES[name]) for _ in range(2)]
-    touches = name in {path.stem for path in TOUCHING}  # which one formulation alone knows
-    source = EVERYTHING[2] if touches else SOURCES[name]
-    method = "midpoint-penalty" if is_plain(source) else "conserving-al-beta"
-    other = start(source, formulation=method, penalty=100.0)
+    touches = name in {path.stem for path in TOUCHING}
+    other = start(EVERYTHING[2] if touches else SOURCES[name], penalty=1e10, order=4)
     for _ in range(20):
         internal_step(runs[0])
         internal_step(other)
@@ -124,11 +121,9 @@ def test_100_steps_are_50_saved_and_restored_and_50_more_bit_for_bit(name):
         assert run.save() == whole.save()
 
 
-@pytest.mark.parametrize("paired", [True, False])
-@pytest.mark.parametrize("algorithm", ["nested", "simultaneous"])
-def test_settings_inputs_and_odd_steps_are_saved_too(algorithm, paired):
-    settings = {"formulation": "conserving-penalty", "penalty": 1e3, "paired": paired}
-    run = start(EVERYTHING[2], algorithm=algorithm, **settings)
+@pytest.mark.parametrize("order", [2, 4])
+def test_settings_inputs_and_odd_steps_are_saved_too(order):
+    run = start(EVERYTHING[2], penalty=1e7, order=order)
     advance(run, 3)
     run["push"] = 1.3
     run.advance(run.time, 0.0137)

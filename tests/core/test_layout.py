@@ -46,7 +46,7 @@ def test_names_of_one_line_share_its_comment_and_a_comment_goes_on_below(tmp_pat
 
 
 def test_the_settings_lie_side_by_side_in_the_head_of_a_state():
-    first, end = HEAD.index("formulation"), HEAD.index("horizon")
+    first, end = HEAD.index("step_size"), HEAD.index("horizon")
     assert {option.stored_as for option in OPTIONS.values()} == {*HEAD[first:end]}
     assert len(OPTIONS) == end - first
     assert SIZES[0] == "dim"
@@ -63,31 +63,15 @@ def test_a_kernel_for_the_plane_is_not_taken_for_space():
         kernel.load_library(3, kernel.library_path(2))
 
 
-@pytest.mark.parametrize(
-    ("head", "expected"),
-    [
-        (b"\x7fELF\x02\x01\x01".ljust(18, b"\0") + b"\xb7\0", "linux-aarch64"),
-        (b"MZ".ljust(60, b"\0") + b"\x80".ljust(68, b"\0") + b"PE\0\0\x64\x86", "win-amd64"),
-        (b"\xcf\xfa\xed\xfe\x0c\0\0\x01", "macosx-arm64"),
-        (b"text", "another machine (libholonom.so)"),
-    ],
-)
-def test_the_platform_of_a_library_is_read_from_its_first_bytes(tmp_path, head, expected):
-    path = tmp_path / "libholonom.so"
-    path.write_bytes(head)
-    assert kernel.library_platform(str(path)) == expected
-
-
 def test_a_missing_kernel_is_reported_with_platform_and_remedy(monkeypatch, tmp_path):
     monkeypatch.setattr(kernel, "library_path", lambda _: str(tmp_path / "libholonom_planar.so"))
     kernel.shared_library.cache_clear()
     with pytest.raises(kernel.KernelMissingError) as missing:
         Integrator(model_of(PENDULUM))
     kernel.shared_library.cache_clear()
-    assert str(missing.value) == (
-        f"no kernel for this platform, {sysconfig.get_platform()}: the folder {tmp_path} has no "
-        "kernel; build the FMU on this platform, or compile the kernel: python -m build_kernel"
-    )
+    said = str(missing.value)
+    assert said.startswith(f"no kernel for this platform, {sysconfig.get_platform()} ({tmp_path}")
+    assert said.endswith("; compile it: python -m build_kernel")
 
 
 def test_headers_are_written_by_several_threads_at_a_time():

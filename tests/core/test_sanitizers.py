@@ -23,8 +23,8 @@ from tests.sanitize import (
 
 pytestmark = pytest.mark.skipif(not can_sanitize(), reason="gcc has no sanitizers here")
 
-SOME = 193
-"""Every 193rd of some 2,700 cases, each with another of the 45 settings."""
+SOME = 67
+"""Every 67th of 960 cases, each with another of the 16 settings."""
 DAMAGED = 150
 """Model files and states; 100,000 take ten minutes."""
 
@@ -76,7 +76,7 @@ def host(folder):
 @pytest.mark.parametrize(
     ("how", "more"),
     [
-        ("calls", ["solver.paired", "solver.algorithm"]),
+        ("calls", ["solver.assemble", "solver.start"]),
         ("cycles", [20]),
         ("instances", [100]),
         ("threads", [8]),

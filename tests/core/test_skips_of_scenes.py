@@ -40,6 +40,7 @@ DEARER = {
     ("old guess", "spring_pendulum", 2, "iterations"): 1.18,
     ("islands", "zoo in space", 2, "iterations"): 1.06,
     ("stiffness", "differential", 4, "products"): 1.03,
+    ("islands", "zoo in space", 4, "iterations"): 1.07,
     ("outer iteration", "bifilar", 4, "iterations"): 1.11,
     ("fresh factors", "bifilar", 4, "products"): 1.09,
     ("directors", "jansen", 4, "products"): 1.05,

@@ -21,7 +21,7 @@ from build_fmu.archive import archive as archive_bytes
 from build_fmu.errors import UsageError
 from build_fmu.export import identifier
 from build_fmu.instance import Log, instantiated
-from build_fmu.payload import payload
+from build_fmu.payload import SLAVE_NAME, payload
 from build_fmu.run import run_fmu
 from fmu_src.log import CATEGORIES, Fmi2Slave
 from fmu_src.status import LOG_CATEGORIES
@@ -40,7 +40,7 @@ def repack(source: Path, target: Path, change) -> Path:
 
 
 def private_package() -> str:
-    return payload(2).slave_module.removesuffix("_slave")
+    return payload(2, "points")[SLAVE_NAME].decode().removesuffix("_slave\n")
 
 
 def renamed(path: str, data: bytes, name: str) -> tuple[str, bytes]:
@@ -145,17 +145,13 @@ def test_a_mechanism_in_the_plane_and_one_in_space_move_in_one_process():
         with instance(scene_fmu(name)) as fmu:
             fmu.initialise()
             assert fmu.step(0.0, 0.01)
-            with zipfile.ZipFile(scene_fmu(name)) as archive:
-                kernels = [path for path in archive.namelist() if "_kernel/" in path]
-            assert len(kernels) == 1
-            assert ("spatial" in kernels[0]) == (name == "heavy_top")
 
 
 def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
     name = private_package()
     assert name.startswith("holonom_")
     assert len(name) == len("holonom_") + 12
-    monkeypatch.setattr("build_fmu.payload._kernels", lambda _: {"runtime/_kernel/a.so": b"other"})
+    monkeypatch.setattr("build_fmu.payload.native_library", lambda *_: b"other")
     payload.cache_clear()
     other = private_package()
     payload.cache_clear()
@@ -164,15 +160,15 @@ def test_the_private_name_is_a_hash_of_the_code(monkeypatch):
 
 def test_two_versions_in_one_process_do_not_run_each_others_code(tmp_path):
     def another_version(path, data):
-        if path.endswith("/messages.py"):
-            data = data.replace(b"must be > 0 s", b"must be > 0 s, says another version")
+        if path.endswith("/linux64.so"):
+            data = data.replace(b"the size must be > 0 s", b"the size must be > 0 m")
         return renamed(path, data, "holonom_0123456789ab")
 
     changed = repack(pendulum(), tmp_path / "changed.fmu", another_version)
     with instance(pendulum()) as a, instance(changed) as b:
         a.initialise()
         b.initialise()
-        for fmu, words in ((a, "must be > 0 s"), (b, "must be > 0 s, says another version")):
+        for fmu, words in ((a, "must be > 0 s"), (b, "must be > 0 m")):
             assert not fmu.step(0.0, -1.0)
             assert fmu.log[-1][2].endswith(words)
             assert fmu.step(0.0, 0.1)
@@ -190,19 +186,18 @@ def test_a_second_instance_does_not_need_the_first_ones_folder():
 
 
 @pytest.mark.parametrize(
-    ("damage", "carried"),
-    [("moved", "no kernel"), ("of another machine", "a kernel for linux-aarch64")],
+    ("damage", "carried"), [("moved", " has none"), ("of another machine", " has linux64.so (")]
 )
 @pytest.mark.skipif(sysconfig.get_platform() != "linux-x86_64", reason="changes an ELF header")
-def test_without_a_kernel_for_the_platform_no_instance_is_made_and_the_log_says_why(
+def test_without_a_library_for_the_platform_no_instance_is_made_and_the_log_says_why(
     tmp_path, damage, carried
 ):
     def change(path, data):
-        if "/_kernel/" in path:
+        if path.endswith("/linux64.so"):
             if damage == "of another machine":
                 data = data[:18] + (183).to_bytes(2, "little") + data[20:]
             else:
-                path = path.replace("/_kernel/", "/elsewhere/")
+                path = path.replace("linux64.so", "elsewhere/linux64.so")
         return renamed(path, data, f"holonom_{zlib.crc32(damage.encode()):012x}")
 
     foreign = repack(pendulum(), tmp_path / "foreign.fmu", change)
@@ -212,9 +207,9 @@ def test_without_a_kernel_for_the_platform_no_instance_is_made_and_the_log_says_
     with pytest.raises(UsageError, match="cannot be instantiated: "):
         instantiated(fmpy.read_model_description(str(foreign)), str(tmp_path), log)
     (line,) = log.messages
-    assert "no kernel for this platform, linux-x86_64: the folder " in line
-    assert f"_kernel has {carried}" in line
-    assert "; build the FMU on this platform, or compile the kernel: python -m build" in line
+    assert "no library for this platform, linux-x86_64: the folder " in line
+    assert carried in line
+    assert "; build the FMU on this platform" in line
     with instance(pendulum()) as fmu:
         fmu.initialise()
         assert fmu.step(0.0, 0.1)
@@ -230,7 +225,7 @@ def test_a_damaged_archive_is_not_instantiated_and_harms_nothing(tmp_path):
     with instance(pendulum()) as fmu:
         fmu.initialise()
         assert fmu.step(0.0, 0.1)
-    with pytest.raises(UsageError, match="the model is damaged"):  # what the log says of the reason
+    with pytest.raises(UsageError, match="the model cannot be used"):  # so says the log
         run_fmu(damaged)
 
 
@@ -239,7 +234,7 @@ def test_the_log_hands_over_the_levels_and_categories_of_pythonfmus_own():
     whole = type("Whole", (theirs,), {"do_step": None, "log_categories": LOG_CATEGORIES})
     whole = whole(instance_name="a")
     for level in CATEGORIES:
-        slave._log("text", level)
+        slave.say("text", level)
         whole.log("text", fmi2slave.Fmi2Status(level))
     ours = slave._get_log_queue()
     assert [vars(message) for message in ours] == [vars(m) for m in whole._get_log_queue()]
@@ -262,11 +257,12 @@ def bare_python(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
 
 def test_importing_the_slave_takes_a_part_of_the_standard_library(tmp_path):
     folder = resources(pendulum(), tmp_path)
-    code = f"import sys; sys.path.insert(0, {str(folder)!r}); import {payload(2).slave_module}"
+    module = f"{private_package()}_slave"
+    code = f"import sys; sys.path.insert(0, {str(folder)!r}); import {module}"
     report = bare_python("-X", "importtime", "-c", code).stderr
     modules = {line.split("|")[-1].strip() for line in report.splitlines()}
     ours = {name for name in modules if name.startswith("holonom_")}
-    assert payload(2).slave_module in ours
+    assert module in ours
     tops = {name.split(".")[0] for name in modules - ours if name != "imported package"}
     assert tops <= {*sys.stdlib_module_names, "org"}  # copy looks for Jython's org.python.core
     heavy = {"argparse", "asyncio", "datetime", "email", "logging", "uuid", "xml", "zipfile"}

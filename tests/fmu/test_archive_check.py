@@ -113,8 +113,8 @@ KINDS = {
     "slave module without text": lambda: with_file(SLAVE, b""),
     "strange name": lambda: with_file(SLAVE, b"\xff\xfe\0"),
     "no code": lambda: without(named("/slave.py")),
-    "no kernel": lambda: without(named("planar.so")),
-    "cut kernel": lambda: with_file(named("planar.so"), files()[named("planar.so")][:20000]),
+    "no library": lambda: without(named("linux64.so")),
+    "cut library": lambda: with_file(named("linux64.so"), files()[named("linux64.so")][:20000]),
 }
 DESCRIPTIONS = {
     "unknown encoding": lambda: described("encoding='UTF-8'", "encoding='foo'"),

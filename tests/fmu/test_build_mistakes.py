@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from build_fmu import build, package
+from build_fmu import build, payload
 from build_fmu.command_line import main
 
 SCENE = str(Path(__file__).parents[2] / "scenes" / "double_pendulum.toml")
@@ -20,10 +20,11 @@ def test_a_version_of_fmi_that_there_is_not_is_refused(capsys):
     assert "--fmi: invalid choice: 4" in capsys.readouterr().err
 
 
-def test_a_missing_library_is_exit_4_with_its_remedy(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(package, "library_path", lambda *_: tmp_path / "none.so")
-    words = ["build", SCENE, "--native", "--platforms", "all", "-o", str(tmp_path)]
-    assert main(words) == 4
+@pytest.mark.parametrize("native", [("--native", "--platforms", "all"), ()])
+def test_a_missing_library_is_exit_4_with_its_remedy(native, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(payload, "library_path", lambda *_: tmp_path / "none.so")
+    payload.payload.cache_clear()
+    assert main(["build", SCENE, *native, "-o", str(tmp_path / "a.fmu")]) == 4
     said = capsys.readouterr().err
     assert "none.so" in said
     assert "python -m build_kernel" in said

@@ -92,6 +92,6 @@ def test_a_freed_state_is_null_and_the_log_may_be_silenced(fmu):
 
 def test_truths_and_words_are_set_and_read_again():
     with instance(native_fmu(solver.assemble(solver.loads(SCENE)), 3)) as fmu:
-        fmu.set(solver__assemble=True, solver__formulation="conserving-al-beta")
+        fmu.set(solver__assemble=True, solver__start="equilibrium")
         assert fmu.get("solver.assemble") is True
-        assert fmu.get("solver.formulation") == "conserving-al-beta"
+        assert fmu.get("solver.start") == "equilibrium"

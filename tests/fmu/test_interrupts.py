@@ -12,29 +12,26 @@ from pathlib import Path
 
 import pytest
 
-import fmu_src
+from build_fmu.payload import SLAVE_NAME, payload
 from fmu_src import status
 from fmu_src.slave import Slave
-from tests.fmu_instance import instance, pendulum, slave_of
-
-OF_THE_SLAVE = str(Path(fmu_src.__file__).parent)
-SHIELD = str(Path(OF_THE_SLAVE, "interrupt_guard.py"))
+from tests.fmu_instance import instance, of_pendulum, pendulum, slave_of, status_of
 
 SEQUENCE: dict[str, Callable[[Slave], object]] = {
     "setup_experiment": lambda slave: slave.setup_experiment(0.0, 1.0, 1e-6),
-    "get_real before": lambda slave: slave.get_real(reals(slave)),
-    "set_real": lambda slave: slave.set_real([slave._model.index("push")], [1.0]),
+    "get_real before": lambda slave: slave.get_real(references("Real")),
+    "set_real": lambda slave: slave.set_real([of_pendulum()["push"]], [1.0]),
     "set_integer": lambda slave: slave.set_integer([], []),
-    "set_boolean": lambda slave: slave.set_boolean([slave._model.index("solver.paired")], [False]),
+    "set_boolean": lambda slave: slave.set_boolean(references("Boolean")[:1], [True]),
     "set_string": lambda slave: slave.set_string(
-        [slave._model.index("solver.algorithm")], ["simultaneous"]
+        [of_pendulum("String")["solver.start"]], ["drawn"]
     ),
     "enter_initialization_mode": lambda slave: slave.enter_initialization_mode(),
     "exit_initialization_mode": lambda slave: slave.exit_initialization_mode(),
-    "get_real": lambda slave: slave.get_real(reals(slave)),
+    "get_real": lambda slave: slave.get_real(references("Real")),
     "get_integer": lambda slave: slave.get_integer([]),
-    "get_boolean": lambda slave: slave.get_boolean(sorted(slave._of_type["Boolean"])),
-    "get_string": lambda slave: slave.get_string(sorted(slave._of_type["String"])),
+    "get_boolean": lambda slave: slave.get_boolean(references("Boolean")),
+    "get_string": lambda slave: slave.get_string(references("String")),
     "_get_fmu_state": lambda slave: slave._get_fmu_state(),
     "do_step": lambda slave: slave.do_step(0.0, 0.1),
     "terminate": lambda slave: slave.terminate(),
@@ -42,8 +39,8 @@ SEQUENCE: dict[str, Callable[[Slave], object]] = {
 """Calls in an order that FMI allows."""
 
 
-def reals(slave: Slave) -> list[int]:
-    return sorted(slave._of_type["Real"])
+def references(kind: str) -> list[int]:
+    return sorted(of_pendulum(kind).values())
 
 
 @pytest.fixture(scope="module")
@@ -53,18 +50,22 @@ def fresh():
         yield lambda: slave_of(fmu)
 
 
+def package() -> str:
+    """Name of the code that travels."""
+    return payload(2, "points")[SLAVE_NAME].decode().removesuffix("_slave\n")
+
+
 def struck(call: Callable[[], object], at: int) -> tuple[object, bool]:
     """Answer of a call with an interrupt before its line number `at`, and whether it had so many.
 
     Lines of the slave's files count, in the order in which they run.
     """
-    left = at
+    left, folder = at, str(Path(sys.modules[package() + ".slave"].__file__ or "").parent)
 
     def look(frame, event, _):
         nonlocal left
-        if not frame.f_code.co_filename.startswith(OF_THE_SLAVE):
-            return None
-        if frame.f_code.co_filename == SHIELD:
+        file = frame.f_code.co_filename
+        if not file.startswith(folder) or file.endswith("interrupt_guard.py"):
             return None
         if event == "line":
             left -= 1
@@ -108,7 +109,7 @@ def test_an_interrupt_in_any_line_of_a_call_ends_it_with_a_refusal(fresh, name):
         texts = [message.msg for message in slave._get_log_queue()]
         assert any("interrupted from the keyboard" in text for text in texts)
         assert slave.do_step(0.0, 0.1) is False
-        assert slave.get_real([slave._status_index]) == [status.INTERRUPTED]
+        assert status_of(slave) == status.INTERRUPTED
         if name.startswith("get_"):
             assert isinstance(answer, list)
         if name == "do_step":
@@ -125,9 +126,9 @@ def test_a_state_that_was_saved_before_an_interrupt_ends_the_refusal(fresh):
     at = 0
     while struck(lambda: slave._set_fmu_state(state), at)[1]:
         assert slave.do_step(0.0, 0.1) is False
-        assert slave.get_real([slave._status_index]) == [status.INTERRUPTED]
+        assert status_of(slave) == status.INTERRUPTED
         slave._set_fmu_state(state)
-        assert slave.get_real([slave._status_index]) == [0.0]
+        assert status_of(slave) == 0.0
         at += 1
     assert at > 3
     assert slave.do_step(0.0, 0.1)
@@ -141,7 +142,7 @@ def test_a_state_that_was_being_saved_at_an_interrupt_is_refused(fresh):
     assert hit
     assert isinstance(state, bytes)  # pythonfmu's library asks for its size
     slave._set_fmu_state(state)
-    assert slave.get_real([slave._status_index]) == [status.STATE_REFUSED]
+    assert status_of(slave) == status.STATE_REFUSED
     assert not slave.do_step(0.0, 0.1)
 
 
@@ -164,9 +165,6 @@ class InC:
         self._slave = slave
 
     def __getattr__(self, name: str) -> object:
-        if name in ("_of_type", "_model"):
-            return getattr(self._slave, name)
-
         def call(*arguments: object) -> object:
             interrupt = functools.partial(ctypes.pythonapi.PyErr_SetInterrupt)
             method = functools.partial(methodcaller(name, *arguments), self._slave)
@@ -190,7 +188,7 @@ def test_an_interrupt_that_waits_for_a_call_lets_it_answer_and_refuses_steps(fre
             call(slave)
             call(straight)
     if name.startswith("get_real"):
-        code = reals(slave).index(slave._status_index)
+        code = references("Real").index(of_pendulum()["solver.status"])
         assert answer.pop(code) == status.INTERRUPTED
         assert expected.pop(code) == 0.0
     if name.startswith("get_"):
@@ -198,4 +196,4 @@ def test_an_interrupt_that_waits_for_a_call_lets_it_answer_and_refuses_steps(fre
     texts = [message.msg for message in slave._get_log_queue()]
     assert sum(text.startswith("interrupted from the keyboard") for text in texts) == 1
     assert slave.do_step(0.0, 0.1) is False
-    assert slave.get_real([slave._status_index]) == [status.INTERRUPTED]
+    assert status_of(slave) == status.INTERRUPTED

@@ -190,7 +190,7 @@ REFUSED = {
     "an input": ("push", 1, "push has no derivative: it is no output"),
     "a setting": ("solver.step_size", 1, "solver.step_size has no derivative: it is no output"),
     "no variable": (None, 1, "value references [9999] are not those of Real variables"),
-    "a word": ("solver.formulation", 1, "are not those of Real variables"),
+    "a word": ("solver.start", 1, "are not those of Real variables"),
 }
 
 

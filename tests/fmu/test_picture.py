@@ -107,7 +107,6 @@ def test_the_archive_has_picture_and_page_with_how_exact_a_run_was():
     assert seen.energy < 1e-12
     assert f"{seen.energy:.1e}" in page
     assert f"{seen.position_error:.1e} m" in page
-    assert "conserving-al" in page
     assert 'src="../model.png"' in page
 
 

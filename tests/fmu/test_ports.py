@@ -61,7 +61,7 @@ def test_the_command_line_chooses_outputs_and_says_how_many_ports_there_are(caps
         "--outputs",
         "B0.*, energy.error",
     )
-    assert (code, err.split("; ")[0]) == (0, "four_bar: 5 outputs, 1 input, 17 parameters")
+    assert (code, err.split("; ")[0]) == (0, "four_bar: 5 outputs, 1 input, 11 parameters")
     code, out, _ = run(capsys, "info", fmu)
     assert "FMI 2.0, native, linux64" in out or "FMI 2.0, native" in out
 

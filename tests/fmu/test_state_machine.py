@@ -128,7 +128,7 @@ CALLS = {
     "set an output": (lambda fmu: fmu.set(A__x=1.0), set()),
     "get an output": (lambda fmu: fmu.get("A.x"), {*STATES}),
     "get a parameter": (lambda fmu: fmu.get("length"), {*STATES}),
-    "get a setting": (lambda fmu: fmu.get("solver.formulation"), {*STATES}),
+    "get a setting": (lambda fmu: fmu.get("solver.start"), {*STATES}),
     "get and set the state": (
         lambda fmu: fmu.fmu.setFMUState(fmu.fmu.getFMUState()), {*STATES},
     ),

@@ -138,6 +138,6 @@ def test_a_per_cent_sign_is_a_single_one_where_fmpy_cannot_format_messages(monke
 
     monkeypatch.setattr("fmpy.logging.addLoggerProxy", lacking)
     monkeypatch.setattr("build_fmu.study.settings.VERSION", "another")  # so the FMU says it
-    run = run_fmu(pendulum(), stop_time=0.2, settings={"solver.formulation": "50% more"})
+    run = run_fmu(pendulum(), stop_time=0.2, settings={"solver.start": "50% more"})
     assert "got '50% more'" in run.reason
     assert "got '50% more'" in run.messages[0]

@@ -193,7 +193,7 @@ class Sequence:
         if kind == 0:
             self.set_both("push", chance.uniform(-5.0, 5.0))
         elif kind == 1:
-            self.set_both("solver.paired", chance.choice([False, True]), "Boolean")
+            self.set_both("solver.assemble", chance.choice([False, True]), "Boolean")
         else:
             self.both("exitInitializationMode")
             self.phase = 2

@@ -15,7 +15,7 @@ from tests.hostile.archives import CODES, SCENE
 
 CPU_LIMIT = 5.0
 NAMES = (
-    *("length", "push", "points.A.mass", "solver.step_size", "solver.order", "solver.formulation"),
+    *("length", "push", "points.A.mass", "solver.step_size", "solver.order", "solver.start"),
     *("nonsense", "a b", "", "time", "1", "é", "name", "points", "points.A", "points.A.position"),
     *("points.A.position[0]", "points.A.position[99999999999]", "[0]", "..", '""', "solver"),
     *("name.x",),

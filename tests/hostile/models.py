@@ -49,7 +49,7 @@ def case(seed: str, number: int, _folder: Path) -> str | None:
             return _run(solver.Integrator(_damaged_model(chance, model), log=lambda _: None))
         run = solver.Integrator(model, log=lambda _: None)
         if chance.random() < 0.5:
-            run["solver.paired"] = False
+            run["solver.order"] = 4.0
         run.advance(run.time, 0.01)
         run.restore(_damaged_state(chance, run.save()))
         return _run(run)

@@ -261,8 +261,7 @@ def test_what_answers_at_the_start_is_listed(name, settings):
 @pytest.mark.parametrize("name", SOURCES)
 def test_what_answers_to_a_setting_at_the_start_is_listed(name):
     model, before = model_of(name), start_values(name)
-    others = {"formulation": "conserving-al-beta", "algorithm": "simultaneous", "order": 4.0,
-              "multiplier_update": "paper", "start": "equilibrium"}  # fmt: skip
+    others = {"order": 4.0, "start": "equilibrium"}
     for index, variable in enumerate(model.variables):
         if variable.kind != "option":
             continue

@@ -81,7 +81,7 @@ def gap_at(place: list[float], **contact: Any) -> float:
         points={"A": {"position": place, "mass": 1.0}},
         contacts={"c": {"type": "mesh", "point": "A", "resolution": 0.05} | contact},
     )  # fmt: skip
-    value = start(content, paired=True)["c.gap"]
+    value = start(content)["c.gap"]
     assert isinstance(value, float)
     return value
 

@@ -8,7 +8,7 @@ from solver.runtime.layout import NODE_POINT
 from tests.oracle.forces import stored_energy
 from tests.oracle.mechanism import Array, Mechanism
 from tests.oracle.start import row_rates
-from tests.oracle.step import penalties, rows_now
+from tests.oracle.step import rows_now
 
 LINK_FORCE, ROW_FORCE, ROW_TORQUE = 0, 1, 2
 """Kinds of what a reaction is made of."""
@@ -36,23 +36,13 @@ def rotation_quaternion(R: Array) -> Array:
     return column / np.linalg.norm(column)
 
 
-def stored(mechanism: Mechanism) -> float:
-    """Energy of springs and potentials, and alpha Phi^2/2 of rows with penalties [J] (7, 9)."""
-    energy = stored_energy(mechanism)
-    if mechanism.formulation.endswith("-penalty"):
-        phi = mechanism.exact_rows()
-        alpha = penalties(mechanism, mechanism.head["step_size"])[: len(phi)]
-        energy += float(np.sum(0.5 * alpha * phi**2))
-    return energy
-
-
 def energies(mechanism: Mechanism) -> list[float]:
     """Kinetic, potential and total energy, work, dissipation, balance [J], relative error."""
     head, vectors = mechanism.head, mechanism.vectors
     kinetic = 0.5 * float(vectors["v"] @ mechanism.M @ mechanism.v)
     # On displacements: on positions weights lose digits far from the origin.
     moved = (vectors["q"] - vectors["start"]) + vectors["q_low"]
-    change = -float(mechanism.weight @ moved) + stored(mechanism) - head["stored_start"]
+    change = -float(mechanism.weight @ moved) + stored_energy(mechanism) - head["stored_start"]
     potential = head["potential_start"] + change
     balance = kinetic - head["kinetic_start"] + change - (head["work"] - head["dissipated"])
     error = abs(balance) / (head["energy_reference"] or 1.0)

@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.options import CHOICES
 from solver.runtime import Model
 from solver.runtime.layout import (
     CONTACT,
@@ -175,11 +174,6 @@ class Mechanism:
         return np.kron(M, np.eye(self.dim))
 
     # ------------------------------------------------------------------ configuration
-
-    @property
-    def formulation(self) -> str:
-        """Name of the formulation."""
-        return CHOICES["formulation"][int(self.head["formulation"])]
 
     @property
     def x(self) -> Array:

@@ -13,7 +13,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 from solver.runtime.layout import (
     LEAF_RATE,
@@ -24,9 +23,6 @@ from solver.runtime.layout import (
 )
 from tests.oracle.mechanism import Array, Mechanism
 from tests.oracle.slopes import Change, angle_over, discrete_gradient, moving, still
-
-PARTS = 0.5 + np.arange(1, 17) / 32.0
-"""Where a sign change is looked for beyond 1/2; by symmetry below it too."""
 
 
 @dataclass(frozen=True)
@@ -118,9 +114,9 @@ class Path:
             self.mechanism.gradients(u, w), self.h,
         )  # fmt: skip
 
-    def at(self, part: float, *, along_d: bool = False) -> View:
-        """Derivatives at q_n + part d; those along d alone, shape (n_forms, 1), cost less."""
-        u, w = self.u + part * self.du, self.w + part * self.dw
+    def at_end(self) -> View:
+        """Derivatives at q_n + d."""
+        u, w = self.u + self.du, self.w + self.dw
         s = np.sum(u * w, axis=1)
         sigma = self.sigma_n.astype(s.dtype)
         for index, (kind, f) in enumerate(self.mechanism.quantities):
@@ -128,30 +124,7 @@ class Path:
                 (c_n, s_n), (c, t) = self.s_n[f], s[f]
                 cross = c_n * t - s_n * c
                 sigma[index] += cross * angle_over(cross, c_n * c + s_n * t) if cross else 0.0
-        signal = self.signal_n + part * self.dsignal
-        gradients = np.sum(u * self.dw + w * self.du, axis=1)[:, None]
-        if not along_d:
-            gradients = self.mechanism.gradients(u, w)
+        signal, gradients = self.signal_n + self.dsignal, self.mechanism.gradients(u, w)
         return View(
             self.mechanism, s, 0.0 * s, sigma, signal, 0.0 * signal, gradients, self.h
         )  # fmt: skip
-
-    def beta(self, function, change: float, scale: float) -> float:
-        """Part beta nearest 1/2 with grad Phi(q_n + beta d) . d = Phi_n1 - Phi_n (eq 8)."""
-
-        def off(part: float) -> float:
-            _, (slope,), signals = self.at(part, along_d=True).function(function)
-            return float(slope + signals @ self.dsignal - change)
-
-        middle = off(0.5)
-        if not abs(middle) > 1e-14 * scale:
-            return 0.5
-        low = {1: (0.5, middle), -1: (0.5, middle)}
-        for part in PARTS:
-            for side in (-1, 1):  # of two roots as near, that of the first half
-                high = 0.5 + side * (part - 0.5)
-                off_high = off(high)
-                if low[side][1] * off_high <= 0.0:
-                    return float(brentq(off, low[side][0], high, xtol=1e-16, rtol=1e-15))
-                low[side] = high, off_high
-        return 0.5  # rounding hides the root

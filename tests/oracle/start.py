@@ -137,7 +137,7 @@ def biases(mechanism: Mechanism) -> Array:
     later = [mechanism.signal_rates(t + k * delta) - rates for k in range(1, 5)]
     bends = np.array([48.0, -36.0, 16.0, -3.0]) @ later / (12.0 * delta)
     beside = mechanism.vectors["signal"] + 1j * TINY * rates
-    view = Path(mechanism, 1j * TINY * mechanism.vectors["v"], beside).at(1.0)
+    view = Path(mechanism, 1j * TINY * mechanism.vectors["v"], beside).at_end()
     return row_rates(mechanism, rates + 1j * TINY * bends, view).imag / TINY + drift(mechanism)
 
 

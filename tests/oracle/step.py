@@ -2,15 +2,10 @@
 
 With d = q_n1 - q_n and v_n1 = 2 d/h - v_n the momentum balance is
 
-    R = (2/h) M w + h [ G_bar' mu - Q ] = 0,                                               (5, 15)
+    R = (2/h) M w + h [ G_bar' mu - Q ] = 0,                                                  (15)
 
-and in every formulation the total multiplier is mu = lam + alpha C,
-
-    conserving-al, conserving-penalty    C = (Phi_n + Phi_n1)/2                            (15, 9)
-    midpoint-al, midpoint-penalty        C = Phi(q_mid)                                    (5, 7)
-    penalty-velocity                     C = Phi'' + 2 xi omega Phi' + omega^2 Phi at q_mid (3)
-
-with lam = 0 in the penalty formulations. The augmented ones update lam (Uzawa) until the rows hold.
+with the total multiplier mu = lam + alpha (Phi_n + Phi_n1)/2, and lam is updated (Uzawa) until the
+rows hold.
 Driven nodes have d = b(t_n1) - q_n; R there, over h, is the force that moves them.
 """
 
@@ -39,9 +34,6 @@ class Residual:
         self.on = mechanism.rows_on()
         self.phi_n = np.where(self.on, rows_now(mechanism) - mechanism.references(), 0.0)
         self.alpha = penalties(mechanism, h)
-        self.conserving = mechanism.formulation.startswith("conserving")
-        self.augmented = "-al" in mechanism.formulation
-        self._beta: dict[int, float] = {}
 
     def d(self, w: Array) -> Array:
         """Increment q_n1 - q_n of all moving nodes."""
@@ -64,30 +56,10 @@ class Residual:
         for row, function in enumerate(mechanism.function_rows, functions.start):
             value, G_bar[row], slopes = view.function(function)
             change[row] = value.d
-            if mechanism.formulation == "conserving-al-beta":  # beta itself is held fixed
-                if np.isrealobj(path.d):
-                    scale = mechanism.section["row_scale"][row]
-                    self._beta[row] = path.beta(function, value.d, scale)
-                _, G_bar[row], slopes = path.at(self._beta[row]).function(function)
             by_signals[row] = slopes @ path.dsignal
         for row, function in enumerate(mechanism.velocity_rows, velocities.start):
             change[row], G_bar[row], by_signals[row] = view.rolling(function)
         return change, G_bar, by_signals
-
-    def measure(self, path: Path, change: Array, G_bar: Array) -> Array:
-        """Measure C (r,) of the rows that makes the multipliers."""
-        if self.conserving:
-            return self.phi_n + 0.5 * change
-        form = self.mechanism.row_form
-        bend = 0.0 * change  # d' H d of quadratic rows
-        bend[: len(form)] = 2.0 * np.sum(path.du[form] * path.dw[form], axis=1)
-        phi_mid = self.phi_n + 0.5 * change - 0.125 * bend
-        if self.augmented or not self.mechanism.formulation.endswith("velocity"):
-            return phi_mid
-        xi, omega, h = self.mechanism.head["xi"], self.mechanism.head["omega"], self.h
-        acceleration = 2.0 / h**2 * (path.d - self.h_v)
-        rate2 = G_bar @ acceleration + bend / h**2
-        return rate2 + 2.0 * xi * omega * change / h + omega**2 * phi_mid
 
     def balance(self, path: Path, G_bar: Array, mu: Array) -> Array:
         """Residual R (n,) of the momentum balance of all moving nodes [N s]."""
@@ -96,14 +68,14 @@ class Residual:
         return 2.0 / h * mechanism.M @ (path.d - self.h_v) + h * (G_bar.T @ mu - Q)
 
     def residual(self, w: Array, mu: Array, lam: Array) -> Array:
-        """Residual (n_free + r,) of momentum balance and rows, C - (mu - lam)/alpha.
+        """Residual (n_free + r,) of momentum balance and rows, Phi_mean - (mu - lam)/alpha.
 
         Rows of open contacts have no multipliers, those of sliding frictions follow their cones.
         """
         path = self.path(w)
         change, G_bar, _ = self.rows(path)
         R = self.balance(path, G_bar, mu)[: len(w)]
-        rows = self.measure(path, change, G_bar) - (mu - lam) / self.alpha
+        rows = self.phi_n + 0.5 * change - (mu - lam) / self.alpha
         if not np.all(self.on):
             cones = self.mechanism.sliding_multipliers(mu, change / self.h)
             rows = np.where(self.on, rows, (cones - mu) / self.alpha)
@@ -119,11 +91,9 @@ class Residual:
         by_w = np.array(columns).reshape(len(w), -1).T
         return np.hstack([by_w, by_mu])
 
-    def held(self, path: Path, change: Array, G_bar: Array) -> Array:
-        """What an Uzawa update drives to zero: "end" Phi_n1, "paper" and midpoint C (theory 3)."""
-        if self.conserving and not self.mechanism.head["paper_update"]:
-            return np.where(self.on, self.phi_n + change, 0.0)
-        return np.where(self.on, self.measure(path, change, G_bar), 0.0)
+    def held(self, change: Array) -> Array:
+        """Phi_n1, which an Uzawa update drives to zero (theory 3)."""
+        return np.where(self.on, self.phi_n + change, 0.0)
 
 
 def rows_now(mechanism: Mechanism) -> Array:
@@ -136,16 +106,8 @@ def rows_now(mechanism: Mechanism) -> Array:
 
 
 def penalties(mechanism: Mechanism, h: float) -> Array:
-    """Penalty alpha of each row, from the dimensionless penalty chi = alpha h^2 sigma/4.
-
-    A penalty formulation stores the energy alpha Phi^2/2: its alpha must not follow h, and is that
-    of the configured step. That of penalty-velocity has the dimension of a mass, chi/sigma.
-    """
+    """Penalty alpha of each row, from the dimensionless penalty chi = alpha h^2 sigma/4."""
     chi, sigma = mechanism.head["penalty"], mechanism.section["row_sigma"][: mechanism.n_rows]
-    if mechanism.formulation == "penalty-velocity":
-        return chi / sigma
-    if mechanism.formulation.endswith("-penalty"):
-        h = mechanism.head["step_size"] * (0.5 if mechanism.head["paired"] else 1.0)
     return 4.0 * chi / (h**2 * sigma)
 
 
@@ -165,7 +127,6 @@ class HalfStep:
         a = mechanism.vectors[f"a_{HALVES[half]}"]
         self.w = 0.5 * h**2 * a[: mechanism.n_free]
         self.mu = self.mechanism.vectors[f"mu_{HALVES[half]}"].copy()
-        self.mu *= float(self.equations.augmented)
         self.tangent: Array | None = None
         self.uzawa()
 
@@ -175,15 +136,13 @@ class HalfStep:
         last, scale = np.inf, self.mechanism.section["row_scale"][: len(lam)]
         for _ in range(200):
             self.newton(lam)
-            path = equations.path(self.w)
-            change, G_bar, _ = equations.rows(path)
-            phi = equations.held(path, change, G_bar)
+            change, _, _ = equations.rows(equations.path(self.w))
+            phi = equations.held(change)
             defect = np.max(np.abs(phi) / scale, initial=0.0)
-            if not equations.augmented or defect < 1e-17 or 0.5 * last < defect < 1e-12:
+            if defect < 1e-17 or 0.5 * last < defect < 1e-12:
                 return
-            # Eq 16 adds alpha C. With "end" C = Phi_n1/2, to which it is equal where Phi_n = 0.
-            half = 0.5 if equations.conserving and not self.mechanism.head["paper_update"] else 1.0
-            lam, last = lam + half * equations.alpha * phi, defect
+            # Eq 16 adds alpha (Phi_n + Phi_n1)/2, which is this where Phi_n = 0.
+            lam, last = lam + 0.5 * equations.alpha * phi, defect
         message = f"Uzawa's iteration does not converge: {defect:.1e}"
         raise ArithmeticError(message)
 
@@ -191,7 +150,7 @@ class HalfStep:
         """Add increments to w and mu until they are round-off, and no longer shrink.
 
         A tangent, which takes as long as a residual for each unknown, is kept where they are small
-        and shrink to a tenth: near another root, as the midpoint rule has, the way there counts.
+        and shrink to a tenth.
         """
         last, n, norm = np.inf, len(self.w), np.sqrt(self.mechanism.m_node[: len(self.w)])
         for _ in range(60):
@@ -224,7 +183,6 @@ class HalfStep:
         here = HALVES[self.half]
         vectors[f"mu_{here}"], vectors[f"a_{here}"] = self.mu, 2.0 / h**2 * w
         vectors[f"driven_{here}"], vectors["signal"] = balance[n:] / h, self.equations.signal_n1
-        head["parity"] = 1.0 - self.half
         head["work"] += float(self.work_of_laws + self.mu @ by_signals)
         head["work"] += float((applied(mechanism, path) + drives) @ d + d[n:] @ balance[n:] / h)
         head["dissipated"] -= float(damping @ d)
@@ -246,9 +204,7 @@ def added(high: Array, low: Array, x: Array) -> tuple[Array, Array]:
 
 
 def internal_step(mechanism: Mechanism, h: float) -> Mechanism:
-    """Mechanism after a pair of half steps, or after one plain step."""
-    t, half = mechanism.head["time"], int(mechanism.head["parity"])
-    if not mechanism.head["paired"]:
-        return HalfStep(mechanism, h, t, half).end()
+    """Mechanism after a pair of half steps."""
+    t = mechanism.head["time"]
     middle = HalfStep(mechanism, 0.5 * h, t, 0).end()
     return HalfStep(middle, 0.5 * h, t + 0.5 * h, 1).end()

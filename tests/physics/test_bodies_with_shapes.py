@@ -20,7 +20,7 @@ INERTIA = [0.01, 0.1, 0.1]
 
 def run(content: Content, time: float, **settings: Any) -> Integrator:
     """Run in steps of the settings; the ledger closes and nothing penetrates."""
-    integrator = start(content, paired=True, **settings)
+    integrator = start(content, **settings)
     integrator.advance(0.0, time)
     assert float(integrator["energy.error"]) < 1e-11
     for name in content["contacts"]:

@@ -24,7 +24,6 @@ from tests.problems import (
     free_system,
     move,
     observe,
-    observe_until_it_fails,
     pendulum,
     start,
     tree,
@@ -34,37 +33,24 @@ from tests.random_mechanisms import free_systems
 
 SCENES = Path(__file__).parents[2] / "scenes"
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
-PAIRED = pytest.mark.parametrize("paired", [False, True], ids=["plain", "pairs"])
 
 
-# ------------------------------------------------------------------- chains, and the midpoint rule
+# ------------------------------------------------------------------------------------------ chains
 
 
-@PAIRED
 @pytest.mark.parametrize("n", [1, 2, 5])
-def test_a_chain_from_the_horizontal_keeps_energy_and_length_for_20_s(n, paired):
+def test_a_chain_from_the_horizontal_keeps_energy_and_length_for_20_s(n):
     # 1e-10 N m g L and 1e-12 are what a solve to 1e-12 of each step may leave after 2000 steps,
     # with a factor of 100 to spare.
-    motion = move(start(chain(n), h=0.01, paired=paired), 0.01, 2000)
+    motion = move(start(chain(n), h=0.01), 0.01, 2000)
     assert np.abs(motion.balance).max() < 1e-10 * n * GRAVITY
     assert np.abs(motion.phi).max() < 1e-12
 
 
-@pytest.mark.parametrize("n", [1, 2, 5])
-def test_the_midpoint_rule_loses_the_same_chain_within_6_s(n):
-    # Eq. 5 satisfies the constraints at the midpoints; what the ends do feeds energy in: more than
-    # ten times what gravity could ever give, even where no further step can be solved after that.
-    integrator = start(chain(n), h=0.01, formulation="midpoint-al")
-    error = observe_until_it_fails(integrator, 0.01, 600, ["energy.balance"])
-    assert np.abs(error).max() > 10 * n * GRAVITY
-
-
-@PAIRED
-def test_a_double_pendulum_keeps_its_energy_to_a_picojoule_over_200000_steps(paired):
-    # Plain steps of 1 ms, and pairs of two half steps of 0.5 ms each: 2e5 and 4e5 solved steps.
+def test_a_double_pendulum_keeps_its_energy_to_a_picojoule_over_400000_half_steps():
     # With increments as unknowns and compensated sums nothing adds up but the residuals, some 1e-16
     # J each and of either sign.
-    balance = observe(start(double_pendulum(), h=1e-3, paired=paired), 1.0, 200, ["energy.balance"])
+    balance = observe(start(double_pendulum(), h=1e-3), 1.0, 200, ["energy.balance"])
     assert np.abs(balance).max() <= 1e-12
 
 
@@ -145,3 +131,36 @@ def test_energy_and_momenta_of_a_free_system_hold_over_ten_thousand_large_steps(
 def test_energy_and_momenta_of_any_free_system_hold_over_ten_thousand_large_steps(system):
     content, h = system
     assert_momenta_and_energy_hold(content, h, 10_000)
+
+
+WHEELS = {
+    2: """
+name = "wheel"
+dimension = 2
+gravity = [0, 0]
+[bodies]
+wheel = { position = [0, 0], angular_velocity = 47.0, mass = 1.0, inertia = 1.0 }
+""",
+    3: """
+name = "wheel"
+gravity = [0, 0, 0]
+[bodies.wheel]
+position = [0, 0, 0]
+angular_velocity = { body = [0, 0, 47] }
+mass = 1.0
+inertia = [4, 4, 1]
+""",
+}
+
+
+@pytest.mark.parametrize("h", [0.01, 0.02, 0.03])
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_wheel_spins_as_fast_after_200000_steps(dimension, h):
+    """I omega is constant. Each of 4e5 half steps rounds what it changes velocities of directors
+    by, up to 33 m/s, to half of 7e-15 m/s: at random that is 4e-14 of omega. With one sign it
+    would be 100 times as much, as where the rounding of h omega was left out of the momenta."""
+    text = f"{WHEELS[dimension]}[solver]\nstep_size = {h}\n"
+    run = solver.Integrator(solver.assemble(solver.loads(text)))
+    run.advance(0.0, 200_000 * h)
+    spin = "wheel.angular_velocity" if dimension == 2 else "wheel.wz"
+    assert run[spin] == pytest.approx(47.0, rel=1e-13)

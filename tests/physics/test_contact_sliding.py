@@ -253,7 +253,7 @@ def test_a_ball_begins_to_slide_under_a_push_that_grows_and_turns_round(turn, h,
     ).y[:, -1]  # fmt: skip
     first = np.concatenate([1e-9 * force(begins), rolls])
     exact = solve_ivp(slope, (begins, end), first, "Radau", rtol=1e-9, atol=1e-12).y[4:, -1]
-    ran = start(content, h=h, order=order, paired=True)
+    ran = start(content, h=h, order=order)
     ran.advance(0.0, end)
     assert [ran["ball.x"], ran["ball.y"]] == pytest.approx(exact, abs=error)
     assert float(ran["energy.error"]) < 1e-11

@@ -167,7 +167,7 @@ def test_stepped_runs_continue_from_a_saved_state_bit_for_bit():
 
 def test_stepped_mode_says_once_that_its_order_is_2():
     sentences: list[str] = []
-    scene = solver_scene(ball(), order=4, step_size=0.01, paired=True, **STEPPED)
+    scene = solver_scene(ball(), order=4, step_size=0.01, **STEPPED)
     integrator = Integrator(solver.assemble(scene), log=sentences.append)
     integrator.initialise()
     cover(integrator, even(1.0, 0.1))

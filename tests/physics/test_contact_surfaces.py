@@ -31,7 +31,7 @@ def run(content: Content, times: list[float], **settings: Any) -> list[Integrato
     """Run to each time, anew, in steps of the settings; the ledger of each run closes."""
     runs = []
     for time in times:
-        integrator = start(content, paired=True, **settings)
+        integrator = start(content, **settings)
         integrator.advance(0.0, time)
         assert float(integrator["energy.error"]) < 1e-12
         runs.append(integrator)
@@ -367,7 +367,7 @@ def test_losses_in_a_bowl_depend_neither_on_the_step_nor_on_how_it_is_written(
         content = bowl(contact | {"restitution": restitution} | rubbing)
         content["points"]["p"] |= {"position": [0.1, 0.05, 0.1], "velocity": [0.7, 0.3, 0.2]}
         for h, order in ((0.02, 2), (0.01, 4), (0.01, 6)):
-            ran = start(content, paired=True, h=h, order=order, max_events=1000)
+            ran = start(content, h=h, order=order, max_events=1000)
             for k in range(30):
                 ran.advance(0.1 * k, 0.1)
             assert float(ran["energy.error"]) < 1e-13

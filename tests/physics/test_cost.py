@@ -111,7 +111,7 @@ def test_long_chains_of_bodies_take_as_few_increments_as_short_ones():
     # energy was off by 1e-14.
     mean = {}
     for n in (10, 1000):
-        run = start(tomllib.loads(rigid_chain(n)), h=1e-3, paired=True)
+        run = start(tomllib.loads(rigid_chain(n)), h=1e-3)
         names = ["solver.newton_iterations", "energy.error", "constraint.position"]
         iterations, energy, constraint = observe(run, 1e-3, 20, names)[1:].T
         assert energy.max() < 5e-15
@@ -124,7 +124,7 @@ def test_long_chains_of_bodies_take_as_few_increments_as_short_ones():
 def test_a_long_chain_between_two_nails_is_not_taken_for_one_of_dependent_rows():
     # Its last pivots are as small as those of dependent rows, whose penalty is never raised: 14 to
     # 17 increments a half step.
-    run = start(tomllib.loads(hanging_chain(4000)), h=1e-3, paired=True)
+    run = start(tomllib.loads(hanging_chain(4000)), h=1e-3)
     names = ["solver.newton_iterations", "energy.error", "constraint.position"]
     iterations, energy, constraint = observe(run, 1e-3, 4, names)[1:].T
     assert energy.max() < 5e-15

@@ -80,7 +80,7 @@ def test_a_bar_that_is_turned_gains_speed_as_the_torque_says(dimension):
     torque = 0.8 if dimension == 2 else [0.0, 0.0, 0.8]
     errors, steps = [], [0.2, 0.1, 0.05]
     for h in steps:
-        motion = move(start(turning_bar(dimension, torque), h=h, paired=True), h, round(4 / h))
+        motion = move(start(turning_bar(dimension, torque), h=h), h, round(4 / h))
         angle = np.unwrap(np.arctan2(motion.q[:, 0, 1], motion.q[:, 0, 0]))
         errors.append(np.abs(angle - 0.5 * 0.8 / 1.6 * motion.t**2).max())
     assert observed_order(steps, errors) == pytest.approx(2.0, abs=0.1)

@@ -21,7 +21,6 @@ from tests.mechanism_runs import run as values_of
 from tests.mechanism_runs import scene
 from tests.problems import Array, double_pendulum, observed_order
 from tests.problems import scene as scene_of
-from tests.twins import PENDULUM
 
 pytestmark = pytest.mark.filterwarnings("ignore:joints do not allow the velocity")  # flying
 
@@ -182,32 +181,6 @@ def test_a_double_pendulum_is_met_to_the_order_asked_for(order, steps):
     assert observed_order(lengths, errors[:, :4].max(axis=1)) == pytest.approx(order, abs=0.2)
     assert observed_order(lengths, errors[:, 4:].max(axis=1)) == pytest.approx(order, abs=0.2)
     assert ends[:, 8:].max() < 1e-14
-
-
-@pytest.mark.parametrize("tolerance", [0.0, 1e-3])
-def test_dampers_limit_the_order_of_some_methods_to_two_and_that_is_said_once(tolerance):
-    # Stages that go back in time would give back what a damper takes; weighted covers need a method
-    # that conserves.
-    text = f"""{PENDULUM}[forces.brake]
-type = "damper"
-points = ["A", "ground"]
-at = [3, 0]
-damping = 0.2
-"""
-    said: list[str] = []
-    damped = solver.assemble(solver.loads(text))
-    limited, second = (Integrator(damped, log=said.append) for _ in range(2))
-    for run in (limited, second):
-        run["solver.formulation"], run["solver.tolerance"] = "midpoint-al", tolerance
-    limited["solver.order"], second["solver.order"] = 6.0, 2.0
-    for run in (limited, second):
-        for _ in range(3):
-            run.advance(run.time, 0.1)
-    assert limited["solver.order_in_use"] == 2.0
-    assert limited["solver.order"] == 6.0
-    assert limited["A.x"] == second["A.x"]
-    (sentence,) = said
-    assert sentence.startswith("solver.order is 6, but steps are of order 2")
 
 
 @pytest.mark.parametrize("order", ORDERS)

@@ -48,11 +48,10 @@ PRESTRESSED = ROD.format(
 )
 
 
-@pytest.mark.parametrize("paired", [True, False], ids=["pairs", "plain"])
 @pytest.mark.parametrize("source", [PULLED, SWITCHED, PRESTRESSED], ids=["pull", "jump", "spring"])
-def test_a_mechanism_at_rest_without_weight_stays_at_rest(source, paired):
+def test_a_mechanism_at_rest_without_weight_stays_at_rest(source):
     # No energy is there to measure round-off against: positions are known to 1e-16 of a metre.
-    run = start(source, paired=paired)
+    run = start(source)
     for i in range(60):
         run["pull"] = 10.0 if i > 3 else 0.0
         run.advance(i * 0.05, 0.05)
@@ -148,6 +147,7 @@ b = { type = "damper", points = ["B", "ground"], at = [-1, 1], damping = 1.0 }
 push = { type = "force", point = "A", value = ["order + other", 0] }
 [solver]
 order = 4
+formulation = "midpoint-al"
 """
     said: list[str] = []
     run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)

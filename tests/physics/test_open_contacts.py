@@ -25,7 +25,7 @@ def beside_a_wall(content: Content, count: int, friction: float) -> Content:
 
 def moved(content: Content, steps: int) -> np.ndarray:
     """Coordinates after some steps."""
-    integrator = start(content, h=0.01, paired=True)
+    integrator = start(content, h=0.01)
     integrator.advance(0.0, 0.01 * steps)
     return np.array(integrator.state.vectors["q"])
 

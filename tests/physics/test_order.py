@@ -1,4 +1,4 @@
-"""Accuracy against exact solutions: plain steps and pairs of half steps are of second order."""
+"""Accuracy against exact solutions: pairs of half steps are of second order."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import pytest
 from scipy.special import ellipk
 
 from tests.exact_motions import double_pendulum_motion, pendulum_angle
+from tests.kernel_calls import kernel_of
 from tests.problems import (
     GRAVITY,
     Motion,
@@ -22,45 +23,45 @@ from tests.problems import (
 )
 
 STEPS = [0.02, 0.01, 0.005, 0.0025]
-PAIRED = pytest.mark.parametrize("paired", [False, True], ids=["plain", "pairs"])
 
 
-def swing(h: float, *, paired: bool, stop: float = 2.0) -> Motion:
+def swing(h: float, stop: float = 2.0) -> Motion:
     """Double pendulum from 30 degrees: regular motion, so that errors are those of the step."""
-    return move(start(double_pendulum(math.pi / 6), h=h, paired=paired), h, round(stop / h))
+    return move(start(double_pendulum(math.pi / 6), h=h), h, round(stop / h))
 
 
-@PAIRED
-def test_coordinates_and_velocities_are_of_second_order(paired):
+def test_coordinates_and_velocities_are_of_second_order():
     # The next term of the error is h^2 smaller, (0.02 s * 5 rad/s)^2 = 0.01: slopes within 0.05.
     q, v = double_pendulum_motion(np.array([0.0, 2.0]), math.pi / 6)
-    motions = [swing(h, paired=paired) for h in STEPS]
+    motions = [swing(h) for h in STEPS]
     q_errors = [np.abs(motion.q[-1] - q[-1]).max() for motion in motions]
     v_errors = [np.abs(motion.v[-1] - v[-1]).max() for motion in motions]
     assert observed_order(STEPS, q_errors) == pytest.approx(2.0, abs=0.05)
     assert observed_order(STEPS, v_errors) == pytest.approx(2.0, abs=0.05)
 
 
-@PAIRED
-def test_velocities_leave_the_constraints_by_a_second_order_term_that_does_not_grow(paired):
+def test_velocities_leave_the_constraints_by_a_second_order_term_that_does_not_grow():
     # G v is a smooth part h^2/8 d(v'Hv)/dt and one that changes sign every step; neither is damped,
     # neither drifts.
-    normal = [np.abs(swing(h, paired=paired).phi_dot).max() for h in STEPS]
+    normal = [np.abs(swing(h).phi_dot).max() for h in STEPS]
     assert observed_order(STEPS, normal) == pytest.approx(2.0, abs=0.05)
-    later = np.abs(swing(0.01, paired=paired, stop=20.0).phi_dot)
+    later = np.abs(swing(0.01, stop=20.0).phi_dot)
     assert later[1000:].max() < 1.5 * later[:1000].max()
 
 
-def test_pairs_move_velocities_smoothly_where_the_plain_step_reflects_them():
+def test_pairs_move_velocities_smoothly_where_half_steps_reflect_them():
     # The second difference of G v is h^2 (G v)'' = O(h^4) when smooth, four times the alternating
     # part = O(h^2) when not. A start in motion excites that part, a start from rest does not.
-    def roughness(h: float, *, paired: bool) -> float:
-        motion = move(start(pendulum(1.0, 2.0), h=h, paired=paired), h, round(2 / h))
-        return float(np.abs(np.diff(motion.phi_dot, n=2, axis=0)).max())
+    def roughness(h: float, *, every: int) -> float:
+        run = start(pendulum(1.0, 2.0), h=2.0 * h)
+        rates = [kernel_of(run).residuals()[1]]
+        for k in range(round(2 / h)):
+            assert kernel_of(run).half_step(h, k % 2) == 0
+            rates.append(kernel_of(run).residuals()[1])
+        return float(np.abs(np.diff(rates[::every], n=2, axis=0)).max())
 
-    plain = [roughness(h, paired=False) for h in STEPS]
-    pairs = [roughness(h, paired=True) for h in STEPS]
-    assert observed_order(STEPS, plain) == pytest.approx(2.0, abs=0.1)
+    halves, pairs = ([roughness(h, every=every) for h in STEPS] for every in (1, 2))
+    assert observed_order(STEPS, halves) == pytest.approx(2.0, abs=0.1)
     assert observed_order(STEPS, pairs) == pytest.approx(4.0, abs=0.2)
 
 
@@ -163,13 +164,12 @@ def test_a_swinging_pendulum_follows_the_elliptic_function():
     assert observed_order(STEPS, errors) == pytest.approx(2.0, abs=0.05)
 
 
-@PAIRED
-def test_a_conical_pendulum_circles_at_its_height(paired):
+def test_a_conical_pendulum_circles_at_its_height():
     # Exact: y = -cos(1), rate = sqrt(g/cos(1)). The discrete circle is a circle too, at a height
     # and a rate that differ by O(h^2): 20 h^2 covers (h rate)^2/12 of both.
     content, rate = conical_pendulum(1.0), math.sqrt(GRAVITY / math.cos(1.0))
     for h in (0.02, 0.01):
-        motion = move(start(content, h=h, paired=paired), h, round(2 / h))
+        motion = move(start(content, h=h), h, round(2 / h))
         assert np.abs(motion.q[:, 0, 2] + math.cos(1.0)).max() < 20 * h**2
         turned = np.unwrap(np.arctan2(motion.q[:, 0, 1], motion.q[:, 0, 0]))
         assert np.abs(turned - rate * motion.t).max() < 20 * h**2 * motion.t[-1]
@@ -177,7 +177,7 @@ def test_a_conical_pendulum_circles_at_its_height(paired):
 
 def test_one_communication_step_of_many_internal_steps_is_the_same_as_many_of_one():
     # Lengths are computed as step/n, so they may differ in the last digit: 200 steps of 1e-16.
-    one, many = (start(double_pendulum(), h=0.01, paired=True) for _ in range(2))
+    one, many = (start(double_pendulum(), h=0.01) for _ in range(2))
     one.advance(0.0, 1.0)
     for _ in range(100):
         many.advance(many.time, 0.01)

@@ -81,7 +81,7 @@ def test_an_end_that_is_not_after_the_start_is_refused(stop_time):
         ({"outputs": ["A.xx"]}, "'A.xx'; did you mean 'A.x'"),
         ({"parameters": {"solver.penalt": 1.0}}, "'solver.penalt'; did you mean 'solver.penalty'"),
         ({"inputs": {"A.x": 1.0}}, "A.x: is calculated"),
-        ({"formulatoin": "midpoint-al"}, "did you mean 'solver.formulation'"),
+        ({"toleranec": 1e-6}, "did you mean 'solver.tolerance'"),
     ],
     ids=str,
 )

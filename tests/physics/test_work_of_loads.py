@@ -11,7 +11,7 @@ import pytest
 
 import solver
 from tests.problems import Array, observed_order
-from tests.work_sums import ROUND_OFF, middles, sums, trapezoids, vector
+from tests.work_sums import ROUND_OFF, HalfSteps, middles, sums, trapezoids, vector
 
 DIMENSIONS = pytest.mark.parametrize("dimension", [2, 3], ids=["plane", "space"])
 STEPS = pytest.mark.parametrize("h", [0.02, 0.2])
@@ -51,13 +51,13 @@ points = { tip = [0.3, -0.1, 0.2], ax = [1, 0, 0], ay = [0, 1, 0], az = [0, 0, 1
 FORCE, MOMENT = np.array([1.3, -0.7, 0.9]), np.array([0.4, -0.7, 1.1])
 
 
-def loaded(dimension: int, load: str, h: float, stop: float = 2.0) -> solver.Trajectory:
-    """A point and a body in free flight under one load, in plain steps."""
-    text = f"[forces]\nload = {{ {load} }}\n[solver]\npaired = false\nstep_size = {h}\n"
-    return solver.simulate(solver.loads(FREE[dimension] + text), stop_time=stop, step_size=h)
+def loaded(dimension: int, load: str, h: float, stop: float = 2.0) -> HalfSteps:
+    """A point and a body in free flight under one load."""
+    scene = solver.loads(f"{FREE[dimension]}[forces]\nload = {{ {load} }}\n")
+    return HalfSteps(scene, stop_time=stop, h=h)
 
 
-def directors(run: solver.Trajectory, dimension: int) -> Array:
+def directors(run: HalfSteps, dimension: int) -> Array:
     """Axes of the body, shape (n, axis, component)."""
     axes = [vector(run, f"A.a{axis}.", AXES[dimension]) for axis in AXES[dimension]]
     return np.stack(axes, axis=1) - vector(run, "A.", AXES[dimension])[:, np.newaxis]
@@ -92,7 +92,8 @@ def test_a_force_that_turns_with_its_body_works_along_the_mean_of_its_axes(place
 @STEPS
 @pytest.mark.parametrize("axes", ["global", "body"])
 def test_a_torque_on_a_body_in_the_plane_does_torque_times_angle(axes, h):
-    run = loaded(2, f'type = "torque", body = "A", value = -1.1, axes = "{axes}"', h, stop=6.0)
+    law = f'[forces]\nload = {{ type = "torque", body = "A", value = -1.1, axes = "{axes}" }}\n'
+    run = solver.simulate(solver.loads(FREE[2] + law), stop_time=6.0, step_size=h)
     turned = run["A.angle"] - 0.3
     assert turned[-1] < -30.0
     assert run["energy.work"] == pytest.approx(-1.1 * turned, rel=1e-12, abs=1e-12)
@@ -139,11 +140,8 @@ wheel = { position = [0, 0, 0], mass = 2.0, inertia = [0.11, 0.13, 0.17] }
 axle = { type = "revolute", bodies = ["ground", "wheel"], position = [0, 0, 0], axis = [0, 3, 4] }
 [forces]
 motor = { type = "torque", body = "wheel", value = [0, 0.66, 0.88] }
-[solver]
-paired = false
-step_size = 0.1
 """
-    run = solver.simulate(solver.loads(text), stop_time=2.0, step_size=0.1)
+    run = HalfSteps(solver.loads(text), stop_time=2.0, h=0.1)
     work = sums(2 * 1.1 * np.tan(0.5 * np.diff(run["axle.angle"])))
     assert run["energy.work"] == pytest.approx(work, rel=1e-12)
 
@@ -157,7 +155,6 @@ B = { position = [1.1, 0.9] }
 [bodies]
 bar = { type = "bar", points = ["A", "B"], mass = 1.5 }
 [solver]
-paired = false
 assemble = true
 """
 
@@ -217,25 +214,25 @@ push = {{ type = "force", point = "P", value = ["u", 0, "3*u"] }}
 @pytest.mark.parametrize("interpolation", ["hold", "ramp"])
 @pytest.mark.parametrize("substeps", [1, 2, 7])
 def test_a_force_from_an_input_does_the_work_of_its_course(interpolation, substeps):
-    # Held: u times the way. In a line over an internal step: its mean over that step; for a body at
+    # Held: u times the way. In a line over a half step: its mean over that; for a body at
     # constant acceleration the sum over substeps is formed from the exact motion.
     every, mass = 0.1, 0.8
     integrator = solver.Integrator(
         solver.assemble(solver.loads(PUSHED.format(interpolation=interpolation)))
     )
     integrator["solver.step_size"] = every / substeps
-    integrator["solver.paired"] = False
     integrator.initialise()
     before, work, speed = 0.0, 0.0, np.array([0.4, 0.0])
     for k in range(30):
         u = 2.0 * np.sin(0.9 * k + 0.5)
         integrator["u"] = u
         integrator.advance(integrator.time, every)
-        for i in range(substeps):
-            part = 1.0 if interpolation == "hold" else (i + 0.5) / substeps
+        halves = 2 * substeps
+        for i in range(halves):
+            part = 1.0 if interpolation == "hold" else (i + 0.5) / halves
             force = (before + part * (u - before)) * np.array([1.0, 3.0])
-            after = speed + force * every / substeps / mass
-            work += force @ (speed + after) / 2 * every / substeps
+            after = speed + force * every / halves / mass
+            work += force @ (speed + after) / 2 * every / halves
             speed = after
         before = u
         assert integrator["energy.work"] == pytest.approx(work, abs=1e-11)

@@ -62,7 +62,7 @@ def test_the_double_pendulum_arrives_as_written():
     assert scene.joints["lower"] == Distance(
         points=(PointReference(point="A"), PointReference(point="B")), length=None
     )
-    assert scene.solver.formulation == "conserving-al"
+    assert scene.solver.start == "drawn"
     assert scene.solver.step_size == 0.01
     assert (scene.experiment.stop_time, scene.experiment.step_size) == (10.0, 0.05)
 

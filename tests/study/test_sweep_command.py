@@ -96,8 +96,8 @@ NAMELESS = ["", " ", "A.x,", "A.x,,reach"]
         (("--grid", "mass=1", "--output", "A.z"), ["output A.z: error", "did you mean 'A."]),
         (("--grid", "mass=1", "--output", "speed"), ["no variable 'speed'", "known: clock, "]),
         (
-            ("--grid", "mass=1", "--output", "solver.formulation"),
-            ["output solver.formulation: error: solver.formulation: is a text, not a number"],
+            ("--grid", "mass=1", "--output", "solver.start"),
+            ["output solver.start: error: solver.start: is a text, not a number"],
         ),
         (
             ("--grid", "mass=1:2", "--grid", "lenght=1,x", "--grid", "push=a", "--output", "A.z"),

@@ -166,7 +166,7 @@ def test_over_two_parameters_an_output_is_a_heat_map_with_gaps_at_failed_runs():
 
 def test_ranges_with_log_have_a_logarithmic_axis_and_words_stand_side_by_side():
     pytest.importorskip("matplotlib")
-    varied = {"mass": [1.0, 10.0, 100.0] * 2, "solver.formulation": ["a"] * 3 + ["b"] * 3}
+    varied = {"mass": [1.0, 10.0, 100.0] * 2, "solver.start": ["a"] * 3 + ["b"] * 3}
     plot = plots.over_values(varied, summary(*range(6)), UNITS).axes[0]
     assert (plot.get_xscale(), plot.get_yscale()) == ("log", "linear")
     assert [label.get_text() for label in plot.get_yticklabels()] == ["a", "b"]

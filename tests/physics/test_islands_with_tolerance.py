@@ -1,0 +1,239 @@
+"""Explicit steps of several islands: each keeps its own, and reactions are those of the place.
+
+Right values are closed forms, statics, or Newton's law; energies are worked out from places and
+velocities.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import solver
+from solver.runtime import Integrator
+from tests.exact_motions import pendulum_angle
+from tests.mechanism_runs import steps_explicitly
+from tests.problems import Array
+
+G = 9.81
+
+
+def started(text: str, tolerance: float, dimension: int = 2, stop: float = 2.0) -> Integrator:
+    gravity = [0, -G] if dimension == 2 else [0, 0, -G]
+    head = f'name = "parts"\ndimension = {dimension}\ngravity = {gravity}\n'
+    tail = f"[experiment]\nstop_time = {stop}\n[solver]\ntolerance = {tolerance}\n"
+    run = Integrator(solver.assemble(solver.loads(head + text + tail)))
+    run.initialise()
+    return run
+
+
+def of(run: Integrator, *names: str) -> Array:
+    return np.array([float(run[name]) for name in names])
+
+
+def pendulum(name: str, angle: float, more: str = "") -> str:
+    """A unit mass on a unit rod under (0, 0), `angle` from the lowest place."""
+    x, y = math.sin(angle), -math.cos(angle)
+    return f"""
+[points.{name}]
+position = [{x!r}, {y!r}]
+mass = 1.0
+[joints.rod_{name}]
+type = "distance"
+points = ["ground", "{name}"]
+at = [0, 0]
+length = 1.0
+{more}"""
+
+
+FREE = """
+[points.F]
+position = [3, 0]
+velocity = [1, 2]
+mass = 0.5
+"""
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-8])
+def test_pendulums_swing_side_by_side_and_each_keeps_its_energy(tolerance: float) -> None:
+    angles = {"A": 2.0, "B": 0.3, "C": 1.2}
+    run = started("".join(pendulum(name, at) for name, at in angles.items()), tolerance, stop=10.0)
+    for k in range(100):
+        run.advance(0.1 * k, 0.1)
+        for name, angle in angles.items():
+            x, y, vx, vy = of(run, *(f"{name}.{part}" for part in ("x", "y", "vx", "vy")))
+            exact = pendulum_angle(np.array([0.1 * (k + 1)]), angle)[0]
+            assert [x, y] == pytest.approx(
+                [math.sin(exact), -math.cos(exact)], abs=3.0 * tolerance * math.sqrt(3.0)
+            )
+            assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(angle), abs=2e-13)
+    assert steps_explicitly(run)
+
+
+def test_a_damped_pendulum_takes_no_energy_from_its_neighbour() -> None:
+    damper = '[forces.d]\ntype = "damper"\npoints = ["ground", "A"]\nat = [1, 0]\ndamping = 0.4\n'
+    run = started(pendulum("A", 1.0, damper) + pendulum("B", 1.5), 1e-8, stop=5.0)
+
+    def rates(_: float, state: Array) -> Array:
+        angle, rate = state
+        arm = np.array([math.sin(angle) - 1.0, -math.cos(angle)])
+        turn = np.array([math.cos(angle), math.sin(angle)])
+        along = arm @ turn / np.linalg.norm(arm)
+        return np.array([rate, -G * math.sin(angle) - 0.4 * along * along * rate])
+
+    exact = solve_ivp(rates, (0, 5), [1.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-12).y[0, -1]
+    for k in range(50):
+        run.advance(0.1 * k, 0.1)
+    assert steps_explicitly(run)
+    assert of(run, "A.x", "A.y") == pytest.approx([math.sin(exact), -math.cos(exact)], abs=5e-8)
+    x, y, vx, vy = of(run, "B.x", "B.y", "B.vx", "B.vy")
+    assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(1.5), abs=1e-13)
+    x, y, vx, vy = of(run, "A.x", "A.y", "A.vx", "A.vy")
+    lost = -G * math.cos(1.0) - 0.5 * (vx * vx + vy * vy) - G * y
+    assert float(run["energy.dissipated"]) == pytest.approx(lost, abs=1e-12)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6])
+def test_a_driver_beside_a_free_point_feels_its_own_mass_alone(tolerance: float) -> None:
+    """A mass of 2 kg at 0.3 sin(4 t): 2 (x'' + g)."""
+    point = '[points.A]\nposition = [0, 0]\nvelocity = [1.2, 0]\nmass = 2.0\n'
+    driver = '[drivers.hand]\ntype = "position"\npoint = "A"\nvalue = ["0.3*sin(4*t)", "0"]\n'
+    run = started(FREE + point + driver, tolerance)
+    for k in range(20):
+        run.advance(0.1 * k, 0.1)
+        t = 0.1 * (k + 1)
+        force = of(run, "hand.force.x", "hand.force.y")
+        assert force == pytest.approx([-9.6 * math.sin(4.0 * t), 2.0 * G], abs=1e-9)
+        assert of(run, "F.x", "F.y") == pytest.approx([3 + t, 2 * t - G * t * t / 2], abs=1e-12)
+        assert of(run, "F.vx", "F.vy") == pytest.approx([1, 2 - G * t], abs=1e-12)
+        assert float(run["energy.error"]) < 1e-13
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6])
+def test_a_truss_beside_a_pendulum_carries_its_load(tolerance: float) -> None:
+    """At 45 degrees: (load - weight)/sqrt(2), which the pendulum does not change."""
+    truss = """
+[points.T]
+position = [1, 1]
+mass = 1.0
+[joints.left]
+type = "distance"
+points = ["ground", "T"]
+at = [0, 0]
+[joints.right]
+type = "distance"
+points = ["ground", "T"]
+at = [2, 0]
+[forces.load]
+type = "force"
+point = "T"
+value = ["5*sin(3*t)", "0"]
+"""
+    run = started(truss + pendulum("A", 1.0), tolerance)
+    for k in range(20):
+        run.advance(0.1 * k, 0.1)
+        exact = (5.0 * math.sin(0.3 * (k + 1)) - G) / math.sqrt(2.0)
+        assert float(run["left.force"]) == pytest.approx(exact, abs=1e-9)
+        x, y, vx, vy = of(run, "A.x", "A.y", "A.vx", "A.vy")
+        tension = vx * vx + vy * vy - G * y
+        assert float(run["rod_A.force"]) == pytest.approx(tension, abs=1e-9)
+    assert steps_explicitly(run)
+
+
+def test_two_driven_bodies_need_each_its_own_torque() -> None:
+    """Bars of 1 m and 1 and 2 kg, hinged 0.5 m from their middles: (J + m/4) a'' + m g cos(a)/2."""
+    text, laws = "", {"b": ("2*sin(3*t)", 1.0), "d": ("1.5*t**2", 2.0)}
+    for name, (law, mass) in laws.items():
+        text += f"""
+[bodies.{name}]
+position = [0.5, 0]
+mass = {mass}
+inertia = {mass / 12.0!r}
+angular_velocity = {6.0 if name == "b" else 0.0}
+velocity = [0, {3.0 if name == "b" else 0.0}]
+[joints.hinge_{name}]
+type = "revolute"
+bodies = ["ground", "{name}"]
+position = [0, 0]
+[drivers.motor_{name}]
+type = "angle"
+joint = "hinge_{name}"
+value = "{law}"
+"""
+    run = started(text, 1e-6)
+    for k in range(20):
+        run.advance(0.1 * k, 0.1)
+        t = 0.1 * (k + 1)
+        for name, angle, bend in (
+            ("b", 2.0 * math.sin(3.0 * t), -18.0 * math.sin(3.0 * t)), ("d", 1.5 * t * t, 3.0)
+        ):  # fmt: skip
+            mass = laws[name][1]
+            torque = mass / 3.0 * bend + mass * G * math.cos(angle) / 2.0
+            assert float(run[f"motor_{name}.torque"]) == pytest.approx(torque, abs=1e-8)
+
+
+def test_a_force_that_reads_another_part_does_the_work_that_it_gives() -> None:
+    """F follows the swing of A: its speed is the integral of 2 A.x, and its energy that work."""
+    push = '[forces.push]\ntype = "force"\npoint = "F"\nvalue = ["2*A.x", "0"]\n'
+    run = started(FREE + pendulum("A", 1.0) + push, 1e-8)
+    for k in range(20):
+        run.advance(0.1 * k, 0.1)
+
+    def rates(_: float, state: Array) -> Array:
+        angle, rate, _, speed = state
+        return np.array([rate, -G * math.sin(angle), speed, 4.0 * math.sin(angle)])
+
+    start = [1.0, 0.0, 3.0, 1.0]
+    angle, _, place, speed = solve_ivp(
+        rates, (0, 2), start, method="DOP853", rtol=1e-12, atol=1e-12
+    ).y[:, -1]
+    assert steps_explicitly(run)
+    assert of(run, "A.x", "F.x", "F.vx") == pytest.approx([math.sin(angle), place, speed], abs=1e-7)
+    x, y, vx, vy = of(run, "A.x", "A.y", "A.vx", "A.vy")
+    assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(1.0), abs=1e-13)
+    assert float(run["energy.work"]) == pytest.approx(0.25 * (speed**2 - 1.0), abs=1e-7)
+    assert float(run["energy.error"]) < 1e-13
+
+
+def test_a_linkage_beside_what_flies_costs_the_flight_no_momentum() -> None:
+    """A spinning dumbbell falls beside a double pendulum: both keep what is theirs."""
+    flying = """
+[points.P]
+position = [5, 0]
+velocity = [0, 3]
+mass = 1.0
+[points.Q]
+position = [6, 0]
+velocity = [0, -1]
+mass = 2.0
+[joints.bar]
+type = "distance"
+points = ["P", "Q"]
+"""
+    lower = """
+[points.B]
+position = [2.0, 0.0]
+mass = 1.0
+[joints.low]
+type = "distance"
+points = ["A", "B"]
+"""
+    run = started(flying + pendulum("A", math.pi / 2) + lower, 1e-6, stop=5.0)
+    for k in range(50):
+        run.advance(0.1 * k, 0.1)
+    t = 5.0
+    assert steps_explicitly(run)
+    p, q, vp, vq = (of(run, f"{name}x", f"{name}y") for name in ("P.", "Q.", "P.v", "Q.v"))
+    assert (p + 2.0 * q) / 3.0 == pytest.approx([17.0 / 3.0, t / 3.0 - G * t * t / 2], abs=1e-11)
+    # It turns at (vq - vp)/1 m about its centre: -4 rad/s.
+    assert q - p == pytest.approx([math.cos(-4.0 * t), math.sin(-4.0 * t)], abs=1e-5)
+    (rx, ry), (wx, wy) = q - p, vq - vp
+    assert rx * wy - ry * wx == pytest.approx(-4.0, abs=1e-12)
+    energy = 0.0
+    for name in "AB":
+        vx, vy, y = of(run, f"{name}.vx", f"{name}.vy", f"{name}.y")
+        energy += 0.5 * (vx * vx + vy * vy) + G * y
+    assert energy == pytest.approx(0.0, abs=5e-13)
