@@ -84,17 +84,23 @@ type = "revolute"
 bodies = ["ground", "rod"]
 position = [0, 0]
 """
-    spring = rod + """[forces.s]
+    spring = (
+        rod
+        + """[forces.s]
 type = "spring"
 points = ["ground", "rod.tip"]
 at = [1, 2]
 stiffness = 3e3
 free_length = 1.8
 """
-    potential = rod + """[forces.s]
+    )
+    potential = (
+        rod
+        + """[forces.s]
 type = "potential"
 value = "1.5e3*(sqrt((rod.tip.x - 1)**2 + (rod.tip.y - 2)**2) - 1.8)**2"
 """
+    )
     runs = [started(text, 1e-7) for text in (spring, potential)]
     for run in runs:
         for k in range(20):

@@ -122,7 +122,9 @@ def test_a_symmetric_top_precesses_steadily() -> None:
 
 
 def test_a_sphere_has_no_turn_that_would_change_its_energy() -> None:
-    run = flight(body("b", [0.4, 0.4, 0.4], [1, 2, 3], velocity=[1, 0, 2]), tolerance=1e-6, stop=100.0)
+    run = flight(
+        body("b", [0.4, 0.4, 0.4], [1, 2, 3], velocity=[1, 0, 2]), tolerance=1e-6, stop=100.0
+    )
     for k in range(200):
         run.advance(0.5 * k, 0.5)
     assert steps_explicitly(run)
@@ -183,7 +185,7 @@ def test_two_bodies_in_flight_keep_energy_and_momenta(kind: str, gravity: float)
     first = body("b", inertia, [0, 0, 3] if kind == "revolute" else [1, -2, 3])
     omega, moves = ([0, 0, -1], [0, 1, 0]) if kind == "revolute" else ([2, 0, 1], [0, 2, 1])
     second = body("d", inertia, omega, position=[1, 0, 0], velocity=moves)
-    axis = 'axis = [0, 0, 1]\n' if kind == "revolute" else ""
+    axis = "axis = [0, 0, 1]\n" if kind == "revolute" else ""
     joint = f'[joints.j]\ntype = "{kind}"\nbodies = ["b", "d"]\nposition = [0.5, 0, 0]\n{axis}'
     run = flight(first, second, joint, tolerance=1e-7, stop=10.0, gravity=gravity)
     masses = {"b": 1.0, "d": 1.0}

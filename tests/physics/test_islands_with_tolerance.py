@@ -69,7 +69,9 @@ def test_pendulums_swing_side_by_side_and_each_keeps_its_energy(tolerance: float
             assert [x, y] == pytest.approx(
                 [math.sin(exact), -math.cos(exact)], abs=3.0 * tolerance * math.sqrt(3.0)
             )
-            assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(-G * math.cos(angle), abs=2e-13)
+            assert 0.5 * (vx * vx + vy * vy) + G * y == pytest.approx(
+                -G * math.cos(angle), abs=2e-13
+            )
     assert steps_explicitly(run)
 
 
@@ -99,7 +101,7 @@ def test_a_damped_pendulum_takes_no_energy_from_its_neighbour() -> None:
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-6])
 def test_a_driver_beside_a_free_point_feels_its_own_mass_alone(tolerance: float) -> None:
     """A mass of 2 kg at 0.3 sin(4 t): 2 (x'' + g)."""
-    point = '[points.A]\nposition = [0, 0]\nvelocity = [1.2, 0]\nmass = 2.0\n'
+    point = "[points.A]\nposition = [0, 0]\nvelocity = [1.2, 0]\nmass = 2.0\n"
     driver = '[drivers.hand]\ntype = "position"\npoint = "A"\nvalue = ["0.3*sin(4*t)", "0"]\n'
     run = started(FREE + point + driver, tolerance)
     for k in range(20):
