@@ -88,7 +88,9 @@ static int may_take(const context *c, const method *x, const step_error *e)
     const int asked = (int)c->s.head[S_ORDER];
     if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
     if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
-    return x->way == EXPLICIT ? may_step_explicitly(c) : x->way == COMPOSED || !is_limited(c);
+    if (x->way == EXPLICIT) return may_step_explicitly(c);
+    if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
+    return x->way == COMPOSED || !is_limited(c);
 }
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
@@ -104,7 +106,7 @@ static void choose_method(context *c, const step_error *e, double step)
         least = cost;
         best = x;
     }
-    if (best == present && (c->way == best->way || c->unweighted)) return;
+    if (best == present && head[S_EXPLICIT] == (best->way == EXPLICIT) && (c->way == best->way || c->unweighted)) return;
     head[S_ORDER_IN_USE] = best->order;
     head[S_EXPLICIT] = best->way == EXPLICIT;
     head[S_WANTED] = length_for(c, best, e);

@@ -49,12 +49,13 @@ typedef struct step_error {
     int is_noise; /* whether round-off of velocities is all that the difference shows       */
 } step_error;
 
-/* Steps of an order that are explicit, or not. */
+/* Steps of an order that are explicit, or not; of half steps where only these have the order. */
 static const method *method_of(int order, int is_explicit)
 {
-    const method *x = METHODS;
-    while (x->order != order || (x->way == EXPLICIT) != is_explicit) x++;
-    return x;
+    const method *found = METHODS;
+    for (const method *x = METHODS; x < METHODS + N_METHODS; x++)
+        if (x->order == order && (x->way != EXPLICIT || is_explicit)) found = x;
+    return found;
 }
 
 /* Multiple of the mean over mechanisms that an error is taken for; what flies may enlarge it later. */
