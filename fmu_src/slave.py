@@ -64,6 +64,12 @@ def _library() -> ctypes.CDLL:
     raise RuntimeError(message)
 
 
+@functools.lru_cache(64)
+def _references(vrs: tuple[int, ...]) -> tuple[ctypes.Array, c_size_t]:
+    """Value references as the library wants them, and their count; importers ask for the same."""
+    return (c_uint32 * len(vrs))(*vrs), c_size_t(len(vrs))
+
+
 def _in_python(kind: str, values: Any) -> list:
     if kind == "String":
         return [(value or b"").decode() for value in values]
@@ -210,19 +216,17 @@ class Slave(Fmi2Slave):
     set_real, set_integer, set_boolean, set_string = map(_setter, TYPES)
 
     def _get(self, kind: str, vrs: list[int]) -> list:
-        count = len(vrs)
-        values = (TYPES[kind] * count)()
-        self._call(f"fmi2Get{kind}", (c_uint32 * count)(*vrs), c_size_t(count), values)
+        values = (TYPES[kind] * len(vrs))()
+        self._call(f"fmi2Get{kind}", *_references((*vrs,)), values)
         if "assembly" not in self._refusals:
             self._tell()
         return _in_python(kind, values)
 
     def _set(self, kind: str, vrs: list[int], values: Sequence) -> None:
-        count = len(vrs)
         if kind == "String":
             values = [None if v is None else v.encode("utf-8", "surrogateescape") for v in values]
-        given = (TYPES[kind] * count)(*values)
-        if self._call(f"fmi2Set{kind}", (c_uint32 * count)(*vrs), c_size_t(count), given):
+        given = (TYPES[kind] * len(vrs))(*values)
+        if self._call(f"fmi2Set{kind}", *_references((*vrs,)), given):
             self._refuse(vrs, status.VALUE_REFUSED)
         else:
             self._accept(vrs)

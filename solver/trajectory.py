@@ -258,7 +258,7 @@ def _method(options: dict[str, Any], inputs: Mapping[str, Any]) -> dict[str, Any
         if changes(value)
     ]
     problems += [
-        f"{name}: the paper's method has no such setting; leave out it, or {', '.join(method)}"
+        f"{name}: the paper's method has no such setting; leave '{name}' out, or {', '.join(method)}"
         for name in options.keys() - {"internal_step", "assemble", "start"}
     ]
     if problems:

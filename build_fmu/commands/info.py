@@ -105,7 +105,7 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
         "prescribed_motions": counts.drivers,
         "velocity_rows": len(of_velocities),
         "velocity_parts": list(dict.fromkeys(row.name for row in of_velocities)),
-        "step": _step(model),
+        "step": _step(model, early=not model.sizes["unilateral"] or bool(counts.redundant_rows)),
         "experiment": model.experiment._asdict(),
         "variables": [
             {short: getattr(v, field) for field, short in VARIABLE_FIELDS.items()}
@@ -114,13 +114,17 @@ def _document(model: Model, counts: Survey) -> dict[str, Any]:
     }
 
 
-def _step(model: Model) -> dict[str, Any]:
-    """What a step has for unknowns, and how many numbers the factors of its equations have."""
+def _step(model: Model, *, early: bool) -> dict[str, Any]:
+    """What a step has for unknowns, and how many numbers the factors of its equations have.
+
+    `early` is whether multipliers may follow before Newton's iteration ends (docs/skips.md).
+    """
     sizes, dim = model.sizes, model.sizes["dim"]
     turns = bool(sizes["n_reduced_values"])
     replaced = (3 if dim == 3 else 1) * sizes["n_bodies"] if turns else 0  # directors, by turns
     pivots = pairwise(model.tables["reduced_lu_group"][::3])
     return {
+        "early_updates": early,
         "coordinates": dim * (sizes["n_free"] - replaced),
         "turns": replaced,
         "multipliers": sizes["n_rows"] - (sizes["n_rigidity_rows"] if turns else 0),
@@ -187,6 +191,8 @@ def _unknowns(step: Mapping[str, Any]) -> str:
     text = f"{' + '.join(parts)}; {step['factors']} numbers in the factors{lean}"
     if bodies := step["articulated_bodies"]:
         text += f"; {bodies} eliminated with {'its joint' if bodies == 1 else 'their joints'}"
+    if step["early_updates"]:
+        return f"{text}; multipliers follow before Newton's iteration ends"
     return f"{text}; multipliers held while Newton iterates"
 
 

@@ -135,12 +135,12 @@ static void take_tolerance(slave *s, double tolerance)
 
 slave_answer slave_set_up(slave *s, double start, const double *stop, const double *tolerance)
 {
-    const slave_answer answer = slave_check(s, CALL_SET_UP);
+    const slave_answer answer = slave_check(s, s->first ? CALL_BEGIN_INITIALIZATION : CALL_SET_UP); /* one call in FMI 3 */
     if (answer) return answer;
     if (!(fabs(start) < INFINITY))
-        return slave_tell(s, ANSWER_ERROR, "setupExperiment: the start time must be a finite number, got %r s", start);
+        return slave_tell(s, ANSWER_ERROR, "the start time must be a finite number, got %r s", start);
     if (stop && !(*stop >= start))
-        return slave_tell(s, ANSWER_ERROR, "setupExperiment: the stop time must not be before the start time %r s, got %r s", start, *stop);
+        return slave_tell(s, ANSWER_ERROR, "the stop time must not be before the start time %r s, got %r s", start, *stop);
     const double last = stop ? fmax(fabs(*stop), fabs(start)) : 0.0, length = stop ? *stop - start : 0.0;
     s->memory.start_time = start;
     s->memory.is_assembled = 0;

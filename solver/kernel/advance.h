@@ -134,8 +134,8 @@ HM_SELDOM static void end_inputs(context *c, double step)
     c->s.head[S_INPUT_STEP] = step;
 }
 
-/* Ramped inputs change their slopes at communication points, and smooth ones after a jump; with them the rates of signals jump. Velocities jump
-   by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work.                      */
+/* Ramped inputs change their slopes at communication points, and smooth ones after a jump; with them the rates of signals jump.
+   Velocities jump by what that asks for, M dv + G'p = 0, G dv + db/dt = 0; the energy is the drivers' work. */
 HM_SELDOM static int32_t start_inputs(context *c, double step)
 {
     const holonom_model *m = c->m;
@@ -198,8 +198,8 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     if (!status && m->time_dependent) set_laws(&c, start + step, 1);
     if (!status && !(fabs(head[S_WORK]) < INFINITY)) status = HOLONOM_BAD_LAW;
     if (status && watch && watch->is_stopped) status = HOLONOM_STOPPED;
-    if (!status) signals_at(&c, start + step, c.k.signal1);
-    const int is_tame = !status && (!m->n_signals || !hm_may_be_steep(m, c.number, 2));
+    if (!status && m->steep_signals) signals_at(&c, start + step, c.k.signal1);
+    const int is_tame = !status && (!m->steep_signals || !hm_may_be_steep(m, c.number, 2));
     if (!is_tame && status != HOLONOM_STOPPED && (blame_signal(&c, start + step, status ? 2 : 1) || blame_signal(&c, start, 2)))
         status = HOLONOM_BAD_DRIVER;
     if (status) {

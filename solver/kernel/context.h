@@ -150,6 +150,17 @@ static void look_at(context *c, int32_t first, int32_t last)
     take_all_rows(c);
 }
 
+/* Lets island i be at hand, or all behind the last one; returns whether there is an island i. An only one is at hand always. */
+static inline int take_island(context *c, int32_t i)
+{
+    const int32_t n = c->m->n_islands;
+    if (n > 1) look_at(c, i < n ? i : 0, i < n ? i + 1 : n);
+    return i < n;
+}
+
+/* Islands, one after the other at hand; all are again at the end, which no break may skip. */
+#define EACH_ISLAND(c, i) for (int32_t i = 0; take_island(c, i); i++)
+
 /* Lean or bare: the last two of a model. */
 static inline int is_lean(const context *c) { return c->lu >= &c->m->lean; }
 

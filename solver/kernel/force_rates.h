@@ -126,10 +126,9 @@ HM_SELDOM static double rate_of_springs(const context *c)
 }
 
 /* Longest step [s] that resolves springs, potentials and dampers at the state, but for what their tension does, by its factors; 0 with
-   stiff dampers, and with potentials that are not smooth. */
+   stiff dampers. */
 HM_SELDOM static double longest_explicit(const context *at)
 {
-    if (!are_smooth(at)) return 0.0;
     const double springs = largest_rate(at, at->m->stiffness_at, at->m->n_potentials > 0);
     const double dampers = largest_rate(at, at->m->damping_at, 0);
     if (dampers > STIFF * rate_of_motion(at)) return 0.0;

@@ -60,7 +60,7 @@ static int has_sizes(const checker *c)
         if (size[i] < 0 || size[i] > LARGEST_SIZE) return 0;
     const int64_t rows = (int64_t)m->n_form_rows + DIM * (int64_t)m->n_coincidences + m->n_function_rows + m->n_velocity_rows;
     return rows == m->n_rows && m->n_active <= m->n_quantities && m->n_mass_free <= m->n_mass && m->n_slots <= 64 &&
-           m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && m->fits_velocities <= 1 &&
+           m->steep_signals <= 1 && m->time_dependent <= 1 && m->variable_potential <= 1 && m->sensing <= 1 && m->fits_velocities <= 1 &&
            DIM * (int64_t)m->n_driven <= m->n_signals;
 }
 

@@ -33,8 +33,7 @@ HM_SELDOM static void contract_multipliers(const context *c, double *x)
 /* What two powers of P leave of multipliers differs by no more than so much of them where none of their rows are weakly
    determined. */
 #define WEAK 1e-4
-/* Likewise of what no row determines at all. A body 5e6 m long on a guide, whose rows determine it, needs less than 1e-5; axes that
-   are tilted by 7e-8 rad against each other need more than 5e-7. */
+/* Likewise of what no row determines at all. A body 5e6 m long on a guide, whose rows determine it, needs less than 1e-5. */
 #define UNDETERMINED 2e-6
 #define MOST_REPEATED 12 /* powers of P */
 
@@ -94,8 +93,8 @@ static int is_small_contradiction(const context *c)
 }
 
 /* Takes what dependent rows cannot meet together for what they ask for, and its part out of the multipliers, which would grow
-   with each update: axes that are drawn parallel to seven digits hold a loop once too often, and let it move. In two passes: what
-   one leaves of it would do work. */
+   with each update: parallel axes hold a loop once too often, and what rounding of its drawing misses would stop it in steps of
+   1e-6 s, whose multipliers grow as 1/h^2. In two passes: what one leaves of it would do work. */
 HM_SELDOM static int accept_contradiction(const context *c)
 {
     EACH_ROW(c, i) c->k.lambda[i] = c->k.mu[i];

@@ -40,13 +40,16 @@ enum { ROWS_ARE_INDEPENDENT, ROWS_ARE_DEPENDENT, ROWS_ARE_WEAK, ROWS_CONTRADICT 
 /* First increment, over the size of a step, that is short. */
 #define SHORT_INCREMENT 1e-2
 
-/* Whether lambda may follow early, after this Newton iteration. Of dependent rows the part of the multipliers that is not
-   determined gets the errors of a solve over epsilon, which the next one with lambda held removes: there the update comes
-   once, after the second increment or a short first one.                                                          */
+/* Whether lambda may follow early, after this Newton iteration, and not at the end alone: the update costs no increment where another
+   one follows anyway, and that one leaves no part of the rows, whose energy would add up. With contacts and frictions it does
+   not pay. Of dependent rows the part of the multipliers that is not determined gets the errors of a solve over epsilon, which
+   the next one with lambda held removes: there the update comes once, after the second increment or a short first one.
+   See theory 3.4. */
 static int may_update_early(const context *c, const newton_record *r)
 {
     if (r->theta >= GOOD_CONTRACTION || !hm_skips(SKIP_OUTER_ITERATION)) return 0;
     const double rows = c->island[I_DEPENDENT];
+    if (rows == ROWS_ARE_INDEPENDENT && is_unilateral(c->m)) return 0;
     const int is_short = r->iteration == 0 && r->eta < SHORT_INCREMENT * r->size;
     if (rows != ROWS_ARE_INDEPENDENT && r->iteration != 1 && !(rows == ROWS_ARE_DEPENDENT && is_short)) return 0;
     return r->iteration > 0 || constraint_defect(c) > UNBIASED;

@@ -5,8 +5,9 @@
 
 #include "body_turns.h"
 #include "context.h"
-#include "energy.h"
+#include "flight.h"
 #include "inputs_signals.h"
+#include "kept_motion.h"
 #include "ledger.h"
 #include "newton.h"
 #include "norms.h"
@@ -15,152 +16,12 @@
 #include "tangent.h"
 
 enum { MAX_CORRECTIONS = 8 };
-#define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy; rad by which what flies is turned for it */
+#define LARGEST_SCALING 0.1 /* part by which velocities are changed for the energy */
 #define ENERGY_ROUND_OFF 1e-12 /* of what brings the energy back, over the speed */
-#define LEDGER_ROUND_OFF 1e-15 /* of its balance, over the sum of its summands */
-#define MOMENTUM_ROUND_OFF 1e-12 /* relative change of a momentum */
 #define LEAST_FREE 1e-8     /* part of the kinetic energy that velocities must have which momenta and rows leave free */
 
-/* What an island keeps over a step. */
-typedef struct kept_motion {
-    int flies; /* 1: nothing but weights joins it to the ground; its angular momenta are about its centre of mass, else the origin */
-    int kept[RIGID];
-    double before[RIGID], scale[RIGID]; /* momenta that it is to have, and sums of their terms' sizes */
-    double impulse[RIGID];              /* of its weights over the step */
-    double kinetic, potential;          /* energies at the start of the step */
-    double lacking;                     /* energy that its ledger lacked there */
-    double work, dissipated;            /* in the step */
-    double centre[DIM];                 /* which angular momenta are about */
-} kept_motion;
-
-_Static_assert(sizeof(kept_motion) <= sizeof(double) * (4 * RIGID + DIM + 6), "scratch of an island");
-
-/* What the islands at hand, one, keep. */
-static kept_motion *kept_of(const context *c)
-{
-    return (kept_motion *)(void *)(c->k.kept + (4 * RIGID + DIM + 6) * (int64_t)c->first_island);
-}
-
-/* Lets island i be at hand in both contexts; all of them if i is their number. */
-static void look_at_island(context *c, context *at, int32_t i)
-{
-    const int32_t all = i == c->m->n_islands;
-    look_at(c, all ? 0 : i, all ? i : i + 1);
-    look_at(at, all ? 0 : i, all ? i : i + 1);
-}
-
-static int touches_ground(const context *c, int32_t f) { return c->m->form_free[f] < c->m->form_ptr[f + 1] - c->m->form_ptr[f]; }
-
-/* Whether no row, spring, function or potential joins the island at hand to the ground or to a driven point. */
-HM_SELDOM static int may_fly(const context *c)
-{
-    const holonom_model *m = c->m;
-    if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 0;
-    EACH_FORM_ROW(c, i) if (touches_ground(c, m->row_form[i])) return 0;
-    for IN_ISLAND(c, j, ISLAND_COINCIDENCE) if (touches_ground(c, m->coincidence_form[j])) return 0;
-    EACH_COMPOSITE(c, j)
-        for (int32_t i = m->composite_form_ptr[j]; i < m->composite_form_ptr[j + 1]; i++)
-            if (touches_ground(c, m->composite_form[i])) return 0;
-    return 1;
-}
-
-/* Whether loads or moments act on the islands at hand. */
-static int is_loaded(const context *c)
-{
-    static const int LOADS[] = {ISLAND_LOAD, ISLAND_MOMENT, ISLAND_BODY_MOMENT};
-    int loaded = 0;
-    for (int k = 0; k < 3; k++) loaded |= c->begin[LOADS[k]] < c->end[LOADS[k]];
-    return loaded;
-}
-
-/* Angular momenta are about this point: the centre of mass of what flies. */
-HM_SELDOM static void find_centre(const context *c, kept_motion *x)
-{
-    const holonom_model *m = c->m;
-    double sum[DIM] = {0.0}, mass = 0.0;
-    EACH(k) x->centre[k] = 0.0;
-    if (!x->flies) return;
-    for IN_ISLAND(c, e, ISLAND_MASS) {
-        const int32_t a = m->mass_node[2 * e], b = m->mass_node[2 * e + 1];
-        if (m->node_kind[a]) continue;
-        if (!m->node_kind[b]) mass += c->number[m->mass_at + e];
-        EACH(k) sum[k] += c->number[m->mass_at + e] * c->s.q[DIM * b + k];
-    }
-    if (mass > 0.0) EACH(k) x->centre[k] = sum[k] / mass;
-}
-
-/* Momenta of the island at hand, of the kept ones: the others are left out. */
-static void momenta_now(const context *c, kept_motion *x, double *total, double *size)
-{
-    momenta(c, c->k.momentum);
-    find_centre(c, x);
-    rigid_momenta(c, x->centre, x->kept, c->k.momentum, total, size);
-}
-
-/* What dampers (S_DISSIPATED), or frictions (S_FRICTION), of the island at hand have taken in the step. */
-HM_SELDOM static double lost_of(const context *c, int account)
-{
-    static const int PARTS[2][2] = {{ISLAND_ELEMENT, ISLAND_POTENTIAL}, {ISLAND_FUNCTION, ISLAND_VELOCITY}};
-    double sum = 0.0;
-    for (int k = 0; k < 2; k++)
-        for IN_ISLAND(c, j, PARTS[account == S_FRICTION][k]) sum += c->k.loss[j];
-    return sum;
-}
-
-/* Potential energy of the island at hand, of the only one as its change since the start of the run. */
-static double potential_of_island(const context *c)
-{
-    return potential_since(c, c->m->n_islands == 1 ? c->s.head[S_STORED_START] : 0.0);
-}
-
-/* Takes down what the islands have at the start of a step of length h, which has lost nothing yet: of their momenta all may be kept, of driven islands none. */
-HM_SELDOM static void keep_motion(context *c, double h)
-{
-    const holonom_model *m = c->m;
-    memset(c->k.loss, 0, sizeof(double) * (size_t)n_composites(c));
-    for (int32_t island = 0; island < m->n_islands; island++) {
-        look_at(c, island, island + 1);
-        kept_motion *x = kept_of(c);
-        memset(x, 0, sizeof *x);
-        x->flies = may_fly(c);
-        for (int i = 0; i < RIGID; i++) x->kept[i] = c->begin[ISLAND_DRIVEN] == c->end[ISLAND_DRIVEN];
-        x->kinetic = kinetic_energy(c, c->k.momentum);
-        x->potential = potential_of_island(c);
-        x->lacking = c->m->n_islands == 1 ? ledger_balance(c, x->kinetic, x->potential) : c->island[I_UNBALANCED];
-        momenta_now(c, x, x->before, x->scale);
-        for (int32_t a = c->begin[ISLAND_FREE]; a < c->end[ISLAND_FREE] && x->flies; a++)
-            EACH(k) x->impulse[k] += h * c->number[m->node_weight_at + a] * c->number[m->gravity_at + k];
-        EACH(k) x->before[k] += x->impulse[k];
-    }
-    look_at(c, 0, m->n_islands);
-}
-
-/* Lets no momentum count as kept. */
-static void forget_momenta(context *c)
-{
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        look_at(c, island, island + 1);
-        memset(kept_of(c)->kept, 0, sizeof(kept_of(c)->kept));
-    }
-    look_at(c, 0, c->m->n_islands);
-}
-
-/* Energy that the ledger of the island at hand does not know of, with this potential energy. That of an only island is the ledger of
-   the run. */
-static double unbalanced(const context *c, const kept_motion *x, double potential)
-{
-    const double kinetic = kinetic_energy(c, c->k.momentum); /* leaves M v in momentum */
-    if (c->m->n_islands == 1) return ledger_balance(c, kinetic, potential);
-    return x->lacking + ((kinetic - x->kinetic) + (potential - x->potential)) - (x->work - x->dissipated);
-}
-
-#define EACH_FREE(c, k) for (int32_t k = DIM * (c)->begin[ISLAND_FREE], k##_end = DIM * (c)->end[ISLAND_FREE]; k < k##_end; k++)
-
-/* Adds so much of u (n) to the velocities at hand. */
-static void add_to_velocities(const context *c, double part, const double *u)
-{
-    EACH_FREE(c, k) hm_add(c->s.v + k, c->s.v_low + k, part * u[k]);
-}
+/* Islands, one after the other at hand in both contexts, as EACH_ISLAND. */
+#define EACH_ISLAND_OF_BOTH(c, at, i) for (int32_t i = 0; take_island(c, i) & take_island(at, i); i++)
 
 /* Changes of velocities that make up for the rates g in `phi`, as small as can be, or of coordinates for rows; added to x. */
 static void add_correction(const context *at, double *x)
@@ -294,158 +155,27 @@ HM_SELDOM static void free_velocities(context *at, const kept_motion *x, double 
     add_rigid(at, x->centre, L, momentum, u);
 }
 
-/* Sizes of what the energy of the island at hand is summed of: weights, loads, springs and potentials act on places that are known
-   to round-off of the mechanism's size, however little it has moved. */
-HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x)
-{
-    const holonom_model *m = c->m;
-    const double *gravity = c->number + m->gravity_at, extent = c->number[m->extent_at];
-    double sum = kinetic_energy(c, c->k.ahead) + x->kinetic + fabs(x->work) + fabs(x->dissipated), weight = 0.0;
-    EACH_NODE(c, a) weight += c->number[m->node_weight_at + a];
-    sum += weight * sqrt(dot(gravity, gravity)) * extent;
-    for IN_ISLAND(c, j, ISLAND_LOAD) EACH(k) sum += fabs(c->number[m->load_at + DIM * j + k]) * extent;
-    for IN_ISLAND(c, j, ISLAND_MOMENT)
-        for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->moment_at + TURNING * j + k]);
-    for IN_ISLAND(c, j, ISLAND_BODY_MOMENT)
-        for (int k = 0; k < TURNING; k++) sum += fabs(c->number[m->body_moment_at + TURNING * j + k]);
-    for IN_ISLAND(c, j, ISLAND_ELEMENT) {
-        const double rest = c->number[m->rest_at + j];
-        const int32_t measured = m->leaf[4 * m->leaf_ptr[j] + 1];
-        const double sigma = quantity_at(c, measured, c->s.q, c->s.q_low, NULL, NULL);
-        const double size = m->quantity_kind[measured] == QUANTITY_ANGLE ? 1.0 : extent;
-        sum += fabs(c->number[m->drive_at + j]) * fmax(fabs(sigma), size);
-        sum += c->number[m->stiffness_at + j] * fabs(sigma - rest) * (fabs(sigma) + fabs(rest));
-    }
-    if (m->n_potentials) quantities_at_state(c);
-    for IN_ISLAND(c, j, ISLAND_POTENTIAL) {
-        sum += fabs(function_value(c, j));
-        for (int32_t l = 0; l < m->leaf_ptr[j + 1] - m->leaf_ptr[j]; l++) sum += fabs(c->k.r.adjoint[l] * c->k.r.r0[l]);
-    }
-    return sum;
-}
-
-/* Brings momenta of the island at hand back that are kept, by a motion as one rigid body: L is its mass matrix (factor_rigid). */
-HM_SELDOM static void put_momenta_back(const context *c, kept_motion *x, double L[RIGID][RIGID])
-{
-    double lacking[RIGID], size[RIGID];
-    momenta_now(c, x, lacking, size);
-    factor_rigid(c, x->centre, x->kept, L);
-    for (int i = 0; i < RIGID; i++) lacking[i] = x->before[i] - lacking[i];
-    clear_nodes(c, c->k.w);
-    add_rigid(c, x->centre, L, lacking, c->k.w);
-    add_to_velocities(c, 1.0, c->k.w);
-}
-
 /* Brings the energy onto the ledger by a change of the velocities along u, those that are free:
    u'Mu s^2/2 + v'Mu s + excess = 0. Where the mechanism almost stands, round-off of the energy would be much velocity: it is left.
    Returns whether it could be done. */
 HM_SELDOM static int balance_energy(context *c, const kept_motion *x, double potential)
 {
     const double *u = c->k.free, square = mass_product(c, u, u);
-    for (int i = 0;; i++) {
+    for (int i = 0; i < 3; i++) {
         const double excess = unbalanced(c, x, potential);
         double along = 0.0;
+        c->island[I_UNBALANCED] = excess;
+        if (excess == 0.0) return 1;
         EACH_NODE(c, a) along += dot(u + DIM * a, c->k.momentum + DIM * a);
-        if (excess == 0.0 || i == 3) {
-            c->island[I_UNBALANCED] = excess;
-            return 1;
-        }
         const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
         const double change = fabs(part) * sqrt(square) / speed_scale(c);
-        if (!(change <= ENERGY_ROUND_OFF) && fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) {
-            c->island[I_UNBALANCED] = excess;
-            return 1;
-        }
+        if (!(change <= ENERGY_ROUND_OFF) && fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) return 1;
         if (!(fabs(part) <= LARGEST_SCALING)) return 0;
         c->balanced = fmax(c->balanced, change);
         add_to_velocities(c, part, u);
     }
-}
-
-#if DIM == 3
-/* Turns the island at hand, places and velocities, by the rotation vector psi about its centre. Returns how far, in the mass norm. */
-HM_SELDOM static double turn_island(const context *c, const kept_motion *x, const double *psi)
-{
-    const double theta = sqrt(dot(psi, psi)), half = hm_sin(0.5 * theta), sine = hm_sin(theta) / theta, bend = 2.0 * half * half / (theta * theta);
-    double *moved = c->k.w;
-    EACH_NODE(c, a) {
-        double arm[DIM], once[DIM], twice[DIM];
-        arm_of(c, x->centre, a, arm);
-        cross_product(psi, arm, once);
-        cross_product(psi, once, twice);
-        EACH(k) moved[DIM * a + k] = sine * once[k] + bend * twice[k];
-        EACH(k) hm_add(c->s.q + DIM * a + k, c->s.q_low + DIM * a + k, moved[DIM * a + k]);
-        cross_product(psi, c->s.v + DIM * a, once);
-        cross_product(psi, once, twice);
-        EACH(k) hm_add(c->s.v + DIM * a + k, c->s.v_low + DIM * a + k, sine * once[k] + bend * twice[k]);
-    }
-    return sqrt(mass_product(c, moved, moved));
-}
-#endif
-
-#if DIM == 3
-/* How many times larger an error along the path of a rigid body grows that flies with the angular momentum l and g = omega x l.
-   It moves on as fast as l does in the body, and fastest with g^2 = (a_1 l^2 - 2T)(2T - a_3 l^2), a_1 > a_2 > a_3 the eigenvalues of
-   I^-1 and T its energy: far faster than now if it turns about nearly its middle axis. */
-HM_SELDOM static double growth_of_errors(double L[RIGID][RIGID], const double *l, const double *omega, const double *g)
-{
-    double trace = 0.0, minors = 0.0, det, a[3][RIGID] = {{0.0}}, minor[DIM];
-    for (int i = 0; i < 3; i++) {
-        a[i][DIM + i] = 1.0;
-        solve_rigid(L, a[i]);
-        trace += a[i][DIM + i];
-    }
-    cross_product(a[1] + DIM, a[2] + DIM, minor);
-    det = dot(a[0] + DIM, minor);
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3;
-        minors += a[i][DIM + i] * a[j][DIM + j] - hm_square(a[i][DIM + j]);
-    }
-    double middle = trace / 3.0; /* where the characteristic polynomial has its point of inflection: Newton's iteration finds a_2 */
-    for (int i = 0; i < 20; i++) {
-        const double slope = minors + middle * (3.0 * middle - 2.0 * trace);
-        if (slope < 0.0) middle -= (middle * (minors + middle * (middle - trace)) - det) / slope;
-    }
-    const double l2 = dot(l, l), twice = dot(l, omega), outer = trace - middle;
-    const double fastest2 = twice * (l2 * outer - twice) - (minors - middle * outer) * l2 * l2, now2 = dot(g, g);
-    return fastest2 > now2 && now2 > 0.0 ? sqrt(fastest2 / now2) : 1.0;
-}
-#endif
-
-/* Brings the energy of what flies onto the ledger by a turn of all of it along the gradient of its kinetic energy at fixed angular
-   momentum l, g = omega x l: a turn s g changes it by |g|^2 s + (a'I^-1 a - omega . (g x a)) s^2/2, a = g x l. Returns whether it
-   could be done. */
-HM_SELDOM static int balance_by_turning(context *c, kept_motion *x, double L[RIGID][RIGID], double potential)
-{
-#if DIM == 3
-    int keeps = x->flies;
-    for (int i = 0; i < RIGID; i++) keeps &= x->kept[i];
-    for (int i = 0; i < 3 && keeps; i++) {
-        const double excess = unbalanced(c, x, potential), *l = x->before + DIM;
-        double omega[RIGID] = {0.0}, answer[RIGID] = {0.0}, g[DIM], a[DIM], bend[DIM], psi[DIM];
-        EACH(k) omega[DIM + k] = l[k];
-        solve_rigid(L, omega);
-        cross_product(omega + DIM, l, g);
-        if (i == 0) c->growth = fmax(c->growth, growth_of_errors(L, l, omega + DIM, g));
-        if (fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) break;
-        cross_product(g, l, a);
-        cross_product(g, a, bend);
-        EACH(k) answer[DIM + k] = a[k];
-        solve_rigid(L, answer);
-        const double slope = dot(g, g), curve = dot(a, answer + DIM) - dot(omega + DIM, bend);
-        const double s = -2.0 * excess / (slope + sqrt(slope * slope - 2.0 * curve * excess));
-        if (!(fabs(s) * sqrt(slope) <= LARGEST_SCALING)) return 0;
-        EACH(k) psi[k] = s * g[k];
-        c->balanced = fmax(c->balanced, turn_island(c, x, psi) / c->number[c->m->extent_at + 1]);
-        put_momenta_back(c, x, L);
-        potential = potential_of_island(c);
-    }
-    c->island[I_UNBALANCED] = unbalanced(c, x, potential);
-    return keeps;
-#else
-    (void)c, (void)x, (void)L, (void)potential;
-    return 0;
-#endif
+    if (c->m->n_islands > 1) c->island[I_UNBALANCED] = unbalanced(c, x, potential);
+    return 1;
 }
 
 /* Whether drivers move the island at hand, or loads that read the mechanism may act on it: their work is known to the order. */
@@ -454,7 +184,9 @@ HM_SELDOM static int has_unknown_work(const context *c)
     if (c->begin[ISLAND_DRIVEN] < c->end[ISLAND_DRIVEN]) return 1;
     for (int k = ISLAND_FUNCTION; k <= ISLAND_VELOCITY && c->m->n_signals; k++)
         for IN_ISLAND(c, j, k) if (has_signal(c, j)) return 1;
-    return c->m->sensing && (is_loaded(c) || c->begin[ISLAND_ELEMENT] < c->end[ISLAND_ELEMENT]);
+    int acts = is_loaded(c);
+    for IN_ISLAND(c, j, ISLAND_ELEMENT) acts |= c->number[c->m->drive_at + j] != 0.0;
+    return c->m->sensing && acts;
 }
 
 /* Lets what is lost in the step, and is known to its order, make up for an energy that velocities cannot bring back, as all stands for
@@ -498,49 +230,8 @@ static int put_velocities_back(context *c, context *at)
 {
     int done = 1;
     signal_rates_at(c, c->t, c->k.signal_rate);
-    for (int32_t island = 0; island < c->m->n_islands && done; island++) {
-        look_at_island(c, at, island);
-        done = put_island_velocities_back(c, at);
-    }
-    look_at_island(c, at, c->m->n_islands);
+    EACH_ISLAND_OF_BOTH(c, at, island) done = done && put_island_velocities_back(c, at);
     return done;
-}
-
-/* Forgets those momenta of the islands that velocities have changed. */
-HM_SELDOM static void forget_changed(context *c)
-{
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        double after[RIGID], scale[RIGID];
-        look_at(c, island, island + 1);
-        kept_motion *x = kept_of(c);
-        momenta_now(c, x, after, scale);
-        for (int i = 0; i < RIGID; i++)
-            x->kept[i] &= fabs(after[i] - x->before[i]) <= MOMENTUM_ROUND_OFF * fmax(scale[i], x->scale[i]);
-    }
-    look_at(c, 0, c->m->n_islands);
-}
-
-/* Adds the energies that the islands have gained so far, `weight` times, to those that they are to gain. */
-HM_SELDOM static void weigh_energies(context *c, double weight)
-{
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        look_at(c, island, island + 1);
-        kept_motion *x = kept_of(c);
-        x->work += weight * ((kinetic_energy(c, c->k.momentum) - x->kinetic) + (potential_of_island(c) - x->potential));
-    }
-    look_at(c, 0, c->m->n_islands);
-}
-
-/* Lets the islands gain `total` together, as the ledger says: the last one makes up for the round-off of differences of energies. */
-HM_SELDOM static void gain_together(context *c, double total)
-{
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        look_at(c, island, island + 1);
-        kept_motion *x = kept_of(c);
-        if (island == c->m->n_islands - 1) x->work = total;
-        total -= x->work;
-    }
-    look_at(c, 0, c->m->n_islands);
 }
 
 /* Takes from velocities what half steps have left of them across the rows, which alternates from one to the next and is not damped:
@@ -571,14 +262,13 @@ HM_SELDOM static int32_t put_back(context *c, context *at, int *held)
     int32_t status = HOLONOM_OK;
     *held = 0;
     signal_rates_at(c, c->t, c->k.signal_rate);
-    for (int32_t island = 0; island < c->m->n_islands && !status; island++) {
-        look_at_island(c, at, island);
+    EACH_ISLAND_OF_BOTH(c, at, island) {
+        if (status) continue;
         for (int i = 0; i < 2; i++) EACH_TURN(at, b) straighten(c, c->m->body_node[b]); /* errors are squared in each */
         status = close_rows(at);
         if (!status && !put_island_velocities_back(c, at)) status = HOLONOM_NOT_FINITE;
-        *held = status != HOLONOM_OK;
     }
-    look_at_island(c, at, c->m->n_islands);
+    *held = status != HOLONOM_OK;
     return status;
 }
 

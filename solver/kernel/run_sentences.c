@@ -237,8 +237,6 @@ static int has_dampers(const hm_model_file *f, const double *numbers)
    mechanism is and its settings, and not for one that was too long, or at rest. */
 static int say_order_limit(hm_text *text, const hm_model_file *f, const double *numbers, const double *head)
 {
-    char room[NAME_ROOM];
-    hm_text reason = {room, sizeof room, 0};
     const int tight = head[S_TOLERANCE] > 0.0, chosen = tight && head[S_ORDER] == 0.0;
     if (chosen ? head[S_ORDER_IN_USE] > 2.0 : !(head[S_ORDER] > head[S_ORDER_IN_USE])) return 0;
     if (HM_CONTACTS && head[S_STEPPED] != 0.0) {
@@ -246,18 +244,15 @@ static int say_order_limit(hm_text *text, const hm_model_file *f, const double *
         hm_say(text, "solver.order is %6g, but steps in which contacts change without being located are of order 2", head[S_ORDER]);
         return head[S_CONTACT_MODE] != 0.0;
     }
-    hm_clear(&reason);
-    if (chosen && !reason.used && f->model.sensing) hm_say(&reason, "a load reads the mechanism");
     /* Order 2 may be the choice of the tolerance, unless it has none. */
-    if (chosen && (!reason.used || !has_dampers(f, numbers))) return 0;
-    const int lasting = reason.used > 0;
-    if (!lasting) hm_say(&reason, "the motion changes too much in a step of this length, or not at all");
+    if (chosen && !(f->model.sensing && has_dampers(f, numbers))) return 0;
     if (chosen) hm_say(text, "solver.tolerance chooses the order");
     else hm_say(text, "solver.order is %6g", head[S_ORDER]);
     hm_say(text, ", but steps are of order 2: %s energy out, and %s%s",
-           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes", room,
+           has_dampers(f, numbers) ? "dampers take" : "friction with smooth_speed takes",
+           chosen ? "a load reads the mechanism" : "the motion changes too much in a step of this length, or not at all",
            tight ? "; a tight solver.tolerance takes many steps of order 2" : "");
-    return lasting;
+    return chosen;
 }
 
 /* Says that energies are off the ledger though steps are solved. */

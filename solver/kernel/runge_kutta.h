@@ -31,7 +31,7 @@ HM_SELDOM static int may_step_explicitly(const context *c)
     const holonom_model *m = c->m;
     const double mass = c->number[m->extent_at + 1]; /* none where drivers move springs alone: then nothing measures errors */
     return mass > 0.0 && c->s.head[S_TOLERANCE] > 0.0 && c->s.head[S_HELD] < MOST_HELD && !is_unilateral(m) &&
-           !(m->variable_potential && (m->time_dependent || m->sensing));
+           !(m->variable_potential && (m->time_dependent || m->sensing)) && are_smooth(c);
 }
 
 /* Whether the state is the end of an explicit step. */
@@ -192,11 +192,7 @@ HM_SELDOM static void look_for_forces(const context *c, double h, const double *
 static int32_t accelerate_all(context *at)
 {
     int32_t status = HOLONOM_OK;
-    for (int32_t island = 0; island < at->m->n_islands && !status; island++) {
-        look_at(at, island, island + 1);
-        status = accelerate(at, at->s.a[0], at->s.mu[0]);
-    }
-    look_at(at, 0, at->m->n_islands);
+    EACH_ISLAND(at, island) status = status ? status : accelerate(at, at->s.a[0], at->s.mu[0]);
     at->s.head[S_NEWTON_ITERATIONS] += 1.0;
     return status;
 }
@@ -205,12 +201,10 @@ static int32_t accelerate_all(context *at)
 static int32_t follow_islands(context *at, double h, double weight, int changes)
 {
     int32_t status = HOLONOM_OK;
-    for (int32_t island = 0; island < at->m->n_islands && !status; island++) {
-        look_at(at, island, island + 1);
-        if (weight != 0.0) status = add_powers(at, h * weight, kept_of(at));
+    EACH_ISLAND(at, island) {
+        if (weight != 0.0 && !status) status = add_powers(at, h * weight, kept_of(at));
         if (changes) look_for_forces(at, h, at->s.a[0], kept_of(at));
     }
-    look_at(at, 0, at->m->n_islands);
     return status;
 }
 
@@ -320,14 +314,12 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
 /* Books what loads and drives have done to the islands in a step, and what their dampers have taken. */
 HM_SELDOM static void book_works(context *c)
 {
-    for (int32_t island = 0; island < c->m->n_islands; island++) {
-        look_at(c, island, island + 1);
+    EACH_ISLAND(c, island) {
         kept_motion *x = kept_of(c);
         x->dissipated = lost_of(c, S_DISSIPATED);
         book(c, S_WORK, x->work);
         book(c, S_DISSIPATED, x->dissipated);
     }
-    look_at(c, 0, c->m->n_islands);
 }
 
 /* Stages and end of a step, put back. */

@@ -29,6 +29,8 @@ from solver.runtime.model import Rule
 from solver.scene import Expr, ExpressionError, Number, Scene
 from solver.scene.reader import collector_paused
 
+STEEP = {CODE[name] for name in ("sqrt", "pow", "asin", "acos")}
+"""Operations that may have a value where their slope is infinite."""
 SLOTS_OF_TOLERANCE = 36
 SLOTS = {2: 4, 4: 20, 6: 36, 8: 60}
 """Half steps whose misses a state keeps, by the order: all of two internal steps. A tolerance may
@@ -230,6 +232,7 @@ def sizes_of(
         "n_parameters": sum(not isinstance(p.value, Expr) for p in scene.parameters.values()),
         "n_inputs": len(scene.inputs),
         "n_numbers": tape.end,
+        "steep_signals": int(not STEEP.isdisjoint(tape.operations[Segment.SIGNALS][::5])),
         "time_dependent": int(bool(tape.used[Segment.LAWS] & {"t", *moving})),
         "fits_velocities": int(scene.fits_velocities),
         "variable_potential": int(Segment.LAWS in stored or numbers.formulas_vary),

@@ -55,8 +55,8 @@ class Matrices:
     Raises
     ------
     OptionError
-        Where the model has more than constraints, drivers, springs, dampers, weights and loads that
-        know the time alone; each sentence names a part.
+        Where the model has more than constraints, drivers, springs, dampers, weights, and forces
+        and moments that know the time alone; each sentence names a part.
     """
 
     def __init__(self, integrator: Integrator) -> None:
@@ -104,19 +104,15 @@ class Matrices:
             for j, piece in enumerate(pieces)
             if j not in self._driven and any(leaf[0] == LEAF_SIGNAL for leaf in piece)
         ]
-        moments = [name for name, kind in model.forces.items() if kind in ("torque", "force")]
-        turning = np.any([*section["moment"], *section["body_moment"]])
-        turning |= size["time_dependent"] and size["n_moments"] + size["n_body_moments"] > 0
-        turning |= max(self._tables["load_axes"], default=-1) >= 0
+        changing = size["time_dependent"] * size["variable_potential"]
         found = {
             "contacts": [model.rows[j].name for j in contacts],
             "rolling and friction": [row.name for row in model.rows[velocity:]],
             "damped contacts": ["a potential"] * bool(np.any(section["depth_damping"])),
             "driven points": ["a point"] * (size["n_driven"] > 0),
             "formulas that move with the time": [model.rows[j].name for j in timed],
-            "springs and potentials that change": ["a law"] * size["variable_potential"],
+            "springs and potentials that change": ["a law of time"] * changing,
             "loads that read the motion": [*model.sampled],
-            "moments and loads that turn with bodies": [f"force '{x}'" for x in moments if turning],
         }
         message = "; ".join(
             f"{', '.join(dict.fromkeys(names))}: the paper's method takes no {what}"
@@ -286,19 +282,42 @@ class Matrices:
 
     @property
     def has_forces(self) -> bool:
-        """Whether there are loads, drives or dampers."""
-        numbers = (self._section[name] for name in ("load", "drive", "damping"))
+        """Whether there are loads, moments, drives or dampers."""
+        kinds = "load", "moment", "body_moment", "drive", "damping"
+        numbers = (self._section[name] for name in kinds)
         return self._sizes["time_dependent"] > 0 or any(map(np.any, numbers))
 
     def forces(self, q: Array, v: Array, t: float) -> Array:
-        """Forces (n,) of loads and drives at time t [s] and of dampers."""
+        """Forces (n,) of loads, moments and drives at time t [s] and of dampers."""
         if self._sizes["time_dependent"]:
             self._section["time"][:] = t
             self._run_tape(LAWS)
-        section, G = self._section, self.quantities(q)[1][self._elements]
-        loads = section["load"].reshape(-1, self._dim)
-        pushed = np.einsum("ldn,ld->n", self._U[list(self._tables["load_form"])], loads)
-        return pushed + G.T @ (section["drive"] - section["damping"] * (G @ v))
+        section, G, tables, dim = self._section, self.quantities(q)[1], self._tables, self._dim
+        along = section["drive"] - section["damping"] * (G[self._elements] @ v)
+        Q = G[self._elements].T @ along
+        for f, a, load in zip(
+            tables["load_form"], tables["load_axes"], section["load"].reshape(-1, dim), strict=True
+        ):
+            Q += self._U[f].T @ (load if a < 0 else load @ self._axes(q, a))
+        turning = section["moment"].reshape(-1, 2 * dim - 3)
+        for f, moment in zip(tables["moment_form"], turning, strict=True):
+            u = self._U[f] @ q + self._u_0[f]  # the moment's force is m x u/u^2
+            force = QUARTER @ u * moment if dim == 2 else np.cross(moment, u)
+            Q += self._U[f].T @ force / (u @ u)
+        ends = zip(
+            self._rows_of("body_moment", 2), section["body_moment"].reshape(-1, 3), strict=True
+        )
+        for (a, turns), moment in ends:  # on directors d_i it is m x d_i/2
+            axes = self._axes(q, a)
+            force = np.cross(moment @ axes if turns else moment, axes) / 2.0
+            Q[3 * a : 3 * a + 9] += force.ravel()
+        return Q
+
+    def _axes(self, q: Array, node: int) -> Array:
+        """Directors of a body from the node of its first on, shape (dim, dim)."""
+        if self._dim == 2:
+            return np.array([q[2 * node : 2 * node + 2], QUARTER @ q[2 * node : 2 * node + 2]])
+        return q[3 * node : 3 * node + 9].reshape(3, 3)
 
     def put(
         self, integrator: Integrator, t: float, q: Array, v: Array, mu: Array, stored: float

@@ -74,6 +74,7 @@ SIZES = (
     "n_tape_laws",  # also of the time, inputs, tunable parameters
     "n_tape_signals",
     "n_tape_outputs",  # of measurements
+    "steep_signals",  # 1: an operation of signals may have no finite slope where it has a value
     "time_dependent",  # 1: the laws change within a communication step
     "variable_potential",  # 1: the laws write springs or potentials, so stored energy may jump
     "sensing",  # 1: the laws read quantities

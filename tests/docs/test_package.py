@@ -91,7 +91,7 @@ def test_messages_and_help_name_one_command():
 
 
 def test_no_file_of_the_package_travels_in_an_fmu():
-    names = [Path(name).parts for dimension in (2, 3) for name in payload(dimension).files]
+    names = [Path(name).parts for dimension in (2, 3) for name in payload(dimension, "points")]
     assert not [parts for parts in names if "holonom" in parts]
 
 

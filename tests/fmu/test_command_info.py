@@ -96,6 +96,19 @@ def test_a_step_has_three_unknowns_of_a_turn_in_place_of_nine_directors_and_six_
     assert step["factors"] < 0.5 * sizes["n_lu_values"]
 
 
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("bricard", "multipliers follow before Newton's iteration ends"),
+        ("cam_and_follower", "multipliers held while Newton iterates"),
+    ],
+)
+def test_it_says_where_multipliers_follow_early(capsys, name, words):
+    code, out, _ = run(capsys, "info", SCENES / f"{name}.toml")
+    assert code == 0
+    assert words in " ".join(out.split())
+
+
 def test_redundant_rows_are_counted_and_their_joints_named(capsys, tmp_path):
     scene = tmp_path / "double_rod.toml"
     scene.write_text(DOUBLE_ROD)

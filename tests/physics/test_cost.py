@@ -75,8 +75,8 @@ def test_a_chain_has_no_fill_in_beyond_its_neighbours(dimension):
 
 @DIMENSIONS
 def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
-    # A straight spatial chain with a wave of velocity, steps of 1 ms. Round-off of longer chains
-    # may cost one iteration more or less, not a factor.
+    # A straight spatial chain with a wave of velocity, pairs of 0.5 ms. Round-off of longer chains
+    # may cost one iteration more or less a half step, not a factor.
     mean = {}
     for n in (10, 100, 1000):
         names = [
@@ -87,12 +87,12 @@ def test_newton_iterations_do_not_grow_with_the_number_of_links(dimension):
         ]
         integrator = start(travelling_wave(n, dimension), h=1e-3)
         iterations, substeps, energy, constraint = observe(integrator, 1e-3, 100, names)[1:].T
-        assert substeps.max() == 1
+        assert substeps.max() == 2
         assert energy.max() < 1e-12
         assert constraint.max() < 1e-12
         mean[n] = iterations.mean()
-    assert max(mean.values()) < 5
-    assert mean[1000] < mean[10] + 1
+    assert max(mean.values()) < 10
+    assert mean[1000] < mean[10] + 2
 
 
 def test_a_chain_of_a_thousand_links_falls_and_keeps_its_energy():
@@ -102,7 +102,7 @@ def test_a_chain_of_a_thousand_links_falls_and_keeps_its_energy():
     error, constraint, substeps = observe(start(chain(1000), h=0.01), 0.01, 10, names)[1:].T
     assert error.max() < 1e-12
     assert constraint.max() < 1e-12
-    assert substeps.max() == 1
+    assert substeps.max() == 2
 
 
 def test_long_chains_of_bodies_take_as_few_increments_as_short_ones():
@@ -134,8 +134,8 @@ def test_a_long_chain_between_two_nails_is_not_taken_for_one_of_dependent_rows()
 
 def test_long_steps_take_few_increments_where_fresh_factors_pay():
     # Kept factors contract by 0.02 there: ten increments, each with one more digit and a half.
-    run = start(tomllib.loads(rigid_chain(100)), h=1e-2)
+    run = start(tomllib.loads(rigid_chain(100)), h=2e-2)
     names = ["solver.newton_iterations", "energy.error"]
-    iterations, energy = observe(run, 1e-2, 20, names)[1:].T
+    iterations, energy = observe(run, 2e-2, 20, names)[1:].T
     assert energy.max() < 1e-13
-    assert iterations[2:].mean() <= 5.0
+    assert iterations[2:].mean() <= 10.0  # of two half steps

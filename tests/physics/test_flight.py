@@ -1,4 +1,4 @@
-"""Bodies in flight take explicit steps: momenta leave them no velocity that would change the energy.
+"""Bodies in flight take explicit steps: momenta leave no velocity that would change their energy.
 
 A turn along the gradient of the kinetic energy at fixed angular momentum brings it back; where that
 gradient is 0, in steady spins and in spheres, nothing is to be brought back. Energies and momenta
@@ -32,7 +32,9 @@ points = {{ arm = [0.5, 0, 0], left = [-0.5, 0, 0] }}
 """
 
 
-def body(name: str, inertia: Sequence[float], spin: Sequence[float], **given: object) -> str:
+def body(
+    name: str, inertia: Sequence[float] | Array, spin: Sequence[float] | Array, **given: object
+) -> str:
     shown = {"position": [0, 0, 0], "velocity": [0, 0, 0], "mass": 1.0} | given
     return BODY.format(name=name, inertia=[*map(float, inertia)], spin=[*map(float, spin)], **shown)
 
@@ -63,7 +65,8 @@ def turned(run: Integrator, own: Array, name: str = "b") -> Array:
 
 def places(run: Integrator, name: str) -> tuple[Array, Array]:
     """Place and velocity of the centre of mass."""
-    return tuple(np.array([float(run[at]) for at in vector(name, of)]) for of in ("", "v"))
+    place, velocity = (np.array([float(run[at]) for at in vector(name, of)]) for of in ("", "v"))
+    return place, velocity
 
 
 def balance(
@@ -135,7 +138,7 @@ def test_a_sphere_has_no_turn_that_would_change_its_energy() -> None:
 
 @pytest.mark.parametrize("push", [0.8, 1e-3], ids=["tumbling", "turning over"])
 def test_a_tumbling_body_follows_jacobis_elliptic_functions(push: float) -> None:
-    """omega = (a cn, b sn, c dn)(p t | m) in the body, from Euler's equations (Landau, 37).
+    """In the body omega = (a cn, b sn, c dn)(p t | m), from Euler's equations (Landau, 37).
 
     A body that turns over multiplies errors along its path by 1e3: the request counts for these.
     """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from solver.runtime import Integrator
 from tests.island_scenes import (
     HANGING,
     SWINGING,

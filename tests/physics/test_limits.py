@@ -144,10 +144,10 @@ B = { position = [0, 1], mass = 1.0, velocity = [1, 0] }
 [forces]
 a = { type = "damper", points = ["A", "ground"], at = [-1, 0], damping = 1.0 }
 b = { type = "damper", points = ["B", "ground"], at = [-1, 1], damping = 1.0 }
-push = { type = "force", point = "A", value = ["order + other", 0] }
+push = { type = "force", point = "A", value = ["order + other - 0.1*A.x", 0] }
+stop = { type = "potential", value = "max(B.x - 2, 0)**2" }
 [solver]
-order = 4
-formulation = "midpoint-al"
+tolerance = 1e-7
 """
     said: list[str] = []
     run = solver.Integrator(solver.assemble(solver.loads(text)), log=said.append)

@@ -186,7 +186,10 @@ def test_a_damped_arm_swings_to_rest(order: int, tolerance: float) -> None:
 
 
 def test_what_almost_rests_in_flight_takes_explicit_steps() -> None:
-    """Its momenta leave it no velocity, and its steady spin no turn, that would change the energy."""
+    """Its momenta leave it no velocity, and its steady spin no turn, that would change its energy.
+
+    So round-off of the energy cannot be brought back, and need not be.
+    """
     text = 'name = "a"\n[bodies]\nb = { position = [1, 2, 3], mass = 1, inertia = [1, 2, 3], '
     integrator = solver.Integrator(model_of(text + "angular_velocity = [1e-9, 0, 0] }\n"))
     integrator["solver.tolerance"] = 1e-6
