@@ -335,12 +335,12 @@ order = 8
 """
 
 
-def test_a_body_whose_momenta_leave_nothing_free_takes_compositions():
-    """Nothing is left to bring its energy back by, but a composition does not lose it."""
+def test_a_body_whose_momenta_leave_nothing_free_takes_covers():
+    """Nothing is left to bring its energy back by but errors below round-off of its summands."""
     run = Integrator(solver.assemble(solver.loads(PINNED)))
     for _ in range(20):
         run.advance(run.time, 0.5)
-        assert float(run["energy.error"]) < 1e-14
+        assert float(run["energy.error"]) < 2e-14  # some 1e-15 in each of 20 steps
     assert run.state.head["held"] == 3.0
     assert run["solver.substeps"] < 1000.0
 
