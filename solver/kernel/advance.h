@@ -178,7 +178,7 @@ int32_t holonom_advance(const holonom_model *m, double *number, double *state, d
     head[S_STATUS] = HOLONOM_BAD_STEP;
     if (!(step > 1e-100 && step < 1e300)) return HOLONOM_BAD_STEP; /* its square must be a number, too */
     memcpy(c.k.step_backup, head, sizeof(double) * (size_t)c.state_size);
-    head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = 0.0;
+    head[S_NEWTON_ITERATIONS] = head[S_UZAWA_ITERATIONS] = head[S_SUBSTEPS] = head[S_AS_PAIRS] = 0.0;
     for (int32_t i = 0; i < m->n_sampled; i++) c.s.sampled[3 * i + 2] = 0.0;
     const double start = head[S_TIME];
     if (has_jumped(&c, c.s.inputs_before, c.s.inputs)) forget_halves(&c);

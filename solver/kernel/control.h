@@ -25,6 +25,10 @@ enum { MAX_REPEATS = 40 };
 #define REJECTED_EXPLICIT 4.0 /* likewise of an explicit one, which costs more to repeat */
 #define SLIVER 1e-3   /* part of a step: what is shorter before a point of the grid belongs to the next step */
 #define STRETCHED 1.1 /* times the length wanted, where that spares a step */
+#define SHORTER 5.0 /* runs begin with pairs where springs are faster than the motion by this, and would be all that others show */
+#define COVERED_TURN 0.8 /* of springs in a cover, over that in an explicit step */
+#define LITTLE_TURN 0.05 /* of the motion, or a body, in a pair that takes the place of an explicit step [rad] */
+#define PRESENT 0.9 /* times its cost, of the method that is in use */
 #define MOST_HALF_STEPS 2e6 /* in a communication step, those that are repeated included */
 enum { MOST_CUTS = 1000 }; /* of pieces in a communication step: 20 halvings of each of 50 slips that stop */
 #define MOMENT 1e4 /* half steps for which steps may be short where a contact changes or a force jumps: they foretell nothing */
@@ -35,142 +39,130 @@ static double steps_over(const context *c, double time, double longest)
     return fmax(1.0, ceil(time / fmin(longest, c->s.head[S_LONGEST_STEP]) * (1.0 - 1e-10)));
 }
 
+/* Longest cover: weights swing springs up that it does not resolve. Where dampers are strong, and where nothing tells how fast springs
+   are, it may be of any length. */
+static double longest_cover(const context *c)
+{
+    const double longest = COVERED_TURN * longest_of(c, 8);
+    return longest > 0.0 && may_step_explicitly(c) ? longest : INFINITY;
+}
+
 /* Longest of the next steps, in equal parts of a time: they may add what steps before them have left. */
 static double longest_next(const context *c, double time)
 {
     const double *head = c->s.head, share = SAFETY + fmax(0.0, head[S_UNSPENT]) * head[S_HORIZON] / time;
     const double h = fmax(STRETCHED, hm_pow(fmin(MOST_AIMED, share) / SAFETY, 1.0 / head[S_ORDER_IN_USE])) * head[S_WANTED];
-    const int order = (int)head[S_ORDER_IN_USE];
-    return way_of(c, c->damped, order, head[S_WANTED]) == EXPLICIT ? fmin(h, longest_now(c, order)) : h;
+    if (head[S_EXPLICIT] != 0.0) return fmin(h, longest_now(c, (int)head[S_ORDER_IN_USE]));
+    return head[S_ORDER_IN_USE] > 2.0 ? fmin(h, longest_cover(c)) : h;
 }
 
-/* Length of a step of an order that adds what it may where the motion changes at a rate, taken one way. */
-static double length_for(const context *c, enum way way, int p, const step_error *e)
+/* Length of a step that adds what it may where the motion changes at a rate. A difference of explicit steps tells nothing of a body
+   that spins steadily, which is exact there, and not in half steps. */
+static double length_for(const context *c, const method *x, const step_error *e)
 {
-    const method *x = &METHODS[way][p];
-    const double rate = way == EXPLICIT ? e->free : e->rate;
-    const double may = SAFETY * tolerated(c) / (x->mean * times_mean(c, way, p) * rate * c->s.head[S_HORIZON]);
+    const int is_explicit = x->way == EXPLICIT;
+    const double rate = is_explicit ? e->free : e->rate;
+    const double may = SAFETY * tolerated(c) / (margin(c) * x->mean * rate * c->s.head[S_HORIZON]);
     const double h = fmin(hm_pow(may, 1.0 / x->order), x->fastest) / rate;
-    return way == EXPLICIT ? fmin(h, c->longest_put_back) : h;
+    if (is_explicit) return fmin(h, fmin(c->longest_put_back, longest_now(c, x->order) / STRETCHED));
+    return c->way == EXPLICIT ? fmin(h, LITTLE_TURN / hm_hypot(rate, fastest_turn(c))) : h;
 }
 
-/* How steps of the p-th order are taken where the motion changes at a rate. */
-static enum way way_at(const context *c, int p, const step_error *e)
+/* Cost of a step in increments of Newton's iteration: each half step has some where the motion turns by so much in a step, and
+   a beginning and an end that take as long as two; a stage takes as long as four. Dampers settle within long covers. */
+static double cost_of(const method *x, double turned)
 {
-    const int order = METHODS[EXPLICIT][p].order;
-    if (order && way_of(c, c->damped, order, length_for(c, EXPLICIT, p, e)) == EXPLICIT) return EXPLICIT;
-    return way_of(c, c->damped, METHODS[COMPOSED][p].order, INFINITY);
+    return x->solutions * (x->way == EXPLICIT ? 4.0 : x->way == COVERED ? 4.0 + 4.0 * turned : 3.0 + 1.5 * turned);
 }
 
-/* Increments that a half step is expected to cost where the motion turns by so much in a step: those that it takes, and one more
-   for its beginning and end. Dampers settle within long steps, where high orders promise more than they keep. Explicit steps
-   have one solution in its place. */
-static double cost_of_half_step(enum way way, double turned)
+/* Whether half steps are of order 2: loads that read the mechanism at a predicted middle are of that order. */
+static int is_limited(const context *c)
 {
-    return way == EXPLICIT ? 1.0 : way == COVERED ? 2.0 + 4.0 * turned : 3.0 + 1.5 * turned;
+    const int has_mass = c->number[c->m->extent_at + 1] > 0.0; /* else nothing measures errors */
+    return !has_mass || (c->m->sensing && c->s.head[S_ORDER] == 0.0);
+}
+
+/* Whether a tolerance may take steps so: of the order asked for, or of order 2 where springs are much too fast for covers. */
+static int may_take(const context *c, const method *x, const step_error *e)
+{
+    const int asked = (int)c->s.head[S_ORDER];
+    if (asked && x->order != asked && !(x->way == COMPOSED && length_for(c, method_of(asked, 0), e) > SHORTER * longest_cover(c))) return 0;
+    if (x->order == 6 && !asked && has_strong_dampers(c)) return 0; /* whose differences tell least */
+    if (x->way == EXPLICIT) return may_step_explicitly(c);
+    if (c->way == EXPLICIT && c->m->n_signals && longest_now(c, 8) > 0.0) return 0; /* explicit steps tell nothing of what drivers move */
+    return x->way == COMPOSED || !is_limited(c);
 }
 
 /* Order and length of the steps to come, for the least cost of a communication step of length `step`. */
-static void choose_order(context *c, const step_error *e, double step)
+static void choose_method(context *c, const step_error *e, double step)
 {
     double *head = c->s.head, least = INFINITY;
-    const int present = index_of((int)head[S_ORDER_IN_USE]);
-    const double bonus = c->damped ? 0.8 : 0.9;
-    const int is_explicit = way_at(c, N_ORDERS - 1, e) == EXPLICIT;
-    int best = present;
-    for (int p = 0; p < N_ORDERS; p++) {
-        const enum way way = way_at(c, p, e);
-        const double longest = way == EXPLICIT ? longest_now(c, METHODS[way][p].order) : INFINITY;
-        if (way != EXPLICIT && is_explicit) continue; /* a body that spins steadily, which is exact there, tells no rate of pairs */
-        const double n = steps_over(c, step, fmin(STRETCHED * length_for(c, way, p, e), longest));
-        const double cost = METHODS[way][p].pairs * n * cost_of_half_step(way, e->rate * step / n) * (p == present ? bonus : 1.0);
+    const method *present = method_of((int)head[S_ORDER_IN_USE], head[S_EXPLICIT] != 0.0), *best = present;
+    for (const method *x = METHODS; x < METHODS + N_METHODS; x++) {
+        if (!may_take(c, x, e)) continue;
+        const double n = steps_over(c, step, STRETCHED * fmin(length_for(c, x, e), x->way == COVERED ? longest_cover(c) : INFINITY));
+        const double cost = n * cost_of(x, e->rate * step / n) * (x == present ? PRESENT : 1.0);
         if (!(cost < least)) continue;
         least = cost;
-        best = p;
+        best = x;
     }
-    const enum way chosen = way_at(c, best, e);
-    if (METHODS[chosen][best].order == (int)head[S_ORDER_IN_USE] && chosen == c->way) return;
-    head[S_ORDER_IN_USE] = METHODS[chosen][best].order;
-    head[S_WANTED] = length_for(c, chosen, best, e);
-}
-
-/* Whether half steps are of order 2, as loads are that read the mechanism at a predicted middle. */
-static int is_limited(const context *c)
-{
-    return c->m->sensing && c->s.head[S_ORDER] == 0.0 && !may_step_explicitly(c);
+    if (best == present && head[S_EXPLICIT] == (best->way == EXPLICIT) && (c->way == best->way || c->unweighted)) return;
+    head[S_ORDER_IN_USE] = best->order;
+    head[S_EXPLICIT] = best->way == EXPLICIT;
+    head[S_WANTED] = length_for(c, best, e);
 }
 
 /* Order to begin with, and a length that is safe: a part of the time in which the motion changes. With dampers order 2 is
-   the one for wide tolerances and strong dampers; its first pairs, which nothing judges yet, are shorter. From rest the
-   motion tells no length, and order 4 judges itself.                                                            */
+   the one for wide tolerances and strong dampers; its first pairs are shorter. From rest the motion tells no length, and order 4
+   judges itself.                                                            */
 static void begin_control(context *c)
 {
     double *head = c->s.head;
-    const double asked = head[S_ORDER], rate = rate_of_motion(c);
+    const double asked = head[S_ORDER], rate = hm_hypot(rate_of_motion(c), head[S_WANTED] > 0.0 ? 0.0 : rate_of_springs(c));
+    const int may_be_explicit = may_step_explicitly(c), is_new = head[S_ORDER_IN_USE] == 0.0;
     c->damped = is_dissipative(c);
-    if (may_step_explicitly(c) && !ends_explicitly(c)) find_longest(c);
     c->longest_put_back = INFINITY;
-    const double part = (c->damped ? 0.25 : 0.5), eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
-    if (is_limited(c)) head[S_ORDER_IN_USE] = 2.0;
-    else if (asked > 0.0) head[S_ORDER_IN_USE] = asked;
-    else if (head[S_ORDER_IN_USE] == 0.0 && way_of(c, c->damped, 8, eighth) == EXPLICIT) head[S_ORDER_IN_USE] = 8.0;
-    else if (head[S_ORDER_IN_USE] == 0.0) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
+    if (may_be_explicit && !ends_explicitly(c)) find_longest(c);
+    const double eighth = rate > 0.0 ? 0.5 * hm_pow(head[S_TOLERANCE], 1.0 / 9.0) / rate : 0.0;
+    const int is_stiff = eighth > SHORTER * longest_of(c, 8) && longest_cover(c) < INFINITY;
+    if (!may_be_explicit || longest_of(c, 8) == 0.0) head[S_EXPLICIT] = 0.0;
+    else if (is_new) head[S_EXPLICIT] = (asked == 0.0 || asked == 8.0) && !is_stiff;
+    if (head[S_EXPLICIT] != 0.0) head[S_ORDER_IN_USE] = is_new ? 8.0 : head[S_ORDER_IN_USE];
+    else if (is_limited(c) || (is_new && is_stiff)) head[S_ORDER_IN_USE] = 2.0;
+    else if (asked > 0.0 && (is_new || head[S_ORDER_IN_USE] != 2.0)) head[S_ORDER_IN_USE] = asked;
+    else if (is_new) head[S_ORDER_IN_USE] = c->damped && rate > 0.0 ? 2.0 : 4.0;
+    else if (head[S_ORDER_IN_USE] == 5.0) head[S_ORDER_IN_USE] = 6.0;
     if (head[S_WANTED] > 0.0) return;
-    head[S_WANTED] = rate > 0.0 ? part * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) / rate : INFINITY;
+    head[S_WANTED] = rate > 0.0 ? (c->damped ? 0.25 : 0.5) * hm_pow(head[S_TOLERANCE], 1.0 / (head[S_ORDER_IN_USE] + 1.0)) / rate : INFINITY;
 }
 
-/* Error of a pair that no pair before it can judge, since an event lies between, from two pairs of half its length. */
-HM_SELDOM static int judge_first_pair(context *c, double t, double h, double law_time, step_error *e)
-{
-    const double difference = difference_from_halves(c, t, h, law_time);
-    const method *pair = &METHODS[COMPOSED][0];
-    e->mean = 4.0 / 3.0 * difference; /* of order 2: halves leave a quarter of it */
-    e->rate = hm_pow(e->mean / pair->mean, 1.0 / 3.0) / h;
-    e->is_noise = is_noise(c, pair->round_off, difference, h);
-    return 1;
-}
-
-/* Steps of compositions grow by no more than this each, but for the first few, which find their length. Where a difference passes
-   through zero one step would be far too long: one of Bricard's 83 at 1e-6 made nine tenths of the error. */
-#define GROWTH 1.2
-#define FIRST_FEW 3.0
-
-static int has_found_length(const context *c)
-{
-    double judged = 0.0;
-    for (int p = 0; p < N_COMPOSED; p++) judged += c->s.head[S_JUDGED_4 + p];
-    return judged > FIRST_FEW;
-}
-
-/* Takes from the last step, of length h from t, length and order of the next ones; 1 if it is to be repeated with
+/* Takes from the last step, of length h, length and order of the next ones; 1 if it is to be repeated with
    shorter ones. */
-static int judge_step(context *c, double t, double h, double law_time, double step)
+static int judge_step(context *c, double h, double step)
 {
     double *head = c->s.head;
     step_error e = {0};
-    const int order = (int)head[S_ORDER_IN_USE], found = c->unweighted ? 2 : order;
-    const int judged = estimate_error(c, order, h, &e) || (is_unilateral(c->m) && judge_first_pair(c, t, h, law_time, &e));
-    const double defect = c->way == EXPLICIT ? 0.0 : velocity_defect(c, h);
+    const int found = c->unweighted ? 2 : (int)head[S_ORDER_IN_USE], is_explicit = c->way == EXPLICIT;
+    const int judged = estimate_error(c, h, &e);
+    const double defect = is_explicit ? 0.0 : velocity_defect(c, h);
     const double across = REJECTED * (defect - head[S_ACROSS]) / (ACROSS_ROWS * tolerated(c));
     head[S_ACROSS] = defect;
     double share = 0.0;
     if (!judged && across <= REJECTED) return 0;
-    if (judged && found > 2) learn(c, order, t, h, law_time, &e);
-    if (judged) share = e.mean * times_mean(c, c->way, index_of(found)) * head[S_HORIZON] / (h * tolerated(c));
+    if (judged) share = e.mean * head[S_HORIZON] / (h * tolerated(c));
     if (judged && e.is_noise) share = fmin(share, SAFETY);
     share = fmax(share, across);
     /* Where a mechanism almost stands, little energy is much velocity. */
-    if (c->way == EXPLICIT && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
+    if (c->way != COMPOSED && !c->unweighted && !is_noise(c, ENERGY_ROUND_OFF, c->balanced, h))
         share = fmax(share, c->balanced * head[S_HORIZON] / (h * tolerated(c)));
     const double change = hm_pow(SAFETY / fmax(share, 1e-30), 1.0 / found);
-    const double longest = fmax(h, has_found_length(c) ? GROWTH * head[S_WANTED] : INFINITY);
-    head[S_WANTED] = fmin(longest, h * fmin(fmax(change, SHORTEST), 2.0));
-    if (c->way == EXPLICIT) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
-    if (share > (c->way == EXPLICIT ? REJECTED_EXPLICIT : REJECTED)) return 1;
+    head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);
+    if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
+    if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
     head[S_UNSPENT] = fmin(SAFETY, head[S_UNSPENT] + left);
-    if (judged && head[S_ORDER] == 0.0 && !is_limited(c) && e.rate > 0.0) choose_order(c, &e, step);
+    if (judged && e.rate > 0.0) choose_method(c, &e, step);
     return 0;
 }
 
@@ -193,10 +185,8 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
     while (done < step) {
         if (is_stopped(c)) return HOLONOM_STOPPED;
         const double rest = step - done;
-        const int is_explicit = way_of(c, c->damped, (int)head[S_ORDER_IN_USE], head[S_WANTED]) == EXPLICIT;
-        /* A pair is judged by the one before it: after a jump two are needed, or none would ever be judged. */
-        const double least = head[S_ORDER_IN_USE] == 2.0 && head[S_KNOWN] < 2.0 && !is_unilateral(c->m) ? 2.0 : 1.0;
-        const double n = fmax(least, steps_over(c, rest, longest_next(c, rest)));
+        const int is_explicit = head[S_EXPLICIT] != 0.0;
+        const double n = steps_over(c, rest, longest_next(c, rest));
         const double law_time = c->number[c->m->time_at];
         double h = rest / n;
         const double whole = h;
@@ -217,7 +207,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         if (is_unilateral(c->m)) keep_start(c);
         const int tiny = is_unilateral(c->m) && is_short(c, h);
         status = tiny ? short_piece(c, h) : internal_step(c, h);
-        const int rejected = status ? 1 : tiny ? 0 : judge_step(c, start + done, h, law_time, step);
+        const int rejected = status ? 1 : tiny ? 0 : judge_step(c, h, step);
         half_steps += c->halves;
         failed = status;
         if (status || (rejected && repeats < MAX_REPEATS)) {
@@ -226,7 +216,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
             undo_step(c, start + done, law_time);
             head[S_WANTED] = wanted;
             if (repeats == 1) tried = h;
-            if (is_explicit && !c->passing && has_found_length(c) && wanted < NEAR_SINGULAR * tried) {
+            if (is_explicit && !c->passing && wanted < NEAR_SINGULAR * tried) {
                 head[S_WANTED] = 0.5 * tried;
                 c->passing = 1;
             }
@@ -251,7 +241,6 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         done = covered == rest ? step : done + covered;
         follow_energies(c);
     }
-    if (c->unweighted) head[S_ORDER_IN_USE] = 2.0;
     return HOLONOM_OK;
 }
 
@@ -297,6 +286,7 @@ static int32_t cover_evenly(context *c, double start, double step)
     const double n = fmax(1.0, ceil(step / head[S_STEP_SIZE] * (1.0 - 1e-10))), h = step / n;
     int32_t status = n <= 1e9 ? HOLONOM_OK : HOLONOM_BAD_STEP;
     head[S_ORDER_IN_USE] = fmax(head[S_ORDER], 2.0);
+    head[S_EXPLICIT] = 0.0;
     if (!status && is_unilateral(c->m)) return cover_between_events(c, start, step, h);
     for (int64_t i = 0; !status && i < (int64_t)n; i++) {
         c->t = start + h * (double)i;

@@ -190,12 +190,13 @@ static int32_t step_piece(context *c, double h)
 /* Goes back to the state `backup` of time t, with laws of law_time. What the step has cost stays counted. */
 HM_SELDOM static void restore_state(context *c, const double *backup, double t, double law_time)
 {
-    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS], as_pairs = c->s.head[S_AS_PAIRS];
     memcpy(c->s.head, backup, sizeof(double) * (size_t)c->state_size);
     if (c->m->time_dependent || c->m->sensing) set_laws(c, law_time, 0);
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
+    c->s.head[S_AS_PAIRS] = as_pairs;
 }
 
 /* State at the start of the piece at hand. */

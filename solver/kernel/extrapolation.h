@@ -1,10 +1,11 @@
-/* Steps of order 4, 6 and 8 as weighted covers, where dampers take energy out (theory 8.3).
+/* Steps of order 4, 6 and 8 as weighted covers, under a tolerance and where dampers take energy out (theory 8.3).
 
    A composition goes back in time in between, where dampers would give energy. Here a step is covered by 1, 2, ... pairs
    of half steps, all forwards. Their ends have errors in even powers of the pairs' length, which weights cancel
    (Richardson). Pairs keep constraints and ledger, weighted ends do so up to the order: they are put back onto the constraints, onto
    the momenta that every cover kept, and onto the energy that the weighted ledger asks for. Contacts do not change within a step
-   (event.h): closed ones, and frictions that stick, are rows like others; what slides takes energy as dampers do. */
+   (event.h): closed ones, and frictions that stick, are rows like others; what slides takes energy as dampers do. Some weights are
+   negative: where one of the losses would be, the end of the finest cover stands, in which each is what its pairs have taken. */
 #ifndef HOLONOM_EXTRAPOLATION_H
 #define HOLONOM_EXTRAPOLATION_H
 
@@ -44,6 +45,7 @@ static void go_back(context *c, double t, double law_time)
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup;
     memcpy(s->q, start + (s->q - s->head), sizeof(double) * (size_t)(6 * DIM * c->n_moving)); /* q, v, imbalances */
+    memset(c->k.loss, 0, sizeof(double) * (size_t)n_composites(c));
     memcpy(s->turns, start + (s->turns - s->head), sizeof(double) * (size_t)(s->derived - s->turns));
     for (int i = S_WORK; i <= S_FRICTION_LOW; i++) s->head[i] = start[i];
     if (c->m->time_dependent) set_laws(c, law_time, 0);
@@ -51,15 +53,19 @@ static void go_back(context *c, double t, double law_time)
     c->rows_known = 0;
 }
 
-/* Adds the end of a cover, `weight` times, to the weighted changes of q and v (in estimate) and ledger; and to what they
-   differ by from those of one order less, without the coarsest cover: `less` times. Energies of the islands are weighted, too;
-   momenta that changed are not kept. */
-static void weigh(context *c, double weight, double less, extrapolation *x)
+/* Adds the end of a cover to the weighted changes of q and v (in estimate), ledger and losses; and to what they differ by from those
+   without the coarsest cover, and these from those without the two coarsest. Energies of the islands are weighted, too; momenta that
+   changed are not kept. */
+static void weigh(context *c, int pairs, int covers, extrapolation *x)
 {
+    const int64_t n = 2 * DIM * c->n_moving;
+    const double weight = weight_of(pairs, 1, covers), less = weight_of(pairs, 2, covers);
     const hm_state *s = &c->s;
     const double *start = c->k.pair_backup;
+    for (int32_t j = 0; j < n_composites(c); j++) c->k.weighted_loss[j] += weight * c->k.loss[j];
     add_change(c, start, weight, c->k.estimate);
-    add_change(c, start, less, c->k.estimate + 2 * DIM * c->n_moving);
+    add_change(c, start, weight - less, c->k.estimate + n);
+    add_change(c, start, less - weight_of(pairs, 3, covers), c->k.estimate + 2 * n);
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
         x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
@@ -76,9 +82,9 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     double *head = s->head, *dq = c->k.estimate, *dv = dq + n;
     const double *start = c->k.pair_backup;
     add_change(c, start, -1.0, dq);
-    const double round_off = 1e-15 * head[S_ENERGY_REFERENCE]; /* of losses that the weights take the difference of */
-    if (!(x->booked[1] >= -round_off && x->booked[2] >= -round_off)) return HOLONOM_DAMPING_REVERSED;
     if (!(relative_size(c, mass_norm(c, dq), mass_norm(c, dv)) <= LARGEST_CHANGE)) return HOLONOM_NOT_FINITE;
+    memcpy(c->k.loss, c->k.weighted_loss, sizeof(double) * (size_t)n_composites(c));
+    if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
     for (int64_t k = 0; k < n; k++) {
         hm_add(s->q + k, s->q_low + k, dq[k]);
         hm_add(s->v + k, s->v_low + k, dv[k]);
@@ -86,10 +92,9 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     double gained = 0.0;
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
-        const double booked = i == 0 ? x->booked[i] : fmax(x->booked[i], 0.0);
         head[at] = start[at], head[at + 1] = start[at + 1];
-        book(c, at, booked);
-        gained += i == 0 ? booked : -booked;
+        book(c, at, x->booked[i]);
+        gained += i == 0 ? x->booked[i] : -x->booked[i];
     }
     gain_together(c, gained);
     suspend_sliding(c, 1); /* no friction answers the corrections */
@@ -104,41 +109,54 @@ static int32_t take_weighted(context *c, const extrapolation *x)
 }
 
 /* Takes all covers of a step of length h, and weighs their ends. */
-static int32_t take_covers(context *c, double h, int covers, extrapolation *x)
+static int32_t take_covers(context *c, double h, int covers, int halves, extrapolation *x)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
+    const size_t losses = sizeof(double) * (size_t)n_composites(c);
     int half = 0;
-    begin_halves(c, covers * (covers + 1));
+    begin_halves(c, halves);
+    memset(c->k.estimate, 0, sizeof(double) * (size_t)(6 * DIM * c->n_moving));
+    memset(c->k.loss, 0, losses);
+    memset(c->k.weighted_loss, 0, losses);
     for (int pairs = 1; pairs <= covers; pairs++) {
-        const double weight = weight_of(pairs, 1, covers);
         if (pairs > 1) go_back(c, t, law_time);
         for (int i = 0; i < 2 * pairs; i++) {
-            const int32_t status = single_step(c, 0.5 * h / pairs, half++);
+            const int32_t status = single_step(c, 0.5 * h / pairs, half++ % halves);
             if (status) return status;
             if (i % 2) average_multipliers(c, c->t - 0.5 * h / pairs);
         }
         if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
-        weigh(c, weight, weight - weight_of(pairs, 2, covers), x);
+        weigh(c, pairs, covers, x);
     }
     return HOLONOM_OK;
 }
 
-/* One internal step. Where its weighted end cannot be put back, that of the finest cover stands, which conserves. */
-HM_SELDOM static int32_t extrapolated_step(context *c, double h)
+/* One internal step: its weighted end, or that of the finest cover, of order 2. A pair that `is_judged` so is one of two covers. With
+   equal steps the finest cover stands, too, where the weighted end cannot be put back; under a tolerance the step is divided. */
+HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
 {
-    const int covers = (int)c->s.head[S_ORDER_IN_USE] / 2;
+    const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
     extrapolation x = {{0.0}};
     keep_motion(c, h);
+    c->growth = 1.0;
+    c->balanced = 0.0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
-    memset(c->k.estimate, 0, sizeof(double) * (size_t)(4 * DIM * c->n_moving));
-    const int32_t status = take_covers(c, h, covers, &x);
+    int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), &x);
     if (status) return status;
     memcpy(c->k.finest, c->s.head, bytes);
     c->way = COVERED;
-    if (!take_weighted(c, &x)) return HOLONOM_OK;
+    c->unweighted = 0;
+    status = is_judged ? HOLONOM_OK : take_weighted(c, &x);
+    if (!status && !is_judged) return HOLONOM_OK;
+    if (is_judged) {
+        add_change(c, c->k.pair_backup, -1.0, c->k.estimate);
+        c->s.head[S_LAST_LENGTH] = 0.5 * h;
+    } else if (c->s.head[S_TOLERANCE] > 0.0 && status != HOLONOM_DAMPING_REVERSED)
+        return status;
     memcpy(c->s.head, c->k.finest, bytes);
-    c->unweighted = 1;
+    c->s.head[S_AS_PAIRS] += status == HOLONOM_DAMPING_REVERSED;
+    c->unweighted = covers;
     return HOLONOM_OK;
 }
 

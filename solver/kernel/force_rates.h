@@ -4,6 +4,7 @@
 
 #include "context.h"
 #include "norms.h"
+#include "put_back.h"
 #include "start.h"
 #include "tangent.h"
 
@@ -109,6 +110,19 @@ static double largest_rate(const context *at, int64_t coefficient_at, int with_p
         rate = size / before;
     }
     return rate;
+}
+
+/* How fast springs answer to the velocities [1/s]: they may be about to swing while no acceleration tells it yet. */
+HM_SELDOM static double rate_of_springs(const context *c)
+{
+    context at = rows_at_state(c, 0.0);
+    const double speed = mass_norm(c, c->s.v);
+    take_unknowns(&at);
+    if (!(speed > 0.0) || factorise_here(&at)) return 0.0;
+    clear_nodes(&at, at.k.momentum);
+    if (add_forces_of_elements(&at, c->m->stiffness_at, c->s.v)) return 0.0;
+    respond(&at, at.k.ahead);
+    return sqrt(mass_norm(c, at.k.ahead) / speed);
 }
 
 /* Longest step [s] that resolves springs, potentials and dampers at the state, but for what their tension does, by its factors; 0 with

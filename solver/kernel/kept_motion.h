@@ -83,10 +83,21 @@ static double potential_of_island(const context *c)
     return potential_since(c, c->m->n_islands == 1 ? c->s.head[S_STORED_START] : 0.0);
 }
 
+/* What dampers (S_DISSIPATED), or frictions (S_FRICTION), of the island at hand have taken in the step. */
+HM_SELDOM static double lost_of(const context *c, int account)
+{
+    static const int PARTS[2][2] = {{ISLAND_ELEMENT, ISLAND_POTENTIAL}, {ISLAND_FUNCTION, ISLAND_VELOCITY}};
+    double sum = 0.0;
+    for (int k = 0; k < 2; k++)
+        for IN_ISLAND(c, j, PARTS[account == S_FRICTION][k]) sum += c->k.loss[j];
+    return sum;
+}
+
 /* Takes down what the islands have at the start of a step of length h: of their momenta all may be kept, of driven islands none. */
 HM_SELDOM static void keep_motion(context *c, double h)
 {
     const holonom_model *m = c->m;
+    memset(c->k.loss, 0, sizeof(double) * (size_t)n_composites(c));
     EACH_ISLAND(c, island) {
         kept_motion *x = kept_of(c);
         memset(x, 0, sizeof *x);

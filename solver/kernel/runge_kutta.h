@@ -147,7 +147,7 @@ static int32_t accelerate(context *at, double *a, double *multipliers)
     return status;
 }
 
-/* Adds `time` times the powers of the island at hand at the state: of loads, moments and drives, and of dampers. */
+/* Adds `time` times the powers of the island at hand at the state: of loads, moments and drives, and of each damper to its loss. */
 HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion *x)
 {
     const holonom_model *m = at->m;
@@ -158,7 +158,7 @@ HM_SELDOM static int32_t add_powers(const context *at, double time, kept_motion 
         if (drive == 0.0 && damping == 0.0) continue;
         quantity_at(at, m->leaf[4 * m->leaf_ptr[j] + 1], at->s.q, at->s.q_low, v, &rate);
         x->work += time * drive * rate;
-        x->dissipated += time * damping * rate * rate;
+        at->k.loss[j] += time * damping * rate * rate;
     }
     if (!is_loaded(at)) return HOLONOM_OK;
     clear_nodes(at, at->k.momentum);
@@ -325,17 +325,14 @@ HM_SELDOM static int32_t remember_end(context *c, context *at)
 }
 
 /* Books what loads and drives have done to the islands in a step, and what their dampers have taken. */
-HM_SELDOM static int32_t book_works(context *c)
+HM_SELDOM static void book_works(context *c)
 {
-    int32_t status = HOLONOM_OK;
     EACH_ISLAND(c, island) {
         kept_motion *x = kept_of(c);
-        if (!(x->dissipated >= -1e-15 * c->s.head[S_ENERGY_REFERENCE])) status = HOLONOM_DAMPING_REVERSED;
-        x->dissipated = fmax(x->dissipated, 0.0);
+        x->dissipated = lost_of(c, S_DISSIPATED);
         book(c, S_WORK, x->work);
         book(c, S_DISSIPATED, x->dissipated);
     }
-    return status;
 }
 
 /* Stages and end of a step, put back. */
@@ -358,7 +355,8 @@ HM_SELDOM static int32_t step_explicitly(context *c, context *at, const runge_ku
     turn_angles(at);
     c->t = at->t = c->t + h;
     if (!status && h * fastest_angle(c) > LARGEST_TURN) status = HOLONOM_TURN_TOO_LARGE;
-    if (!status) status = book_works(c);
+    if (gives_energy(c)) return HOLONOM_DAMPING_REVERSED;
+    if (!status) book_works(c);
     if (!status) status = factorise_here(at);
     c->longest_put_back = h * hm_pow(AIMED_DIFFERENCE / fmax(c->difference, 1e-30), 1.0 / x->order);
     if (!status) c->free_part = free_part(at, x);
@@ -375,7 +373,7 @@ HM_SELDOM static void find_forces_at_start(context *c, context *at, double t, do
     inertia(c, 2.0, c->s.a[0], c->k.momentum);
 }
 
-/* One internal step of length h. Where its end cannot be put back it is left to be taken otherwise; after
+/* One internal step of length h. Where its end cannot be put back, or a damper gives energy, it is left to be taken otherwise; after
    MOST_HELD in a row others are, too: they learn their errors anew. */
 HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
 {
@@ -388,9 +386,9 @@ HM_SELDOM static int32_t runge_kutta_step(context *c, double h)
     c->h = h;
     c->halves = x->stages;
     int32_t status = step_explicitly(c, &at, x, h, &held);
+    if (status == HOLONOM_DAMPING_REVERSED) return HOLONOM_OK; /* some weights are negative, those of pairs are not */
     if (held) {
         before[S_HELD] += 1.0;
-        if (before[S_HELD] >= MOST_HELD) memset(c->s.head + S_JUDGED_4, 0, sizeof(double) * 6); /* undo_step keeps them */
         return HOLONOM_OK;
     }
     if (!status) status = remember_end(c, &at);

@@ -9,8 +9,6 @@
 #include "predict.h"
 #include "runge_kutta.h"
 
-enum { N_COMPOSED = 3 }; /* orders 4, 6 and 8 */
-
 /* A symmetric composition of pairs with these parts of the step has the order given: each stage conserves by itself.
    The plain step is not near the identity as h goes to 0 (it reflects the velocity normal to the constraints), the
    pair is, so that it composes (theory 8.1). Parts beyond the middle repeat the first ones in reverse.
@@ -31,21 +29,6 @@ static double stage(int order, int i, int *stages)
     return parts[i <= middle ? i : 2 * middle - i];
 }
 
-/* Weights of the outputs 0 ... s after each stage, for the difference from a solution of lower order that costs nothing:
-   the sum of weighted outputs vanishes to order 3, 4 or 6. They fulfil the conditions of that order, with a unit error
-   of the next one, and repeat in reverse (odd order) or with the other sign (even) (theory 8.6).                */
-static double embedded(int order, int i, int stages)
-{
-    static const double weights[3][8] = {
-        {4.1241054657117822, 5.793661999832441, -9.9177674655442232},
-        {1.8226314151074883, -6.4011435573198723, -6.2891381706484477, -0.8785205100332758, -3.0344753042599},
-        {55.91681365966907, -38.903798991623916, -13.314127312603684, 29.777317156091367, -24.384415134859363,
-         2.2906965052155357, -1.2771797104762384, 54.44749195234535}};
-    const double *w = weights[order / 2 - 2];
-    if (2 * i <= stages) return w[i];
-    return order == 4 ? w[stages - i] : -w[stages - i];
-}
-
 /* -------------------------------------------------------------------------------------- internal steps */
 
 /* Light links whip about a heavy load where their chain comes straight, in steps 1e4 times as short for a moment. Shorter steps do
@@ -62,17 +45,6 @@ static int most_halvings(const context *c, double h, int32_t status)
     return few ? FEW_HALVINGS : MOST_HALVINGS;
 }
 
-/* Adds the output after a stage to the difference from the embedded solution. */
-static void gather_estimate(context *c, int order, int i, int stages)
-{
-    if (!(c->s.head[S_TOLERANCE] > 0.0) || order == 2) return;
-    if (i == 1) memset(c->k.estimate, 0, sizeof(double) * (size_t)(2 * DIM * c->n_moving));
-    add_change(c, c->k.pair_backup, embedded(order, i, stages), c->k.estimate);
-}
-
-/* Where springs are too fast for the steps wanted, explicit ones may be shorter by this; where dampers are, they are covers. */
-#define SHORTER 5.0
-
 /* Longest explicit step of an order. */
 static double longest_of(const context *c, int order) { return method_of_order(order)->resolved * c->s.head[S_LONGEST_EXPLICIT]; }
 
@@ -82,25 +54,16 @@ static double longest_now(const context *c, int order)
     return fmin(longest_of(c, order), 0.9 * MOST_TURNED / fmax(fastest_turn(c), fastest_angle(c)));
 }
 
-/* How steps of an order and length are taken, with dampers or without; explicit ones are shortened to the longest. */
-static enum way way_of(const context *c, int damped, int order, double h)
-{
-    if (is_explicit_order(order) && h <= (damped ? 1.0 : SHORTER) * longest_of(c, order) && may_step_explicitly(c)) return EXPLICIT;
-    return order > 2 && damped ? COVERED : COMPOSED;
-}
-
-/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted, what was learned known. */
+/* Takes an internal step back, from time t with laws of law_time; what it cost stays counted. */
 static void undo_step(context *c, double t, double law_time)
 {
-    double learned[2 * N_COMPOSED];
-    memcpy(learned, c->s.head + S_JUDGED_4, sizeof learned);
-    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS];
+    const double newton = c->s.head[S_NEWTON_ITERATIONS], uzawa = c->s.head[S_UZAWA_ITERATIONS], as_pairs = c->s.head[S_AS_PAIRS];
     memcpy(c->s.head, c->k.pair_backup, sizeof(double) * (size_t)c->state_size);
     if (c->m->time_dependent) set_laws(c, law_time, 0); /* the work of what they did is undone too */
     c->t = t;
     c->s.head[S_NEWTON_ITERATIONS] = newton;
     c->s.head[S_UZAWA_ITERATIONS] = uzawa;
-    memcpy(c->s.head + S_JUDGED_4, learned, sizeof learned);
+    c->s.head[S_AS_PAIRS] = as_pairs;
 }
 
 /* One internal step: pairs of half steps, a weighted cover of them, or an explicit one. */
@@ -109,14 +72,17 @@ static int32_t internal_step(context *c, double h)
     int order = (int)c->s.head[S_ORDER_IN_USE];
     int32_t status = HOLONOM_OK;
     c->way = UNTAKEN;
-    if (is_explicit_order(order) && !c->passing && h <= longest_of(c, order) * (1.0 + 1e-9) && may_step_explicitly(c)) {
+    if (c->s.head[S_EXPLICIT] != 0.0 && is_explicit_order(order) && !c->passing && may_step_explicitly(c)) {
         const double t = c->t, law_time = c->number[c->m->time_at];
         status = runge_kutta_step(c, h);
         if (status || c->way == EXPLICIT) return status;
         undo_step(c, t, law_time);
     }
-    if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 4;
-    if (order > 2 && is_dissipative(c)) return extrapolated_step(c, h);
+    if (order == 5) c->s.head[S_ORDER_IN_USE] = order = 6; /* of order 4 nothing tells how fast differences fall, at a kink for one */
+    const int is_judged = c->s.head[S_TOLERANCE] > 0.0;
+    const int is_first = c->s.head[S_HALVES] != 2.0 || c->s.head[S_KNOWN] < 4.0; /* no pair before it judges it */
+    if (order == 2 && is_judged && is_first) return extrapolated_step(c, h, 1);
+    if (order > 2 && (is_judged || is_dissipative(c))) return extrapolated_step(c, h, 0);
     c->way = COMPOSED;
     const double dissipated = c->s.head[S_DISSIPATED] - 1e-9 * c->s.head[S_ENERGY_REFERENCE];
     memcpy(c->k.pair_backup, c->s.head, sizeof(double) * (size_t)c->state_size);
@@ -128,7 +94,6 @@ static int32_t internal_step(context *c, double h)
         status = single_step(c, half, 2 * i);
         if (!status) status = single_step(c, half, 2 * i + 1);
         if (!status) average_multipliers(c, c->t - half);
-        if (!status) gather_estimate(c, order, i + 1, stages);
     }
     /* Dampers too strong for the parts that go back in time run away, with a ledger that closes. */
     if (!status && order > 2 && !(c->s.head[S_DISSIPATED] >= dissipated)) return HOLONOM_DAMPING_REVERSED;

@@ -281,12 +281,13 @@ HEAD = (
     "mean_time", "mean_time_before",
     "known", "halves", "half_1", "half_2", "half_3", "half_4",  # see predict.h
     "wanted",  # length that a tolerance asks for
-    "last_length", "judged_4", "judged_6", "judged_8", "learned_4", "learned_6", "learned_8",
-    "across", "order_in_use",
+    "last_length", "across", "order_in_use",
+    "explicit",  # whether steps to come are, of that order
     "held",  # steps in a row that were to be explicit and could not, see runge_kutta.h
     "longest_explicit",  # step that resolves springs and dampers, see force_rates.h
     "unspent",  # of what steps so far might add to the error of the run, over the tolerance
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
+    "as_pairs",  # steps in it that were to be of a higher order, but would have let a loss give energy
     "ledger_error",
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h
@@ -411,7 +412,7 @@ MEASURED = {
     "residual": "2",  # largest of positions and velocities, scaled
     "momentum": "dim",
     "angular_momentum": "turning",  # about the origin
-    "solver": "6",  # Newton iterations, Uzawa updates, substeps, order, sampling, status
+    "solver": "7",  # Newton iterations, Uzawa updates, substeps, order, as pairs, sampling, status
     "contact": "5 * n_contacts",  # gap, force, mode, impacts, impulse
     "friction": "3 * n_frictions",  # force, slip rate, mode
     "loss": "3 * unilateral",  # to dampers, friction and impacts

@@ -24,33 +24,18 @@ def _numbers(text: str) -> tuple[float, ...]:
 
 
 _ARRAYS = dict(re.findall(r"static const double (\w+)\[\] = \{(.*?)\};", TEXT, re.DOTALL))
-_WEIGHTS = re.findall(r"weights\[3\]\[8\] = \{(.*?)\};", TEXT, re.DOTALL)[0]
 
 FIRST_PARTS = {
     order: _numbers(_ARRAYS[name])
     for order, name in {2: "whole", 4: "fourth", 6: "sixth", 8: "eighth"}.items()
 }
 """Parts of a step up to the middle one, by order."""
-EMBEDDED = {
-    order: (lower, _numbers(row))
-    for (order, lower), row in zip(
-        {4: 3, 6: 4, 8: 6}.items(), re.findall(r"\{(.*?)\}", _WEIGHTS, re.DOTALL), strict=True
-    )
-}
-"""By order, the difference from a solution of lower order: that order, and the first half of the
-weights of the outputs 0 ... s after each stage."""
 
 
 def stages(order: int) -> tuple[float, ...]:
     """Parts of a step, each taken by a pair of half steps."""
     first = FIRST_PARTS[order]
     return (*first, *first[-2::-1])
-
-
-def embedded(order: int) -> tuple[float, ...]:
-    """Weights of the outputs 0 ... s."""
-    lower, first = EMBEDDED[order]
-    return (*first, *(x if lower % 2 else -x for x in reversed(first)))
 
 
 Series = dict[tuple[int, ...], Fraction]
@@ -115,23 +100,3 @@ def test_odd_powers_of_the_parts_sum_to_zero_below_the_order(order):
     assert sum(parts) == pytest.approx(1.0, abs=1e-15)
     for power in range(3, order, 2):
         assert sum(part**power for part in parts) == pytest.approx(0.0, abs=1e-15)
-
-
-@pytest.mark.parametrize("order", EMBEDDED)
-def test_the_weights_of_the_outputs_vanish_to_their_order_with_a_unit_error_of_the_next(order):
-    outputs = [dict(ONE)]
-    for part in stages(order):
-        outputs.append(product(outputs[-1], pair(Fraction(part).limit_denominator(10**18))))
-    (lower, _), weights = EMBEDDED[order], embedded(order)
-    assert len(weights) == len(outputs)
-
-    def summed(weight: int) -> list[float]:
-        return [
-            float(sum(Fraction(w) * y.get(word, 0) for w, y in zip(weights, outputs, strict=True)))
-            for word in words(weight)
-        ]
-
-    # Weights of up to 56 are rounded, and so are the parts.
-    for weight in range(lower + 1):
-        assert max(map(abs, summed(weight))) < 2e-16 * sum(map(abs, weights))
-    assert sum(x**2 for x in summed(lower + 1)) == pytest.approx(1.0, abs=1e-12)

@@ -1,0 +1,109 @@
+"""A thousand periods: phase and amplitudes with equal steps, and under a tolerance.
+
+Compositions of equal steps are symmetric, so that their phase error grows with time alone, and no
+amplitude with it. Right values: elliptic functions by mpmath, and DOP853 at 1e-13.
+"""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+import solver
+from tests.mechanism_runs import scene
+
+SPRING = """
+name = "spring"
+dimension = 2
+[points]
+A = { position = [1.2, 0], mass = 1.0 }
+[forces]
+s = { type = "spring", points = ["ground", "A"], at = [0, 0], stiffness = 100, free_length = 1 }
+"""
+
+
+def ends(text: str | solver.Scene, names: list[str], stop: float, step: float, **settings: float):
+    """Values at all communication points."""
+    drawn = solver.loads(text) if isinstance(text, str) else text
+    table = solver.simulate(drawn, stop_time=stop, step_size=step, outputs=names, **settings)
+    return np.array([table[name] for name in names]).T
+
+
+@pytest.mark.parametrize(
+    ("settings", "allowed"),
+    [
+        ({"order": 8, "internal_step": 0.05}, 3e-6),
+        ({"order": 4, "internal_step": 0.02}, 3e-3),
+        ({"tolerance": 1e-8}, 3e-8),
+    ],
+)
+def test_a_spring_swings_a_thousand_periods(settings, allowed):
+    stop = 1000 * 2.0 * math.pi / 10.0
+    x, v = ends(SPRING, ["A.x", "A.vx"], stop, stop / 400, **settings).T
+    t = np.linspace(0.0, stop, 401)
+    assert x - 1.0 == pytest.approx(0.2 * np.cos(10.0 * t), abs=allowed)
+    amplitude = np.hypot(x - 1.0, v / 10.0)
+    assert amplitude == pytest.approx(0.2, abs=1e-12)  # of the energy
+
+
+def nutation(t: float) -> float:
+    """Height of the nose of the heavy top by elliptic functions.
+
+    u = cos(theta) of a top with A = 5, C = 1, m g l = 20 obeys u'^2 = (alpha - beta u)(1 - u^2) -
+    (b - a u)^2, a = C w_3/A, b = L_z/A, beta = 2 m g l/A.
+    """
+    mpmath.mp.dps = 30
+    A, C, weight, spin, tilt = 5, 1, 20, 50, mpmath.mpf("0.05")
+    a = mpmath.mpf(C * spin) / A
+    beta = mpmath.mpf(2 * weight) / A
+    start = mpmath.cos(tilt)
+    b, alpha = a * start, beta * start  # it begins without rate of tilt and of precession
+    cubic = [alpha - b**2, 2 * a * b - beta, -(alpha + a**2), beta]
+    u = sorted(mpmath.polyroots(cubic, maxsteps=200, extraprec=200, asc=True), key=lambda z: z.real)
+    low, high, far = (z.real for z in u)
+    k2 = (high - low) / (far - low)
+    w = mpmath.sqrt(beta * (far - low)) / 2
+    sn = mpmath.ellipfun("sn", w * t + mpmath.ellipk(k2), m=k2)
+    return float(low + (high - low) * sn**2)
+
+
+@pytest.mark.parametrize(
+    ("settings", "phase"),
+    [({"order": 8, "internal_step": 0.02}, 1e-3), ({"tolerance": 1e-7}, 1e-5)],
+)
+def test_a_heavy_top_nutates_a_thousand_periods(settings, phase):
+    top = solver.load(scene("heavy_top"))
+    stop = 1000 * 2.0 * math.pi / 10.0
+    step = stop / 1000.0
+    height = ends(top, ["top.nose.z"], stop, step, **settings)[-40:, 0]
+    exact = np.array([nutation(k * step) for k in range(961, 1001)])
+    swing = np.ptp([nutation(x) for x in np.linspace(0.0, 0.7, 50)])
+    assert height == pytest.approx(exact, abs=phase * swing)
+
+
+@pytest.mark.parametrize(
+    ("settings", "allowed"),
+    [({"order": 8, "internal_step": 0.1}, 1e-4), ({"tolerance": 1e-9}, 1e-6)],
+)
+def test_a_small_double_pendulum_swings_a_thousand_periods(settings, allowed):
+    text = """
+name = "small"
+dimension = 2
+gravity = [0, -9.81]
+[points]
+O = { position = [0, 0], fixed = true }
+A = { position = ["sin(0.1)", "-cos(0.1)"], mass = 1.0 }
+B = { position = ["2*sin(0.1)", "-2*cos(0.1)"], mass = 1.0 }
+[joints]
+upper = { type = "distance", points = ["O", "A"] }
+lower = { type = "distance", points = ["A", "B"] }
+"""
+    stop = 2621.0524300890147
+    found = ends(text, ["A.x", "B.x"], stop, stop / 10, **settings)
+    # SciPy's DOP853 at 1e-13, as in tests.exact_motions.double_pendulum_motion, which takes 17 s.
+    exact = [[-0.0693888956038479, -0.20299768050599348]]
+    exact += [[-0.07622932992996996, -0.15912985436481772]]
+    assert found[-2:] == pytest.approx(np.array(exact), abs=allowed)
