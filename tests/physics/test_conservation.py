@@ -158,7 +158,8 @@ inertia = [4, 4, 1]
 def test_a_wheel_spins_as_fast_after_200000_steps(dimension, h):
     """I omega is constant. Each of 4e5 half steps rounds what it changes velocities of directors
     by, up to 33 m/s, to half of 7e-15 m/s: at random that is 4e-14 of omega. With one sign it
-    would be 100 times as much, as where the rounding of h omega was left out of the momenta."""
+    would be 100 times as much, as where the rounding of h omega was left out of the momenta.
+    """
     text = f"{WHEELS[dimension]}[solver]\nstep_size = {h}\n"
     run = solver.Integrator(solver.assemble(solver.loads(text)))
     run.advance(0.0, 200_000 * h)

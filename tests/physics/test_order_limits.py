@@ -105,7 +105,9 @@ def test_where_nothing_is_limited_nothing_is_said(setting, options):
 
 def test_without_a_log_it_is_a_warning():
     scene = solver.loads(text(LIMITED))
-    with pytest.warns(RuntimeWarning, match="solver.tolerance chooses the order, but steps are of order 2") as told:
+    with pytest.warns(
+        RuntimeWarning, match="solver.tolerance chooses the order, but steps are of order 2"
+    ) as told:
         solver.simulate(scene)
     assert told[0].filename == __file__  # at the line that asked for the run
     run = solver.Integrator(solver.assemble(scene))
@@ -163,4 +165,7 @@ def test_who_builds_it_on_the_command_line_reads_it(capsys, tmp_path):
     scene = tmp_path / "parts.toml"
     scene.write_text(text(LIMITED))
     assert main(["build", str(scene), "-o", str(tmp_path / "parts.fmu")]) == 0
-    assert "parts: solver.tolerance chooses the order, but steps are of order 2" in capsys.readouterr().err
+    assert (
+        "parts: solver.tolerance chooses the order, but steps are of order 2"
+        in capsys.readouterr().err
+    )
