@@ -55,7 +55,7 @@ value = ["-0.1*A.x", 0]
 type = "potential"
 value = "max(A.y - 2, 0)**2"
 """
-"""A load that reads, which half steps take at order 2, and a kink that explicit steps do not take."""
+"""A load that reads, of order 2 in half steps, and a kink, which explicit steps do not take."""
 
 
 def text(setting: str, parts: int = 2, damping: float = 0.3, more: str = "") -> str:
