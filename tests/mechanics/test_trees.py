@@ -96,10 +96,10 @@ def test_a_tree_moves_as_with_directors_for_unknowns(drawn):
     assert np.abs(first.get(errors)).max() <= 1e-13
 
 
-@pytest.mark.parametrize("penalty", [1e6, 1e7])
-def test_trees_keep_rows_and_energy_at_low_penalties(penalty):
-    # Trees leave the compliance out of their factors, which costs them updates.
-    run = start(tomllib.loads(rigid_chain(4)), h=2e-3, penalty=penalty)
+def test_trees_keep_rows_and_energy_at_the_least_penalty():
+    # Trees leave the compliance out of their factors: at 1e2, which is refused, they would not
+    # converge.
+    run = start(tomllib.loads(rigid_chain(4)), h=2e-3, penalty=1e6)
     errors = observe(run, 2e-3, 20, ["energy.error", "constraint.position"])
     assert np.abs(errors).max() <= 1e-14
 
