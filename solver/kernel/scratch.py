@@ -54,7 +54,7 @@ WORK = {
     "leaves": "n_registers * n_leaf_numbers",  # end slopes and changes of a composite's leaves
     "r.r0": "n_registers", "r.r1": "n_registers", "r.dr": "n_registers",  # of one function
     "r.adjoint": "n_registers", "r.slope": "3 * n_registers",
-    "estimate": "6 * n",  # in q and v; of covers: change from the finest one, and behind it
+    "estimate": "6 * n",  # in q and v; of weighted covers: change from the finest one, behind it
     # differences from the order before, and of that from the one before it
     "loss": "n_elements + n_function_rows + n_velocity_rows + n_potentials",  # to each composite
     "weighted_loss": "n_elements + n_function_rows + n_velocity_rows + n_potentials",

@@ -287,7 +287,7 @@ HEAD = (
     "longest_explicit",  # step that resolves springs and dampers, see force_rates.h
     "unspent",  # of what steps so far might add to the error of the run, over the tolerance
     "newton_iterations", "uzawa_iterations", "substeps",  # of the last step
-    "as_pairs",  # steps in it taken as pairs, since a loss would have given energy
+    "as_pairs",  # steps in it whose higher order would have let a loss give energy
     "ledger_error",
     "events",  # of contacts, in the last step
     "stepped",  # whether a part of it was, see stepped.h

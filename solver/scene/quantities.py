@@ -115,8 +115,8 @@ WHOLE: dict[str, tuple[Offer, ...]] = {
         "uzawa_iterations": "Uzawa updates of the last communication step",
         "substeps": "half steps, and stages of explicit steps, of the last communication step",
         "order_in_use": "order of the last internal step, 0 before it",
-        "as_pairs": "steps of the last communication step in which a damper or friction would have "
-        "given energy at their order, so that they were taken as pairs of half steps, of order 2",
+        "as_pairs": "steps of the last communication step taken as pairs of half steps, of order "
+        "2, since a damper or friction would have given energy at their order",
         "sampling": "for forces that read the motion: part of their work that they missed, as they "
         "are evaluated once in a half step; above 1 the step is too long",
         "status": "0 after a solved step, else the code of what failed",

@@ -1,4 +1,4 @@
-"""Each damper and friction takes energy or none, also where weights of a step are negative.
+"""Each damper and each friction takes energy or none, also where some weights are negative.
 
 Weighted covers and explicit steps have negative weights: of a loss that is an error of the step
 alone they would make a gain, which a sum over all losses hides. Such steps are taken as pairs.
@@ -73,7 +73,7 @@ step_size = 0.1
 
 @pytest.mark.parametrize(("order", "time"), [(4, 0.425), (6, 0.4125), (8, 0.425)])
 def test_a_step_in_which_one_of_two_dampers_would_give_energy_is_taken_as_pairs(order, time):
-    """Of the covers from 0.4 s on only one of negative weight sees the tap, in a half step.
+    """Of the covers from 0.4 s on one of a negative weight alone sees the tap, in the middle.
 
     Of the loss to `held` it would leave a gain, within a positive sum.
     """
