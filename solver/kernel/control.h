@@ -159,6 +159,7 @@ static int judge_step(context *c, double h, double step)
     head[S_WANTED] = h * fmin(fmax(change, SHORTEST), 2.0);
     if (is_explicit) head[S_WANTED] = fmin(head[S_WANTED], c->longest_put_back);
     if (share > (is_explicit ? REJECTED_EXPLICIT : REJECTED)) return 1;
+    if (judged) head[S_LAST_RATE] = e.rate;
     /* Never more than a run may add; round-off earns nothing, and a piece that an event cuts is judged as it was before. */
     const double left = judged && !e.is_noise && !is_unilateral(c->m) ? (SAFETY - share) * h / head[S_HORIZON] : 0.0;
     head[S_UNSPENT] = fmin(SAFETY, head[S_UNSPENT] + left);

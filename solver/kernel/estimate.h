@@ -21,8 +21,10 @@
 #define FALL 4.6
 /* Least error of a cover over its difference, with strong dampers. */
 #define SETTLED 1e-3
-/* Least error of a cover of order 4 over its difference: none before it tells that a force jumps within the step. */
-#define AT_A_JUMP 0.1
+/* Least error of a cover of order 4 over its difference where that tells SUDDEN times the rate of the step before: a force has jumped
+   within the step, and no difference before it tells. */
+#define AT_A_JUMP 1.0
+#define SUDDEN 1.5
 /* Of what a body turns by in a step: a top's difference from an embedded solution tells how fast it precesses, the step errs by
    its spin. */
 #define SPINNING 2.0
@@ -121,7 +123,7 @@ static int estimate_error(const context *c, double h, step_error *e)
         e->mean = fmax(e->mean, (is_settled ? 1.0 : FALL) * difference * difference / hm_hypot(difference, before));
     }
     if (is_settled) e->mean = fmax(e->mean, SETTLED * difference);
-    else if (order == 4) e->mean = fmax(e->mean, AT_A_JUMP * difference);
+    else if (order == 4 && e->rate > SUDDEN * c->s.head[S_LAST_RATE]) e->mean = fmax(e->mean, AT_A_JUMP * difference);
     e->mean *= margin(c);
     if (c->way == EXPLICIT) e->mean *= fmax(1.0, SPINNING * h * fastest_turn(c) / fmax(freed, 1e-30));
     return 1;

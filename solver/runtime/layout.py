@@ -281,7 +281,9 @@ HEAD = (
     "mean_time", "mean_time_before",
     "known", "halves", "half_1", "half_2", "half_3", "half_4",  # see predict.h
     "wanted",  # length that a tolerance asks for
-    "last_length", "across", "order_in_use",
+    "last_length",
+    "last_rate",  # of the motion, as the last step told it [1/s]; 0 before one
+    "across", "order_in_use",
     "explicit",  # whether steps to come are, of that order
     "held",  # steps in a row that were to be explicit and could not, see runge_kutta.h
     "longest_explicit",  # step that resolves springs and dampers, see force_rates.h
