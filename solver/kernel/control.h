@@ -204,6 +204,9 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         c->damped = is_dissipative(c);
         int32_t status = is_unilateral(c->m) ? stop_before(c, &h) : HOLONOM_OK;
         if (status) return status;
+        const double unswitched = length_to_switch(c, c->t, h);
+        const int ends_at_switch = unswitched < h;
+        h = unswitched;
         if (is_unilateral(c->m) && head[S_KNOWN] == 0.0) head[S_ACROSS] = velocity_defect(c, h); /* as impacts have left it */
         if (is_unilateral(c->m)) keep_start(c);
         const int tiny = is_unilateral(c->m) && is_short(c, h);
@@ -230,6 +233,7 @@ HM_SELDOM static int32_t cover_to_tolerance(context *c, double start, double ste
         }
         repeats = c->passing = 0;
         bound_across(c);
+        if (ends_at_switch) forget_halves(c);
         if (h < whole) head[S_WANTED] = fmax(head[S_WANTED], whole); /* a slip about to stop has cut it, not its error */
         double covered = h;
         if (is_unilateral(c->m) && (status = end_piece(c, start + done, law_time, h, &covered))) {

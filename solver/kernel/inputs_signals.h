@@ -62,6 +62,49 @@ static void set_laws(context *c, double t, int booked)
     if (booked && m->variable_potential) book(c, S_WORK, stored_energy(c) - before);
 }
 
+/* Side of its jump or kink on which an operation is; 0 where it has none. */
+static double side_of(const int32_t *op, const double *number)
+{
+    const double a = number[op[2]], b = number[op[3]];
+    if ((op[0] >= T_SIGN && op[0] <= T_NE) || op[0] == T_FLOOR || op[0] == T_CEIL) return number[op[1]];
+    if (op[0] == T_MIN || op[0] == T_MAX) return a < b;
+    return op[0] == T_ABS ? a < 0.0 : op[0] == T_MOD ? floor(a / b) : 0.0;
+}
+
+/* Keeps the sides on which the operations of the laws are at time t (kept = 0); or whether one is on another side then. */
+HM_SELDOM static int switches_at(context *c, double t, int kept)
+{
+    const int32_t *op = c->m->tape + 5 * (int64_t)c->m->n_tape_parameters;
+    set_laws(c, t, 0);
+    for (int32_t i = 0; i < c->m->n_tape_laws; i++, op += 5) {
+        const double side = side_of(op, c->number);
+        if (!kept) c->k.jet[2 * op[1]] = side;
+        else if (side != c->k.jet[2 * op[1]]) return 1;
+    }
+    return 0;
+}
+
+#define NO_TIME 1e-9 /* part of a step: a switch as near to an end is at the end */
+
+/* Length of the part of a step of length h from t to the first time at which the laws jump or have a kink, by bisection; h without one.
+   Half steps read laws in their middles alone: they would miss a jump close to an end of a step, and no tolerance would see that. */
+HM_SELDOM static double length_to_switch(context *c, double t, double h)
+{
+    const double law_time = c->number[c->m->time_at];
+    double before = t + NO_TIME * h, after = t + (1.0 - NO_TIME) * h;
+    if (!c->m->time_dependent) return h;
+    switches_at(c, before, 0);
+    const int switches = switches_at(c, after, 1);
+    while (switches) {
+        const double middle = before + 0.5 * (after - before);
+        if (!(middle > before && middle < after)) break;
+        if (switches_at(c, middle, 1)) after = middle;
+        else before = middle;
+    }
+    set_laws(c, law_time, 0);
+    return switches ? after - t : h;
+}
+
 /* Signals at time t (n_signals, overwritten). */
 static void signals_at(const context *c, double t, double *signal)
 {

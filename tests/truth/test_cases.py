@@ -59,16 +59,6 @@ FAILS: Mapping[str, Mapping[str, int]] = {
         "a regulator settles it at 50 rad/s": 46,
         "a regulator settles it at 100 rad/s": 46,
     },
-    "jump_in_time": {
-        "A.vx(1) is 0.2274 at 1e-06": 46,
-        "A.vx(1) is 0.2274 at 1e-09": 46,
-        "a force floor(3.7*t) is right in one step of 1 s at 1e-8": 46,
-        "a force sign(sin(7*t)) is right in one step of 1 s at 1e-8": 46,
-        "a force mod(t, 0.3) is right in one step of 1 s at 1e-8": 46,
-        "a force min(t, 0.4173) is right in one step of 1 s at 1e-8": 46,
-        "a force abs(sin(7*t)) is right in one step of 1 s at 1e-8": 46,
-        "a force 1 if t > 0.5031 and t < 0.5055 else 0 is right in one step of 1 s at 1e-8": 46,
-    },
     "sign_friction": {
         "it stops at 2/3 s and stays, at 0.001": 46,
         "it stops at 2/3 s and stays, at 1e-06": 46,
