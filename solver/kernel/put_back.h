@@ -169,7 +169,7 @@ HM_SELDOM static int balance_energy(context *c, const kept_motion *x, double pot
         EACH_NODE(c, a) along += dot(u + DIM * a, c->k.momentum + DIM * a);
         const double part = -2.0 * excess / (along + copysign(sqrt(along * along - 2.0 * square * excess), along));
         const double change = fabs(part) * sqrt(square) / speed_scale(c);
-        if (!(change <= ENERGY_ROUND_OFF) && fabs(excess) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x)) return 1;
+        if (!(change <= ENERGY_ROUND_OFF) && is_round_off(c, x, excess)) return 1;
         if (!(fabs(part) <= LARGEST_SCALING)) return 0;
         c->balanced = fmax(c->balanced, change);
         add_to_velocities(c, part, u);
@@ -222,7 +222,7 @@ HM_SELDOM static int put_island_velocities_back(context *c, context *at)
     /* Steady spins have no velocity and no turn that would change the energy: round-off of a step is left, and is seen in the ledger. */
     c->island[I_UNBALANCED] = 0.0;
     const double excess = unbalanced(c, x, potential);
-    return make_up(c, excess) || fabs(excess - x->lacking) <= LEDGER_ROUND_OFF * sizes_of_summands(c, x);
+    return make_up(c, excess) || is_round_off(c, x, excess);
 }
 
 /* Likewise of all islands. Factors at hand are those of equations at the state, or at one as near. */

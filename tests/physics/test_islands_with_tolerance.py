@@ -239,3 +239,41 @@ points = ["A", "B"]
         vx, vy, y = of(run, f"{name}.vx", f"{name}.vy", f"{name}.y")
         energy += 0.5 * (vx * vx + vy * vy) + G * y
     assert energy == pytest.approx(0.0, abs=5e-13)
+
+
+def damped(name: str, y: float, stiffness: float, damping: float) -> str:
+    """A mass of 1 kg on a spring, drawn 0.1 m off its rest."""
+    ends = f'points = ["ground", "{name}"]\nat = [0, {y}]\n'
+    return (
+        f"[points.{name}]\nposition = [1.1, {y}]\nmass = 1.0\n"
+        f'[forces.spring_{name}]\ntype = "spring"\n{ends}stiffness = {stiffness}\n'
+        f"free_length = 1.0\n"
+        f'[forces.damper_{name}]\ntype = "damper"\n{ends}damping = {damping}\n'
+    )
+
+
+@pytest.mark.parametrize("step", [0.1, 0.01])
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
+@pytest.mark.parametrize("other", [None, 0.0, 2.0])
+def test_a_damped_part_comes_to_rest_alone_and_beside_another(other, tolerance, step):
+    """X - 1 = 0.1 exp(-ct/2m)(cos wt + c/(2mw) sin wt) goes on falling, far below round-off of 50 J.
+
+    The other part, of 100 N/m, swings on by itself or settles ten times as slowly.
+    """
+    text = 'name = "rest"\ndimension = 2\n' + damped("B", 0.0, 1e4, 20.0)
+    laws = {"B": (1e4, 20.0)}
+    if other is not None:
+        text += damped("A", 3.0, 100.0, other)
+        laws["A"] = (100.0, other)
+    run = solver.Integrator(
+        solver.assemble(solver.loads(f"{text}[solver]\ntolerance = {tolerance}\n")),
+        log=lambda _: None,
+    )
+    for _ in range(round(5.0 / step)):
+        run.advance(run.time, step)
+    for name, (k, c) in laws.items():
+        omega = math.sqrt(k - 0.25 * c * c)
+        swing = math.cos(omega * run.time) + 0.5 * c / omega * math.sin(omega * run.time)
+        right = 1.0 + 0.1 * math.exp(-0.5 * c * run.time) * swing
+        assert run[f"{name}.x"] == pytest.approx(right, abs=10.0 * tolerance + 1e-12)
+    assert run["energy.error"] < 1e-13
