@@ -182,8 +182,9 @@ HM_SELDOM static double sizes_of_summands(const context *c, const kept_motion *x
     const holonom_model *m = c->m;
     const double *gravity = c->number + m->gravity_at, extent = c->number[m->extent_at];
     double sum = kinetic_energy(c, c->k.ahead) + x->kinetic + fabs(x->work) + fabs(x->dissipated), weight = 0.0;
-    /* The ledger of the run sums all that it has exchanged; velocities below round-off of the fastest are round-off in any island. */
-    sum += (m->n_islands == 1 ? 1.0 : LEDGER_ROUND_OFF) * c->s.head[S_ENERGY_REFERENCE];
+    sum += LEDGER_ROUND_OFF * c->s.head[S_ENERGY_REFERENCE]; /* of velocities below round-off of the fastest */
+    static const int ACCOUNTS[] = {S_WORK, S_DISSIPATED, S_FRICTION, S_IMPACT}; /* of the run, whose ledger an only island has */
+    for (int i = 0; i < 4 && m->n_islands == 1; i++) sum += fabs(c->s.head[ACCOUNTS[i]]);
     EACH_NODE(c, a) weight += c->number[m->node_weight_at + a];
     sum += weight * sqrt(dot(gravity, gravity)) * extent;
     for IN_ISLAND(c, j, ISLAND_LOAD) EACH(k) sum += fabs(c->number[m->load_at + DIM * j + k]) * extent;

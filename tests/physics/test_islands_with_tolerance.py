@@ -256,7 +256,7 @@ def damped(name: str, y: float, stiffness: float, damping: float) -> str:
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8, 1e-10])
 @pytest.mark.parametrize("other", [None, 0.0, 2.0])
 def test_a_damped_part_comes_to_rest_alone_and_beside_another(other, tolerance, step):
-    """X - 1 = 0.1 exp(-ct/2m)(cos wt + c/(2mw) sin wt) goes on falling, far below round-off of 50 J.
+    """X - 1 = 0.1 exp(-ct/2m)(cos wt + c/(2mw) sin wt) falls on, far below round-off of 50 J.
 
     The other part, of 100 N/m, swings on by itself or settles ten times as slowly.
     """
