@@ -26,10 +26,6 @@
 enum { N_WEIGHTED = 3 };
 static const int WEIGHTED_ACCOUNTS[N_WEIGHTED] = {S_WORK, S_DISSIPATED, S_FRICTION};
 
-typedef struct extrapolation {
-    double booked[N_WEIGHTED]; /* weighted changes in the ledger */
-} extrapolation;
-
 /* Weight of the end after so many pairs, among the ends after `first` ... `last`. */
 static double weight_of(int pairs, int first, int last)
 {
@@ -56,7 +52,7 @@ static void go_back(context *c, double t, double law_time)
 /* Adds the end of a cover to the weighted changes of q and v (in estimate), ledger and losses; and to what they differ by from those
    without the coarsest cover, and these from those without the two coarsest. Energies of the islands are weighted, too; momenta that
    changed are not kept. */
-static void weigh(context *c, int pairs, int covers, extrapolation *x)
+static void weigh(context *c, int pairs, int covers, double *booked)
 {
     const int64_t n = 2 * DIM * c->n_moving;
     const double weight = weight_of(pairs, 1, covers), less = weight_of(pairs, 2, covers);
@@ -68,14 +64,14 @@ static void weigh(context *c, int pairs, int covers, extrapolation *x)
     add_change(c, start, less - weight_of(pairs, 3, covers), c->k.estimate + 2 * n);
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
-        x->booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
+        booked[i] += weight * ((s->head[at] - start[at]) + (s->head[at + 1] - start[at + 1]));
     }
     forget_changed(c);
     weigh_energies(c, weight);
 }
 
 /* Takes the weighted ends over, in the place of the finest cover's. */
-static int32_t take_weighted(context *c, const extrapolation *x)
+static int32_t take_weighted(context *c, const double *booked)
 {
     const int64_t n = DIM * c->n_moving;
     const hm_state *s = &c->s;
@@ -93,8 +89,8 @@ static int32_t take_weighted(context *c, const extrapolation *x)
     for (int i = 0; i < N_WEIGHTED; i++) {
         const int at = WEIGHTED_ACCOUNTS[i];
         head[at] = start[at], head[at + 1] = start[at + 1];
-        book(c, at, x->booked[i]);
-        gained += i == 0 ? x->booked[i] : -x->booked[i];
+        book(c, at, booked[i]);
+        gained += i == 0 ? booked[i] : -booked[i];
     }
     gain_together(c, gained);
     suspend_sliding(c, 1); /* no friction answers the corrections */
@@ -109,7 +105,7 @@ static int32_t take_weighted(context *c, const extrapolation *x)
 }
 
 /* Takes all covers of a step of length h, and weighs their ends. */
-static int32_t take_covers(context *c, double h, int covers, int halves, extrapolation *x)
+static int32_t take_covers(context *c, double h, int covers, int halves, double *booked)
 {
     const double t = c->t, law_time = c->number[c->m->time_at];
     const size_t losses = sizeof(double) * (size_t)n_composites(c);
@@ -126,7 +122,7 @@ static int32_t take_covers(context *c, double h, int covers, int halves, extrapo
             if (i % 2) average_multipliers(c, c->t - 0.5 * h / pairs);
         }
         if (c->m->time_dependent) set_laws(c, t + h, 1); /* ends are compared under the same laws */
-        weigh(c, pairs, covers, x);
+        weigh(c, pairs, covers, booked);
     }
     return HOLONOM_OK;
 }
@@ -137,17 +133,17 @@ HM_SELDOM static int32_t extrapolated_step(context *c, double h, int is_judged)
 {
     const int covers = is_judged ? 2 : (int)c->s.head[S_ORDER_IN_USE] / 2;
     const size_t bytes = sizeof(double) * (size_t)c->state_size;
-    extrapolation x = {{0.0}};
+    double booked[N_WEIGHTED] = {0.0}; /* weighted changes in the ledger */
     keep_motion(c, h);
     c->growth = 1.0;
     c->balanced = 0.0;
     memcpy(c->k.pair_backup, c->s.head, bytes);
-    int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), &x);
+    int32_t status = take_covers(c, h, covers, is_judged ? 2 : covers * (covers + 1), booked);
     if (status) return status;
     memcpy(c->k.finest, c->s.head, bytes);
     c->way = COVERED;
     c->unweighted = 0;
-    status = is_judged ? HOLONOM_OK : take_weighted(c, &x);
+    status = is_judged ? HOLONOM_OK : take_weighted(c, booked);
     if (!status && !is_judged) return HOLONOM_OK;
     if (is_judged) {
         add_change(c, c->k.pair_backup, -1.0, c->k.estimate);

@@ -27,9 +27,7 @@ HM_SELDOM static double turn_island(const context *c, const kept_motion *x, cons
     }
     return sqrt(mass_product(c, moved, moved));
 }
-#endif
 
-#if DIM == 3
 /* How many times larger an error along the path of a rigid body grows that flies with the angular momentum l and g = omega x l.
    It moves on as fast as l does in the body, and fastest with g^2 = (a_1 l^2 - 2T)(2T - a_3 l^2), a_1 > a_2 > a_3 the eigenvalues of
    I^-1 and T its energy: far faster than now if it turns about nearly its middle axis. */

@@ -71,6 +71,17 @@ static double side_of(const int32_t *op, const double *number)
     return op[0] == T_ABS ? a < 0.0 : op[0] == T_MOD ? floor(a / b) : 0.0;
 }
 
+/* Whether any operation of the laws has a jump or a kink. */
+HM_SELDOM static int may_switch(const holonom_model *m)
+{
+    const int32_t *op = m->tape + 5 * (int64_t)m->n_tape_parameters;
+    int may = 0;
+    for (int32_t i = 0; i < m->n_tape_laws; i++, op += 5)
+        may |= (op[0] >= T_SIGN && op[0] <= T_NE) || op[0] == T_FLOOR || op[0] == T_CEIL || op[0] == T_MIN || op[0] == T_MAX ||
+               op[0] == T_ABS || op[0] == T_MOD;
+    return may;
+}
+
 /* Keeps the sides on which the operations of the laws are at time t (kept = 0); or whether one is on another side then. */
 HM_SELDOM static int switches_at(context *c, double t, int kept)
 {
@@ -92,7 +103,7 @@ HM_SELDOM static double length_to_switch(context *c, double t, double h)
 {
     const double law_time = c->number[c->m->time_at];
     double before = t + NO_TIME * h, after = t + (1.0 - NO_TIME) * h;
-    if (!c->m->time_dependent) return h;
+    if (!c->m->time_dependent || !may_switch(c->m)) return h;
     switches_at(c, before, 0);
     const int switches = switches_at(c, after, 1);
     while (switches) {

@@ -21,12 +21,13 @@ typedef struct kept_motion {
     double centre[DIM];                 /* which angular momenta are about */
 } kept_motion;
 
-_Static_assert(sizeof(kept_motion) <= sizeof(double) * (4 * RIGID + DIM + 6), "scratch of an island");
+enum { KEPT_SIZE = 4 * RIGID + DIM + 6 }; /* doubles of scratch for an island, as in scratch.py */
+_Static_assert(sizeof(kept_motion) <= sizeof(double) * KEPT_SIZE, "scratch of an island");
 
 /* What the islands at hand, one, keep. */
 static kept_motion *kept_of(const context *c)
 {
-    return (kept_motion *)(void *)(c->k.kept + (4 * RIGID + DIM + 6) * (int64_t)c->first_island);
+    return (kept_motion *)(void *)(c->k.kept + KEPT_SIZE * (int64_t)c->first_island);
 }
 
 static int touches_ground(const context *c, int32_t f) { return c->m->form_free[f] < c->m->form_ptr[f + 1] - c->m->form_ptr[f]; }

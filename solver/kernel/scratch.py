@@ -37,7 +37,7 @@ WORK = {
     "sensed": "n",  # increment of which sampled loads were told
     "ahead": "n", "ahead_rate": "n",  # coordinates and velocities that are foreseen
     "free": "n",  # part of the velocities that rows leave free
-    "kept": "n_islands * (4 * (dim + turning) + dim + 6)",  # `kept_motion` of each, see put_back.h
+    "kept": "n_islands * (4 * (dim + turning) + dim + 6)",  # KEPT_SIZE of kept_motion.h
     "slip": "n_rows * unilateral",  # rates of sliding frictions' rows over the step
     "row_rate": "n_rows", "row_bias": "n_rows",  # and second derivatives at constant velocities
     "drift": "n_rows * unilateral",  # rates of slips by the speeds of surfaces
