@@ -137,6 +137,14 @@ static int32_t set_leaf(const context *c, const int32_t *entry, int point, leaf_
     return status;
 }
 
+/* Momentum += factor times the slopes of composite j at hand. */
+HM_OFTEN void add_slopes(const context *c, int32_t j, double factor)
+{
+    const local_form *local = (const local_form *)c->k.local;
+    for (int32_t at = c->m->composite_form_ptr[j], f = 0; at < c->m->composite_form_ptr[j + 1]; at++, f++)
+        add_gradient(c, c->m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+}
+
 /* Places of the composite's free entries, form by form, among its nodes. */
 static inline const int32_t *places_of(const context *c, int32_t j)
 {

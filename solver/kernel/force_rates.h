@@ -77,11 +77,7 @@ static int32_t add_forces_of_potentials(const context *at, const double *x)
             const double along = (bend_along(at, j, l, s) - bend_along(at, j, l, -s)) / (4.0 * s);
             const int32_t status = set_leaf(at, entry, 0, &leaf);
             if (status) return status;
-            for (int i = 0; i < 2 && entry[2 + i] >= 0; i++) {
-                const local_form *local = (const local_form *)at->k.local + entry[2 + i];
-                add_gradient(at, m->composite_form[m->composite_form_ptr[j] + entry[2 + i]], AT_STATE * along * leaf.p[i], local->um,
-                             local->wm, at->k.momentum);
-            }
+            add_leaf_force(at, j, entry, &leaf, AT_STATE * along);
         }
     }
     return HOLONOM_OK;
@@ -115,7 +111,7 @@ static double largest_rate(const context *at, int64_t coefficient_at, int with_p
 /* How fast springs answer to the velocities [1/s]: they may be about to swing while no acceleration tells it yet. */
 HM_SELDOM static double rate_of_springs(const context *c)
 {
-    context at = rows_at_state(c, 0.0);
+    context at = rows_at_state(c);
     const double speed = mass_norm(c, c->s.v);
     take_unknowns(&at);
     if (!(speed > 0.0) || factorise_here(&at)) return 0.0;

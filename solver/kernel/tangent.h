@@ -289,9 +289,7 @@ static int32_t add_composites(const context *c)
             c->k.slip[row] = c->k.phi[row] / c->h;
             c->k.phi[row] = 0.0;
         }
-        const local_form *local = (const local_form *)c->k.local;
-        for (int32_t at = m->composite_form_ptr[j], f = 0; at < m->composite_form_ptr[j + 1]; at++, f++)
-            add_gradient(c, m->composite_form[at], factor * c->k.slope[f], local[f].um, local[f].wm, c->k.momentum);
+        add_slopes(c, j, factor);
     }
     if (n_frictions(m)) follow_cones(c);
     return HOLONOM_OK;
