@@ -126,12 +126,7 @@ static void measure_contacts(const context *c, const hm_measured *y)
     }
     for (int32_t f = 0; f < n_frictions(m); f++) {
         const int mode = friction_mode(c, f);
-        double force = 0.0, slip = 0.0;
-        for (int k = 0; k < n_slips(c, f); k++) {
-            force += hm_square(y->multiplier[row_of(c, slip_row(c, f, k))]);
-            slip += hm_square(rate_of_row(c, slip_row(c, f, k)));
-        }
-        force = sqrt(force), slip = sqrt(slip);
+        double force = friction_force(c, f, y->multiplier, NULL), slip = slip_of(c, f, NULL);
         if (n_slips(c, f) == 1) {
             force = -y->multiplier[row_of(c, slip_row(c, f, 0))];
             slip = rate_of_row(c, slip_row(c, f, 0));
